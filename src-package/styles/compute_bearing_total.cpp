@@ -3,10 +3,8 @@
 
 #include "../core/settings/arguments.h"
 #include "../ranks/gather.h"
+#include "cage_losses.h"
 #include "contact_context.h"
-#include "fix_bearing_cage.h"
-#include "fixes.h"
-#include "pair_bearing_hertz.h"
 
 #include <algorithm>
 
@@ -55,20 +53,11 @@ void ComputeBearingTotal::compute_vector()
     ball.of.orbit = bearing::orbit_of(*atom, *pair_, c);
     shares.push_back(ball);
   }
-  for (const bearing::SphereContact &s : pair_->table().sphere) {
-    if (s.i >= atom->nlocal) continue;    // counted on the rank that owns s.i
-    shares.push_back({s.tag_i, s.tag_j, {}});
-    shares.back().of.cage(s.loss, s.force);
-  }
-  for (const FixBearingCage *f : bearing::fixes_of<FixBearingCage>(lmp))
-    for (const bearing::CageRails::CageBall &b : f->rails().balls) {
-      shares.push_back({b.tag, 0, {}});
-      shares.back().of.cage(b.loss, 0.0);
-    }
-  for (const bearing::PocketRow &p : pair_->table().pocket) {
-    shares.push_back({p.ball, p.cage, {}});
-    shares.back().of.cage(p.loss, p.force);
-  }
+  bearing::each_cage_loss(
+      lmp, *pair_, [&](bearing::tag_t tag, bearing::tag_t other, int, double loss, double force) {
+        shares.push_back({tag, other, {}});
+        shares.back().of.cage(loss, force);
+      });
   shares = bearing::gather_all(shares, world);
   std::sort(shares.begin(), shares.end(), [](const Share &a, const Share &b) {
     return a.tag < b.tag || (a.tag == b.tag && a.other < b.other);

@@ -5,6 +5,7 @@
 #include "../core/settings/deck_variable_table.h"
 #include "../core/settings/written.h"
 #include "../deck/find_data.h"
+#include "fix_bearing_heat.h"
 #include "fix_bearing_implicit.h"
 #include "fix_bearing_ring.h"
 #include "fixes.h"
@@ -55,6 +56,9 @@ std::string variables_of(LAMMPS *lmp, double within)
       "out",   "inputs", "overwrite",  "resume",     "keep",      "record",
       "dumps", "passes", "flaw_inner", "flaw_outer", "flaw_ball", "flawed_ball"};
   const bool vibration = integrator_of(lmp) == "vibration";
+  const auto heats = fixes_of<FixBearingHeat>(lmp);
+  const bool cold =
+      std::all_of(heats.begin(), heats.end(), [](const auto *f) { return f->idle(); });
   const Words own = chosen(lmp, within);
   std::string list;
   for (const DeckVariable &v : deck_variables()) {
@@ -66,6 +70,7 @@ std::string variables_of(LAMMPS *lmp, double within)
     const std::optional<std::string> given = host_variable(lmp, name);
     if (v.taken_by("bearing/cage/ring") && host_variable(lmp, "cage").value_or("") != "ring")
       continue;
+    if (cold && v.taken_by("bearing/heat")) continue;
     if (v.of_one_deck() || (data && !angle) || (of_sampling && !vibration) || (angle && !given))
       continue;
     if (std::find(others.begin(), others.end(), name) != others.end()) continue;

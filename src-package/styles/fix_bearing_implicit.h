@@ -54,6 +54,9 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   // Hz, samples of a record that bearing/vibration asks for; 0: as the record asks
   double sampling_rate() const { return sampling_ * oversampling_; }
 
+  // The constants of the contact law are others from the next step on.
+  void laws_changed() { laws_changed_ = true; }
+
   void want_instants(const bearing::Instants &, const std::string &command) override;
   void read_instant(int k, const bearing::InstantReader &) const override;
 
@@ -78,6 +81,7 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
 
   PairBearingHertz *pair_;
   double tolerance_ = 0.0;    // m, estimated local error of a position in a substep; 0 until known
+  bool laws_changed_ = false;
   bool energy_wanted_ = false, begun_ = false;    // begun_: stored_before_ is known
   bearing::Instants instants_;
   std::set<std::string> readers_;    // commands that request instants

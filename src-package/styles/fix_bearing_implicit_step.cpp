@@ -24,7 +24,7 @@ using raceway::BearingModel;
 
 void FixBearingImplicit::build()
 {
-  if (build_ == pair_->table_build()) return;
+  if (build_ == pair_->table_build() && !laws_changed_) return;
   build_ = pair_->table_build();
   Solver &all = *solver_;
   // totals of the bearings of the last neighbour build
@@ -66,7 +66,8 @@ void FixBearingImplicit::build()
   // A solver has no memory of earlier steps, so it is reused for a bearing with the same parts. An
   // energy balance starts with a new solver.
   std::vector<std::unique_ptr<BearingIntegrator>> earlier;
-  if (!energy_wanted_) earlier.swap(all.integrators);
+  if (!energy_wanted_ && !laws_changed_) earlier.swap(all.integrators);
+  laws_changed_ = false;
   all.integrators.clear();
   const auto made = [&earlier](const BearingModel &of, size_t likely) {
     const auto fits = [&](const auto &one) { return one && alike(one->model(), of); };
@@ -128,6 +129,7 @@ void FixBearingImplicit::load(int p, const raceway::Vec3 &fall)
 
 void FixBearingImplicit::initial_integrate(int)
 {
+  pair_->begin_step();
   build();
   for (FixBearingRing *r : rings_) r->begin_step();
   bearing::HomeBearings &bearings = solver_->bearings;

@@ -4,6 +4,8 @@
 #include "contact_context.h"
 #include "deck_notes.h"
 #include "find_record_layout.h"
+#include "fix_bearing_heat.h"
+#include "fixes.h"
 #include "pair_bearing_hertz.h"
 #include "record_settings.h"
 #include "spheres.h"
@@ -288,6 +290,8 @@ void FixBearingRecord::open()
   content.capacitance = static_cast<bool>(context_.capacitor);
   content.surroundings = context_.surroundings;
   content.law = pair_->coefficients().law();
+  find_heats();
+  content.heat = !heats_.empty();
   content.spheres = pair_->coefficients().any_spheres() || layout_.pockets();
   bearing::add_deck_notes(lmp, *pair_, within_, notes_);
   about_ = bearing::record_settings(lmp, *pair_, layout_, notes_,
@@ -312,6 +316,27 @@ void FixBearingRecord::open()
   }
   if (!why.empty()) BRG_ONE(command_ + ": cannot write " + path_ + ": " + why);
   refuse(bearing::write_run_yaml(folder_, about_, {}));
+}
+
+// The fix bearing/heat of each bearing, if there is one for any.
+void FixBearingRecord::find_heats()
+{
+  heats_.clear();
+  std::vector<int> type(layout_.bearings.size(), 0);    // of its balls
+  for (const bearing::RecordLayout::RecordBody &b : layout_.balls)
+    if (const int i = atom->map(static_cast<bearing::tag_t>(b.tag)); i >= 0)
+      type[b.bearing] = atom->type[i];
+  MPI_Allreduce(MPI_IN_PLACE, type.data(), static_cast<int>(type.size()), MPI_INT, MPI_MAX, world);
+  bool any = false;
+  std::vector<FixBearingHeat *> found(type.size(), nullptr);
+  for (FixBearingHeat *f : bearing::fixes_of<FixBearingHeat>(lmp))
+    for (size_t b = 0; b < type.size(); ++b)
+      if (!f->idle() && f->covers_type(type[b])) {
+        found[b] = f;
+        if (!any) note(NetcdfHeader::attribute("heat_ambient_C", f->ambient()));
+        any = true;
+      }
+  if (any) heats_ = found;
 }
 
 // Before the first step: a finished run in the folder stays unless it may go.

@@ -54,6 +54,7 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   void check_finished();
   void open();
   void find_integrators();
+  void find_heats();
   void check_time_step() const;
   void check_step() const;
   void check_flaws() const;
@@ -89,7 +90,8 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   double a_pass_ = 0.0;                                    // samples in a ball pass
   bool allowed_ = false;                                   // its folder may be written
   std::vector<class FixBearingImplicit *> integrators_;    // that provide instants between steps
-  bearing::TagSet capacitors_;                             // balls with a capacitance
+  std::vector<class FixBearingHeat *> heats_;    // by bearing, null: none; empty without any
+  bearing::TagSet capacitors_;                   // balls with a capacitance
 
   bool open_ = false;
   std::unique_ptr<bearing::RecordFile> file_;    // on rank 0 only

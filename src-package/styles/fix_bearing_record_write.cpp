@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Samples of all ranks, put together and written.
 #include "../ranks/gather.h"
+#include "fix_bearing_heat.h"
 #include "fix_bearing_record.h"
 
 using namespace LAMMPS_NS;
 
 void FixBearingRecord::end_sample(double step)
 {
-  rows_.end(time_of(step), step);
+  std::vector<double> temperatures;
+  for (const FixBearingHeat *f : heats_)
+    if (f)
+      for (const double t : f->temperatures()) temperatures.push_back(t);
+    else temperatures.insert(temperatures.end(), bearing::RecordFile::TEMPERATURES, NAN);
+  rows_.end(time_of(step), step, temperatures);
   if (rows_.full()) flush();
 }
 
@@ -20,11 +26,12 @@ void FixBearingRecord::flush()
   std::string why;
   if (comm->nprocs == 1) {
     const double *row = said.data(), *const end = row + said.size();
+    const size_t end_row = 1 + file_->width(bearing::RecordFile::END);
     for (size_t k = 0; why.empty() && k < samples; ++k) {
       bool whole;
       row = file_->take(row, end, whole);
-      why = file_->end_sample(row[1], row[2]);
-      row += 3;
+      why = file_->end_sample(row);
+      row += end_row;
     }
   } else {
     why = gather(said, samples);
@@ -49,17 +56,14 @@ std::string FixBearingRecord::gather(const std::vector<double> &said, size_t sam
   begin.pop_back();
   std::string why;
   for (size_t k = 0; why.empty() && k < samples; ++k) {
-    double time = 0.0, step = 0.0;
+    const double *last = nullptr;    // row that ends the sample
     for (size_t p = 0; p < end.size(); ++p) {
       bool whole;
       const double *row = file_->take(rows + begin[p], rows + end[p], whole);
-      if (whole) {
-        time = row[1];
-        step = row[2];
-      }
-      begin[p] = static_cast<size_t>(row - rows) + 3;
+      if (whole) last = row;
+      begin[p] = static_cast<size_t>(row - rows) + 1 + file_->width(bearing::RecordFile::END);
     }
-    why = file_->end_sample(time, step);
+    if (last) why = file_->end_sample(last);
   }
   return why;
 }

@@ -213,6 +213,24 @@ std::string PairBearing::oil() const
   return one ? first : "";
 }
 
+bool PairBearing::oil_follows(const std::string &name) const
+{
+  return std::any_of(coeffs_.begin(), coeffs_.end(), [&](const Coeff &c) {
+    return c.bearing == name &&
+           (c.data.count("vogel_viscosity") || c.data.count("kinematic_viscosity_40"));
+  });
+}
+
+void PairBearing::set_oil_temperature(const Arguments &args, const std::string &name, double t)
+{
+  for (Coeff &c : coeffs_) {
+    if (c.bearing == name) c.data = read_oil(args, c.oil, t);
+    resolve(c);
+  }
+  const std::string wrong = coefficients().prepare_again();
+  if (!wrong.empty()) args.fail(wrong);
+}
+
 double PairBearing::permittivity(int ball_type) const
 {
   const NamedBearing *b = bearing::bearing_of_type(lmp, ball_type);

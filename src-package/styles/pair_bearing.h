@@ -32,6 +32,10 @@ class PairBearing : public PairBearingHertz {
   // Viscosity of a bearing's oil at its temperature (Pa s), as text; empty when dry.
   std::string viscosity(const std::string &bearing) const;
   std::string oil() const;    // of all bearings; empty if they have several
+  // True if the oil of a named bearing has data over temperature.
+  bool oil_follows(const std::string &bearing) const;
+  // In a run: its oil at another temperature (C). Raceways are then those of cold parts.
+  void set_oil_temperature(const bearing::Arguments &, const std::string &bearing, double);
   const std::string &models() const { return choice_.models; }
   double temperature() const { return temperature_; }
   const std::vector<std::string> &given() const { return given_; }    // oil data, NAME=VALUE

@@ -114,6 +114,7 @@ void PairBearingHertz::init_style()
   for (int k = 0; k < modify->nfix; ++k)
     if (dynamic_cast<bearing::InstantSource *>(modify->fix[k]))
       implicit_bits_ |= modify->fix[k]->groupbit;
+  followers_.clear();             // these and
   capacitors_ = gaps_ = false;    // fixes bearing/capacitance are counted anew
   validity_.forget_shoulders();
   check_ghosts();

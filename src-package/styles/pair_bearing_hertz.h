@@ -8,6 +8,7 @@ PairStyle(bearing/hertz,PairBearingHertz)
 #ifndef LMP_PAIR_BEARING_HERTZ_H
 #define LMP_PAIR_BEARING_HERTZ_H
 
+#include "../contacts/law_follower.h"
 #include "../contacts/surface_profiles.h"
 #include "../contacts/validity_check.h"
 #include "../core/settings/pair_coefficients.h"
@@ -56,6 +57,13 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   void forces_known() override;
   void after_step() override;
   void run_done() override;
+
+  // Called by fixes that change the law in every init(), and by integrators before each step.
+  void add_follower(bearing::LawFollower *one) { followers_.push_back(one); }
+  void begin_step()
+  {
+    for (bearing::LawFollower *one : followers_) one->begin_step();
+  }
 
   // Called by fix bearing/capacitance in every init(), for the balls of a group.
   void add_capacitor(int groupbit, const raceway::CapacitorModel &);
@@ -108,9 +116,10 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bearing::SurfaceProfiles profiles_;
   bearing::Commands commands_;                  // so far: a restart replays them
   std::set<std::pair<int, int>> cage_types_;    // of created bearings, smaller type first
-  std::set<int> silent_types_;                  // unnamed types with a warning
-  bigint without_rails_ = 0;                    // cage balls
-  int implicit_bits_ = 0;    // groups of fixes that advance contact states themselves
+  std::vector<bearing::LawFollower *> followers_;
+  std::set<int> silent_types_;    // unnamed types with a warning
+  bigint without_rails_ = 0;      // cage balls
+  int implicit_bits_ = 0;         // groups of fixes that advance contact states themselves
   bearing::ContactTable table_;
   bearing::ContactEvaluator evaluator_;
   bearing::RingSum ring_sum_;

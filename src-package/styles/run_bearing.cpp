@@ -5,6 +5,7 @@
 #include "../core/settings/arguments.h"
 #include "ball_pass.h"
 #include "fix_bearing_checkpoint.h"
+#include "fix_bearing_heat.h"
 #include "fix_bearing_implicit.h"
 #include "fix_bearing_record.h"
 #include "fix_bearing_ring.h"
@@ -205,6 +206,7 @@ void RunBearing::settle()
   } else if (now().begin_steps == 0.0) {
     settle_adaptively();
   }
+  warm_up();
   if (automatic()) settle_until_still();
   // from the number of steps where they are even: a stopped run has the same rounding
   begin_at_step_0(implicit() ? now().start + update->ntimestep * now().step_length
@@ -245,12 +247,35 @@ void RunBearing::settle_adaptively()
   now().begin_steps = static_cast<double>(update->ntimestep);
 }
 
+// Ball pass by ball pass until the temperatures of fixes bearing/heat stay.
+void RunBearing::warm_up()
+{
+  const std::vector<FixBearingHeat *> heats = bearing::fixes_of<FixBearingHeat>(lmp);
+  const auto still = [&heats] {
+    return std::all_of(heats.begin(), heats.end(), [](const auto *f) { return f->still(); });
+  };
+  if (still()) return;
+  set_step(now().step_length);
+  const double steps = steps_a_pass();
+  while (!still()) {    // to whole ball passes, also of a run that was stopped within one
+    const double passes =
+        std::floor((static_cast<double>(update->ntimestep) - now().begin_steps) / steps) + 1.0;
+    input->one(("run " + digits(now().begin_steps + passes * steps) + " upto post no").c_str());
+  }
+  now().begin_steps = static_cast<double>(update->ntimestep);
+}
+
+double RunBearing::steps_a_pass()
+{
+  return now().every * std::max(1.0, std::round(now().a_pass / now().within));
+}
+
 // Ball pass by ball pass until their means agree. The spans that are compared hold whole ball
 // passes, so that the ripple of balls passing does not count.
 void RunBearing::settle_until_still()
 {
   set_step(now().step_length);
-  const double steps = now().every * std::max(1.0, std::round(now().a_pass / now().within));
+  const double steps = steps_a_pass();
   now().steps = steps;
   while (!still() && now().passes < settings_.limit) {
     input->one(("run " + digits(now().begin_steps + (now().passes + 1.0) * steps) + " upto post no")

@@ -40,6 +40,8 @@ class RunBearing : public bearing::CommandBase {
   void plan_steps();
   void settle();
   void settle_adaptively();
+  void warm_up();
+  double steps_a_pass();
   void settle_until_still();
   void begin_at_step_0(double time);
   bool still();

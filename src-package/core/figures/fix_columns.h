@@ -223,6 +223,55 @@ const Column list[N] = {
 };
 }    // namespace of_fix_circuit
 
+// ---- fix bearing/heat, also the columns of its file
+namespace of_fix_heat {
+enum {
+  TIME,
+  INNER,
+  BALLS,
+  OUTER,
+  HOUSING,
+  OIL,
+  POWER,
+  HEAT_INNER,
+  HEAT_BALLS,
+  HEAT_OUTER,
+  CONTACTS_INNER,
+  CONTACTS_OUTER,
+  BOOKED,
+  CARRIED,
+  STORED,
+  CLEARANCE,
+  GAIN,
+  JUMP,
+  CORRECTION,
+  RUN,
+  N
+};
+const Column list[N] = {
+    {"thermal_time", "s", "time for which temperatures have gone forward"},
+    {"temperature_inner", "C", "temperature of the inner ring"},
+    {"temperature_balls", "C", "temperature of the balls"},
+    {"temperature_outer", "C", "temperature of the outer ring"},
+    {"temperature_housing", "C", "temperature of the housing"},
+    {"temperature_oil", "C", "temperature of the oil in the contacts, mean of rings and balls"},
+    {"power", "W", "losses of a bearing, mean of the last ball pass"},
+    {"heat_inner", "W", "its part into the inner ring"},
+    {"heat_balls", "W", "its part into the balls"},
+    {"heat_outer", "W", "its part into the outer ring"},
+    {"contacts_inner", "W/K", "conductance of the inner contacts, mean of the last ball pass"},
+    {"contacts_outer", "W/K", "conductance of the outer contacts, mean of the last ball pass"},
+    {"booked", "J", "heat of the losses over the thermal time"},
+    {"carried", "J", "heat carried to ambient"},
+    {"stored", "J", "heat stored in rings, balls and housing"},
+    {"clearance", "m", "diametral clearance of the warm parts; negative is preload"},
+    {"gain", "", "change of losses with temperature over conductance; from 1 on it runs away"},
+    {"jump", "s", "thermal time of the last jump"},
+    {"correction", "K", "largest difference of its predicted and its final temperatures"},
+    {"run_time", "s", "simulated time since the fix began"},
+};
+}    // namespace of_fix_heat
+
 // ---- fix bearing/timestep
 namespace of_fix_timestep {
 enum { LIMIT, SMALLEST, TIME, WALL, N };

@@ -52,13 +52,20 @@ struct Raceway {
     return groove.ball_radius * groove.groove_radius / (groove.groove_radius - groove.ball_radius);
   }
 
+  // Thermal strains of ring and ball: where their surfaces are. The constants of the law stay those
+  // of the cold parts, which differ by the strain.
+  void grow(double ring, double ball)
+  {
+    centre_circle = groove.centre_circle() * (1.0 + ring);
+    slack = groove.groove_radius * (1.0 + ring) - groove.ball_radius * (1.0 + ball);
+  }
+
   // pitch (m) sets gamma; limit is a fraction of the ball's radius.
   void prepare(double pitch, double mass, double limit)
   {
     overlap_limit = limit;
     law = RacewayLaw(groove, pitch, material, model);
-    centre_circle = groove.centre_circle();
-    slack = groove.slack();
+    grow(0.0, 0.0);
     largest_overlap = std::fmin(overlap_limit * groove.ball_radius,
                                 widest_overlap(law.radial().a, groove.groove_radius));
     roughness = composite_roughness(ring_roughness, ball_roughness);

@@ -99,6 +99,9 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
                                content_.law, content_.spheres);
     bearing_.push_back(given ? add("bearing_", f.is, {time, bearing}) : nowhere);
   }
+  if (content_.heat)
+    for (int k = 0; k < TEMPERATURES; ++k)
+      heat_.push_back(add("bearing_", of_fix_heat::list[of_fix_heat::INNER + k], {time, bearing}));
   header_.layout();
   const auto place = [this](size_t &k) {
     if (k != nowhere) k = header_.variable(static_cast<int>(k)).at;
@@ -106,7 +109,7 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
   place(time_);
   place(step_);
   place(pocket_);
-  for (std::vector<size_t> *list : {&contact_, &ball_, &cage_, &ring_, &bearing_})
+  for (std::vector<size_t> *list : {&contact_, &ball_, &cage_, &ring_, &bearing_, &heat_})
     std::for_each(list->begin(), list->end(), place);
   shares_.resize(n);
   rails_.resize(m);
@@ -119,7 +122,7 @@ size_t RecordFile::width(Kind kind) const
     case CONTACT: return content_.contact.size();
     case CAGE: return MOTION + 1;
     case RING: return RING_VALUES;
-    case END: return 2;
+    case END: return 2 + heat_.size() * layout_.bearings.size();
   }
   return 0;
 }
@@ -159,8 +162,9 @@ const double *RecordFile::take(const double *row, const double *end, bool &whole
   return row;
 }
 
-std::string RecordFile::end_sample(double time, double step)
+std::string RecordFile::end_sample(const double *row)
 {
+  const double time = row[1], step = row[2];
   if (reported_ != layout_.bodies())
     return "at step " + std::to_string(static_cast<long long>(step)) + " " +
            std::to_string(reported_) + " of " + std::to_string(layout_.bodies()) +
@@ -168,6 +172,9 @@ std::string RecordFile::end_sample(double time, double step)
   reported_ = 0;
   put_real(sample_ + time_, time);
   put_real(sample_ + step_, step);
+  const double *temperature = row + 3;
+  for (size_t b = 0; b < (heat_.empty() ? 0 : layout_.bearings.size()); ++b)
+    for (const size_t at : heat_) put_real(sample_ + at + 8 * b, *temperature++);
   sum_up();
   sample_ = nullptr;
   return file_.full() ? file_.flush() : "";

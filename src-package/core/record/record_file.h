@@ -6,6 +6,7 @@
 #define BEARING_RECORD_FILE_H
 
 #include "../figures/bearing_figures.h"
+#include "../figures/fix_columns.h"
 #include "netcdf_file.h"
 #include "record_layout.h"
 
@@ -20,11 +21,14 @@ class RecordFile {
     bool film = false, capacitance = false, surroundings = false;
     unsigned law = 0;        // parts of it
     bool spheres = false;    // balls touch cage balls or one another
+    bool heat = false;       // temperatures follow the losses
     NetcdfHeader::Attributes about;
   };
-  // A row is its kind, its index in the layout and its values; a sample ends with its time and
-  // step. The index of a contact is (raceway * grooves + groove) * balls + ball.
+  // A row is its kind, its index in the layout and its values; a sample ends with its time, step
+  // and, with heat, the temperatures of each bearing (NAN: unknown). The index of a contact is (raceway * grooves + groove) * balls + ball.
   enum Kind { BALL, CONTACT, CAGE, RING, END };
+  // temperatures of a bearing: of_fix_heat from INNER to OIL
+  enum { TEMPERATURES = of_fix_heat::OIL + 1 - of_fix_heat::INNER };
   enum { MOTION = 9, FIRST_OF_RING = of_ring::X, RING_VALUES = of_ring::AZ + 1 - of_ring::X };
 
   RecordFile(const RecordLayout &, const Content &);
@@ -37,8 +41,9 @@ class RecordFile {
 
   // Takes rows up to the end of a sample or of the list; returns the end of the rows taken.
   const double *take(const double *row, const double *end, bool &whole);
-  // Writes the sample once all parts have reported. Returns an error message, or empty.
-  std::string end_sample(double time, double step);
+  // Writes the sample once all parts have reported, from the row that ends it. Returns an error
+  // message, or empty.
+  std::string end_sample(const double *row);
 
  private:
   void sum_up();
@@ -51,7 +56,7 @@ class RecordFile {
   static constexpr size_t nowhere = SIZE_MAX;    // a column that is not in the record
   // bytes from the start of a sample, by column
   size_t time_, step_, pocket_ = nowhere;
-  std::vector<size_t> contact_, ball_, cage_, ring_, bearing_;
+  std::vector<size_t> contact_, ball_, cage_, ring_, bearing_, heat_;
   unsigned char *sample_ = nullptr;    // the present one, if a part has reported
   std::vector<BallFigures> shares_;
   std::vector<double> rails_;    // W, by cage ball

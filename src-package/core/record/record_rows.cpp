@@ -107,12 +107,13 @@ void RecordRows::ring(const double *of)
             of + RecordFile::FIRST_OF_RING + RecordFile::RING_VALUES, row(p.kind, p.at));
 }
 
-void RecordRows::end(double time, double step)
+void RecordRows::end(double time, double step, const std::vector<double> &temperatures)
 {
-  double *to = room(3);
+  double *to = room(3 + temperatures.size());
   to[0] = RecordFile::END;
   to[1] = time;
   to[2] = step;
+  std::copy(temperatures.begin(), temperatures.end(), to + 3);
   ++samples_;
 }
 

@@ -34,7 +34,8 @@ class RecordRows {
   // A ball or cage ball, after all of its contacts.
   void body(Tag, const raceway::Vec3 &x, const raceway::Vec3 &v, const raceway::Vec3 &w);
   void ring(const double *of);    // from of_ring::RING on
-  void end(double time, double step);
+  // Temperatures as in the row of RecordFile.
+  void end(double time, double step, const std::vector<double> &temperatures);
 
   bool full() const { return samples_ == batch_; }
   size_t samples() const { return samples_; }

@@ -171,9 +171,24 @@ void PairCoefficients::set_law(unsigned parts)
   facts_ = law_facts(parts);
 }
 
+std::string PairCoefficients::prepare_again()
+{
+  const std::string wrong = prepare(TypeSizes(sizes_));
+  if (wrong.empty() && creep_ > 0.0) smooth_friction(creep_);
+  return wrong;
+}
+
+void PairCoefficients::grow(int ball_type, double inner_ring, double balls, double outer_ring)
+{
+  for (auto &entry : raceways_)
+    if (entry.first.ball == ball_type)
+      entry.second.grow(entry.second.groove.side == Side::inner ? inner_ring : outer_ring, balls);
+}
+
 bool PairCoefficients::smooth_friction(double creep)
 {
   bool changed = false;
+  creep_ = creep;
   for (auto &entry : raceways_) {
     RacewayPhysics &p = entry.second;
     if (!p.facts().tangential_spring) continue;

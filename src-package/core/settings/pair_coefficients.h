@@ -33,6 +33,10 @@ class PairCoefficients {
   void read_coeff(Arguments &, int types);
   // Derives the constants of the raceways. Returns an error in raceways or atoms, or "".
   std::string prepare(const TypeSizes &);
+  // The same in a run, for coefficients that have been read anew.
+  std::string prepare_again();
+  // Thermal strains of the raceways of a ball type and of its balls (Raceway::grow).
+  void grow(int ball_type, double inner_ring, double balls, double outer_ring);
 
   bool lubricated() const { return with_film_; }
   int axis_index() const { return axis_; }    // 0 x, 1 y, 2 z
@@ -91,6 +95,7 @@ class PairCoefficients {
   std::vector<char> ring_type_, ball_type_;           // a cage that is one ring is a ring
   std::vector<char> cage_type_;
   TypeSizes sizes_;
+  double creep_ = 0.0;    // of the last smooth_friction(), 0: none
   unsigned law_ = 0;
   raceway::LawFacts facts_;
 };

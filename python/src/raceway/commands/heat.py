@@ -83,10 +83,11 @@ def add(commands: Commands) -> None:
     )
     cooling.add_argument(
         "--nodes",
-        type=number(1e-3, 1e5, "W/K"),
+        type=number(0, 1e5, "W/K"),
         nargs=3,
         metavar=("SHAFT", "HOUSING", "CONTACT"),
-        help="three conductances in W/K for ring, balls and ring",
+        help="three conductances in W/K for ring, balls and ring; HOUSING 0: ISO 15312, CONTACT 0:"
+        " by size and speed of the contacts",
     )
     one.add_argument(
         "--runs",
@@ -139,6 +140,7 @@ def run(arguments: argparse.Namespace) -> None:
 def _figures(arguments, load, rpm):
     from raceway.theory.steady_heat import Case, Nodes, figures
 
+    shaft, housing, contact = arguments.nodes or (None, None, None)
     point = dict(
         load=load,
         axial=arguments.axial,
@@ -146,7 +148,7 @@ def _figures(arguments, load, rpm):
         clearance=arguments.clearance,
         ambient=arguments.ambient,
         conductance=arguments.conductance,
-        nodes=arguments.nodes and Nodes(*arguments.nodes),
+        nodes=arguments.nodes and Nodes(shaft, housing or None, contact or None),
         spin_law=arguments.spin_law,
         models=arguments.models,
         **options.grooves_of(arguments),

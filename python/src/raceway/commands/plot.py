@@ -6,7 +6,7 @@ from pathlib import Path
 
 from raceway.commands import Commands, one_run
 
-KINDS = ("overview", "polar", "waterfall", "bearing", "motion")
+KINDS = ("overview", "polar", "waterfall", "bearing", "motion", "warming")
 DESCRIPTION = """\
 Draw a run to a PNG:
   overview   loads, film, pressure and capacitance on one page
@@ -14,7 +14,8 @@ Draw a run to a PNG:
   waterfall  capacitance of every ball over azimuth and time
   bearing    rings, balls and cage at the moment of the largest load
              (`raceway animate` moves them)
-  motion     orbit of the inner ring, its displacement, tilt and the moment against its spin"""
+  motion     orbit of the inner ring, its displacement, tilt and the moment against its spin
+  warming    temperatures, losses and clearance over thermal time, with fix bearing/heat"""
 EXAMPLES = """\
 examples:
   raceway plot build/run/6208                            build/run/6208/overview.png

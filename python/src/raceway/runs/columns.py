@@ -44,6 +44,11 @@ RING = {
     # in no file: computed here
     "shift": Column("displacement of the inner ring along the load", "m"),
 }
-BEARING = {**_table(_TABLES["total"]), **_table(_TABLES["bearing"])}
+HEAT = _table(_TABLES["fix_heat"])  # of fix bearing/heat and its file
+BEARING = {
+    **_table(_TABLES["total"]),
+    **_table(_TABLES["bearing"]),
+    **{name: column for name, column in HEAT.items() if name.startswith("temperature_")},
+}
 # key of `losses_W`: column of the power lost, in W; the same for contacts, rings and bearings
 LOSSES = {row["loss"]: row["name"] for row in _TABLES["bearing"] if "loss" in row}

@@ -10,6 +10,7 @@ import numpy as np
 from raceway.arrays import Floats
 from raceway.runs.tables import RunTables
 from raceway.runs.turning import changes
+from raceway.runs.warming import warm_clearance
 from raceway.theory import clearance
 from raceway.theory.bearing import INNER, OUTER
 from raceway.units import prefixed
@@ -106,7 +107,7 @@ def load_parameter(tables: RunTables, displacement: float) -> float | None:
     tilts = [rings[name].mean() for name in ("tilt_1", "tilt_2") if name in rings]
     if math.hypot(*tilts) * tables.geometry.pitch_radius > FEW * abs(displacement):
         return None
-    return clearance.load_parameter(tables.settings["clearance_m"], displacement)
+    return clearance.load_parameter(warm_clearance(tables), displacement)
 
 
 def _kept(tables):

@@ -20,6 +20,7 @@ from raceway.runs.source import Signal
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
 from raceway.runs.turning import Motion
+from raceway.runs.warming import transient
 from raceway.theory.bearing import Bearing
 
 if TYPE_CHECKING:  # optional
@@ -40,6 +41,8 @@ class Run:
       balls on it
     - `bearing`: (time) sums and extremes over the contacts: capacitance, balls loaded, largest
       loads, losses
+    - `heat`: (thermal_time) temperatures, losses and clearance from jump to jump, of a run with
+      fix bearing/heat
 
     Every variable is also an attribute: `run.contacts.mu`. Names that cannot be attributes have a
     second name: `Q` for `load`, `lambda_ratio` for `lambda`, `radial_displacement` for `shift`.
@@ -131,6 +134,12 @@ class Run:
     def bearing(self) -> xr.Dataset:
         """Dataset (time) of sums and extremes over the contacts."""
         return Recorded(self.tables).bearing
+
+    @cached_property
+    def heat(self) -> xr.Dataset:
+        """Dataset (thermal_time) of the temperatures of fix bearing/heat from jump to jump. Raises
+        `RunError` without its table."""
+        return transient(self.tables.folder)
 
     def blocks(self, name: str) -> Iterator[xr.Dataset]:
         """Yield the dataset `name`, "contacts", "balls" or "cage", in blocks of some thousand

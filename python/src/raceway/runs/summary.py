@@ -14,6 +14,7 @@ import numpy as np
 from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.rows import Row, lines, row
+from raceway.runs import warming
 from raceway.runs.cage import CAGE_RING_FIGURES, cage_figures
 from raceway.runs.columns import BEARING, LOSSES
 from raceway.runs.flaws import by_part
@@ -97,6 +98,7 @@ TOPICS = {
             for key, name in LOSSES.items()
         ),
     ),
+    "Temperatures": warming.ROWS,
     "Settling, change from one ball pass to the next": (
         Row("settling_torque", "friction torque", "", "last two, relative"),
         Row("settling_load", "largest loads", "", "of both raceways, the larger"),
@@ -171,6 +173,7 @@ def summary(tables: RunTables) -> dict[str, Any]:
     ranges = {key: one._asdict() for key, one in model_ranges(tables, result).items()}
     result["model_ranges"] = ranges or None
     result |= {key: _plain(value) for key, value in cage_figures(tables).items()}
+    result |= warming.figures(tables)
     if flaws := by_part(settings):
         result["flaws"] = flaws
     if errors := numerical_errors(tables):
@@ -356,6 +359,7 @@ def shown(figures: Mapping[str, Any]) -> dict[str, Any]:
     flaws = figures.get("flaws", {})
     return {
         **dict.fromkeys(CAGE_RING_FIGURES),
+        **dict.fromkeys(row.key for row in warming.ROWS),
         **result,
         **{key: why for key, why in figures["absent"].items() if key in models.HEADLINES},
         **{f"loss_{part}_W": loss or None for part, loss in losses.items()},

@@ -3,30 +3,29 @@
 clearance by temperature, flash temperature. SI units, temperatures in degrees C.
 """
 
-from collections.abc import Callable
-from typing import NamedTuple
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy.optimize import brentq
 
 from raceway.arrays import Floats, Numbers
+from raceway.core import laws, library
 from raceway.theory import makers
 from raceway.theory.bearing import Bearing
+from raceway.theory.lubrication import Lubrication
 from raceway.theory.sliding import FREE
+from raceway.theory.static import Equilibrium
 
-EXPANSION = 12e-6  # 1/K, bearing steel
-FLUX, RISE = (
-    0.016e6,
-    50.0,
-)  # W/m^2 and K: reference conditions of ISO 15312 (from memory, unchecked)
+RISE = 50.0  # K, at the reference conditions of ISO 15312
 REFERENCE_VISCOSITY = 12.0  # mm^2/s at 70 C, ISO 15312
-STEEL = (46.0, 7850.0, 460.0)  # k in W/(m K), rho in kg/m^3, c in J/(kg K)
 
 
 def cooling(bore: float, outside: float, width: float) -> float:
     """W_s = q_r pi B (D + d)/50 K in W/K (ISO 15312): what seats and housing of a radial bearing of
     these sizes (mm) carry away per degree above ambient, at the reference conditions."""
-    return FLUX * np.pi * width * (outside + bore) * 1e-6 / RISE
+    return float(laws.iso_15312_conductance(1e-3 * bore, 1e-3 * outside, 1e-3 * width))
 
 
 def balance(
@@ -62,43 +61,106 @@ class Nodes(NamedTuple):
     outer: float
 
 
+def network(
+    capacity: Sequence[float] = (1.0, 1.0, 1.0, 0.0),
+    *,
+    contacts: tuple[float, float],
+    shaft: float = 0.0,
+    seat: float = 0.0,
+    housing: float = 0.0,
+    ambient: float = 20.0,
+) -> dict[str, Any]:
+    """The heat network of a bearing, for `steady` and `advance`: `capacity` in J/K of inner ring,
+    balls, outer ring and housing (0: none of its own). Conductances in W/K: `contacts` from the
+    inner and the outer ring to all balls, `shaft` from inner ring to ambient, `seat` from outer
+    ring to housing (0: perfect), `housing` from there to ambient; `ambient` in degrees C."""
+    inner, outer = contacts
+    return dict(
+        capacity=capacity,
+        inner=inner,
+        outer=outer,
+        shaft=shaft,
+        seat=seat,
+        housing=housing,
+        ambient=ambient,
+    )
+
+
+def advance(
+    of: Mapping[str, Any],
+    heat: ArrayLike,
+    start: ArrayLike,
+    time: float,
+    end: ArrayLike | None = None,
+) -> tuple[float, Floats]:
+    """Heat in J carried to ambient and temperatures in degrees C (4) after `time` seconds from the
+    temperatures `start`, with `heat` in W into the nodes (4) of a `network` that is constant or
+    goes evenly to `end`; exact."""
+    return library().call(
+        "heat_advance",
+        net=of,
+        heat=heat,
+        end=heat if end is None else end,
+        **{"from": start},
+        time=time,
+    )
+
+
+def steady(of: Mapping[str, Any], heat: ArrayLike) -> tuple[float, Floats]:
+    """The slowest time constant in s, and the steady temperatures in degrees C (4) of a `network`
+    with `heat` in W into its nodes."""
+    return library().call("heat_steady", net=of, heat=heat)
+
+
+def conductances(state: Equilibrium, films: Lubrication) -> tuple[float, float]:
+    """Conductances in W/K from the inner and from the outer ring to all balls through their moving
+    contacts: of each 0.874 2a sqrt(2 k rho c b u/pi)."""
+    sides = ((state.inner, films.inner), (state.outer, films.outer))
+    return tuple(
+        float(laws.contact_conductance(at.a, at.b, film.entrainment)[at.load > 0].sum())
+        for at, film in sides
+    )
+
+
+def into_nodes(inner: float, outer: float) -> list[float]:
+    """Heat in W into the nodes of a `network` from the powers lost at both raceways: half of each
+    into the ring, half into the balls."""
+    return [inner / 2, (inner + outer) / 2, outer / 2, 0.0]
+
+
 def three_nodes(
     inner: float,
     outer: float,
     *,
     shaft: float,
     housing: float,
-    contact: float,
+    contact: float | tuple[float, float],
     ambient: float = 20.0,
 ) -> Nodes:
     """`Nodes` in steady state, with the powers in W lost at the `inner` and the `outer` raceway,
     half of each going into the balls.
 
     Conductances in W/K: `shaft` from inner ring to ambient, `housing` from outer ring to ambient,
-    `contact` from a ring to all balls.
+    `contact` from a ring to all balls, or those of the inner and the outer ring.
     """
-    matrix = np.array(
-        [
-            [shaft + contact, -contact, 0.0],
-            [-contact, 2 * contact, -contact],
-            [0.0, -contact, housing + contact],
-        ]
-    )
-    source = np.array([inner / 2, (inner + outer) / 2, outer / 2])
-    return Nodes(*(ambient + np.linalg.solve(matrix, source)).tolist())
+    contacts = contact if isinstance(contact, tuple) else (contact, contact)
+    of = network(contacts=contacts, shaft=shaft, housing=housing, ambient=ambient)
+    return Nodes(*steady(of, into_nodes(inner, outer))[1][:3].tolist())
 
 
 def clearance_change(bearing: Bearing, inner: Numbers, balls: Numbers, outer: Numbers) -> Numbers:
     """Change of the diametral clearance in m by rises in K of inner ring, balls and outer ring:
     -12e-6 (D_i dT_i + 2 D_w dT_b - D_e dT_e)."""
-    grown = 2 * bearing.inner_radius * inner + 2 * bearing.ball_diameter * balls
-    return -EXPANSION * (grown - 2 * bearing.outer_radius * outer)
+    radii = bearing.inner_radius, bearing.outer_radius, bearing.ball_radius
+    return laws.clearance_change(*radii, inner, balls, outer)
 
 
 def flash(flux: Numbers, b: Numbers, speed: Numbers) -> Numbers:
     """Rise in K of a surface by `flux` in W/m^2 into it: 1.128 q sqrt(2b/(k rho c u)), b the
     semi-axis along rolling in m, `speed` u in m/s (Blok, Jaeger)."""
-    return 1.128 * flux * np.sqrt(2 * b / (np.prod(STEEL) * speed))
+    steel = laws.steel_of_bearings()
+    conductor = float(steel.conductivity * steel.density * steel.heat)
+    return 1.128 * flux * np.sqrt(2 * b / (conductor * speed))
 
 
 def film_rise(flux: Numbers, thickness: Numbers, conductivity: Numbers) -> Numbers:

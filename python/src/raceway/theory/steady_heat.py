@@ -8,7 +8,7 @@ ring at their own, the oil at their mean, and the clearance of the warm parts in
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -79,11 +79,12 @@ COLUMNS = (  # of the table of several points: key, heading, scale
 
 @dataclass(frozen=True)
 class Nodes:
-    """Conductances of `heat.three_nodes`, W/K."""
+    """Conductances of `heat.three_nodes`, W/K. `housing` None: that of ISO 15312. `contact` None:
+    those of the moving contacts (`heat.conductances`)."""
 
-    shaft: float
-    housing: float
-    contact: float
+    shaft: float = 0.0
+    housing: float | None = None
+    contact: float | None = None
 
 
 class Rest(NamedTuple):
@@ -176,6 +177,7 @@ class Scene:
             "power_loss_W": self.share * losses.power,
             "losses_W": {name: self.share * power for name, power in losses.parts.items()},
             "sides": tuple((self.share * (sides + losses.drag.sum() / 2)).tolist()),
+            "contacts": heat.conductances(state, films),
         }
 
 
@@ -210,7 +212,8 @@ def three_nodes(scene: Scene, nodes: Nodes, ambient: float, clearance: float) ->
     for _ in range(80):
         found = scene.at(oil, warm)
         inner, outer = found["sides"]
-        at = heat.three_nodes(inner, outer, ambient=ambient, **vars(nodes))
+        of = vars(nodes) | {"contact": nodes.contact or found["contacts"]}
+        at = heat.three_nodes(inner, outer, ambient=ambient, **of)
         rises = (value - ambient for value in at)
         target = clearance + float(heat.clearance_change(scene.bearing, *rises))
         mean = sum(at) / 3
@@ -288,6 +291,10 @@ class Case:
         """Conductance in W/K; None with nodes. Raises `RacewayError`."""
         if self.conductance is not None or self.nodes is not None:
             return self.conductance
+        return self.usual_cooling()
+
+    def usual_cooling(self) -> float:
+        """Conductance in W/K of ISO 15312. Raises `RacewayError`."""
         path, _ = self.files()
         names = ("bore_diameter", "outside_diameter", "bearing_width")
         if missing := set(names) - set(inputs.values(path)):
@@ -299,7 +306,10 @@ class Case:
     def steady(self, scene: Scene) -> dict[str, Any]:
         """Steady figures of its `Scene`. Raises `NoEquilibrium`."""
         if self.nodes is not None:
-            return three_nodes(scene, self.nodes, self.ambient, self.clearance)
+            nodes = self.nodes
+            if nodes.housing is None:
+                nodes = replace(nodes, housing=self.usual_cooling())
+            return three_nodes(scene, nodes, self.ambient, self.clearance)
         return one_node(scene, self.cooling(), self.ambient, self.clearance)
 
     def report(self, scene: Scene, found: Mapping[str, Any]) -> dict[str, Any]:
@@ -317,7 +327,7 @@ class Case:
             clearance_m=self.clearance,
             ambient_C=self.ambient,
             conductance_W_K=self.cooling(),
-            **{key: value for key, value in found.items() if key != "sides"},
+            **{key: value for key, value in found.items() if key not in ("sides", "contacts")},
             reference_speed_rpm=boundary and heat.reference_speed(boundary, level),
             reference_speed_dry_rpm=boundary and heat.reference_speed(boundary),
             reference_speed_catalogue_rpm=(

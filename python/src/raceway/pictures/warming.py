@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Picture of the temperatures of a run over thermal time, with losses and clearance."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from raceway.files import FilePath
+from raceway.pictures.style import INK, PALETTE, STYLE, save
+from raceway.runs.measured import title
+from raceway.runs.tables import RunTables
+from raceway.runs.warming import PARTS, transient
+from raceway.units import axis
+
+NAMES = {"inner": "inner ring", "outer": "outer ring", "oil": "oil in the contacts"}
+LONG = 600.0  # s, above which the axis is in minutes
+
+
+def warming(tables: RunTables, path: FilePath) -> None:
+    """Draw the run `tables` to the PNG `path`. Raises `RunError` without a table of jumps."""
+    found = transient(tables.folder)
+    time = found["thermal_time"].to_numpy()
+    minutes = time[-1] > LONG
+    with plt.rc_context(STYLE):
+        figure, (warm, lost, clear) = plt.subplots(
+            3, 1, sharex=True, figsize=(10, 8), dpi=120, layout="constrained",
+            height_ratios=(2, 1, 1),
+        )  # fmt: skip
+        along = time / 60 if minutes else time
+        figure.suptitle(title(tables))
+        for k, part in enumerate(PARTS):
+            values = found[f"temperature_{part}"].to_numpy()
+            if part == "housing" and np.array_equal(values, found["temperature_outer"]):
+                continue
+            line = dict(color=INK, ls="--") if part == "oil" else dict(color=PALETTE[k])
+            warm.plot(along, values, marker=".", label=NAMES.get(part, part), **line)
+        warm.set(ylabel="temperature (°C)")
+        warm.legend()
+        lost.plot(along, found["power"], color=INK, marker=".")
+        lost.set(ylabel="losses (W)")
+        values = found["clearance"].to_numpy()
+        factor, unit = axis(abs(values).max(), "m")
+        clear.plot(along, factor * values, color=INK, marker=".")
+        clear.set(
+            ylabel=f"clearance ({unit})",
+            xlabel=f"thermal time ({'min' if minutes else 's'}); a dot is a jump",
+        )
+        for one in (warm, lost, clear):
+            one.grid(True)
+        save(figure, path)

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Temperatures of a run with fix bearing/heat: their transient, and figures of the measured
+window."""
+
+from pathlib import Path
+
+import numpy as np
+import xarray as xr
+
+from raceway.core import laws
+from raceway.errors import RunError
+from raceway.files import FilePath
+from raceway.rows import Row
+from raceway.runs.columns import HEAT
+from raceway.runs.tables import RunTables
+
+FILE = "heat.txt"  # in the run's folder
+PARTS = ("inner", "balls", "outer", "housing", "oil")
+ROWS = (
+    Row("thermal_time_s", "thermal time", "s", "gone forward in jumps"),
+    Row("thermal_speed", "thermal time over time of the run", ""),
+    Row("temperature_inner_C", "inner ring", "°C", "mean of the measured passes"),
+    Row("temperature_balls_C", "balls", "°C"),
+    Row("temperature_outer_C", "outer ring", "°C"),
+    Row("temperature_housing_C", "housing", "°C"),
+    Row("temperature_oil_C", "oil in the contacts", "°C"),
+    Row("clearance_warm_m", "diametral clearance, warm", "m"),
+    Row("heat_gain", "gain of losses by temperature", "", "1: thermal run-away"),
+    Row("heat_booked_J", "heat of the losses", "J", "over the thermal time"),
+    Row("heat_carried_J", "carried to ambient", "J"),
+    Row("heat_stored_J", "stored in rings, balls, housing", "J"),
+)
+
+
+def transient(folder: FilePath) -> xr.Dataset:
+    """The jumps of the temperatures of the run in `folder`: a dataset over `thermal_time` in s,
+    with units and meanings in `attrs`. Raises `RunError` where the run has none."""
+    path = Path(folder) / FILE
+    try:
+        lines = path.read_text().splitlines()
+    except FileNotFoundError:
+        raise RunError(f"{path} is missing: the run has no fix bearing/heat with a file") from None
+    names = lines[0].removeprefix("#").split() if lines else []
+    try:
+        values = np.array([[float(word) for word in line.split()] for line in lines[1:]])
+        values = values.reshape(-1, len(names))
+    except ValueError as error:
+        raise RunError(f"{path} is damaged: {error}") from None
+    if not names or set(names) - set(HEAT):
+        raise RunError(f"{path} is no table of fix bearing/heat: its first line has other names")
+    data = {
+        name: ("thermal_time", values[:, k], _attributes(name))
+        for k, name in enumerate(names)
+        if name != "thermal_time"
+    }
+    time = ("thermal_time", values[:, names.index("thermal_time")], _attributes("thermal_time"))
+    return xr.Dataset(data, {"thermal_time": time})
+
+
+def _attributes(name):
+    return {"units": HEAT[name].unit or "1", "long_name": HEAT[name].meaning}
+
+
+def heated(tables: RunTables) -> bool:
+    """The run has temperatures that follow its losses."""
+    return "temperature_inner" in tables.totals
+
+
+def warm_clearance(tables: RunTables) -> float:
+    """Mean diametral clearance of the run in m: that of the warm parts, else the one that was
+    set."""
+    cold = tables.settings["clearance_m"]
+    if not heated(tables):
+        return cold
+    bearing, ambient = tables.geometry, tables.settings["heat_ambient_C"]
+    rises = [tables.totals[f"temperature_{part}"].mean() - ambient for part in PARTS[:3]]
+    radii = bearing.inner_radius, bearing.outer_radius, bearing.ball_radius
+    return cold + float(laws.clearance_change(*radii, *rises))
+
+
+def figures(tables: RunTables) -> dict[str, float]:
+    """Figures of `ROWS`, SI units and degrees C; none of a run without heat. Those of the transient
+    only where it has a table."""
+    if not heated(tables):
+        return {}
+    found = {
+        f"temperature_{part}_C": float(tables.totals[f"temperature_{part}"].mean())
+        for part in PARTS
+    }
+    found["clearance_warm_m"] = warm_clearance(tables)
+    if (tables.folder / FILE).exists():
+        last = transient(tables.folder).isel(thermal_time=-1)
+        time = float(last["thermal_time"])
+        found |= {
+            "thermal_time_s": time,
+            "thermal_speed": time / float(last["run_time"]),
+            "heat_gain": float(last["gain"]),
+            **{f"heat_{k}_J": float(last[k]) for k in ("booked", "carried", "stored")},
+        }
+    return found

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What changes the contact law between steps, as a fix whose temperatures it follows.
+#ifndef BEARING_LAW_FOLLOWER_H
+#define BEARING_LAW_FOLLOWER_H
+
+namespace bearing {
+
+class LawFollower {
+ public:
+  // Before the motion of a step; once for each, however often it is called.
+  virtual void begin_step() = 0;
+
+ protected:
+  ~LawFollower() = default;
+};
+
+}    // namespace bearing
+
+#endif

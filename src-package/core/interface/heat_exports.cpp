@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Heat of a bearing (heat.h), its network of nodes (heat_network.h) and the jumps of its
+// temperatures (heat_jumps.h).
+#include "../geometry/ring_capacity.h"
+#include "../laws/heat_jumps.h"
+#include "exports.h"
+
+#include <cstring>
+
+using namespace raceway;
+
+RECORD(SteelOfBearings, double conductivity, density, heat, expansion;)
+// Nodes: inner ring, balls, outer ring, housing
+RECORD(HeatNetworkOf, double capacity[4]; double inner, outer, shaft, seat, housing, ambient;)
+RECORD(HeatControlOf, double change, error, until, steady, hottest, share, both_ends;)
+RECORD(HeatStateOf, double time, at[4], law[4], length, start_heat[4], start_inner, start_outer,
+       jumps, booked, carried, correction, slope, gain, seen, oil_before, power_before, alarms,
+       alarm, end;)
+static_assert(sizeof(HeatStateOf) == sizeof(HeatState), "the record of HeatState");
+
+namespace {
+HeatNetwork network(const HeatNetworkOf &of)
+{
+  HeatNetwork net;
+  std::copy_n(of.capacity, heat_nodes, net.capacity);
+  net.inner = of.inner;
+  net.outer = of.outer;
+  net.shaft = of.shaft;
+  net.seat = of.seat;
+  net.housing = of.housing;
+  net.ambient = of.ambient;
+  return net;
+}
+}    // namespace
+
+FORMULA(SteelOfBearings, steel_of_bearings, ())
+{
+  return {steel_conductivity, steel_density, steel_heat, steel_expansion};
+}
+
+FORMULA(double, contact_conductance, (double a, double b, double speed))
+{
+  return contact_conductance(a, b, speed);
+}
+
+FORMULA(double, iso_15312_conductance, (double bore, double outside, double width))
+{
+  return iso_15312_conductance(bore, outside, width);
+}
+
+// J/K of a ring by radii of raceway and groove and diameters of seat and shoulder (m)
+FORMULA(double, ring_capacity,
+        (bool inner, double raceway_radius, double groove_radius, double seat, double shoulder,
+         double width))
+{
+  Groove groove;
+  groove.side = inner ? Side::inner : Side::outer;
+  groove.raceway_radius = raceway_radius;
+  groove.groove_radius = groove_radius;
+  return ring_capacity(groove, seat, shoulder, width);
+}
+
+FORMULA(double, clearance_change,
+        (double inner_radius, double outer_radius, double ball_radius, double inner, double balls,
+         double outer))
+{
+  return clearance_change(inner_radius, outer_radius, ball_radius, inner, balls, outer);
+}
+
+// Temperatures (C) after `time` seconds with heat (W) into each node that goes evenly from `heat` to
+// `end`; returns the heat (J) carried to ambient.
+EXPORT(double, heat_advance,
+       (const HeatNetworkOf *net, const double heat[4], const double end[4], const double from[4],
+        double time, double to[4]))
+{
+  return HeatFlow(network(*net), heat, end, time).advance(from, time, to);
+}
+
+// Temperatures (C) of the steady state; returns the slowest time constant (s).
+EXPORT(double, heat_steady, (const HeatNetworkOf *net, const double heat[4], double to[4]))
+{
+  const HeatFlow flow(network(*net), heat);
+  flow.steady(to);
+  return flow.slowest();
+}
+
+// Takes a ball pass with these mean losses (W) into the nodes and conductances of the contacts
+// (W/K), and begins the next jump.
+EXPORT(void, heat_jump,
+       (HeatStateOf * state, const double heat[4], double inner, double outer,
+        const HeatNetworkOf *net, const HeatControlOf *control))
+{
+  HeatState now;
+  std::memcpy(static_cast<void *>(&now), state, sizeof now);
+  HeatPass pass;
+  std::copy_n(heat, heat_nodes, pass.heat);
+  pass.inner = inner;
+  pass.outer = outer;
+  HeatControl c;
+  c.change = control->change;
+  c.error = control->error;
+  c.until = control->until;
+  c.steady = control->steady;
+  c.hottest = control->hottest;
+  c.share = control->share;
+  c.both_ends = control->both_ends != 0.0;
+  heat_jump(now, pass, network(*net), c);
+  std::memcpy(static_cast<void *>(state), &now, sizeof now);
+}

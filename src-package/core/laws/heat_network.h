@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Heat flow between the parts of a bearing: inner ring, balls, outer ring, housing and ambient, as
+// a linear network that is advanced by its exact exponential (docs/heat).
+//
+//   ambient -shaft- inner ring -inner- balls -outer- outer ring -seat- housing -housing- ambient
+//
+// Without a housing of its own (capacity 0) the outer ring is cooled by seat and housing in series.
+#ifndef RACEWAY_HEAT_NETWORK_H
+#define RACEWAY_HEAT_NETWORK_H
+
+#include "../numbers/exp_log.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raceway {
+
+constexpr int heat_nodes = 4;    // inner ring, balls, outer ring, housing
+
+struct HeatNetwork {
+  double capacity[heat_nodes] = {};    // J/K; of the housing 0: none of its own
+  double inner = 0.0, outer = 0.0;     // W/K, from each ring to all balls
+  double shaft = 0.0;                  // W/K, from the inner ring to ambient
+  double seat = 0.0;                   // W/K, from the outer ring to the housing; 0: perfect
+  double housing = 0.0;                // W/K, from the housing to ambient
+  double ambient = 20.0;               // C
+
+  int nodes() const { return capacity[3] > 0.0 ? 4 : 3; }
+  // W/K, from the outer ring to ambient in steady state
+  double cooling() const
+  {
+    return seat > 0.0 && housing > 0.0 ? seat * housing / (seat + housing) : housing;
+  }
+};
+
+// The network in its modes, for constant heat (W) into each node, or heat that goes evenly to `end`
+// in `over` seconds.
+class HeatFlow {
+ public:
+  HeatFlow(const HeatNetwork &of, const double *heat, const double *end, double over) :
+      HeatFlow(of, heat)
+  {
+    const HeatFlow then(of, end);
+    for (int m = 0; m < n_; ++m) growth_[m] = (then.steady_[m] - steady_[m]) / over;
+  }
+  HeatFlow(const HeatNetwork &of, const double *heat) : net_(of), n_(of.nodes())
+  {
+    double to_ambient[heat_nodes] = {of.shaft, 0.0, 0.0, 0.0}, g[heat_nodes][heat_nodes] = {};
+    const auto link = [&g](int i, int j, double conductance) {
+      g[i][i] += conductance;
+      g[j][j] += conductance;
+      g[i][j] -= conductance;
+      g[j][i] -= conductance;
+    };
+    link(0, 1, of.inner);
+    link(1, 2, of.outer);
+    if (n_ == 4) {
+      link(2, 3, of.seat);
+      to_ambient[3] = of.housing;
+    } else {
+      to_ambient[2] = of.cooling();
+    }
+    double into[heat_nodes] = {};
+    for (int i = 0; i < n_; ++i) {
+      root_[i] = std::sqrt(of.capacity[i]);
+      to_ambient_[i] = to_ambient[i];
+      g[i][i] += to_ambient[i];
+      into[i] = heat[i];
+    }
+    if (n_ == 3) into[2] += heat[3];    // of a housing that keeps none
+    find_steady(g, into);
+    for (int i = 0; i < n_; ++i)
+      for (int j = 0; j < n_; ++j) g[i][j] /= root_[i] * root_[j];
+    find_modes(g);
+    for (int m = 0; m < n_; ++m)
+      for (int i = 0; i < n_; ++i) steady_[m] += mode_[m][i] * root_[i] * steady_rise_[i];
+  }
+
+  // s, time constant of the slowest mode
+  double slowest() const { return 1.0 / *std::min_element(rate_, rate_ + n_); }
+
+  // Temperatures (C) after `time` seconds from `from`; returns the heat (J) carried to ambient.
+  double advance(const double *from, double time, double *to) const
+  {
+    double now[heat_nodes], sum[heat_nodes];    // rises over ambient times root_, and integral
+    double rise[heat_nodes] = {}, spent[heat_nodes] = {};
+    for (int m = 0; m < n_; ++m) {
+      double begin = 0.0;
+      for (int i = 0; i < n_; ++i) begin += mode_[m][i] * root_[i] * (from[i] - net_.ambient);
+      const double decay = exponential(-rate_[m] * time), lag = growth_[m] / rate_[m],
+                   away = begin - steady_[m] + lag;
+      now[m] = steady_[m] + growth_[m] * time - lag + away * decay;
+      sum[m] =
+          (steady_[m] + 0.5 * growth_[m] * time - lag) * time + away * (1.0 - decay) / rate_[m];
+    }
+    for (int i = 0; i < n_; ++i)
+      for (int m = 0; m < n_; ++m) {
+        rise[i] += mode_[m][i] * now[m] / root_[i];
+        spent[i] += mode_[m][i] * sum[m] / root_[i];
+      }
+    double carried = 0.0;
+    for (int i = 0; i < n_; ++i) {
+      to[i] = net_.ambient + rise[i];
+      carried += to_ambient_[i] * spent[i];
+    }
+    if (n_ == 3) to[3] = housing_of(to[2]);
+    return carried;
+  }
+
+  // Temperatures (C) of the steady state
+  void steady(double *to) const
+  {
+    for (int i = 0; i < n_; ++i) to[i] = net_.ambient + steady_rise_[i];
+    if (n_ == 3) to[3] = housing_of(to[2]);
+  }
+
+  // The longest time (s) up to `most` in which no node moves by more than `change` (K).
+  double time_of_change(const double *from, double change, double most) const
+  {
+    const auto fits = [&](double time) {
+      double to[heat_nodes];
+      advance(from, time, to);
+      for (int i = 0; i < n_; ++i)
+        if (!(std::fabs(to[i] - from[i]) <= change)) return false;
+      return true;
+    };
+    if (fits(most)) return most;
+    double low = 0.0, high = most;
+    for (int k = 0; k < 50; ++k) {
+      const double middle = 0.5 * (low + high);
+      (fits(middle) ? low : high) = middle;
+    }
+    return low;
+  }
+
+ private:
+  double housing_of(double outer_ring) const
+  {
+    if (!(net_.seat > 0.0)) return outer_ring;
+    return net_.ambient + (outer_ring - net_.ambient) * net_.seat / (net_.seat + net_.housing);
+  }
+
+  // Rises over ambient that the conductances `g` balance. In the chain elimination has one factor a
+  // row, and takes no difference of like numbers.
+  void find_steady(const double g[heat_nodes][heat_nodes], const double *heat)
+  {
+    double own[heat_nodes], drive[heat_nodes];    // diagonal and heat, less what parts before take
+    double before = 0.0;                          // W/K, to ambient through the parts before
+    for (int i = 0; i < n_; ++i) {
+      const double next = i + 1 < n_ ? -g[i][i + 1] : 0.0;
+      const double share = i > 0 ? -g[i][i - 1] / own[i - 1] : 0.0;
+      before = to_ambient_[i] + share * before;
+      own[i] = before + next;
+      drive[i] = heat[i] + (i > 0 ? share * drive[i - 1] : 0.0);
+    }
+    for (int i = n_ - 1; i >= 0; --i)
+      steady_rise_[i] =
+          (drive[i] + (i + 1 < n_ ? -g[i][i + 1] * steady_rise_[i + 1] : 0.0)) / own[i];
+  }
+
+  // Eigenvalues and vectors of a symmetric matrix by Jacobi's rotations.
+  void find_modes(double a[heat_nodes][heat_nodes])
+  {
+    double v[heat_nodes][heat_nodes] = {};
+    for (int i = 0; i < n_; ++i) v[i][i] = 1.0;
+    for (int sweep = 0; sweep < 30; ++sweep)
+      for (int p = 0; p < n_; ++p)
+        for (int q = p + 1; q < n_; ++q) {
+          if (a[p][q] == 0.0) continue;
+          const double theta = 0.5 * (a[q][q] - a[p][p]) / a[p][q],
+                       t = (theta < 0.0 ? -1.0 : 1.0) /
+                           (std::fabs(theta) + std::sqrt(theta * theta + 1.0)),
+                       c = 1.0 / std::sqrt(t * t + 1.0), s = t * c;
+          if (!std::isfinite(t)) continue;
+          for (int k = 0; k < n_; ++k) {
+            const double x = a[k][p], y = a[k][q];
+            a[k][p] = c * x - s * y;
+            a[k][q] = s * x + c * y;
+          }
+          for (int k = 0; k < n_; ++k) {
+            const double x = a[p][k], y = a[q][k];
+            a[p][k] = c * x - s * y;
+            a[q][k] = s * x + c * y;
+          }
+          a[p][q] = a[q][p] = 0.0;
+          for (int k = 0; k < n_; ++k) {
+            const double x = v[k][p], y = v[k][q];
+            v[k][p] = c * x - s * y;
+            v[k][q] = s * x + c * y;
+          }
+        }
+    for (int m = 0; m < n_; ++m) {
+      rate_[m] = a[m][m];
+      for (int i = 0; i < n_; ++i) mode_[m][i] = v[i][m];
+    }
+  }
+
+  HeatNetwork net_;
+  int n_;
+  double root_[heat_nodes] = {}, to_ambient_[heat_nodes] = {};    // of the capacities; W/K
+  double rate_[heat_nodes] = {}, steady_[heat_nodes] = {};        // by mode
+  double growth_[heat_nodes] = {};                                // of steady_, by mode, 1/s
+  double steady_rise_[heat_nodes] = {};                           // K, over ambient
+  double mode_[heat_nodes][heat_nodes] = {};
+};
+
+}    // namespace raceway
+
+#endif

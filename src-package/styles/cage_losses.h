@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Losses at the contacts of cage balls and cages, and of balls that meet, each on one rank.
+#ifndef BEARING_CAGE_LOSSES_H
+#define BEARING_CAGE_LOSSES_H
+
+#include "fix_bearing_cage.h"
+#include "fixes.h"
+#include "pair_bearing_hertz.h"
+
+namespace bearing {
+
+// Calls `take` with the tags of both bodies (0: a rail), the local index of the first, loss (W) and
+// force (N; of a rail 0).
+template <class Take>
+void each_cage_loss(LAMMPS_NS::LAMMPS *lmp, const LAMMPS_NS::PairBearingHertz &pair,
+                    const Take &take)
+{
+  for (const SphereContact &s : pair.table().sphere)
+    if (s.i < lmp->atom->nlocal)    // else counted on the rank that owns s.i
+      take(s.tag_i, s.tag_j, s.i, s.loss, s.force);
+  for (const LAMMPS_NS::FixBearingCage *f : fixes_of<LAMMPS_NS::FixBearingCage>(lmp))
+    for (const CageRails::CageBall &b : f->rails().balls) take(b.tag, tag_t(0), b.i, b.loss, 0.0);
+  for (const PocketRow &p : pair.table().pocket)
+    take(p.ball, p.cage, lmp->atom->map(p.ball), p.loss, p.force);
+}
+
+}    // namespace bearing
+
+#endif

@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "fix_bearing_heat.h"
+
+#include "../core/geometry/ring_capacity.h"
+#include "../core/geometry/usual_data.h"
+#include "../core/settings/arguments.h"
+#include "ball_pass.h"
+#include "fix_bearing_implicit.h"
+#include "fix_bearing_ring.h"
+#include "fixes.h"
+#include "named_bearing.h"
+#include "pair_bearing.h"
+
+#include <algorithm>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using namespace raceway;
+using bearing::Arguments;
+using bearing::text;
+namespace of = bearing::of_fix_heat;
+
+static constexpr double passes_at_first = 2.0;     // ball passes after the loads are on
+static constexpr double samples_a_pass = 200.0;    // of losses, at most
+
+// fix ID group bearing/heat [heat yes|no] [ambient T] [cooling G] [shaft_cooling G] [seat G]
+// [housing_capacity C] [warm_start T] [warm_time S] [warm_change K] [warm_error K] [file NAME]
+FixBearingHeat::FixBearingHeat(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
+{
+  Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);
+  while (args.more()) read(args);
+  if (network_.capacity[3] > 0.0 && network_.seat == 0.0)
+    args.fail("'housing_capacity' needs 'seat', the conductance from outer ring to housing");
+  restart_global = 1;
+  scalar_flag = vector_flag = 1;
+  size_vector = of::N;
+  extscalar = extvector = 0;
+  global_freq = 1;
+  nevery = 1;
+  if (idle_ || file_name_.empty()) return;
+  std::string names;
+  for (const auto &column : of::list)
+    names += (names.empty() ? "" : " ") + std::string(column.name);
+  file_.open(args, file_name_, names.c_str(), world);
+}
+
+void FixBearingHeat::read(Arguments &args)
+{
+  if (args.take("heat")) idle_ = args.value_of("heat") == "no";
+  else if (args.take("ambient")) network_.ambient = args.number_of("ambient");
+  else if (args.take("cooling")) cooling_ = args.number_of("cooling");
+  else if (args.take("shaft_cooling")) network_.shaft = args.number_of("shaft_cooling");
+  else if (args.take("seat")) network_.seat = args.number_of("seat");
+  else if (args.take("housing_capacity")) network_.capacity[3] = args.number_of("housing_capacity");
+  else if (args.take("warm_start")) start_ = args.number_of("warm_start");
+  else if (args.take("warm_time")) control_.until = args.number_of("warm_time");
+  else if (args.take("warm_change")) control_.change = args.number_of("warm_change");
+  else if (args.take("warm_error")) control_.error = args.number_of("warm_error");
+  else if (args.take("file")) file_name_ = args.word("name of the file");
+  else
+    args.unknown("heat, ambient, cooling, shaft_cooling, seat, housing_capacity, warm_start, "
+                 "warm_time, warm_change, warm_error, file");
+}
+
+int FixBearingHeat::setmask() { return idle_ ? 0 : INITIAL_INTEGRATE | END_OF_STEP; }
+
+void FixBearingHeat::init()
+{
+  if (idle_) return;
+  pair_ = dynamic_cast<PairBearing *>(force->pair);
+  if (!pair_)
+    BRG_ALL(bearing::name_of(*this) +
+            " needs pair_style bearing, which knows the bearing's sizes and its oil");
+  find_bearing();
+  check_oil();
+  find_network();
+  pair_->add_follower(this);
+  HeatState &heat = now_.heat;
+  if (now_.begun == 0.0) {
+    now_.begun = 1.0;
+    const double start = std::isnan(start_) ? network_.ambient : start_;
+    for (int k = 0; k < heat_nodes; ++k) heat.at[k] = heat.law[k] = start;
+    if (network_.capacity[3] > 0.0) heat.at[3] = heat.law[3] = network_.ambient;
+    std::copy_n(heat.law, parts, now_.from);
+    std::copy_n(heat.law, parts, now_.to);
+    std::copy_n(heat.at, heat_nodes, now_.begin);
+    for (const char *cold : {"paper", "film", "none"})
+      if (pair_->models() == cold && comm->me == 0)
+        BRG_WARN(bearing::name_of(*this) + ": models " + cold +
+                 " have no friction of full films, so there is little heat; full has it");
+    now_.oil = heat.oil();
+  }
+  apply_oil();
+  apply_ = false;
+}
+
+// The named bearing of the group's balls, and how many of it there are.
+void FixBearingHeat::find_bearing()
+{
+  std::vector<int> there(atom->ntypes + 1, 0);
+  for (int i = 0; i < atom->nlocal; ++i)
+    if ((atom->mask[i] & groupbit) && pair_->coefficients().is_ball(atom->type[i]))
+      there[atom->type[i]] = 1;
+  MPI_Allreduce(MPI_IN_PLACE, there.data(), atom->ntypes + 1, MPI_INT, MPI_MAX, world);
+  bearing_ = nullptr;
+  for (int type = 1; type <= atom->ntypes; ++type) {
+    if (!there[type]) continue;
+    const bearing::NamedBearing *of = bearing::bearing_of_type(lmp, type);
+    if (!of)
+      BRG_ALL(bearing::name_of(*this) + ": balls of type " + std::to_string(type) +
+              " are of no bearing with a name");
+    if (bearing_ && of != bearing_)
+      BRG_ALL(bearing::name_of(*this) + ": its balls are of bearings " + bearing_->name + " and " +
+              of->name + ": give each its own fix");
+    bearing_ = of;
+  }
+  if (!bearing_) BRG_ALL(bearing::name_of(*this) + ": there is no ball in its group");
+  for (const FixBearingHeat *f : bearing::fixes_of<FixBearingHeat>(lmp))
+    if (f != this && !f->idle_ && f->bearing_ == bearing_)
+      BRG_ALL(bearing::name_of(*this) + " and fix " + f->id + " both heat bearing " +
+              bearing_->name);
+  int rings = 0;
+  for (int i = 0; i < atom->nlocal; ++i) rings += atom->type[i] == bearing_->inner;
+  MPI_Allreduce(MPI_IN_PLACE, &rings, 1, MPI_INT, MPI_SUM, world);
+  bearings_ = rings;
+}
+
+void FixBearingHeat::check_oil()
+{
+  dry_ = !pair_->coefficients().lubricated();
+  if (!dry_ && !pair_->oil_follows(bearing_->name))
+    BRG_ALL(bearing::name_of(*this) + ": the oil " + pair_->oil() + " of bearing " +
+            bearing_->name +
+            " has no data over temperature: take vg46 for example, and after a restart file give "
+            "pair_style and pair_coeff again");
+}
+
+// Conductances and capacities from the sizes of the bearing.
+void FixBearingHeat::find_network()
+{
+  const bearing::NamedBearing &b = *bearing_;
+  std::string missing;
+  for (const char *size : {"bore_diameter", "outside_diameter", "bearing_width"})
+    if (!(b.number_or(size, 0.0) > 0.0))
+      missing += (missing.empty() ? "" : ", ") + std::string(size);
+  if (!missing.empty())
+    BRG_ALL(bearing::name_of(*this) + ": bearing " + b.name + " has no " + missing +
+            ", from which the capacities of its rings follow: give the data with -var");
+  const double bore = b.number("bore_diameter"), outside = b.number("outside_diameter"),
+               width = b.number("bearing_width");
+  network_.housing = cooling_ > 0.0 ? cooling_ : iso_15312_conductance(bore, outside, width);
+  for (const RacewayPhysics *p : pair_->coefficients().raceways_under(b.balls)) {
+    if (p->number > 0) continue;
+    const bool inner = p->groove.side == Side::inner;
+    double shoulder =
+        b.number_or(inner ? "inner_shoulder_diameter" : "outer_shoulder_diameter", 0.0);
+    if (shoulder == 0.0) {
+      const double depth =
+          RingCylinder::shoulder(0.0, 2.0 * p->groove.ball_radius);    // of a groove
+      shoulder = 2.0 * (p->groove.raceway_radius + (inner ? depth : -depth));
+    }
+    network_.capacity[inner ? 0 : 2] =
+        ring_capacity(p->groove, inner ? bore : outside, shoulder, width);
+    network_.capacity[1] = b.number("balls") * p->ball_mass * steel_heat;
+  }
+}
+
+// The step over a ball pass, and the time until loads are on.
+void FixBearingHeat::setup(int)
+{
+  if (idle_) return;
+  pass_ = bearing::ball_pass_time(lmp, bearing::name_of(*this), NAN);
+  ramp_ = 0.0;
+  for (const FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp))
+    ramp_ = std::max(ramp_, f->ramp());
+  stride_ = std::max(1, static_cast<int>(pass_ / update->dt / samples_a_pass));
+  if (rewrite_) {    // rows before the restart file
+    rewrite_ = false;
+    if (FILE *f = file_.file(); f)
+      for (const Row &row : rows_) write_row(row);
+  }
+  last_step_ = -1;
+}
+
+void FixBearingHeat::begin_step()
+{
+  if (last_step_ == update->ntimestep) return;
+  last_step_ = update->ntimestep;
+  if (apply_) apply_oil();
+  apply_ = false;
+  if (now_.stage == RAMP || now_.stage == LAST)
+    grow(std::min(1.0, (now_.since + update->dt) / pass_));
+}
+
+// The law of the contacts at the temperature of the oil, and where the surfaces are.
+void FixBearingHeat::apply_oil()
+{
+  if (!dry_)
+    pair_->set_oil_temperature(Arguments(lmp, bearing::name_of(*this), {}), bearing_->name,
+                               now_.oil);
+  const bool moves = now_.stage == RAMP || now_.stage == LAST;
+  grow(moves ? std::min(1.0, now_.since / pass_) : 1.0);
+  for (FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp)) f->laws_changed();
+}
+
+// A share of the way from the clearance before to that of the present temperatures.
+void FixBearingHeat::grow(double share)
+{
+  double strain[parts];
+  for (int k = 0; k < parts; ++k)
+    strain[k] =
+        steel_expansion * (now_.from[k] + share * (now_.to[k] - now_.from[k]) - network_.ambient);
+  pair_->coefficients().grow(bearing_->balls, strain[0], strain[1], strain[2]);
+}
+
+void FixBearingHeat::enter(Stage stage)
+{
+  now_.stage = stage;
+  now_.since = 0.0;
+  now_.sum = {};
+  now_.summed = 0.0;
+}
+
+void FixBearingHeat::end_of_step()
+{
+  now_.since += update->dt;
+  now_.run += update->dt;
+  const double nearly = pass_ * (1.0 - 1e-9) - 0.5 * update->dt;
+  switch (static_cast<int>(now_.stage)) {
+    case WAIT:
+      if (now_.since >= ramp_ + passes_at_first * pass_) enter(WATCH);
+      break;
+    case RAMP:
+      if (now_.since >= nearly) enter(WATCH);
+      break;
+    case LAST:
+      if (now_.since >= nearly) enter(STAY);
+      break;
+    case WATCH:
+      if (update->ntimestep % stride_ == 0) {
+        const double dt = stride_ * update->dt;
+        const HeatPass p = losses();
+        for (int k = 0; k < heat_nodes; ++k) now_.sum.heat[k] += dt * p.heat[k];
+        now_.sum.inner += dt * p.inner;
+        now_.sum.outer += dt * p.outer;
+        now_.summed += dt;
+      }
+      if (now_.since >= nearly && now_.summed > 0.0) end_pass();
+      break;
+    default: break;
+  }
+}
+
+// Temperatures jump by the losses of a ball pass.
+void FixBearingHeat::end_pass()
+{
+  HeatPass seen = now_.sum;
+  const double share = 1.0 / now_.summed;
+  for (double &one : seen.heat) one *= share;
+  seen.inner *= share;
+  seen.outer *= share;
+  HeatState &heat = now_.heat;
+  now_.jump = heat.length;
+  heat_jump(heat, seen, network_, control_);
+  for (int k = 0; k < parts; ++k) {
+    now_.from[k] = now_.to[k];
+    now_.to[k] = heat.law[k];
+  }
+  now_.oil = heat.oil();
+  apply_ = true;
+  const HeatEnd end = static_cast<HeatEnd>(static_cast<int>(heat.end));
+  enter(end == HeatEnd::none ? RAMP : LAST);
+  Row row;
+  for (int k = 0; k < of::N; ++k) row[k] = value(k);
+  rows_.push_back(row);
+  now_.rows = static_cast<double>(rows_.size());
+  write_row(row);
+  say(seen.power());
+  const std::string at = bearing::name_of(*this) + ": bearing " + bearing_->name + " at " +
+                         text(heat.time) + " s: inner ring " + text(heat.at[0]) + ", balls " +
+                         text(heat.at[1]) + ", outer ring " + text(heat.at[2]) + " C, losses " +
+                         text(seen.power()) + " W";
+  if (end == HeatEnd::seizes)
+    BRG_ALL(at + ": it seizes. Losses grow with temperature " + text(heat.gain) +
+            " times as fast as cooling: thermal run-away. Cool it better, or give more clearance");
+  if (end == HeatEnd::hot)
+    BRG_ALL(at + ": hotter than " + text(control_.hottest) + " C. Cool it better");
+}
+
+void FixBearingHeat::say(double power) const
+{
+  if (comm->me != 0) return;
+  const HeatState &h = now_.heat;
+  char line[160];
+  snprintf(line, sizeof line,
+           "Thermal time %.6g s: inner ring %.2f, balls %.2f, outer ring %.2f, housing %.2f C, "
+           "losses %.4g W, gain %.2f",
+           h.time, h.at[0], h.at[1], h.at[2], h.at[3], power, h.gain);
+  for (FILE *to : {screen, logfile})
+    if (to) {
+      fprintf(to, "%s\n", line);
+      fflush(to);
+    }
+}
+
+bool FixBearingHeat::covers_type(int ball_type) const
+{
+  return bearing_ && bearing_->balls == ball_type;
+}
+
+std::array<double, 5> FixBearingHeat::temperatures() const
+{
+  const double *t = now_.heat.law;
+  return {t[0], t[1], t[2], t[3], now_.oil};
+}
+
+double FixBearingHeat::value(int column) const
+{
+  const HeatState &h = now_.heat;
+  switch (column) {
+    case of::TIME: return h.time;
+    case of::INNER: return h.at[0];
+    case of::BALLS: return h.at[1];
+    case of::OUTER: return h.at[2];
+    case of::HOUSING: return h.at[3];
+    case of::OIL: return HeatState::oil_of(h.at);
+    case of::POWER: return h.start.power();
+    case of::HEAT_INNER: return h.start.heat[0];
+    case of::HEAT_BALLS: return h.start.heat[1];
+    case of::HEAT_OUTER: return h.start.heat[2];
+    case of::CONTACTS_INNER: return h.start.inner;
+    case of::CONTACTS_OUTER: return h.start.outer;
+    case of::BOOKED: return h.booked;
+    case of::CARRIED: return h.carried;
+    case of::STORED: return stored_heat(network_, now_.begin, h.at);
+    case of::CLEARANCE: return clearance();
+    case of::GAIN: return h.gain;
+    case of::JUMP: return now_.jump;
+    case of::CORRECTION: return h.correction;
+    case of::RUN: return now_.run;
+  }
+  return 0.0;
+}
+
+// m, diametral, of the warm parts
+double FixBearingHeat::clearance() const
+{
+  const double *t = now_.heat.at, cold = network_.ambient;
+  return bearing_->number("clearance") + clearance_change(bearing_->number("b_inner_raceway"),
+                                                          bearing_->number("b_outer_raceway"),
+                                                          0.5 * bearing_->number("ball_diameter"),
+                                                          t[0] - cold, t[1] - cold, t[2] - cold);
+}
+
+double FixBearingHeat::compute_scalar() { return compute_vector(of::OIL); }
+
+double FixBearingHeat::compute_vector(int k) { return idle_ || !bearing_ ? 0.0 : value(k); }
+
+void FixBearingHeat::write_row(const Row &row)
+{
+  FILE *f = file_.file();
+  if (!f) return;
+  for (int k = 0; k < of::N; ++k) fprintf(f, k ? " %.12g" : "%.12g", row[k]);
+  fputc('\n', f);
+  fflush(f);
+}
+
+void FixBearingHeat::write_restart(FILE *fp)
+{
+  if (comm->me != 0) return;
+  const size_t rows = rows_.size() * sizeof(Row);
+  const int size = static_cast<int>(sizeof now_ + rows);
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(&now_, sizeof now_, 1, fp);
+  fwrite(rows_.data(), 1, rows, fp);
+}
+
+void FixBearingHeat::restart(char *buf)
+{
+  memcpy(static_cast<void *>(&now_), buf, sizeof now_);
+  rows_.resize(static_cast<size_t>(now_.rows));
+  if (!rows_.empty()) memcpy(rows_.data(), buf + sizeof now_, rows_.size() * sizeof(Row));
+  rewrite_ = true;
+}

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix bearing/heat: temperatures of inner ring, balls, outer ring and housing of a named bearing,
+// fed by the losses of its contacts; oil, films, clearance and friction follow (docs/heat).
+//
+// Heat is slow and balls are fast, so temperatures jump (core/laws/heat_jumps.h): over one ball
+// pass clearance goes to that of the new temperatures by a ramp, over the next the losses are
+// averaged, then temperatures jump again. All ranks have the same state.
+#ifdef FIX_CLASS
+FixStyle(bearing/heat,FixBearingHeat)
+#else
+#ifndef LMP_FIX_BEARING_HEAT_H
+#define LMP_FIX_BEARING_HEAT_H
+
+#include "../contacts/law_follower.h"
+#include "../core/figures/fix_columns.h"
+#include "../core/laws/heat_jumps.h"
+#include "../deck/text_file.h"
+#include "bearing_compat.h"
+
+#include <array>
+#include <vector>
+
+namespace bearing {
+struct NamedBearing;
+}
+
+namespace LAMMPS_NS {
+
+class FixBearingHeat : public Fix, public bearing::LawFollower {
+ public:
+  FixBearingHeat(class LAMMPS *, int, char **);
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void initial_integrate(int) override { begin_step(); }
+  void end_of_step() override;
+  double compute_scalar() override;
+  double compute_vector(int) override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+
+  void begin_step() override;
+  // True without temperatures that still change: steady, at the end of the asked time, or off.
+  bool still() const { return idle_ || now_.stage == STAY; }
+  bool idle() const { return idle_; }
+  // Temperatures (C) of the contacts now, as in core/figures/fix_columns.h from INNER to OIL.
+  std::array<double, 5> temperatures() const;
+  bool covers_type(int ball_type) const;
+  double ambient() const { return network_.ambient; }    // C, of the clearance
+
+ private:
+  enum Stage { WAIT, RAMP, WATCH, LAST, STAY };
+  static constexpr int parts = 3;    // that grow: inner ring, balls, outer ring
+  // Doubles only, as in a restart file.
+  struct State {
+    raceway::HeatState heat;
+    raceway::HeatPass sum;    // of the present ball pass, times time
+    double begun = 0.0, stage = WAIT;
+    double since = 0.0;                         // s, in this stage
+    double run = 0.0;                           // s, in all
+    double summed = 0.0;                        // s
+    double oil = 0.0;                           // C, of the present law
+    double begin[raceway::heat_nodes] = {};     // C, at the start
+    double from[parts] = {}, to[parts] = {};    // C, between which clearance follows
+    double jump = 0.0;                          // s, the last one
+    double rows = 0.0;                          // of the file
+  };
+  using Row = std::array<double, bearing::of_fix_heat::N>;
+
+  void read(bearing::Arguments &);
+  void find_bearing();
+  void find_network();
+  void check_oil();
+  void apply_oil();
+  void grow(double share);
+  double value(int column) const;
+  double clearance() const;
+  raceway::HeatPass losses();
+  void enter(Stage);
+  void end_pass();
+  void write_row(const Row &);
+  void say(double power) const;
+
+  class PairBearing *pair_ = nullptr;
+  const bearing::NamedBearing *bearing_ = nullptr;
+  bool idle_ = false, dry_ = false;
+  double cooling_ = 0.0, start_ = NAN;
+  raceway::HeatNetwork network_;
+  raceway::HeatControl control_;
+  double bearings_ = 1.0;    // that share the temperatures
+  double pass_ = 0.0;        // s, a ball pass
+  double ramp_ = 0.0;        // s, until the loads are on
+  int stride_ = 1;           // steps between samples
+  bigint last_step_ = -1;    // that has begun
+  bool apply_ = false, rewrite_ = false;
+  State now_;
+  std::vector<Row> rows_;    // of the file
+  std::string file_name_;
+  bearing::TextFile file_;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Losses and conductances of the contacts of a bearing, for fix bearing/heat.
+#include "../core/contact/loss_table.h"
+#include "../core/laws/heat.h"
+#include "../ranks/gather.h"
+#include "cage_losses.h"
+#include "fix_bearing_heat.h"
+#include "named_bearing.h"
+#include "pair_bearing.h"
+
+#include <algorithm>
+#include <tuple>
+
+using namespace LAMMPS_NS;
+using raceway::HeatPass;
+
+// Half of a contact's loss goes into each body. What the oil takes up, it gives to the surfaces it
+// wets; what balls lose on the cage stays with them. Sums are in the order of tags, for the same
+// bits on any number of ranks.
+HeatPass FixBearingHeat::losses()
+{
+  struct Share {
+    bearing::tag_t first, second;
+    double place;                 // groove of a contact; -1 of a cage
+    double ball, inner, outer;    // W
+    double to_inner, to_outer;    // W/K
+  };
+  std::vector<Share> shares;
+  for (const bearing::RacewayContact &c : pair_->table().raceway) {
+    if (!c.live || atom->type[c.i_ball] != bearing_->balls) continue;
+    const raceway::LossPowers powers = raceway::loss_powers(c.state);
+    double power = 0.0;
+    for (const double one : powers.of) power += one;
+    const raceway::RacewayConstants k = c.raceway->law.at(c.state.cos_angle);
+    const double conductance =
+        raceway::contact_conductance(k.a * c.state.root, k.b * c.state.root, c.state.entrainment);
+    const bool inner = c.side() == raceway::Side::inner;
+    shares.push_back({c.ball, c.ring, double(c.groove()), 0.5 * power, inner ? 0.5 * power : 0.0,
+                      inner ? 0.0 : 0.5 * power, inner ? conductance : 0.0,
+                      inner ? 0.0 : conductance});
+  }
+  bearing::each_cage_loss(
+      lmp, *pair_, [&](bearing::tag_t first, bearing::tag_t second, int i, double loss, double) {
+        const int type = atom->type[i];
+        if (type == bearing_->balls || type == bearing_->cage)
+          shares.push_back({first, second, -1.0, loss, 0.0, 0.0, 0.0, 0.0});
+      });
+  shares = bearing::gather_all(shares, world);
+  std::sort(shares.begin(), shares.end(), [](const Share &a, const Share &b) {
+    return std::tie(a.first, a.second, a.place) < std::tie(b.first, b.second, b.place);
+  });
+  HeatPass sum;
+  for (const Share &s : shares) {
+    sum.heat[0] += s.inner;
+    sum.heat[1] += s.ball;
+    sum.heat[2] += s.outer;
+    sum.inner += s.to_inner;
+    sum.outer += s.to_outer;
+  }
+  const double each = 1.0 / bearings_;
+  for (double &one : sum.heat) one *= each;
+  sum.inner *= each;
+  sum.outer *= each;
+  return sum;
+}

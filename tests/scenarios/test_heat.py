@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""fix bearing/heat: its steady state is that of `raceway heat`, heat and work balance, oil and
+clearance follow the temperatures, and a preloaded bearing seizes or not by its cooling."""
+
+import numpy as np
+import pytest
+import raceway
+from host import run, succeed
+from raceway import heat, steady_heat
+
+# settled until the drift of energy stored in balls and cage is below the tolerances here
+POINT = dict(lubricant="vg46", load=5000, rpm=1910, overwrite="yes", settled=1e-4, passes=10,
+             models="full", settle="auto")  # fmt: skip
+PARTS = ("inner", "balls", "outer")
+
+
+@pytest.fixture(scope="module")
+def warm(tmp_path_factory):
+    """The 6208 from cold to its steady state."""
+    folder = tmp_path_factory.mktemp("warm")
+    succeed("inputs/in.6208", heat="yes", out=folder, **POINT)
+    return raceway.open(folder)
+
+
+def test_steady_state_is_that_of_raceway_heat(warm):
+    found = steady_heat.figures("6208", "vg46", load=5000.0, rpm=1910.0, nodes=steady_heat.Nodes())
+    said = warm.summary()
+    for part in PARTS:
+        assert said[f"temperature_{part}_C"] == pytest.approx(
+            found[f"temperature_{part}_C"], abs=0.1
+        )
+    assert said["temperature_oil_C"] == pytest.approx(found["temperature_C"], abs=0.1)
+    assert said["clearance_warm_m"] == pytest.approx(found["clearance_warm_m"], abs=0.2e-6)
+    assert said["viscosity_Pa_s"] == pytest.approx(found["viscosity_Pa_s"], rel=5e-3)
+
+
+def test_heat_balances(warm):
+    """What the losses made is stored and carried away; in the end as much goes as comes."""
+    jumps = warm.heat
+    booked, rest = jumps["booked"], jumps["carried"] + jumps["stored"]
+    assert booked.to_numpy() == pytest.approx(rest.to_numpy(), rel=1e-9, abs=1e-9)
+    made = np.diff(jumps["thermal_time"]) * (jumps["power"][1:] + jumps["power"][:-1].values) / 2
+    assert float(made.sum()) == pytest.approx(float(booked[-1]), rel=1e-6)
+    end = jumps.isel(thermal_time=-1)
+    cooling = heat.cooling(40.0, 80.0, 18.0)
+    carried = cooling * (float(end["temperature_outer"]) - 20.0)
+    assert float(end["power"]) == pytest.approx(carried, abs=0.05 * cooling + 1e-3 * carried)
+
+
+def test_work_of_the_drive_is_the_heat(warm):
+    """Torque of the inner ring times its speed, less what balls gain in motion, over the measured
+    passes: the cage lets them speed up and slow down."""
+    rings, balls, said = warm.rings, warm.balls, warm.summary()
+    work = abs(float((rings["torque"] * rings["spin"]).mean()))
+    mass, radius = warm.settings["ball_mass_kg"], warm.geometry.ball_radius
+    moving = sum(
+        0.5 * mass * balls[f"v{k}"] ** 2 + 0.2 * mass * radius**2 * balls[f"omega{k}"] ** 2
+        for k in "xyz"
+    ).sum("ball")
+    gained = float(moving[-1] - moving[0]) / float(balls["time"][-1] - balls["time"][0])
+    assert work - gained == pytest.approx(said["power_loss_W"], rel=1e-3)
+    assert float(warm.heat["power"][-1]) == pytest.approx(said["power_loss_W"], rel=2e-3)
+
+
+def test_the_contacts_run_at_these_temperatures(warm, tmp_path):
+    """A run at the same oil temperature with the same clearance has the same torque and films."""
+    said = warm.summary()
+    cold = {**POINT, "temperature": f"{said['temperature_oil_C']:.9g}"}
+    succeed("inputs/in.6208", clearance=f"{said['clearance_warm_m']:.9g}", out=tmp_path, **cold)
+    other = raceway.open(tmp_path).summary()
+    for key in ("friction_torque_N_m", "h_min_m", "ring_shift_m", "capacitance_F"):
+        assert said[key] == pytest.approx(other[key], rel=2e-3), key
+    assert said["viscosity_Pa_s"] == pytest.approx(other["viscosity_Pa_s"], rel=1e-6)
+    assert said["load_parameter"] == pytest.approx(other["load_parameter"], abs=2e-3)
+
+
+def test_jumps_against_small_ones(tmp_path):
+    """The end of a minute by jumps of 2 K is within 0.5 K, and near, that of jumps of 0.25 K."""
+    ends = []
+    for change in (2, 0.25):
+        words = dict(heat="yes", warm_time=60, warm_change=change, record="summary")
+        succeed("inputs/in.6208", out=tmp_path, **words, **POINT)
+        ends.append(raceway.open(tmp_path).heat.isel(thermal_time=-1))
+        assert float(ends[-1]["thermal_time"]) == pytest.approx(60.0)
+    for part in PARTS:
+        one, other = (float(end[f"temperature_{part}"]) for end in ends)
+        assert one == pytest.approx(other, abs=0.1)
+    assert float(ends[0]["run_time"]) < 0.6
+
+
+PRELOAD = dict(
+    lubricant="dry",
+    load=200,
+    rpm=20000,
+    clearance=-60e-6,
+    cooling=20,
+    passes=1,
+    record="summary",
+    models="full",
+    settle="auto",
+)
+
+
+def test_preloaded_bearing_seizes_by_its_cooling(tmp_path):
+    """A cooled outer ring around a hot inner ring runs away; with a cooled shaft it does not."""
+    words = dict(heat="yes", overwrite="yes", **PRELOAD)
+    done = run("inputs/in.6208", out=tmp_path / "hot", **words)
+    assert done.code != 0
+    assert "it seizes. Losses grow with temperature" in done.error
+    succeed("inputs/in.6208", out=tmp_path / "cold", shaft_cooling=50, **words)
+    said = raceway.open(tmp_path / "cold").summary()
+    assert said["heat_gain"] < 1 and said["temperature_inner_C"] < 40
+    assert said["heat_booked_J"] == pytest.approx(
+        said["heat_carried_J"] + said["heat_stored_J"], rel=1e-9
+    )
+
+
+@pytest.mark.parametrize(
+    ("words", "says"),
+    [
+        ({"lubricant": "mineral"}, "has no data over temperature: take vg46"),
+        ({"bearing": "harris209"}, "from which the capacities of its rings follow"),
+        ({"housing_capacity": 100}, "'housing_capacity' needs 'seat'"),
+        ({"warm_change": 50}, "warm_change (K) is 50, must be from 0.01 to 20"),
+    ],
+)
+def test_errors(tmp_path, words, says):
+    done = run("inputs/in.6208", out=tmp_path, heat="yes", **{**POINT, **words})
+    assert done.code != 0 and says in done.error
