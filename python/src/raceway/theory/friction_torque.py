@@ -223,7 +223,7 @@ def surfaces(
         return Surfaces(film=film)
     bore, outside = (1e3 * one for one in size)
     rpm = abs(ring) * 30 / np.pi
-    starved = laws.skf_starvation(bore, outside, fluid.kinematic, rpm, makers.OIL)
+    starved = laws.skf_starvation(bore, outside, fluid.kinematic, rpm, makers.OIL, makers.K_Z)
     return Surfaces(film=film, starvation=float(starved))
 
 
