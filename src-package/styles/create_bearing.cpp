@@ -57,15 +57,15 @@ void CreateBearing::command_named(Arguments &args)
                            : angle || (four && thrust > 0.0) ? "plus"
                                                              : "none";
   const bool resumed = bearing::host_variable(lmp, "b_resumed").value_or("0") == "1";
-  const std::string line =
-      std::to_string(b.balls) + " " + (b.has_cage ? std::to_string(b.cage) : "none") + " " +
-      std::to_string(b.inner) + " " + std::to_string(b.outer) + " balls " + b.word("balls") +
-      " diameter " + b.word("ball_diameter") + " density " + b.word("ball_density") + more +
-      " seat " + seat + " groups " + (groups ? "yes" : "no") + " resumed " +
-      (resumed ? "yes" : "no") +
-      (b.has_cage        ? " cage " + b.word("cage_ball_diameter")
-       : b.has_cage_ring ? " cage_ring " + std::to_string(b.cage)
-                         : "");
+  const std::string line = std::to_string(b.balls) + " " +
+                           (b.has_cage ? std::to_string(b.cage) : "none") + " " +
+                           std::to_string(b.inner) + " " + std::to_string(b.outer) + " balls " +
+                           b.word("balls") + " diameter " + b.word("ball_diameter") + " density " +
+                           b.word("ball_density") + more + " seat " + seat + " groups " +
+                           (groups ? "yes" : "no") + " resumed " + (resumed ? "yes" : "no") +
+                           (b.has_cage        ? " cage " + b.word("cage_ball_diameter")
+                            : b.has_cage_ring ? " cage_ring " + std::to_string(b.cage)
+                                              : "");
   std::istringstream in(line);
   std::vector<std::string> words;
   for (std::string word; in >> word;) words.push_back(word);

@@ -3,7 +3,7 @@
 #include "../core/geometry/gothic_arch.h"
 #include "../core/geometry/usual_data.h"
 #include "../core/laws/oil_data.h"
-#include "../core/laws/starvation.h"
+#include "../core/settings/model_words.h"
 #include "derive_laws.h"
 
 using bearing::DataValues;
@@ -73,17 +73,30 @@ void vogel(DataValues &deck)
                                    at));
 }
 
-// Starvation factor: 1 for a bearing whose file lacks its boundary dimensions
-void starvation(DataValues &deck)
+// Starvation factor, inlet and share of oil by the kind of lubrication
+void lubrication(DataValues &deck)
 {
-  deck.suggest("bore_diameter", 0.0);
-  deck.suggest("outside_diameter", 0.0);
-  const double bore = 1.0e3 * deck.number("bore_diameter"),
-               outside = 1.0e3 * deck.number("outside_diameter"),
-               kinematic = 1.0e6 * deck.number("viscosity") / deck.number("oil_density");
-  deck.set("b_phi_rs", outside > bore
-                           ? raceway::skf_starvation(bore, outside, kinematic, deck.number("rpm"))
-                           : 1.0);
+  for (const char *unknown : {"bore_diameter", "outside_diameter", "contact_angle"})
+    deck.suggest(unknown, 0.0);
+  deck.suggest("lubrication", "bath");
+  deck.suggest("oil_level", 0.5);
+  const bearing::LubricatedBearing of = {
+      0.5 * (deck.number("inner_radius") + deck.number("outer_radius")),
+      0.5 * deck.number("ball_diameter"),
+      deck.number("bore_diameter"),
+      deck.number("outside_diameter"),
+      deck.number("contact_angle"),
+      deck.number("rpm")};
+  try {
+    const bearing::LubricationWords words =
+        bearing::lubrication_words(deck.word("lubrication"), deck.number("oil_level"), of,
+                                   deck.number("viscosity"), deck.number("oil_density"));
+    deck.set("b_phi_rs", words.starvation);
+    deck.set("b_inlet", words.inlet);
+    deck.set("b_oil_share", words.share);
+  } catch (const bearing::DataError &wrong) {
+    deck.fail(wrong.what());
+  }
 }
 
 // With `four_point` 0, one groove per ring. b_four_point is the value stored in a run's notes.
@@ -115,7 +128,7 @@ void four_point(DataValues &deck)
 bearing::DeriveLaws bearing::data_laws()
 {
   return {{"four_point", four_point},
-          {"starvation", starvation},
+          {"lubrication", lubrication},
           {"usual_data", usual_data},
           {"vogel", vogel},
           {"walther", walther}};

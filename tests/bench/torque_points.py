@@ -37,8 +37,9 @@ ANGULAR = [
     (0.1, 0.2, 1500.0, 40.0),
     (0.05, 0.1, 1000.0, 20.0),
 ]
-POINTS = {name: DEEP for name in ("6010", "6204", "6205", "6208", "6308", "6310")} | {
-    name: ANGULAR for name in ("7205B", "7208B")
+POINTS = {
+    **dict.fromkeys(("6010", "6204", "6205", "6208", "6308", "6310"), DEEP),
+    **dict.fromkeys(("7205B", "7208B"), ANGULAR),
 }
 REFERENCE = ("6204", "6205", "6208", "6306", "6310")
 SHARES = ("rolling", "sliding", "drag")
@@ -94,9 +95,7 @@ def reference(name):
 
 def rows():
     """Of each point: name, point, own shares, SKF's."""
-    return [
-        (name, one, *point(name, *one)) for name, points in POINTS.items() for one in points
-    ]
+    return [(name, one, *point(name, *one)) for name, points in POINTS.items() for one in points]
 
 
 def off(own, skf):
@@ -116,11 +115,12 @@ def table(header, lines):
 HEAD = """Friction torque beside SKF's formula
 ====================================
 
-``tests/bench/torque_points.py`` writes this page. Statics with the models ``full``, conformities 0.52 and 0.53 unless
-the bearing's file has others, no clearance, rigid rings, oil ``vg46`` at the temperature of the viscosity; SKF's formula with
-:math:`\\mu_{bl}` 0.12 and :math:`\\mu_{EHL}` 0.05 and the same oil. An oil bath reaches the middle of the lowest ball. No
-constant is fitted to SKF's formula. Torque in N mm: own / SKF's. Rolling includes hysteresis; sliding is slip and spin.
-Shares more than 1.5 apart, where SKF's is above 10 % of its torque, are in bold.
+``tests/bench/torque_points.py`` writes this page. Statics with the models ``full``, conformities
+0.52 and 0.53 unless the bearing's file has others, no clearance, rigid rings, oil ``vg46`` at the
+temperature of the viscosity; SKF's formula with :math:`\\mu_{bl}` 0.12 and :math:`\\mu_{EHL}` 0.05
+and the same oil. An oil bath reaches the middle of the lowest ball. No constant is fitted to SKF's
+formula. Torque in N mm: own / SKF's. Rolling includes hysteresis; sliding is slip and spin. Shares
+more than 1.5 apart, where SKF's is above 10 % of its torque, are in bold.
 """
 
 
@@ -142,7 +142,8 @@ def page(found, heats):
         for name, (rpm, own, carried) in heats.items()
     ]
     return "\n".join(
-        [HEAD, summary(found), "", table(header, lines), "", "Reference speed", "---------------", "",
+        [HEAD, summary(found), "", table(header, lines), "", "Reference speed", "---------------",
+         "",
          "Heat of statics without drag at the catalogue's reference speed under 0.05 :math:`C_0`,"
          " vg32 at 12 mm²/s, beside what cooling by ISO 15312 carries away at 50 K.", "",
          table(("bearing", "rpm", "own W", "ISO 15312 W", "ratio"), heat_lines), ""]

@@ -5,8 +5,8 @@ import math
 
 import pytest
 from host import ROOT, run
-from raceway import inputs
-from raceway.theory import kinematics, makers
+from raceway import friction_torque, inputs, makers, oil_supply
+from raceway.theory import kinematics
 
 BEARINGS, OILS = ROOT / "inputs/bearings", ROOT / "inputs/lubricants"
 DATA = "variable inputs index inputs\ninclude ${inputs}/modules/bearing_data\n"
@@ -73,12 +73,33 @@ def test_four_point(tmp_path):
 
 @pytest.mark.parametrize("rpm", [477.5, 9549])
 def test_starvation(tmp_path, rpm):
-    deck = DATA + "bearing_input inputs/lubricants vg46\nbearing_derive starvation\n"
-    found = derived(tmp_path, deck, ["b_phi_rs"], bearing=6205, temperature=20, rpm=rpm)
+    deck = DATA + "bearing_input inputs/lubricants vg46\nbearing_derive lubrication\n"
+    names = ["b_phi_rs", "b_inlet", "b_oil_share"]
+    found = derived(tmp_path, deck, names, bearing=6205, temperature=20, rpm=rpm)
     oil = inputs.fluid(OILS / "vg46", 20.0)
     wanted = makers.skf(inputs.boundary(BEARINGS / "6205"), 1.0, 0.0, rpm, oil.kinematic).starvation
     assert wanted < 0.99
     assert float(found["b_phi_rs"]) == pytest.approx(float(wanted), rel=1e-14)
+    body = inputs.bearing(BEARINGS / "6205")
+    supplied = oil_supply.numbers(oil_supply.Supply(), body, oil.density)
+    assert float(found["b_inlet"]) == supplied.inlet == 3
+    assert float(found["b_oil_share"]) == pytest.approx(supplied.share, rel=1e-13)
+
+
+@pytest.mark.parametrize("kind", ["jet", "mist", "grease", "minimal"])
+def test_kinds_of_lubrication(tmp_path, kind):
+    deck = DATA + "bearing_input inputs/lubricants vg46\nbearing_derive lubrication\n"
+    names = ["b_phi_rs", "b_inlet", "b_oil_share"]
+    given = dict(bearing="7208B", temperature=40, rpm=3000, lubrication=kind)
+    found = derived(tmp_path, deck, names, **given)
+    path, oil = BEARINGS / "7208B", inputs.fluid(OILS / "vg46", 40.0)
+    supply = oil_supply.Supply(kind)
+    wanted = friction_torque.surfaces(
+        inputs.bearing(path), inputs.size(path), oil, 100 * math.pi, supply=supply
+    )
+    assert float(found["b_phi_rs"]) == pytest.approx(wanted.starvation, rel=1e-13)
+    assert float(found["b_inlet"]) == wanted.inlet
+    assert float(found["b_oil_share"]) == pytest.approx(wanted.oil_share, rel=1e-13)
 
 
 @pytest.mark.parametrize("name, four_point, ramp", [("7208", 0, 3e-3), ("6208", 35, 0.2)])

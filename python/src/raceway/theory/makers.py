@@ -36,6 +36,14 @@ LEVEL = np.array([0, 0.065, 0.109, 0.148, 0.193, 0.252, 0.365, 0.5, 0.66, 0.87, 
 CHURNING = 1e-5 * np.array([0, 2.9, 7.35, 13.8, 21.7, 31.6, 44.6, 56.6, 67.5, 83.6, 100.7, 124.6])
 
 
+class Size(NamedTuple):
+    """Bore and outside diameter in m, and K_Z of SKF's model."""
+
+    bore: float
+    outside: float
+    slender: float = K_Z
+
+
 @dataclass(frozen=True)
 class Boundary:
     """Boundary dimensions and ratings of a ball bearing as in its catalogue: mm, N."""
@@ -99,9 +107,7 @@ def skf(
     d, outside, mean = bearing.bore, bearing.outside, bearing.mean
     rolled, slid = _geometric(bearing, radial, np.abs(axial), speed)
     shear = 1 / (1 + 1.84e-9 * (speed * mean) ** 1.28 * kinematic**0.64)
-    starvation = laws.skf_starvation(
-        d, outside, kinematic, speed, replenishment, bearing.slender
-    )
+    starvation = laws.skf_starvation(d, outside, kinematic, speed, replenishment, bearing.slender)
     rolling = shear * starvation * rolled * (kinematic * speed) ** 0.6
     share = np.exp(-2.6e-8 * (speed * kinematic) ** 1.4 * mean)
     sliding = slid * (share * boundary + (1 - share) * film)
