@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "pair_bearing.h"
 
-#include "../core/laws/starvation.h"
 #include "../core/settings/arguments.h"
 #include "../core/settings/written.h"
 #include "../deck/find_data.h"
@@ -35,7 +34,8 @@ static std::string keywords_of(const std::string &text)
 }
 
 // pair_style bearing oil NAME|dry [temperature T] [models M] [without PARTS] [gap_film L]
-// [inlet_shear L] [spin_law L] [inputs FOLDER] [further keywords of bearing/ehd or bearing/hertz]
+// [inlet_shear L] [spin_law L] [lubrication K] [oil_level H] [inputs FOLDER] [further keywords of
+// bearing/ehd or bearing/hertz]
 void PairBearing::settings(int narg, char **arg)
 {
   if (replays_) return PairBearingHertz::settings(narg, arg);
@@ -54,6 +54,8 @@ void PairBearing::settings(int narg, char **arg)
     else if (args.take("gap_film")) choice_.gap_film = args.value_of("gap_film");
     else if (args.take("inlet_shear")) choice_.inlet_shear = args.value_of("inlet_shear");
     else if (args.take("spin_law")) choice_.spin_law = args.value_of("spin_law");
+    else if (args.take("lubrication")) choice_.lubrication = args.value_of("lubrication");
+    else if (args.take("oil_level")) choice_.oil_level = args.number_of("oil_level");
     else if (args.take("inputs")) folder_ = args.word("folder of the data files");
     else more_ += " " + args.word("keyword");
   }
@@ -72,7 +74,7 @@ void PairBearing::settings(int narg, char **arg)
   const bool film = oil.at("film") != "dry";
   set_film(film);
   try {
-    const bearing::ContactModel model = contact_model(choice_, film ? &oil : nullptr, 1.0);
+    const bearing::ContactModel model = contact_model(choice_, film ? &oil : nullptr, {});
     cage_share_ = model.cage_tolerance_share;
   } catch (const bearing::DataError &wrong) {
     args.fail("models " + choice_.models + ", oil " + oil_name_ + ": " + wrong.what());
@@ -147,23 +149,18 @@ void PairBearing::resolve(Coeff &of)
   if (film)
     law += " lubricant " + of.data.at("viscosity") + " " + of.data.at("pressure_viscosity") +
            " roughness " + of.data.at("roughness") + " " + of.data.at("ball_roughness");
-  double phi_rs = 1.0;
-  const double bore = 1.0e3 * b.number_or("bore_diameter", 0.0),
-               outside = 1.0e3 * b.number_or("outside_diameter", 0.0);
-  if (film && outside > bore && of.speed != 0.0 && of.data.count("oil_density")) {
-    // twelve digits: those of the speed in rpm that the deck has turned into rad/s
-    char rpm[32];
-    snprintf(rpm, sizeof rpm, "%.12g", std::fabs(of.speed) * 30.0 / M_PI);
-    phi_rs = raceway::skf_starvation(bore, outside,
-                                     1.0e6 * std::atof(of.data.at("viscosity").c_str()) /
-                                         std::atof(of.data.at("oil_density").c_str()),
-                                     strtod(rpm, nullptr));
-  }
+  bearing::LubricatedBearing lubricated = {
+      0.5 * (b.number("inner_radius") + b.number("outer_radius")), 0.5 * b.number("ball_diameter"),
+      b.number_or("bore_diameter", 0.0), b.number_or("outside_diameter", 0.0),
+      b.number_or("contact_angle", 0.0)};
+  // twelve digits: those of the speed in rpm that the deck has turned into rad/s
+  char rpm[32];
+  snprintf(rpm, sizeof rpm, "%.12g", std::fabs(of.speed) * 30.0 / M_PI);
+  lubricated.rpm = strtod(rpm, nullptr);
   try {
     law += " " +
-           (own_model_.empty()
-                ? contact_model(choice_, film ? &of.data : nullptr, bearing::written(phi_rs)).words
-                : own_model_) +
+           (own_model_.empty() ? contact_model(choice_, film ? &of.data : nullptr, lubricated).words
+                               : own_model_) +
            more_ + of.law;
   } catch (const bearing::DataError &wrong) {
     args.fail("models " + choice_.models + ", oil " + of.oil + ": " + wrong.what());

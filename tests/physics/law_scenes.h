@@ -127,6 +127,8 @@ Scene scene(unsigned parts, int n)
     s.p.of<MixedFrictionPart>().traction.limit = 0.047;
   }
   s.p.of<HydrodynamicRollingPart>().beta = 0.047;
+  s.p.of<HydrodynamicRollingPart>().length = 3.0;
+  s.p.of<MixedFrictionPart>().asperities.law = AsperityLaw::clarke;
   s.p.of<DragPart>().share = 0.1;
   s.p.of<SlipSlicesPart>().share = 0.7;
   Parts::each([&s](auto tag) { enliven<typename decltype(tag)::type>(s.p); });

@@ -44,7 +44,8 @@ def table(bearing, none_skids):
     rows = []
     for rpm in SPEEDS:
         factors = makers.skf(BOUNDARY, 5000.0, 0.0, rpm, 46.0)
-        surfaces = Surfaces(film=None, starvation=factors.shear * factors.starvation)
+        starved = factors.shear * factors.starvation
+        surfaces = Surfaces(film=None, starvation=starved, loss=0.01)
         _, losses, ring = found(bearing, rpm, fluid=ISOTHERMAL, surfaces=surfaces)
         rows.append({part: 1e3 * power / ring for part, power in losses.parts.items()})
     return {part: np.array([row[part] for row in rows]) for part in rows[0]}
@@ -70,14 +71,14 @@ def test_coulomb_slip(bearing, none_skids):
 
 def test_mixed_slip(table):
     """Eyring with its limit is 5 to 20 % below Coulomb's 0.05 in full film; asperities lift it at
-    48 rpm. Other laws of their share spread that figure from 70 to 110."""
-    assert table["slip"][1:] == pytest.approx([59, 55, 58], rel=0.04)
-    assert 70 < table["slip"][0] < 110
+    48 rpm. Other laws of their share spread that figure from 75 to 114."""
+    assert table["slip"][1:] == pytest.approx([56, 55, 58], rel=0.04)
+    assert table["slip"][0] == pytest.approx(114, rel=0.04)
 
 
 def test_torque_near_skf_s(bearing):
-    """5 kN, 0.04 Pa s, nothing fitted: within 35 % at 477.5, 1910, 9549 rpm."""
-    for rpm in SPEEDS[1:]:
+    """5 kN, 0.04 Pa s, nothing fitted: within 35 % at 48 to 9549 rpm."""
+    for rpm in (191.0, *SPEEDS):
         one = figures("6208", "mineral", ROOT / "inputs", load=5000.0, rpm=rpm, models="full")
         assert one["friction_torque_N_m"] == pytest.approx(one["torque_skf_N_m"], rel=0.35)
         assert one["friction_torque_N_m"] * rpm * np.pi / 30 == pytest.approx(
@@ -87,7 +88,7 @@ def test_torque_near_skf_s(bearing):
 
 def test_spin_shears_the_film():
     """7205B, 300 N of thrust, 8000 rpm, 70 C: power of pure spin under Eyring's stress integrated
-    over the ellipse, within 10 %: the other raceway takes a part of the spin. A run with Eyring's
+    over the ellipse, which both raceways share. A run with Eyring's
     stress spins and slides more, since its balls turn under their gyroscopic moment."""
     path, ring = ROOT / "inputs/bearings/7205B", 8000 * np.pi / 30
     body, fluid = inputs.bearing(path), inputs.fluid(ROOT / "inputs/lubricants/vg46", 70.0)
@@ -110,7 +111,7 @@ def test_spin_shears_the_film():
     rate = abs((at - turned * (at / turned)[::-1])[side, 0])
     stress = traction.eyring(eta, rate * arm, film.h_c[0], fluid.eyring_stress,
                              fluid.limiting_traction * pressure)  # fmt: skip
-    assert losses.spin[side, 0] == pytest.approx((stress * arm * area).sum() * rate, rel=0.1)
+    assert losses.spin[:, 0].sum() == pytest.approx((stress * arm * area).sum() * rate, rel=0.02)
 
 
 def test_radial_load_has_no_spin(bearing):

@@ -5,9 +5,11 @@ import json
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
-from raceway import film, heat, hertz, inputs, steady_heat
+from raceway import film, friction_torque, heat, hertz, inputs, steady_heat
 from raceway.cli import main
+from raceway.core import laws
 from raceway.errors import NoEquilibrium
 from raceway.theory.bearing import INNER
 
@@ -60,9 +62,19 @@ def test_three_nodes_balance_and_tend_to_one():
 
 @pytest.mark.parametrize(("rpm", "ratio"), [(48.0, 2.3), (477.5, 1.95), (1910.0, 1.1),
                                             (9549.0, 0.22)])  # fmt: skip
-def test_film_by_the_bearing_s_own_temperature(bearing, rpm, ratio):
+def test_film_by_the_bearing_s_own_temperature(bearing, rpm, ratio, monkeypatch):
     """VG 46, 20 C ambient, ISO 15312: central thickness over that of 0.04 Pa s and 22/GPa, both
-    without inlet shear."""
+    without inlet shear. Friction as that of the printed row, with flooded inlets."""
+
+    def flooded(body, size, fluid, ring, models, supply):
+        starved = laws.skf_starvation(
+            40.0, 80.0, fluid.kinematic, abs(ring) * 30 / np.pi, 3e-8, 3.1
+        )
+        return friction_torque.Surfaces(
+            film=None, starvation=float(starved), loss=0.01, oil_share=0.1
+        )
+
+    monkeypatch.setattr(friction_torque, "surfaces", flooded)
     found = steady_heat.one_node(scene(rpm=rpm, models="eyring"), 2.17, 20.0, 0.0)
     r_x, r_y = bearing.effective_radii(INNER)
     kappa, modulus = hertz.exact(r_x, r_y).kappa, bearing.effective_modulus

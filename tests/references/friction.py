@@ -118,3 +118,29 @@ def drag_coefficient(reynolds):
             part = math.log(reynolds / low) / math.log(high / low)
             return first * (last / first) ** part
     return table[-1][1]
+
+
+def inlet_share(length, thickness):
+    """Share of the rolling resistance that an inlet up to `length` b leaves, h_c = thickness
+    b^2/(2 R_x): by adaptive quadrature of Reynolds's equation before a Hertz contact."""
+
+    def slope(s):
+        x = 1 + math.exp(s)
+        near = 4 / 3 * math.sqrt(2) * (x - 1) ** 1.5
+        gap = x * math.sqrt(x * x - 1) - math.acosh(x) if s > -9 else near
+        return gap / (thickness + gap) ** 2 * (x - 1)
+
+    def up_to(end):
+        turns = [-9, *range(-8, int(end) + 1, 2), end]
+        return sum(quad(slope, a, b, epsabs=0, epsrel=1e-11)[0] for a, b in zip(turns, turns[1:]))
+
+    far = 16.0
+    return up_to(math.log(length - 1)) / (up_to(far) + math.exp(-far))
+
+
+def immersed(level, pitch):
+    """Share of the balls' volume below the oil over their path: by slices of the balls."""
+    azimuth, node = np.meshgrid((np.arange(2000) + 0.5) * np.pi / 2000, np.linspace(-1, 1, 2001))
+    height = -pitch * np.cos(azimuth) + node  # of a slice, over the ball radius
+    below = height <= -pitch - 1 + 2 * level
+    return float(np.average(below, weights=1 - node**2))

@@ -188,14 +188,15 @@ def boundary(path: FilePath) -> makers.Boundary | None:
         raise InputError(f"{path}: {error}") from None
 
 
-def size(path: FilePath) -> tuple[float, float] | None:
-    """Bore and outside diameter (m) of a file of inputs/bearings, None where it does not state
-    both. Raises `InputError`."""
+def size(path: FilePath) -> makers.Size | None:
+    """`makers.Size` of a file of inputs/bearings, None where it does not state bore and outside
+    diameter. Raises `InputError`."""
     names = ("bore_diameter", "outside_diameter")
     if not values(path).keys() >= set(names):
         return None
     bore, outside = numbers(path, *names).values()
-    return (bore, outside) if outside > bore else None
+    slender = makers.K_Z_ANGULAR if nominal_angle(path) else makers.K_Z
+    return makers.Size(bore, outside, slender) if outside > bore else None
 
 
 def ratings(path: FilePath) -> life.Ratings | None:

@@ -6,6 +6,8 @@
 #include "../laws/differential_slip.h"
 #include "../laws/film_traction.h"
 #include "../laws/friction.h"
+#include "../laws/lubrication.h"
+#include "../laws/rolling_inlet.h"
 #include "../laws/rolling_resistance.h"
 #include "../laws/slip_slices.h"
 #include "../laws/spin.h"
@@ -30,6 +32,8 @@ FORMULA(double, asperity_share, (double ratio, double b, double c))
 {
   return asperity_share(Asperities{b, c}, logarithm(ratio));
 }
+
+FORMULA(double, complementary_error, (double x)) { return complementary_error(x); }
 
 FORMULA(double, mixed_friction, (double boundary, double film, double share))
 {
@@ -100,8 +104,13 @@ FORMULA(SlipLaw, differential_slip, (double off))
 FORMULA(double, slip_root_of_force, (double force)) { return force_root(force); }
 
 // ---- spin
-RECORD(SpinConstants, double width, loss;)
-FORMULA(SpinConstants, spin_constants, ()) { return {spin_width, spin_loss}; }
+// Shares of pure spin's couple and of differential slip's that both together leave: speed omega a,
+// width s_e and sliding speed in m/s
+RECORD(SpinShares, double spin, slip;)
+FORMULA(SpinShares, spin_shares, (double speed, double width, double slide))
+{
+  return {speed / spin_growth(speed, width, slide), slip_beside_spin(speed, width)};
+}
 
 FORMULA(double, pure_spin_couple, (double limit, double a, double second))
 {
@@ -126,9 +135,36 @@ FORMULA(double, rolling_force,
   return rolling_force(rolling_shape(k, r_x), logarithm(std::fabs(speed)), load, std::cbrt(load));
 }
 
+// exact by quadrature; and as contacts have it
+FORMULA(double, inlet_share, (double length, double thickness))
+{
+  return inlet_share(length, thickness);
+}
+
+FORMULA(double, rolling_inlet, (double length, double h_c, double b, double r_x))
+{
+  thread_local RollingInlet of;    // prepared anew for another length
+  thread_local double prepared = -1.0;
+  if (length != prepared) of.prepare(prepared = length);
+  return of.short_inlet ? of.share(h_c, b, r_x) : 1.0;
+}
+
 FORMULA(double, hysteresis_couple, (double alpha, double load, double b))
 {
   return hysteresis_couple(alpha, load, b);
+}
+
+// ---- kinds of lubrication
+FORMULA(double, immersed_share, (double level, double pitch))
+{
+  return immersed_share(level, pitch);
+}
+
+RECORD(LubricationNumbers, double inlet, replenishment, share;)
+FORMULA(LubricationNumbers, lubrication, (int kind, double level, double pitch, double density))
+{
+  const Lubrication of = lubrication(static_cast<LubricationKind>(kind), level, pitch, density);
+  return {of.inlet, of.replenishment, of.share};
 }
 
 // ---- drag

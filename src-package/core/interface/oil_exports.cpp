@@ -41,9 +41,10 @@ FORMULA(OilState, oil_at_temperature,
 }
 
 FORMULA(double, skf_starvation,
-        (double bore, double outside, double kinematic, double speed, double replenishment))
+        (double bore, double outside, double kinematic, double speed, double replenishment,
+         double slender))
 {
-  return skf_starvation(bore, outside, kinematic, speed, replenishment);
+  return skf_starvation(bore, outside, kinematic, speed, replenishment, slender);
 }
 
 FORMULA(RollingSpeeds, pure_rolling,

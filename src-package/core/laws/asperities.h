@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Share of the contact load carried by asperities, L_a = exp(-B Lambda^C) (Zhou and Hoeprich 1991,
-// in Schwarz et al., Lubricants 2023, 11, 369; from roller bearings), and the friction coefficient
-// mu = L_a mu_b + (1 - L_a) mu_film (docs/theory, Mixed friction).
+// in Schwarz et al., Lubricants 2023, 11, 369; from roller bearings) or 1 - erf(Lambda) (Clarke et
+// al. 2016), and the friction coefficient mu = L_a mu_b + (1 - L_a) mu_film (docs/theory, Mixed
+// friction).
 #ifndef RACEWAY_ASPERITIES_H
 #define RACEWAY_ASPERITIES_H
 
@@ -9,13 +10,26 @@
 
 namespace raceway {
 
+enum class AsperityLaw { zhou, clarke };
+
 struct Asperities {
   double b = 2.1, c = 0.85;    // for a composite roughness of 0.1 um
+  AsperityLaw law = AsperityLaw::zhou;
 };
+
+// 1 - erf(x) for x >= 0 within 1.5e-7 (Abramowitz and Stegun 7.1.26)
+template <class T> RACEWAY_INLINE T complementary_error(const T &x)
+{
+  const T t = 1.0 / (1.0 + 0.3275911 * x);
+  const T sum = t * (0.254829592 +
+                     t * (-0.284496736 + t * (1.421413741 + t * (-1.453152027 + t * 1.061405429))));
+  return sum * exponential(T(-x * x));
+}
 
 // Asperity share from ln Lambda; 1 without a film.
 template <class T> RACEWAY_INLINE T asperity_share(const Asperities &own, const T &ln_lambda)
 {
+  if (own.law == AsperityLaw::clarke) return complementary_error(exponential(ln_lambda));
   return exponential(T(-own.b * exponential(T(own.c * ln_lambda))));
 }
 

@@ -28,8 +28,25 @@ RACEWAY_INLINE T spin_couple(const T &limit, double modulus, const T &root, cons
 // The same from a known E.
 inline double pure_spin_couple(double limit, double a, double E) { return 0.375 * limit * a * E; }
 
-// fits: omega a over s_e up to which the couple grows, and the share of slip's couple that is lost
-constexpr double spin_width = 0.78, spin_loss = 1.35;
+// fits: omega a over s_e and over s up to which the couple grows, and the share of slip's couple
+// that is lost
+constexpr double spin_width = 0.78, spin_loss = 1.35, spin_slide = 1.9;
+
+// m/s, from omega a, the width s_e and the sliding speed: the couple is that of pure spin times the
+// speed over this.
+template <class T> RACEWAY_INLINE T spin_growth(const T &speed, const T &width, const T &slide)
+{
+  const T slip = spin_slide * slide, wide = spin_width * width;
+  const T least = where(wide > slip, wide, slip);
+  return where(speed > least, speed, least);
+}
+
+// Share of the couple of differential slip that spin leaves
+template <class T> RACEWAY_INLINE T slip_beside_spin(const T &speed, const T &width)
+{
+  const T x = speed / width, rest = 1.0 - spin_loss * x * x;
+  return where(rest > 0.0, rest, 0.0);
+}
 
 }    // namespace raceway
 

@@ -10,6 +10,18 @@
 
 namespace raceway {
 
+// Central thickness in an act() after this part: with the film in the gap it is already set.
+template <class T>
+RACEWAY_INLINE Value<T> held_central_film(const Raceway &p, const RacewayConstantsT<Value<T>> &k,
+                                          const ContactStateT<T> &c)
+{
+  using B = Value<T>;
+  if (p.reach > 0.0) return held(c.h_c);
+  const FilmPointT<B> at = film_point(c.entrainment, c.film_load);
+  const B h = film_thickness(k.film.central, at);
+  return p.factors.any ? B(h * film_factor(p, k, c, at)) : h;
+}
+
 struct FilmThicknessPart : PartBase {
   static constexpr const char *name = "film_thickness";
   static constexpr When when = When::with_film;

@@ -47,6 +47,15 @@ struct MixedFrictionPart : PartBase {
                         [](Raceway &, Parameters &own) -> double & { return own.asperities.c; })},
              nullptr,
              "of friction mixed: exp(-B lambda^C)"},
+            {"asperity_law",
+             "",
+             false,
+             {P::one_of("law of the asperity share", "zhou|clarke",
+                        [](Raceway &, Parameters &own, int k) {
+                          own.asperities.law = static_cast<AsperityLaw>(k);
+                        })},
+             nullptr,
+             "of friction mixed: exp(-B lambda^C) or 1 - erf(lambda)"},
             {"traction",
              "",
              false,
@@ -91,7 +100,7 @@ struct MixedFrictionPart : PartBase {
   }
 
  private:
-  // Friction coefficient of the film. With the film in the gap, the thickness is already set.
+  // Friction coefficient of the film
   template <class T>
   static RACEWAY_INLINE Value<T> coefficient(const Parameters &own, const Raceway &p,
                                              const RacewayConstantsT<Value<T>> &k,
@@ -103,12 +112,7 @@ struct MixedFrictionPart : PartBase {
     const B along = held(c.sliding_t) - free_part * edge, across = held(c.sliding_w);
     const B free = free_speed * edge;
     const B slid2 = free * free + along * along + across * across + 1e-30;
-    B h = c.h_c;
-    if (!(p.reach > 0.0)) {
-      const FilmPointT<B> at = film_point(c.entrainment, c.film_load);
-      h = film_thickness(k.film.central, at);
-      if (p.factors.any) h = h * film_factor(p, k, c, at);
-    }
+    const B h = held_central_film(p, k, c);
     return own.traction.coefficient(B(k.p * root), B(0.5 * logarithm(slid2) - logarithm(h)));
   }
 };

@@ -5,8 +5,9 @@
 #ifndef RACEWAY_PART_ROLLING_H
 #define RACEWAY_PART_ROLLING_H
 
+#include "../laws/rolling_inlet.h"
 #include "../laws/rolling_resistance.h"
-#include "part.h"
+#include "part_film.h"
 
 namespace raceway {
 
@@ -36,11 +37,13 @@ struct HydrodynamicRollingPart : PartBase {
   using Losses = LossList<HydrodynamicRollingLoss>;
   struct Parameters {
     double beta = 0.0, conductivity = 0.14, starvation = 1.0;    // 1/K, W/(m K), 1
+    double length = 0.0;    // of the inlet, in semi-axes b; 0: flooded
     // derived
     double ln_heating = 0.0;
     double of_film = 0.0;    // not 0: inlet shear over the factor of the film, which includes it
     RollingConstants force;
     RollingShapeT<double> radial{};    // at zero contact angle
+    RollingInlet inlet;
     void prepare(const Raceway &p)
     {
       const double eta = p.model.lubricant.viscosity;
@@ -50,23 +53,33 @@ struct HydrodynamicRollingPart : PartBase {
       const bool same =
           p.factors.inlet_shear == InletShear::murch && ln_heating == p.factors.ln_loading;
       of_film = same ? 1.0 / p.factors.starvation : 0.0;
+      inlet.prepare(length);
     }
   };
 
   static std::vector<Keyword<Parameters>> keywords()
   {
     using P = Parameter<Parameters>;
-    return {{"rolling",
-             "",
-             true,
-             {P::non_negative("BETA", "fall of ln(viscosity) with temperature (1/K)",
-                              [](Raceway &, Parameters &own) -> double & { return own.beta; }),
-              P::positive("K_F", "thermal conductivity of the oil (W/(m K))",
-                          [](Raceway &, Parameters &own) -> double & { return own.conductivity; }),
-              P::within("PHI_RS", "starvation factor of the rolling couple", 0.0, 1.0,
-                        [](Raceway &, Parameters &own) -> double & { return own.starvation; })},
-             nullptr,
-             "hydrodynamic couple against rolling; BETA 0 is isothermal"}};
+    return {
+        {"rolling",
+         "",
+         true,
+         {P::non_negative("BETA", "fall of ln(viscosity) with temperature (1/K)",
+                          [](Raceway &, Parameters &own) -> double & { return own.beta; }),
+          P::positive("K_F", "thermal conductivity of the oil (W/(m K))",
+                      [](Raceway &, Parameters &own) -> double & { return own.conductivity; }),
+          P::within("PHI_RS", "starvation factor of the rolling couple", 0.0, 1.0,
+                    [](Raceway &, Parameters &own) -> double & { return own.starvation; })},
+         nullptr,
+         "hydrodynamic couple against rolling; BETA 0 is isothermal"},
+        {"rolling_inlet",
+         "",
+         false,
+         {P::within(
+             "LENGTH", "inlet before a rolling contact, in semi-axes b; 1: the shortest", 1.0, 1e6,
+             [](Raceway &, Parameters &own) -> double & { return own.length; }, "flooded")},
+         nullptr,
+         "of rolling: share of the hydrodynamic couple that an inlet of this length leaves"}};
   }
 
   template <class T>
@@ -81,7 +94,9 @@ struct HydrodynamicRollingPart : PartBase {
         rolling_force(shape(own, p, c.cos_angle, radius), c.ln_speed, B(held(c.load)), root);
     const B shear = own.of_film > 0.0 ? B(own.of_film * c.film_factor)
                                       : murch_wilson(B(own.ln_heating + 2.0 * c.ln_speed));
-    const B couple = 2.0 * own.starvation * f * radius * shear;
+    B couple = 2.0 * own.starvation * f * radius * shear;
+    if (own.inlet.short_inlet)
+      couple = couple * own.inlet.share(held_central_film(p, k, c), B(k.b * held(c.root)), radius);
     const T against = B(couple * detail::over_rolling(held(c.roll_w), radius)) * c.roll_w;
     c.rolling_couple = held(against);
     c.couple_w += against;

@@ -40,15 +40,13 @@ struct SpinPart : PartBase {
     const B root = held(c.root), a = k.a * root;
     const B width = c.slip_width;    // from part_differential_slip.h, which acts earlier
     const B along = held(c.sliding_t), across = held(c.sliding_w);
-    const B slip = 1.9 * square_root(B(along * along + across * across));
-    const B wide = spin_width * width, speed = magnitude(held(c.spin_n)) * a;
-    const B denominator = where(wide > slip, wide, slip);
+    const B slide = square_root(B(along * along + across * across));
+    const B speed = magnitude(held(c.spin_n)) * a;
     const B limit = own.share * c.mu * held(c.normal);
     const B couple = spin_couple(limit, own.modulus, root, k.a, k.b, k.K,
                                  B(p.rolling_radius(c.cos_angle)), p.transverse_radius());
-    c.couple_n = B(couple * a / where(speed > denominator, speed, denominator)) * c.spin_n;
-    const B x = own.share * speed / width, rest = 1.0 - spin_loss * x * x;
-    const B taken = c.slip_couple * (1.0 - where(rest > 0.0, rest, 0.0));
+    c.couple_n = B(couple * a / spin_growth(speed, width, slide)) * c.spin_n;
+    const B taken = c.slip_couple * (1.0 - slip_beside_spin(B(own.share * speed), width));
     c.slip_couple = c.slip_couple - taken;
     c.couple_w += B(-taken);
   }

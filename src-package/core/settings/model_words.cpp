@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "model_words.h"
 
+#include "../laws/lubrication.h"
+#include "../laws/starvation.h"
 #include "written.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <set>
 #include <sstream>
 
@@ -73,24 +76,28 @@ std::string gap_words(const ModelChoice &of, const Choice &with, const OilWords 
 }
 
 std::string full_words(const ModelChoice &of, const Choice &with, const OilWords *oil,
-                       double phi_rs)
+                       const LubricatedBearing &bearing)
 {
   std::string slip = of.spin_law == "slices" ? "slices 1.0e-4 " + with.share("spin")
                                              : "heathcote 1.0e-4 spin " + with.share("spin");
-  const std::string hysteresis = " rolling_hysteresis " + with.share("rolling_hysteresis", 0.01);
+  const std::string hysteresis = " rolling_hysteresis " + with.share("rolling_hysteresis", 0.016);
   if (of.spin_law == "slices" && oil && !with.has("differential_slip"))
     throw DataError("spin_law slices is a law of differential_slip: leave the part in, or take "
                     "spin_law closed");
   if (!oil) return "friction constant 0.1 " + slip + hysteresis;
   if (!with.has("differential_slip")) slip = "smoothed 0.01";
+  const LubricationWords kind = lubrication_words(of.lubrication, of.oil_level, bearing,
+                                                  std::atof(oil->at("viscosity").c_str()),
+                                                  std::atof(oil->at("oil_density").c_str()));
   const double starved = with.has("starvation"),
-               rolling = with.has("rolling") * (starved * phi_rs + (1.0 - starved));
+               rolling = with.has("rolling") * (starved * kind.starvation + (1.0 - starved));
+  const std::string inlet = starved && kind.inlet ? " rolling_inlet " + digits(kind.inlet) : "";
   // asperities have the friction coefficient of the film
   const std::string boundary = digits(0.05 + 0.07 * with.has("asperities"));
-  return "friction mixed " + boundary + " 0.05 " + slip + " rolling " +
+  return "friction mixed " + boundary + " 0.05 asperity_law clarke " + slip + " rolling " +
          oil->at("temperature_viscosity") + " " + oil->at("oil_conductivity") + " " +
          digits(rolling) + hysteresis + " drag " + oil->at("oil_density") + " " +
-         with.share("drag", 0.1) + gap_words(of, with, *oil);
+         with.share("drag", kind.share) + inlet + gap_words(of, with, *oil);
 }
 
 // Data of the oil that the models need, and it lacks
@@ -107,7 +114,28 @@ void require(const OilWords &oil, const std::string &models)
 
 }    // namespace
 
-ContactModel contact_model(const ModelChoice &of, const OilWords *oil, double phi_rs)
+LubricationWords lubrication_words(const std::string &kind, double level,
+                                   const LubricatedBearing &b, double viscosity, double density)
+{
+  int number = 0;
+  std::istringstream names(raceway::lubrication_kinds);
+  for (std::string name; names >> name && name != kind;) ++number;
+  if (!names)
+    throw DataError("there is no lubrication '" + kind +
+                    "'; there is: " + raceway::lubrication_kinds);
+  const raceway::Lubrication of =
+      raceway::lubrication(static_cast<raceway::LubricationKind>(number), level,
+                           b.pitch_radius / b.ball_radius, density);
+  LubricationWords words = {1.0, of.inlet, written(of.share)};
+  if (b.outside > b.bore)
+    words.starvation = written(raceway::skf_starvation(
+        1.0e3 * b.bore, 1.0e3 * b.outside, 1.0e6 * viscosity / density, b.rpm, of.replenishment,
+        b.contact_angle != 0.0 ? raceway::angular_slender : raceway::deep_slender));
+  return words;
+}
+
+ContactModel contact_model(const ModelChoice &of, const OilWords *oil,
+                           const LubricatedBearing &bearing)
 {
   const Choice with(parts_of(of.models, oil != nullptr), of.without);
   const bool full = of.models == "full" || of.models == "eyring";
@@ -116,7 +144,7 @@ ContactModel contact_model(const ModelChoice &of, const OilWords *oil, double ph
   if (of.models == "none") return {"", share};
   if (oil && of.models != "paper") require(*oil, of.models);
   if (full) {
-    std::string words = full_words(of, with, oil, phi_rs);
+    std::string words = full_words(of, with, oil, bearing);
     if (of.models == "eyring" && oil)
       words += " traction " + oil->at("eyring_stress") + " " + oil->at("limiting_traction");
     return {words, share};

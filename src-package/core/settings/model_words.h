@@ -22,7 +22,24 @@ struct ModelChoice {
   std::string models = "full";     // paper, film, full, eyring or none
   std::string without = "none";    // parts to leave out, joined by +
   std::string gap_film = "power", inlet_shear = "murch", spin_law = "closed";
+  std::string lubrication = "bath";    // kind of lubrication (core/laws/lubrication.h)
+  double oil_level = 0.5;              // of a bath above the lowest raceway, over the ball diameter
 };
+
+// Bearing of a ModelChoice: radii of pitch circle and balls, bore and outside diameter (m; 0:
+// unknown), nominal contact angle, speed (rpm)
+struct LubricatedBearing {
+  double pitch_radius = 1.0, ball_radius = 1.0, bore = 0.0, outside = 0.0, contact_angle = 0.0;
+  double rpm = 0.0;
+};
+
+// What the kind of lubrication gives rolling resistance and drag
+struct LubricationWords {
+  double starvation = 1.0, inlet = 0.0, share = 0.0;    // phi_rs; semi-axes b; X
+};
+// Oil: viscosity in Pa s, density in kg/m^3. Throws DataError for another kind.
+LubricationWords lubrication_words(const std::string &kind, double level, const LubricatedBearing &,
+                                   double viscosity, double density);
 
 extern const std::vector<std::string> model_names;
 
@@ -31,9 +48,9 @@ struct ContactModel {
   double cage_tolerance_share = 1.0;    // tolerance of cage balls over that of the others
 };
 
-// `oil`: null for dry contacts. phi_rs: factor of starvation on rolling resistance. Throws
-// DataError for a part that the models do not have, or data that the oil lacks.
-ContactModel contact_model(const ModelChoice &, const OilWords *oil, double phi_rs);
+// `oil`: null for dry contacts. Throws DataError for a part that the models do not have, or data
+// that the oil lacks.
+ContactModel contact_model(const ModelChoice &, const OilWords *oil, const LubricatedBearing &);
 
 }    // namespace bearing
 

@@ -47,6 +47,7 @@ def add(commands: Commands) -> None:
     options.bearing(one)
     options.grooves(one)
     options.spin_law(one)
+    options.lubrication(one)
     options.models(
         one,
         ("full", "eyring"),
@@ -151,6 +152,7 @@ def _figures(arguments, load, rpm):
         nodes=arguments.nodes and Nodes(shaft, housing or None, contact or None),
         spin_law=arguments.spin_law,
         models=arguments.models,
+        supply=options.supply_of(arguments),
         **options.grooves_of(arguments),
     )
     names = arguments.bearing, arguments.lubricant, arguments.inputs

@@ -128,6 +128,31 @@ def spin_law(to: Any) -> None:
     )
 
 
+def lubrication(to: Any) -> None:
+    """--lubrication and --oil-level of the friction torque."""
+    kinds = ("bath", "jet", "mist", "grease", "minimal")
+    to.add_argument(
+        "--lubrication",
+        choices=kinds,
+        default="bath",
+        help="kind of lubrication, for the friction torque: its inlets, starvation and drag (bath)",
+    )
+    to.add_argument(
+        "--oil-level",
+        type=number(0, 100, "ball diameters"),
+        default=0.5,
+        metavar="H",
+        help="of an oil bath above the lowest raceway, in ball diameters (0.5)",
+    )
+
+
+def supply_of(arguments: argparse.Namespace) -> Any:
+    """`oil_supply.Supply` from the options of `lubrication`."""
+    from raceway.theory.oil_supply import Supply
+
+    return Supply(arguments.lubrication, arguments.oil_level)
+
+
 def models(to: Any, known: Sequence[str], said: str, default: str = DEFAULT) -> None:
     """--models, one of `known`; `said` is what they are."""
     to.add_argument("--models", choices=known, default=default, help=f"{said} (default: {default})")

@@ -152,6 +152,7 @@ def add(commands: Commands) -> None:
         " the film; paper: as the publication, without friction torque",
     )
     options.spin_law(one)
+    options.lubrication(one)
     one.add_argument(
         "--C",
         type=number(1, 1e8, "N"),
@@ -209,6 +210,7 @@ def run(arguments: argparse.Namespace) -> None:
         temperature=arguments.temperature,
         cleanliness=arguments.cleanliness,
         dynamic=arguments.dynamic,
+        supply=options.supply_of(arguments),
         **options.grooves_of(arguments),
     )
     if arguments.spectrum is None:

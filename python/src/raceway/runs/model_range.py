@@ -6,7 +6,9 @@ Films and capacitance: ends of the inputs, Masjedi-Khonsari or Hamrock-Dowson, a
 inlet shear by Murch, Wilson and Gupta. A run without inlet shear is isothermal; its lower limit is
 the film thinned by inlet shear. All are evaluated at the inner contact with the largest load and
 applied as factors; limits that act in the same direction are combined. Asperities: the three laws
-of `theory.asperity`. Torque: the run's own value and the makers'.
+of `theory.asperity`. Torque: what is not known of its parts, and the makers' formulas. That is the
+inlet, from the shortest to a flooded one; alpha of hysteresis, 0.005 to 0.05; the share of the
+asperities; and drag, half to twice as much.
 """
 
 import math
@@ -20,8 +22,17 @@ import yaml
 
 from raceway import catalogue, inputs
 from raceway.runs.tables import RunTables
-from raceway.theory import asperity, capacitance, film, film_factors, hertz
+from raceway.theory import (
+    asperity,
+    capacitance,
+    film,
+    film_factors,
+    hertz,
+    rolling,
+    traction,
+)
 from raceway.theory.bearing import INNER
+from raceway.theory.friction_torque import Surfaces
 
 INPUTS = yaml.safe_load(files("raceway").joinpath("runs/model_range.yaml").read_text())
 FIELDS = {
@@ -33,6 +44,7 @@ FIELDS = {
 GUPTA = 10.0  # largest thermal loading for which Gupta's factor holds
 SAME = 1e-6  # relative difference within which two values are the same
 LAWS = ((film.h_min, film.h_c), (film.hamrock_dowson_min, film.hamrock_dowson_c))
+HYSTERESIS = (0.005, 0.05)  # alpha, Schwarz et al. 2023
 SHARES = (asperity.zhou_hoeprich, asperity.olver_spikes, asperity.clarke)
 
 
@@ -65,10 +77,52 @@ def model_ranges(tables: RunTables, figures: Mapping[str, Any]) -> dict[str, Ran
     makers = [figures.get(key) for key in ("torque_skf_N_m", "torque_palmgren_N_m")]
     makers = [torque for torque in makers if torque]
     own = figures.get("friction_torque_N_m")
-    if own and makers and figures.get("models") == "full":
-        why = "this run, SKF, Palmgren"
-        result["friction_torque_N_m"] = Range(min(own, *makers), max(own, *makers), why)
+    if own and figures.get("models") == "full":
+        known = [own, *makers, *_torques(tables, figures)]
+        why = (
+            "inlet, hysteresis, asperities, drag; SKF, Palmgren"
+            if makers
+            else ("inlet, hysteresis, asperities, drag")
+        )
+        if len(known) > 1:
+            result["friction_torque_N_m"] = Range(min(known), max(known), why)
     return result
+
+
+def _torques(tables, figures):
+    """Least and largest torque in N m by what is not known of the laws of friction."""
+    losses, share = figures.get("losses_W"), figures.get("asperity_share")
+    if not losses or not figures.get("lambda") or share is None or not figures.get("h_c_m"):
+        return []
+    bearing, surfaces = tables.geometry, Surfaces()
+    r_x, r_y = bearing.effective_radii(INNER, 0.0, figures["clearance_m"] or 0.0)
+    _, b = hertz.semi_axes(
+        hertz.exact(r_x, r_y), bearing.effective_modulus, figures["q_inner_max_N"]
+    )
+    commands = str(tables.record.attrs.get("pair_commands", ""))
+    found = re.search(r"\brolling_inlet (\S+)", commands)
+    left = float(rolling.inlet(float(found[1]) if found else 0.0, figures["h_c_m"], b, r_x))
+    lost = re.search(r"\brolling_hysteresis (\S+)", commands)
+    alpha = float(lost[1]) if lost else surfaces.loss
+    mu = [
+        traction.mixed(one, surfaces.boundary, surfaces.film)
+        for one in (share, *(float(law(figures["lambda"])) for law in SHARES))
+    ]
+    factors = {
+        "rolling": (0.5 / left, 1 / left),
+        "hysteresis": (HYSTERESIS[0] / alpha, HYSTERESIS[1] / alpha) if alpha else (1.0, 1.0),
+        "slip": (min(mu) / mu[0], max(mu) / mu[0]),
+        "spin": (min(mu) / mu[0], max(mu) / mu[0]),
+        "drag": (0.5, 2.0),
+    }
+    own, power = figures["friction_torque_N_m"], sum(filter(None, losses.values()))
+    return [
+        own
+        + own
+        / power
+        * sum((factors[part][end] - 1) * (losses.get(part) or 0.0) for part in factors)
+        for end in (0, 1)
+    ]
 
 
 def _temperature(tables):

@@ -93,6 +93,8 @@ def _variables(case, temperature, clearance, more):
         "temperature": f"{temperature:.2f}",
         "models": case.models,
         **({} if case.spin_law == "closed" else {"spin_law": case.spin_law}),
+        "lubrication": case.supply.kind,
+        "oil_level": f"{case.supply.level:.10g}",
         **({} if angle is None else {"four_point": f"{math.degrees(angle):.9g}"}),
         **more,
     }

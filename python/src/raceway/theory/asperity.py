@@ -5,8 +5,8 @@ The laws differ: they give 0.26 to 0.67 at Lambda 0.30, and 0.05 to 0.17 at 1.41
 """
 
 import numpy as np
-from scipy.special import erfc, pbdv
 from scipy.special import gamma as factorial
+from scipy.special import pbdv
 
 from raceway.arrays import Numbers
 from raceway.core import laws
@@ -18,7 +18,7 @@ CONDUCTS = 0.01  # share above which a contact conducts and is no capacitor
 
 def zhou_hoeprich(ratio: Numbers, b: float = 2.1, c: float = 0.85) -> Numbers:
     """L_a = exp(-B Lambda^C) (Zhou and Hoeprich 1991, in Schwarz et al., Lubricants 2023, 11, 369);
-    `ZHOU_HOEPRICH` has B and C by roughness. The default of the package."""
+    `ZHOU_HOEPRICH` has B and C by roughness."""
     return laws.asperity_share(ratio, b, c)
 
 
@@ -28,8 +28,8 @@ def olver_spikes(ratio: Numbers) -> Numbers:
 
 
 def clarke(ratio: Numbers) -> Numbers:
-    """L_a = 1 - erf(Lambda) (Clarke et al. 2016)."""
-    return erfc(ratio)
+    """L_a = 1 - erf(Lambda) (Clarke et al. 2016), within 1.5e-7. That of the models `full`."""
+    return laws.complementary_error(ratio)
 
 
 def overlap_integral(ratio: Numbers, order: float = 2.5) -> Numbers:

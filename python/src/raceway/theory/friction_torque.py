@@ -35,7 +35,7 @@ from raceway.theory import (
     drag,
     film_factors,
     hertz,
-    makers,
+    oil_supply,
     rolling,
     skidding,
     sliding,
@@ -45,6 +45,7 @@ from raceway.theory import (
 from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.lubricant import Fluid
 from raceway.theory.lubrication import Lubrication
+from raceway.theory.makers import Size
 from raceway.theory.static import Equilibrium
 
 PARTS = ("rolling", "slip", "spin", "hysteresis", "drag")
@@ -57,8 +58,9 @@ class Surfaces:
 
     boundary: float = 0.12  # mu_b, running (SKF)
     film: float | None = 0.05  # mu of the film; None: that of Eyring's stress with its limit
-    loss: float = 0.01  # alpha of hysteresis, 0.005 to 0.05
-    oil_share: float = 0.1  # oil fraction of the space around the balls
+    loss: float = 0.016  # alpha of hysteresis, 0.005 to 0.05
+    oil_share: float = 0.05  # oil fraction of the space around the balls
+    inlet: float = 0.0  # of rolling contacts, in semi-axes b; 0: flooded
     starvation: float = 1.0  # factor on the hydrodynamic couple
 
 
@@ -213,18 +215,27 @@ def _sheared(pressed, along, rate, fluid, surfaces):
 
 
 def surfaces(
-    size: tuple[float, float] | None, fluid: Fluid, ring: float, models: str = "full"
+    bearing: Bearing,
+    size: Size | None,
+    fluid: Fluid,
+    ring: float,
+    models: str = "full",
+    supply: oil_supply.Supply = oil_supply.BATH,
 ) -> Surfaces:
-    """`Surfaces` of the `models` of a run, full or eyring, with SKF's starvation factor of a
-    bearing with an oil bath or jet, the inner ring at `ring` rad/s; none without its `size`, bore
-    and outside diameter in m."""
-    film = None if models == "eyring" else Surfaces.film
-    if size is None:
-        return Surfaces(film=film)
-    bore, outside = (1e3 * one for one in size)
-    rpm = abs(ring) * 30 / np.pi
-    starved = laws.skf_starvation(bore, outside, fluid.kinematic, rpm, makers.OIL)
-    return Surfaces(film=film, starvation=float(starved))
+    """`Surfaces` of the `models` of a run, full or eyring, with the inlet, the share of oil and
+    SKF's starvation factor of a `supply`, the inner ring at `ring` rad/s; no such factor without
+    the `size` of the bearing."""
+    found = oil_supply.numbers(supply, bearing, fluid.density)
+    starved = 1.0
+    if size is not None:
+        mm, rpm = (1e3 * size.bore, 1e3 * size.outside), abs(ring) * 30 / np.pi
+        starved = laws.skf_starvation(*mm, fluid.kinematic, rpm, found.replenishment, size.slender)
+    return Surfaces(
+        film=None if models == "eyring" else Surfaces.film,
+        starvation=float(starved),
+        oil_share=found.share,
+        inlet=found.inlet,
+    )
 
 
 def _one(bearing, side, contact, film, fluid, clearance, surfaces, alone):
@@ -236,15 +247,17 @@ def _one(bearing, side, contact, film, fluid, clearance, surfaces, alone):
     r_x, r_y = bearing.effective_radii(side, contact.angle[live], clearance)
     r_d = sliding.deformed_radius(bearing.groove(side), bearing.ball_radius)
 
+    inlet = rolling.inlet(surfaces.inlet, h_c, b, r_x) if len(b) else 1.0
+
     def resistance(speed):
         loading = film_factors.thermal_loading(
             fluid.temperature_viscosity, fluid.viscosity, speed, fluid.conductivity
         )
-        factor = film_factors.murch_wilson(loading) * surfaces.starvation
+        factor = film_factors.murch_wilson(loading) * surfaces.starvation * inlet
         oil, modulus = fluid.viscosity, bearing.effective_modulus
         return 2 * factor * rolling.hydrodynamic(oil, modulus, r_x, r_y, speed, load)
 
-    share = asperity.zhou_hoeprich(film.ratio[live])
+    share = asperity.clarke(film.ratio[live])
     smooth = surfaces.film
     if smooth is None:
         smooth = traction.coefficient(

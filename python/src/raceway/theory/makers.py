@@ -2,7 +2,9 @@
 """Friction torque of a bearing by its makers' formulas, for comparison with the physical losses.
 
 In the units of the catalogues: mm, N, rpm, mm^2/s, and N mm. SKF's model is that of Rolling
-bearings 10000 EN 2013 (pages 105 and 106) for deep-groove ball bearings.
+bearings 10000 EN 2013 (pages 105 and 106) for deep-groove ball bearings and for single-row angular
+contact ball bearings, whose constants are in the General Catalogue 6000, 2006 (page 92 of the
+Russian edition, read in the text layer of github.com/ArtemFilin1990/Mar).
 """
 
 from dataclasses import dataclass
@@ -23,30 +25,41 @@ CONSTANTS = {
     "618": (4.7e-7, 1.7, 6.50e-3, 0.78),
     "619": (4.3e-7, 1.7, 4.75e-3, 3.6),
 }
+# R1, R2, R3, S1, S2, S3 of single-row angular contact ball bearings, contact angle 40 degrees
+ANGULAR = {"72": (5.03e-7, 1.97, 1.90e-12, 1.30e-2, 0.68, 1.91e-12)}
 SAME = {"630": "60", "622": "62", "623": "63", "161": "160", "628": "618"}
 BOUNDARY, MINERAL, SYNTHETIC = 0.12, 0.05, 0.04  # mu_bl, and mu_EHL by oil
 OIL, GREASE = 3e-8, 6e-8  # K_rs: low oil bath and jet; grease and oil-air
-K_Z = 3.1  # deep-groove ball bearings; 4.4 angular contact
+K_Z, K_Z_ANGULAR = 3.1, 4.4  # deep-groove and single-row angular contact ball bearings
 # of the diagram, read off: level over mean diameter, V_M
 LEVEL = np.array([0, 0.065, 0.109, 0.148, 0.193, 0.252, 0.365, 0.5, 0.66, 0.87, 1.07, 1.2])
 CHURNING = 1e-5 * np.array([0, 2.9, 7.35, 13.8, 21.7, 31.6, 44.6, 56.6, 67.5, 83.6, 100.7, 124.6])
 
 
+class Size(NamedTuple):
+    """Bore and outside diameter in m, and K_Z of SKF's model."""
+
+    bore: float
+    outside: float
+    slender: float = K_Z
+
+
 @dataclass(frozen=True)
 class Boundary:
-    """Boundary dimensions and ratings of a deep-groove ball bearing as in its catalogue: mm, N."""
+    """Boundary dimensions and ratings of a ball bearing as in its catalogue: mm, N."""
 
     bore: float
     outside: float
     width: float
-    series: str  # of `CONSTANTS` or `SAME`
+    series: str  # of `CONSTANTS`, `SAME` or `ANGULAR`
     static_rating: float  # C0, N
 
     def __post_init__(self):
         if not 0 < self.bore < self.outside:
             raise ValueError(f"bore {self.bore} mm must lie between 0 and {self.outside} mm")
-        if self.series not in CONSTANTS and self.series not in SAME:
-            known = ", ".join([*CONSTANTS, *SAME])
+        known = [*CONSTANTS, *SAME, *ANGULAR]
+        if self.series not in known:
+            known = ", ".join(known)
             raise ValueError(f"series '{self.series}' is none of {known}")
 
     @property
@@ -55,9 +68,9 @@ class Boundary:
         return (self.bore + self.outside) / 2
 
     @property
-    def constants(self) -> tuple[float, float, float, float]:
-        """R1, R2, S1, S2 of SKF's model."""
-        return CONSTANTS[SAME.get(self.series, self.series)]
+    def slender(self) -> float:
+        """K_Z of SKF's model."""
+        return K_Z_ANGULAR if self.series in ANGULAR else K_Z
 
 
 class Torque(NamedTuple):
@@ -92,24 +105,36 @@ def skf(
     beyond), `seal` in N mm (0 for an open bearing).
     """
     d, outside, mean = bearing.bore, bearing.outside, bearing.mean
-    r1, r2, s1, s2 = bearing.constants
-    axial = np.abs(axial)
-    # degrees; any angle where there is no axial load, it is multiplied by zero
-    angle = 24.6 * (np.where(axial > 0, axial, 1.0) / bearing.static_rating) ** 0.24
-    sine = np.sin(np.radians(angle))
-    rolled = r1 * mean**1.96 * (radial + r2 * axial / sine) ** 0.54
-    slid = np.where(
-        axial > 0,
-        s1 * mean**-0.145 * (radial**5 + s2 * mean**1.5 * axial**4 / sine) ** (1 / 3),
-        s1 * mean**-0.26 * radial ** (5 / 3),
-    )[()]
+    rolled, slid = _geometric(bearing, radial, np.abs(axial), speed)
     shear = 1 / (1 + 1.84e-9 * (speed * mean) ** 1.28 * kinematic**0.64)
-    starvation = laws.skf_starvation(d, outside, kinematic, speed, replenishment)
+    starvation = laws.skf_starvation(d, outside, kinematic, speed, replenishment, bearing.slender)
     rolling = shear * starvation * rolled * (kinematic * speed) ** 0.6
     share = np.exp(-2.6e-8 * (speed * kinematic) ** 1.4 * mean)
     sliding = slid * (share * boundary + (1 - share) * film)
     churned = drag(bearing, speed, kinematic, level)
     return Torque(rolling + sliding + churned + seal, rolling, sliding, churned, shear, starvation)
+
+
+def _geometric(bearing, radial, axial, speed):
+    """G_rr and G_sl of SKF's model; `axial` is not negative."""
+    mean = bearing.mean
+    if bearing.series in ANGULAR:
+        r1, r2, r3, s1, s2, s3 = ANGULAR[bearing.series]
+        thrown = mean**4 * speed**2
+        return (
+            r1 * mean**1.97 * (radial + r3 * thrown + r2 * axial) ** 0.54,
+            s1 * mean**0.26 * ((radial + s3 * thrown) ** (4 / 3) + s2 * axial ** (4 / 3)),
+        )
+    r1, r2, s1, s2 = CONSTANTS[SAME.get(bearing.series, bearing.series)]
+    # degrees; any angle where there is no axial load, it is multiplied by zero
+    angle = 24.6 * (np.where(axial > 0, axial, 1.0) / bearing.static_rating) ** 0.24
+    sine = np.sin(np.radians(angle))
+    slid = np.where(
+        axial > 0,
+        s1 * mean**-0.145 * (radial**5 + s2 * mean**1.5 * axial**4 / sine) ** (1 / 3),
+        s1 * mean**-0.26 * radial ** (5 / 3),
+    )[()]
+    return r1 * mean**1.96 * (radial + r2 * axial / sine) ** 0.54, slid
 
 
 def drag(bearing: Boundary, speed: Numbers, kinematic: Numbers, level: float) -> Numbers:
@@ -119,7 +144,7 @@ def drag(bearing: Boundary, speed: Numbers, kinematic: Numbers, level: float) ->
         raise ValueError(f"oil level {level} mm must lie between 0 and {1.2 * mean:g} mm")
     if level == 0:
         return 0.0 * np.asarray(speed)[()]
-    slender = K_Z * (bearing.bore + bearing.outside) / (bearing.outside - bearing.bore)
+    slender = bearing.slender * (bearing.bore + bearing.outside) / (bearing.outside - bearing.bore)
     t = 2 * np.arccos((0.6 * mean - level) / (0.6 * mean))
     wetted = np.sin(t / 2) if t <= np.pi else 1.0
     wall = 0.36 * mean**2 * (t - np.sin(t)) * 0.05 * slender

@@ -30,6 +30,7 @@ from raceway.theory import (
 from raceway.theory.bearing import INNER, DoubleRow, Layout
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubrication import lubricate, turning
+from raceway.theory.oil_supply import BATH, Supply
 from raceway.theory.operating_balls import balls
 from raceway.theory.operating_table import table
 from raceway.theory.small_motion import response
@@ -61,6 +62,7 @@ def figures(
     dynamic: float | None = None,
     four_point: float | None = None,
     double_row: DoubleRow | None = None,
+    supply: Supply = BATH,
 ) -> dict[str, Any]:
     """Figures by name in SI units, text, numbers or None; `balls` is a list of one mapping a ball.
 
@@ -73,7 +75,8 @@ def figures(
     is a word of `cleanliness.CLEANLINESS`. `four_point` in rad makes it a four-point contact
     bearing with that angle, as its file may, too. Each of `balls` then has a list of `contacts`.
     `double_row` gives it two rows, whose `balls` follow one another. `dynamic` is C in N of a row,
-    instead of the file's. `absent` has the reason by key of figures that the models leave out.
+    instead of the file's. `supply` is the kind of lubrication. `absent` has the reason by key of
+    figures that the models leave out.
 
     As in a deck, the ring is held along z where there is no axial load (`inputs.held`).
 
@@ -172,7 +175,7 @@ def figures(
             spin,
             orbits,
             clearance=clearance,
-            surfaces=friction_torque.surfaces(inputs.size(path), fluid, spin, models),
+            surfaces=friction_torque.surfaces(body, inputs.size(path), fluid, spin, models, supply),
             spin_law=spin_law,
         )
         inner = lost.asperity_share[: body.raceways.count(INNER)]

@@ -26,12 +26,18 @@ def hydrodynamic(
     return laws.rolling_force(viscosity, modulus, r_x, r_y, speed, load)
 
 
+def inlet(length: float, h_c: Numbers, b: Numbers, r_x: Numbers) -> Numbers:
+    """Share of `hydrodynamic` that an inlet of the `length` in semi-axes b leaves, 1/2 to 1; 0 is
+    flooded, 1 the shortest. h_c, b and R_x in m."""
+    return laws.rolling_inlet(length, h_c, b, r_x)
+
+
 def couple(force: Numbers, r_x: Numbers) -> Numbers:
     """2 f R_x in N m: the couple of a hydrodynamic force f; its power at Omega = u/R_x is 2 f u."""
     return 2 * force * r_x
 
 
-def hysteresis(load: Numbers, b: Numbers, loss: float = 0.01) -> Numbers:
+def hysteresis(load: Numbers, b: Numbers, loss: float) -> Numbers:
     """Couple alpha Q 2b/(3 pi) in N m from Q in N and the semi-axis b along rolling in m; `loss` is
     alpha, 0.005 to 0.05 for steel (Schwarz et al. 2023; Johnson 1985, section 9.4).
 
@@ -40,7 +46,7 @@ def hysteresis(load: Numbers, b: Numbers, loss: float = 0.01) -> Numbers:
     return laws.hysteresis_couple(loss, load, b)
 
 
-def hysteresis_strips(load: Numbers, b: Numbers, loss: float = 0.01) -> Numbers:
+def hysteresis_strips(load: Numbers, b: Numbers, loss: float) -> Numbers:
     """3/16 alpha Q b in N m: the line contact's couple taken strip by strip over the ellipse, 12 %
     less than `hysteresis`."""
     return 3 / 16 * loss * load * b

@@ -11,8 +11,6 @@ from raceway.arrays import Floats, Numbers
 from raceway.core import laws
 from raceway.theory import sliding
 
-_FITS = laws.spin_constants()  # as in a run
-
 
 class Spin(NamedTuple):
     """Force and moment that resist, arrays of the shape of the slip and spin given."""
@@ -32,13 +30,13 @@ def moment(load: Numbers, friction: Numbers, a: Numbers, second: Numbers) -> Num
 def closed_moment(pure: Numbers, speed: Numbers, edge: Numbers) -> Numbers:
     """Moment in N m against spin beside differential slip, a fit: `pure` of pure spin (N m), less
     where the `speed` omega a is small against `edge` s_e, both in m/s (`sliding.edge_slip`)."""
-    least = _FITS.width * np.maximum(edge, sliding.LEAST)
-    return pure * np.abs(speed) / np.maximum(np.abs(speed), least)
+    width = np.maximum(edge, sliding.LEAST)
+    return pure * laws.spin_shares(np.abs(speed), width, 0.0).spin
 
 
 def closed_slip(speed: Numbers, edge: Numbers) -> Numbers:
     """Share of the couple of differential slip that spin leaves; arguments of `closed_moment`."""
-    return np.maximum(1 - _FITS.loss * (speed / np.maximum(edge, sliding.LEAST)) ** 2, 0.0)
+    return laws.spin_shares(np.abs(speed), np.maximum(edge, sliding.LEAST), 0.0).slip
 
 
 def with_slip(

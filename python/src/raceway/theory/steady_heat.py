@@ -25,6 +25,7 @@ from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubricant import Fluid, Lubricant
 from raceway.theory.lubrication import Lubrication, lubricate, turning
 from raceway.theory.models import DEFAULT
+from raceway.theory.oil_supply import BATH, Supply
 from raceway.theory.static import STRAIGHT, Equilibrium
 
 ENOUGH = 0.01  # K
@@ -112,16 +113,17 @@ class Scene:
         spin_law: str = "closed",
         models: str = DEFAULT,
         held: Mapping[str, float] = STRAIGHT,
-        size: tuple[float, float] | None = None,
+        size: makers.Size | None = None,
+        supply: Supply = BATH,
     ) -> None:
         """`roughness` is composite, m; `density` of the balls in kg/m^3; `spin_law` and
         `models` are those of `operating_point.figures`, `held` that of
-        `static.equilibrium`, `size` that of `friction_torque.surfaces`."""
+        `static.equilibrium`, `size` and `supply` those of `friction_torque.surfaces`."""
         self.bearing, self.boundary, self.lubricant = bearing, boundary, lubricant
         self.roughness, self.load, self.axial = roughness, load, axial
         self.ring, self.density = rpm * math.pi / 30, density
         self.spin_law, self.models, self.held = spin_law, models, held
-        self.size = size
+        self.size, self.supply = size, supply
         self.share = 1.0  # factor on the friction of the laws, set by `by_runs`
 
     def rest(self, temperature: float, clearance: float) -> Rest:
@@ -161,7 +163,9 @@ class Scene:
             ring,
             orbit,
             clearance=clearance,
-            surfaces=friction_torque.surfaces(self.size, fluid, ring, self.models),
+            surfaces=friction_torque.surfaces(
+                self.bearing, self.size, fluid, ring, self.models, self.supply
+            ),
             spin_law=self.spin_law,
         )
         contacts = losses.rolling + losses.slip + losses.spin + losses.hysteresis
@@ -255,6 +259,7 @@ class Case:
     double_row: DoubleRow | None = None
     spin_law: str = "closed"  # these two as in `operating_point.figures`
     models: str = DEFAULT
+    supply: Supply = BATH
 
     def files(self) -> tuple[Path, Path]:
         """Paths of the bearing and of the lubricant. Raises `RacewayError`."""
@@ -285,6 +290,7 @@ class Case:
             self.models,
             STRAIGHT | inputs.held(path, self.axial, self.clearance, self.double_row),
             inputs.size(path),
+            self.supply,
         )
 
     def cooling(self) -> float | None:

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Kinds of lubrication: the share of rolling resistance that a short inlet leaves, oil around the
+balls, and the asperity share that `full` has, against quadrature and scipy."""
+
+import numpy as np
+import pytest
+from raceway import asperity, inputs, oil_supply, rolling
+from raceway.core import laws
+from references import friction as reference
+from scipy.special import erfc
+
+THICKNESS = np.geomspace(1e-3, 20.0, 12)
+
+
+@pytest.mark.parametrize("length", [1.5, 3.0, 10.0, 50.0])
+def test_share_of_a_short_inlet(length):
+    exact = np.array([reference.inlet_share(length, one) for one in THICKNESS])
+    # Simpson's steps of 0.1 in ln(X - 1), and the slopes cut off below e^-14
+    assert laws.inlet_share(length, THICKNESS) == pytest.approx(exact, rel=1e-5)
+    b, r_x = 0.2e-3, 5e-3
+    fitted = rolling.inlet(length, THICKNESS * b**2 / (2 * r_x), b, r_x)
+    assert fitted == pytest.approx(np.maximum(exact, 0.5), abs=7e-3)
+
+
+def test_ends_of_the_inlet():
+    assert np.all(rolling.inlet(0.0, THICKNESS, 1e-4, 5e-3) == 1.0)
+    assert np.all(rolling.inlet(1.0, THICKNESS, 1e-4, 5e-3) == 0.5)
+    assert laws.inlet_share(1e5, 0.1) == 1.0
+
+
+def test_the_shortest_inlet_that_feeds_the_film_leaves_half():
+    """Hamrock and Dowson's meniscus, over the range of bearings."""
+    for thickness in (0.007, 0.07, 0.3, 1.0, 3.0, 18.0):
+        length = 1 + 3.06 * (thickness / 2) ** 0.58
+        assert 0.49 < reference.inlet_share(length, thickness) < 0.57
+
+
+@pytest.mark.parametrize("gap", [12.0])
+def test_the_inlet_of_a_point_contact(gap):
+    """A meniscus at 12 h_c leaves 1/1.6 to 1/1.83 of the flooded force in two dimensions (own EHL
+    solutions at 14.5 m/s, 300 and 100 N); the line contact is within 12 % of that."""
+    for thickness, known in ((1.248, 1.6), (2.793, 1.83)):
+        x = np.linspace(1, 20, 200001)
+        height = x * np.sqrt(x * x - 1) - np.arccosh(x)
+        length = np.interp((gap - 1) * thickness, height, x)
+        assert 1 / reference.inlet_share(length, thickness) == pytest.approx(known, rel=0.12)
+
+
+@pytest.mark.parametrize("level", [0.1, 0.5, 1.0, 3.0, 5.5])
+def test_immersed_balls(level):
+    # 720 azimuths; the reference has slices of 1e-3
+    pitch = 30.3 / 6.3
+    assert laws.immersed_share(level, pitch) == pytest.approx(
+        reference.immersed(level, pitch), abs=1e-3
+    )
+
+
+def test_a_bath_is_empty_or_full():
+    assert laws.immersed_share(0.0, 5.0) == pytest.approx(0.0, abs=1e-6)
+    assert laws.immersed_share(6.0, 5.0) == pytest.approx(1.0, abs=1e-15)
+
+
+def test_kinds():
+    body = inputs.bearing("6208")
+    known = {kind: oil_supply.numbers(oil_supply.Supply(kind), body, 870.0)
+             for kind in oil_supply.KINDS}  # fmt: skip
+    assert known["bath"] == (3.0, 3e-8, pytest.approx(laws.immersed_share(0.5, 30.3 / 6.3)))
+    assert known["jet"] == (3.0, 3e-8, pytest.approx(2 * known["bath"].share))
+    for kind in ("mist", "grease", "minimal"):
+        assert known[kind] == (1.0, 6e-8, pytest.approx(1.2 / 870))
+    flooded = oil_supply.numbers(oil_supply.Supply("bath", 10.0), body, 870.0)
+    assert flooded == (0.0, 0.0, 1.0)
+    assert oil_supply.numbers(oil_supply.Supply("bath", 0.6), body, 870.0).replenishment == 0
+    with pytest.raises(ValueError, match="none of bath, jet"):
+        oil_supply.numbers(oil_supply.Supply("spray"), body, 870.0)
+
+
+def test_clarke_s_share():
+    ratio = np.linspace(0.0, 6.0, 601)
+    assert asperity.clarke(ratio) == pytest.approx(erfc(ratio), abs=1.5e-7)
