@@ -17,8 +17,8 @@ using bearing::text;
 using raceway::BearingIntegrator;
 
 // fix ID group bearing/implicit|damping|vibration [solve all|damping] [tolerance T] [relative R]
-// [error E] [cage_tolerance TC] [order 1|2] [corrections N] [largest H] [creep C] [energy yes|no]
-// [sampling HZ] [oversampling N]
+// [error E] [control bound|estimate] [cage_tolerance TC] [order 1|2] [corrections N] [largest H]
+// [creep C] [energy yes|no] [sampling HZ] [oversampling N]
 FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/implicit")),
     solver_(new Solver{{}, {}, {lmp, bearing::name_of(*this)}, {}, {}, {}})
@@ -37,6 +37,8 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
   if (settings.dampers_only && settings.error > 1.0)
     args.fail("error is " + text(settings.error) +
               ", must be 1 with 'solve damping', which estimates none");
+  if (settings.estimate && (settings.dampers_only || settings.order == 1))
+    args.fail("control is estimate, must be bound with 'solve damping' or 'order 1'");
   if (tolerance_ == 0.0) tolerance_ = settings.dampers_only ? 1e-7 : 1e-9;
   settings.newton = tolerance_;
   if (cage_ > 0.0 && cage_ < tolerance_)
@@ -68,6 +70,7 @@ void FixBearingImplicit::read(Arguments &args)
     relative_ = args.within("tolerance relative to the largest overlap", 0.0, 1e-2);
   else if (args.take("error") || args.take("step_error"))
     settings.error = args.within("error of a step over the tolerance", 1.0, 100.0);
+  else if (args.take("control")) settings.estimate = args.choice("control", {"bound", "estimate"});
   else if (args.take("solve")) settings.dampers_only = args.choice("solve", {"all", "damping"});
   else if (args.take("order")) settings.order = args.integer("order", 1, 2);
   else if (args.take("corrections"))
@@ -82,8 +85,8 @@ void FixBearingImplicit::read(Arguments &args)
   else if (args.take("sampling") || args.take("oversampling"))
     args.fail("sampling and oversampling are of fix bearing/vibration");
   else
-    args.unknown("solve, tolerance, relative, error, cage_tolerance, order, corrections, largest, "
-                 "creep, energy" +
+    args.unknown("solve, tolerance, relative, error, control, cage_tolerance, order, corrections, "
+                 "largest, creep, energy" +
                  std::string(sampling_ > 0.0 ? ", sampling, oversampling" : ""));
 }
 

@@ -45,7 +45,9 @@ struct Stage {
   Evaluate evaluate = Evaluate::only;
   ContactLook *looks = nullptr;    // by group of contacts, with `only`: filled together with forces
                                    // on rings
-  bool gaps = false;               // also look at surfaces that do not touch
+  bool keep = false;               // with `derivatives`: BearingSystem::keep() after the raceways
+  bool kept = false;    // with `derivatives`: raceways as kept, at the end of the last correction
+  bool gaps = false;    // also look at surfaces that do not touch
   // Gaps of balls and of cage balls that count as contact in the derivatives, m: without them a
   // body at rest would leap out of its groove.
   double close = 0.0, close_cage = 0.0;

@@ -8,6 +8,9 @@ namespace raceway {
 
 static const double gamma_2 = 1.0 - std::sqrt(0.5);     // length of a stage of order 2
 static const double beyond_2 = 1.0 + std::sqrt(2.0);    // (1 - gamma)/gamma
+// Error of the method for a velocity that grows with the square of time: of a position, over h times
+// the second divided difference of the velocities at 0, gamma h and h.
+static const double bend_2 = gamma_2 + (1.0 - gamma_2) * gamma_2 * gamma_2 - 1.0 / 3.0;
 
 static BearingIntegrator::Outcome &failed(BearingIntegrator::Outcome &o, Failure why, int body = -1)
 {
@@ -44,6 +47,7 @@ BearingIntegrator::Outcome BearingIntegrator::step(const Settings &asked, double
   }
   pending_ = Energy();
   present_ = {h, s0, s1};
+  if (s0 == 0.0) remains_ = 1.0;    // nothing of an earlier step of the host
   bodies_.start();
   if (set.dampers_only) {
     const double middle = 0.5 * (s0 + s1);
@@ -97,10 +101,15 @@ double BearingIntegrator::cage_correction(const Settings &set, double h) const
   return set.cage > finer ? finer / set.cage : 1.0;
 }
 
+// Newton's method contracts: where a correction is the share q of the one before, later ones add up
+// to at most q/(1 - q) of it. At least a tenth.
+static double remaining(double q) { return q < 0.5 ? std::max(0.1, q / (1.0 - q)) : 1.0; }
+
 bool BearingIntegrator::solve_stage(const Settings &set, double h, double s, Outcome &o)
 {
-  double before = HUGE_VAL;
+  double before = HUGE_VAL, bodies_before = HUGE_VAL;
   bool fresh = true;
+  int evaluated = 0;
   const double cage_counts = cage_correction(set, h);
   Stage stage;
   stage.h = h;
@@ -110,9 +119,11 @@ bool BearingIntegrator::solve_stage(const Settings &set, double h, double s, Out
     stage.close_cage = set.newton / cage_counts;
   }
   if (!move(h, s, set.dampers_only)) return failed(o, Failure::turned_too_far).solved();
-  for (int n = 1; n <= set.corrections; ++n) {
+  stage.keep = set.estimate && system_.keeps();
+  const int most = stage.keep ? 3 * set.corrections : set.corrections;
+  for (int n = 1; n <= most && evaluated < set.corrections; ++n) {
     stage.evaluate = fresh ? Evaluate::derivatives : Evaluate::residual;
-    system_.start(h, fresh);
+    if (!stage.kept) system_.start(h, fresh);
     Failure failure = forces_.evaluate(stage);
     if (failure == Failure::other_links && !fresh) {
       fresh = true;
@@ -122,21 +133,38 @@ bool BearingIntegrator::solve_stage(const Settings &set, double h, double s, Out
     }
     if (failure != Failure::none) return failed(o, failure, forces_.body()).solved();
     system_.add_border(h, stage.follows(), s, fresh);
+    if (stage.kept) system_.add_kept();
     if (fresh) system_.factor();
     system_.solve();
-    ++o.corrections;
-    o.last = apply(h, cage_counts, o);
-    if (!(o.last < HUGE_VAL)) return failed(o, Failure::not_a_number, o.body).solved();
+    if (!stage.kept) {
+      ++evaluated;
+      ++o.corrections;
+    }
+    apply(h, cage_counts, o);
+    const double last = std::max(o.last, o.last_cage);
+    if (!(last < HUGE_VAL)) return failed(o, Failure::not_a_number, o.body).solved();
     // a contact that alternately opens and closes gets half a correction
-    if (n > 2 && o.last > 0.7 * before) halve();
+    if (n > 2 && last > 0.7 * before) halve();
     if (!move(h, s, set.dampers_only)) return failed(o, Failure::turned_too_far).solved();
-    if (o.last <= set.newton && forces_.follow(set.newton)) return true;
+    if (stage.keep) {
+      if (!stage.kept) {
+        if (n > 1) remains_ = remaining(o.last / bodies_before);
+        bodies_before = o.last;
+      }
+      const double enough = set.newton / remains_;
+      const bool followed = o.last <= enough && forces_.follow(enough);
+      if (followed && o.last_cage <= set.newton) return true;
+      stage.kept = followed;
+    } else if (last <= set.newton && forces_.follow(set.newton)) {
+      return true;
+    }
 
     // derivatives of the last correction suffice for a small residual as long as each correction is
     // at most a tenth of the previous one; farther away a contact may open or close
-    fresh = !(o.last < 0.1 * before && o.last < 3.0 * set.newton);
-    before = o.last;
+    fresh = stage.kept || !(last < 0.1 * before && last < 3.0 * set.newton);
+    before = last;
   }
+  o.last = std::max(o.last, o.last_cage);
   if (set.corrections > 1) return failed(o, Failure::not_converged).solved();
   forces_.follow(set.newton);
   return true;
@@ -241,37 +269,60 @@ RACEWAY_LANES double BearingIntegrator::largest_stiffness() const
 // Contact stiffness varies as the cube root of the load: a fifth is about a hundredth of the load.
 static constexpr double light = 0.2, least_count = 0.1;
 
+// Weight of the bound of the error beside its estimate, which assumes smooth motion.
+static constexpr double sudden = 0.3;
+
+// Weights of the changes of velocity: between both stages, and of their second difference.
+struct ErrorWeights {
+  double change = 1.0, bend = 0.0;
+};
+
+// Larger of both weighted changes, m/s.
+template <class T>
+static RACEWAY_INLINE T changed(const ErrorWeights &w, const T &from, const T &first, const T &end)
+{
+  const T change = w.change * magnitude(T(end - first));
+  if (w.bend == 0.0) return change;
+  const T bend = w.bend * magnitude(T((end - first) / (1.0 - gamma_2) - (first - from) / gamma_2));
+  return where(bend > change, bend, change);
+}
+
 RACEWAY_LANES double BearingIntegrator::error(double h, const Settings &set) const
 {
   const bool drift = set.dampers_only, one = set.order == 1;
   const double share = drift ? 1.0 : one ? 0.5 : gamma_2;
   const double full = drift ? 0.0 : light * largest_stiffness();
+  const ErrorWeights weights =
+      set.estimate ? ErrorWeights{sudden, bend_2 / gamma_2} : ErrorWeights();
   Lane off = {};
   for (const BodyGroup &g : bodies_.groups) {
-    const Vec3L dv = drift ? g.v : g.v - (one ? g.v_from : g.v_first);
     Lane counts = all_lanes(g.spins ? 1.0 : set.cage_error());
     if (g.spins && full > 0.0) {
       const Lane share_of_full = g.stiffness * (1.0 / full);
       counts = where(share_of_full < 1.0, share_of_full, 1.0);
       counts = where(counts < least_count, least_count, counts);
     }
-    const Lane worse = across(dv) * counts;
+    const Vec3L before = drift ? Vec3L() : one ? g.v_from : g.v_first;
+    const Lane x = changed(weights, g.v_from.x, before.x, g.v.x),
+               z = changed(weights, g.v_from.z, before.z, g.v.z);
+    const Lane worse = where(x > z, x, z) * counts;
     off = where(g.used & (worse > off), worse, off);
   }
   double largest = std::max(std::max(off[0], off[1]), std::max(off[2], off[3]));
   for (const Coordinate &c : bodies_.border) {
     const double before = drift ? 0.0 : one ? *c.from : *c.first;
     const double counts = c.of_cage ? set.cage_error() : 1.0;
-    largest = std::max(largest, counts * std::fabs(*c.now - before) * c.moves(ball_radius()));
+    largest = std::max(largest,
+                       counts * changed(weights, *c.from, before, *c.now) * c.moves(ball_radius()));
   }
   return share * h * largest;
 }
 
-// Adds the correction and returns its size, m: the largest over balls normal to the rolling
-// direction, rings and shaft modes.
-RACEWAY_LANES double BearingIntegrator::apply(double h, double cage_counts, Outcome &o)
+// Adds the correction. Its size, m: the largest over balls normal to the rolling direction, rings
+// and shaft modes; apart from these that of the cage, weighted.
+RACEWAY_LANES void BearingIntegrator::apply(double h, double cage_counts, Outcome &o)
 {
-  Lane off = {};
+  Lane off = {}, off_cage = {};
   bool finite = true;
   for (size_t k = 0; k < bodies_.groups.size(); ++k) {
     BodyGroup &g = bodies_.groups[k];
@@ -285,19 +336,24 @@ RACEWAY_LANES double BearingIntegrator::apply(double h, double cage_counts, Outc
         if (bad[i]) o.body = bodies_.body_at[lanes * k + i];
     }
     if (g.spins) g.w += Vec3L::from(g.rhs + 3);
+    Lane &most = g.spins ? off : off_cage;
     const Lane worse = across(dv) * (g.spins ? 1.0 : cage_counts);
-    off = where(g.used & (worse > off), worse, off);
+    most = where(g.used & (worse > most), worse, most);
   }
   double largest = std::max(std::max(off[0], off[1]), std::max(off[2], off[3]));
+  double largest_cage =
+      std::max(std::max(off_cage[0], off_cage[1]), std::max(off_cage[2], off_cage[3]));
   for (size_t k = 0; k < bodies_.border.size(); ++k) {
     const Coordinate &c = bodies_.border[k];
     const double dv = system_.y(k);
     *c.gained += dv;
     finite = finite && std::fabs(dv) < HUGE_VAL;
+    double &most = c.of_cage ? largest_cage : largest;
     const double counts = c.of_cage ? cage_counts : 1.0;
-    largest = std::max(largest, counts * std::fabs(dv) * c.moves(ball_radius()));
+    most = std::max(most, counts * std::fabs(dv) * c.moves(ball_radius()));
   }
-  return finite ? h * largest : HUGE_VAL;
+  o.last = finite ? h * largest : HUGE_VAL;
+  o.last_cage = finite ? h * largest_cage : HUGE_VAL;
 }
 
 // Undoes half of the last correction.

@@ -24,6 +24,11 @@
 // that: its contacts are soft, and where the cage drives balls its vibration would otherwise set
 // the step.
 //
+// With `estimate` the error is that of order 2, from the second difference of the velocities at the
+// start and the ends of both stages, or 0.3 of the bound if that is larger. A stage ends when
+// later corrections would be below the tolerance if they decrease as before. Where balls and rings
+// are known and the cage is not, further corrections take the raceways from their derivatives.
+//
 // The error of a ball with less than a hundredth of the largest load is weighted by the stiffness
 // of its contacts, down to a tenth: unloaded balls rattle by nanometres without effect on any load.
 //
@@ -52,6 +57,8 @@ class BearingIntegrator {
     double relative = 0.0;    // newton is at least this fraction of the largest overlap; 0: unused
     double error = 1.0;       // allowed estimated error of a step over newton
     int corrections = 8;      // maximum per stage
+    bool estimate =
+        false;    // control by estimates of errors instead of their bounds; order 2 only
 
     // weight of a cage ball's error
     double cage_error() const { return cage > error ? error / cage : 1.0; }
@@ -67,6 +74,7 @@ class BearingIntegrator {
     double error = HUGE_VAL;    // m, estimated
     double stability = 0.0;     // h^2 over its limit; grows like h^2
     double last = HUGE_VAL;     // m, last correction
+    double last_cage = 0.0;     // m, the same of the cage, weighted
 
     bool solved() const { return failure == Failure::none; }
   };
@@ -122,7 +130,7 @@ class BearingIntegrator {
   double stability(double h) const;
   double ball_radius() const { return bodies_.groups.front().now.r[0]; }    // m, of the orbit
   double cage_correction(const Settings &, double h) const;
-  double apply(double h, double cage_counts, Outcome &);
+  void apply(double h, double cage_counts, Outcome &);
   void halve();
   double largest_stiffness() const;
   double error(double h, const Settings &) const;
@@ -136,6 +144,7 @@ class BearingIntegrator {
   BearingForces forces_;
   BearingInstants instants_;
   const double slowest_;
+  double remains_ = 1.0;    // last estimate of the error after a correction, over the correction
   bool keep_energy_ = false, entrained_ = false;    // entrained_: at the start of the step
   Energy energy_, pending_;
   struct {

@@ -68,6 +68,67 @@ void BearingSystem::add_border(double h, double follows, double s, bool fresh)
   add_spins(h, fresh);
 }
 
+void BearingSystem::keep()
+{
+  kept_.groups.resize(b_.groups.size());
+  for (size_t k = 0; k < b_.groups.size(); ++k) {
+    const BodyGroup &g = b_.groups[k];
+    KeptGroup &to = kept_.groups[k];
+    std::copy(g.A, g.A + 36, to.A);
+    std::copy(g.rhs, g.rhs + 6, to.rhs);
+    to.coupled = g.coupled;
+  }
+  kept_.B = B_;
+  kept_.C = C_;
+  kept_.corner.assign(corner_, corner_ + columns() * columns());
+  kept_.y.assign(columns(), 0.0);
+  kept_.pushes.clear();
+  for (const RingBody &r : b_.rings) {
+    kept_.pushes.push_back(r.force_lanes);
+    kept_.pushes.push_back(r.moment_lanes);
+  }
+}
+
+RACEWAY_LANES void BearingSystem::restore()
+{
+  const int nf = columns();
+  for (size_t k = 0; k < b_.groups.size(); ++k) {
+    BodyGroup &g = b_.groups[k];
+    KeptGroup &from = kept_.groups[k];
+    const int n = g.spins ? 6 : 3;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) from.rhs[i] -= from.A[6 * i + j] * g.rhs[j];
+    if (from.coupled)
+      for (int f : b_.columns_of_group[k]) {
+        Lane s = {};
+        for (int i = 0; i < n; ++i) {
+          from.rhs[i] -= kept_.B[k * nf + f].a[i] * motions_[f];
+          s += kept_.C[k * nf + f].a[i] * g.rhs[i];
+        }
+        kept_.y[f] -= sum(where(g.used, s, 0.0));
+      }
+    std::copy(from.A, from.A + 36, g.A);
+    std::copy(from.rhs, from.rhs + 6, g.rhs);
+    g.coupled = from.coupled;
+    g.linked = false;
+  }
+  for (int i = 0; i < nf; ++i)
+    for (int j = 0; j < nf; ++j) kept_.y[i] -= kept_.corner[i * nf + j] * motions_[j];
+  B_ = kept_.B;
+  C_ = kept_.C;
+  std::copy(kept_.corner.begin(), kept_.corner.end(), corner_);
+  auto push = kept_.pushes.begin();
+  for (RingBody &r : b_.rings) {
+    r.force_lanes = *push++;
+    r.moment_lanes = *push++;
+  }
+}
+
+void BearingSystem::add_kept()
+{
+  for (int k = 0; k < columns(); ++k) y_[k] += kept_.y[k];
+}
+
 void BearingSystem::add_coupling(const Coupling &c, double h, double follows)
 {
   const size_t n = b_.border.size();

@@ -33,6 +33,13 @@ class BearingSystem {
   // Right-hand sides of the border and, if fresh, the part of D without contacts, at share s of the
   // step. Positions follow velocities over `follows` seconds.
   void add_border(double h, double follows, double s, bool fresh);
+  // Keeps the residuals and matrix of the raceways and of inertia, without cages and supports.
+  void keep();
+  // Sets them again, the residuals at the end of the corrections since keep(), to first order. Not
+  // with a flexible shaft.
+  void restore();
+  void add_kept();    // to the right-hand sides of the border, after add_border()
+  bool keeps() const { return b_.bends.empty(); }
   void factor();
   void solve();    // corrections: BodyGroup::rhs and y()
   void halve()     // the corrections of the border
@@ -69,6 +76,16 @@ class BearingSystem {
   std::vector<double> corner_apart_, motions_apart_;
   ShaftLift lift_;
   LinkChain chain_;
+  struct alignas(32) KeptGroup {
+    Lane A[36], rhs[6];
+    bool coupled;
+  };
+  struct {
+    std::vector<KeptGroup> groups;
+    std::vector<Column> B, C;
+    std::vector<double> corner, y;
+    std::vector<Vec3L> pushes;    // on rings: force and moment of each
+  } kept_;
 };
 
 }    // namespace raceway

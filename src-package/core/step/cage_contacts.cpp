@@ -18,12 +18,16 @@ Failure BearingForces::evaluate(const Stage &stage)
 {
   power_lost_ = contact_energy_ = film_work_ = 0.0;
   body_ = -1;
-  for (RingBody &r : b_.rings) {
-    r.force_lanes = r.moment_lanes = Vec3L();
-    r.force = r.moment = Vec3();
+  Failure failure = Failure::none;
+  if (stage.kept) {
+    system_.restore();
+  } else {
+    for (RingBody &r : b_.rings) r.force_lanes = r.moment_lanes = Vec3L();
+    failure = all_raceways(stage);
+    if (failure != Failure::none) return failure;
+    if (stage.keep) system_.keep();
   }
-  Failure failure = all_raceways(stage);
-  if (failure != Failure::none) return failure;
+  for (RingBody &r : b_.rings) r.force = r.moment = Vec3();
   rails(stage);
   failure = pockets(stage);
   if (failure != Failure::none) return failure;
