@@ -45,7 +45,7 @@ STYLES := $(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,styles contacts
 UNITS := pair implicit ring record electric compute ranks deck
 unit_pair = $(filter $(addprefix src-package/styles/,pair_% fix_bearing_profile% fix_bearing_state%),$(STYLES))
 unit_implicit = $(filter src-package/styles/fix_bearing_implicit%,$(STYLES))
-unit_ring = $(filter $(addprefix src-package/styles/fix_bearing_,ring% shaft% cage% heat%),$(STYLES))
+unit_ring = $(filter $(addprefix src-package/styles/fix_bearing_,ring% shaft% cage% heat% grains%),$(STYLES))
 unit_record = $(filter $(addprefix src-package/styles/,fix_bearing_record% record_% find_record_%),$(STYLES))
 unit_electric = $(filter $(addprefix src-package/styles/fix_bearing_,capacitance% circuit%),$(STYLES))
 unit_compute = $(filter $(addprefix src-package/styles/,compute_% contact_% ring_values%),$(STYLES))
@@ -335,7 +335,7 @@ tree: setup
 
 # ---- physics for the tests: plain functions behind a C interface ---------------------------------------
 PHYSICS_CORE := $(filter build/obj/core/contact/% build/obj/core/geometry/% build/obj/core/numbers/%,$(CORE))
-PHYSICS_C := $(addprefix tests/physics/,physics_c.cpp law_c.cpp film_c.cpp friction_c.cpp capacitor_c.cpp \
+PHYSICS_C := $(addprefix tests/physics/,physics_c.cpp law_c.cpp film_c.cpp friction_c.cpp grain_c.cpp capacitor_c.cpp \
                                   cage_c.cpp)
 build/libraceway_physics.so: $(PHYSICS_C:tests/physics/%.cpp=build/obj-physics/%.o) $(PHYSICS_CORE)
 	@echo "  LINK $@"

@@ -15,6 +15,7 @@
 #include "../styles/fix_bearing_capacitance.h"
 #include "../styles/fix_bearing_checkpoint.h"
 #include "../styles/fix_bearing_circuit.h"
+#include "../styles/fix_bearing_grains.h"
 #include "../styles/fix_bearing_heat.h"
 #include "../styles/fix_bearing_implicit.h"
 #include "../styles/fix_bearing_profile.h"
@@ -49,6 +50,7 @@ template <class Registry> void register_bearing_styles(Registry &add)
   add.template fix<FixBearingCageRing>("bearing/cage/ring");
   add.template fix<FixBearingCapacitance>("bearing/capacitance");
   add.template fix<FixBearingCircuit>("bearing/circuit");
+  add.template fix<FixBearingGrains>("bearing/grains");
   add.template fix<FixBearingHeat>("bearing/heat");
   add.template fix<FixBearingProfile>("bearing/profile");
   add.template fix<FixBearingProgress>("bearing/progress");

@@ -113,6 +113,7 @@ int main()
   section("fix_cage", bearing::of_fix_cage::list);
   section("fix_capacitance", bearing::of_fix_capacitance::list);
   section("fix_circuit", bearing::of_fix_circuit::list);
+  section("fix_grains", bearing::of_fix_grains::list);
   section("fix_heat", bearing::of_fix_heat::list);
   section("fix_timestep", bearing::of_fix_timestep::list);
   printf("  ],\n");

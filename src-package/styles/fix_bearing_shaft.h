@@ -33,6 +33,11 @@ class FixBearingShaft : public FixBearingRing {
   void set_bend(const raceway::BendState &b) { bend_ = b; }
   raceway::BendProgram bend_program() const;
 
+  // For fix bearing/grains: the rigid shaft now, on all ranks (bearing axis third), and the load of
+  // grains at its centre from the next step on, N and N m. Collective.
+  raceway::RingAtom pose() const { return whole().shaft; }
+  void set_grain_load(const raceway::Vec3 &force, const raceway::Vec3 &moment);
+
   bearing::tag_t shaft() const override { return tags_.front(); }
   double place_on_shaft(int i) const override;
 

@@ -81,6 +81,13 @@ void FixBearingShaft::add_to_first(const RingAtom &shaft, const Vec3 &push, cons
   axes_.lab(moment - cross(shaft.e * place_on_shaft(i), push)).add_to(atom->torque[i]);
 }
 
+void FixBearingShaft::set_grain_load(const Vec3 &force, const Vec3 &moment)
+{
+  settings_.program.grains = true;
+  settings_.program.grain_force = force;
+  settings_.program.grain_moment = moment;
+}
+
 void FixBearingShaft::kick()
 {
   const Whole w = whole();

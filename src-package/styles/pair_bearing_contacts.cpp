@@ -18,6 +18,7 @@ void PairBearingHertz::rebuild_contacts()
   check_atoms();
   table_.raceway.clear();
   table_.sphere.clear();
+  grains_.clear();
   const int nlocal = atom->nlocal, *type = atom->type;
   for (int ii = 0; ii < list->inum; ++ii) {
     const int i = list->ilist[ii];
@@ -27,6 +28,10 @@ void PairBearingHertz::rebuild_contacts()
         const bool ring_first = coefficients_.is_ring(type[i]);
         // the owner of the ball does it
         if ((ring_first ? j : i) < nlocal) add_grooves(ring_first ? j : i, ring_first ? i : j);
+        continue;
+      }
+      if (coefficients_.grains(type[i], type[j])) {
+        grains_.emplace_back(i, j);
         continue;
       }
       const bool i_first = atom->tag[i] < atom->tag[j];

@@ -41,9 +41,9 @@ PairBearingHertz *PairBearingHertz::find(LAMMPS *lmp, const std::string &asked_b
 {
   PairBearingHertz *p = dynamic_cast<PairBearingHertz *>(lmp->force->pair);
   if (!p)
-    BRG_ALL_OF(lmp,
-               asked_by +
-                   " needs pair_style bearing/hertz or bearing/ehd before it, not below hybrid");
+    BRG_ALL_OF(lmp, asked_by + " needs pair_style bearing, bearing/hertz or bearing/ehd before it, "
+                               "not below hybrid; particles beside bearings have 'pair_coeff I J "
+                               "grain' and fix bearing/grains");
   return p;
 }
 
@@ -195,7 +195,8 @@ void PairBearingHertz::check_types(const std::vector<int> &count)
   cage_types_.clear();
   std::string types;
   for (int t = 1; t <= atom->ntypes; ++t)
-    if (count[t] > 0 && !coefficients_.is_named(t) && silent_types_.insert(t).second)
+    if (count[t] > 0 && !coefficients_.is_named(t) && !coefficients_.is_grain(t) &&
+        silent_types_.insert(t).second)
       types += ' ' + std::to_string(t);
   if (!types.empty() && comm->me == 0)
     BRG_WARN("pair_style bearing: no pair_coeff names type" + types +

@@ -40,6 +40,8 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bearing::PairCoefficients &coefficients() { return coefficients_; }
   bearing::SurfaceProfiles &profiles() { return profiles_; }    // set anew in every init of fixes
   const bearing::ContactTable &table() const { return table_; }
+  // Grains that may touch, local indices, until the table is built again; for fix bearing/grains.
+  const std::vector<std::pair<int, int>> &grains() const { return grains_; }
   std::vector<bearing::PocketRow> &pocket_rows() { return table_.pocket; }
   bearing::RingSum &ring_sum() { return ring_sum_; }
   FixBearingState *state() const { return state_; }
@@ -121,6 +123,7 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bigint without_rails_ = 0;      // cage balls
   int implicit_bits_ = 0;         // groups of fixes that advance contact states themselves
   bearing::ContactTable table_;
+  std::vector<std::pair<int, int>> grains_;
   bearing::ContactEvaluator evaluator_;
   bearing::RingSum ring_sum_;
   FixBearingState *state_ = nullptr;

@@ -147,6 +147,19 @@ def test_preload_by_a_spacer():
     assert pushes[0] > 100 and pushes[0] == pytest.approx(-pushes[1], rel=1e-6)
 
 
+@pytest.mark.parametrize("push", [-300.0, 300.0])
+def test_preload_by_a_spring(push):
+    """The spring's force goes through both bearings; the sliding one has the state of its load."""
+    seats = [Seat(0.1, B6208, 20e-6), Seat(0.3, B6208, 20e-6, spring=push)]
+    found = shaft.rest(Shaft([Section(0.4, 0.2)]), seats, [Load(0.2, (0.0, -1.0, 0.0))])
+    assert [one.load[2] for one in found.bearings] == pytest.approx([push, -push], rel=1e-6)
+    alone = static.equilibrium(B6208, 0.0, -push, clearance=20e-6)
+    state = found.bearings[1].state
+    assert state.inner.load.max() == pytest.approx(alone.inner.load.max(), rel=5e-3)
+    # it needs no other load
+    assert shaft.rest(Shaft([Section(0.4, 0.2)]), seats, []).residual <= shaft.EXACT
+
+
 def test_mistakes():
     seats = [Seat(0.1, B6208), Seat(0.3, B6208, floating=True)]
     with pytest.raises(ValueError, match="0.5 m is not on the shaft"):

@@ -29,6 +29,7 @@ NUMBERS: Mapping[str, Mapping[str, tuple[float | None, float, float]]] = {
         "at": (None, 0.0, 1e3),
         "clearance": (0.0, -1e-3, 1e-3),
         "phase": (0.0, -2 * math.pi, 2 * math.pi),
+        "spring": (0.0, -1e6, 1e6),
     },
     "loads": {"at": (None, 0.0, 1e3)},
     "discs": {

@@ -61,6 +61,9 @@ struct RingProgram {
   bool apart = false;       // such loads or unbalances exist
   Support support[SPIN];    // of displacements and tilts
   bool supported = false;
+  // Of grains, constant in the host's step and without the ramp; N, and N m about the centre
+  bool grains = false;
+  Vec3 grain_force, grain_moment;
   double spin_growth = 0.0;    // rad/s^2, of a driven spin
   double ramp = 0.0;           // s, over which the loads come on (3s^2 - 2s^3)
   double end = 0.0,
@@ -100,6 +103,7 @@ struct RingProgram {
     if (turning.size != 0.0)
       total += across_at(turning.speed * age_at(s) + turning.phase) * turning.size;
     total = total * share_of_load(s);
+    if (grains) total += grain_force;
     return unbalance.moment == 0.0 ? total : total + unbalance_force(unbalance, s, angle);
   }
   // The eccentric mass lags behind its acceleration about the ring's centre.
@@ -135,7 +139,8 @@ struct RingPlace {
 
 inline Vec3 RingProgram::moment_at(double s, const RingPlace &r) const
 {
-  const Vec3 total = (moment[0] + (moment[1] - moment[0]) * s) * share_of_load(s);
+  Vec3 total = (moment[0] + (moment[1] - moment[0]) * s) * share_of_load(s);
+  if (grains) total += grain_moment;
   if (!apart) return total;
   const Vec3 lever = (leverage[0] + (leverage[1] - leverage[0]) * s) * share_of_load(s);
   return total + cross(r.e, lever + unbalance_force(couple, s, r.angle));

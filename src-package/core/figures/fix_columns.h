@@ -272,6 +272,22 @@ const Column list[N] = {
 };
 }    // namespace of_fix_heat
 
+// ---- fix bearing/grains: energies since the start of the run
+namespace of_fix_grains {
+enum { CONTACTS, WORK, DISSIPATED, STORED, KINETIC, MX, MY, MZ, N };
+const Column list[N] = {
+    {"contacts", "", "contacts of grains with each other and with walls", raceway::has_none,
+     as_whole},
+    {"work", "J", "work of the walls on the grains; a shaft loses as much"},
+    {"dissipated", "J", "energy lost in contacts of the grains"},
+    {"stored", "J", "growth of the energy of motion and of contact springs"},
+    {"kinetic", "J", "energy of motion and spin of the grains, in all"},
+    {"mx", "kg m", "growth of the sum of mass times x: with gravity its work"},
+    {"my", "kg m", "growth of the sum of mass times y"},
+    {"mz", "kg m", "growth of the sum of mass times z"},
+};
+}    // namespace of_fix_grains
+
 // ---- fix bearing/timestep
 namespace of_fix_timestep {
 enum { LIMIT, SMALLEST, TIME, WALL, N };

@@ -35,9 +35,14 @@ void PairCoefficients::read_style(Arguments &args)
 void PairCoefficients::read_coeff(Arguments &args, int types)
 {
   const int i = args.integer("first type", 1, types), j = args.integer("second type", 1, types);
-  const int role = args.choice("role", {"inner", "outer", "sphere", "cage"});
+  const int role = args.choice("role", {"inner", "outer", "sphere", "cage", "grain"});
+  if (role != 4)
+    for (const int type : {i, j})
+      if (is_grain(type))
+        args.fail("type " + std::to_string(type) + " is a grain, cannot be of a bearing");
   if (role == 2) return read_spheres(args, i, j);
   if (role == 3) return read_cage(args, i, j, types);
+  if (role == 4) return read_grains(args, i, j);
   if (i == j) args.fail("ball and ring need different atom types");
   if (raceway(j, i))
     args.fail("the ball type comes first, and an earlier pair_coeff has it second");
@@ -100,6 +105,35 @@ void PairCoefficients::read_spheres(Arguments &args, int i, int j)
   s.factor = args.take("printed") ? 1.0 / (1.0 - s.nu1) : 1.0;
   if (args.more()) args.unknown("printed");
   spheres_[std::minmax(i, j)] = s;
+}
+
+bool take_grain_keyword(Arguments &args, GrainLaw &law)
+{
+  if (args.take("stiffness")) law.stiffness = args.positive("stiffness (N/m)");
+  else if (args.take("restitution"))
+    law.restitution = args.within("coefficient of restitution", 0.01, 1.0);
+  else if (args.take("friction")) law.friction = args.non_negative("coefficient of friction");
+  else return false;
+  return true;
+}
+
+void PairCoefficients::read_grains(Arguments &args, int i, int j)
+{
+  GrainLaw law;
+  while (args.more())
+    if (!take_grain_keyword(args, law)) args.unknown("stiffness, restitution, friction");
+  if (law.stiffness == 0.0) args.fail("'stiffness K' (N/m) of the grains is missing");
+  for (const int type : {i, j})
+    if (is_named(type))
+      args.fail("type " + std::to_string(type) + " is of a bearing, cannot be a grain");
+  grains_[std::minmax(i, j)] = law;
+  grain_type_.insert({i, j});
+}
+
+const GrainLaw *PairCoefficients::grains(int type_1, int type_2) const
+{
+  const auto it = grains_.find(std::minmax(type_1, type_2));
+  return it == grains_.end() ? nullptr : &it->second;
 }
 
 bool PairCoefficients::is_named(int type) const
@@ -205,7 +239,7 @@ double PairCoefficients::cutoff(int i, int j) const
 {
   // balls of one type are listed as neighbours so that overlapping ones can be refused at the start
   if (i == j && is_ball(i)) return 2.0 * sizes_.largest[i];
-  if (spheres(i, j)) return sizes_.largest[i] + sizes_.largest[j];
+  if (spheres(i, j) || grains(i, j)) return sizes_.largest[i] + sizes_.largest[j];
   const RacewayPhysics *p = raceway(j, i);
   if (!p) p = raceway(i, j);
   if (!p) return 0.0;

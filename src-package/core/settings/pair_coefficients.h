@@ -4,10 +4,12 @@
 #ifndef BEARING_PAIR_COEFFICIENTS_H
 #define BEARING_PAIR_COEFFICIENTS_H
 
+#include "../laws/grain_law.h"
 #include "../raceway/raceway_physics.h"
 #include "arguments.h"
 
 #include <map>
+#include <set>
 
 namespace bearing {
 
@@ -16,6 +18,9 @@ struct TypeSizes {
   std::vector<double> smallest, largest, mass;    // radii (m); the largest mass (kg)
   std::vector<int> count;
 };
+
+// One keyword of a contact of grains; false: the next word is not one.
+bool take_grain_keyword(Arguments &, raceway::GrainLaw &);
 
 class PairCoefficients {
  public:
@@ -29,7 +34,8 @@ class PairCoefficients {
   // pair_style bearing/hertz [axis x|y|z] [overlap_limit F] [raceway keywords]
   void read_style(Arguments &);
   // pair_coeff BALL RING inner|outer R r_c [gothic_arch G] [keywords]
-  // or pair_coeff I J sphere E1 nu1 E2 nu2 [printed], or pair_coeff BALL CAGE cage
+  // or pair_coeff I J sphere E1 nu1 E2 nu2 [printed], or pair_coeff BALL CAGE cage,
+  // or pair_coeff I J grain stiffness K restitution E friction MU
   void read_coeff(Arguments &, int types);
   // Derives the constants of the raceways. Returns an error in raceways or atoms, or "".
   std::string prepare(const TypeSizes &);
@@ -47,7 +53,8 @@ class PairCoefficients {
   bool is_ring(int type) const { return type < (int)ring_type_.size() && ring_type_[type]; }
   bool is_ball(int type) const { return type < (int)ball_type_.size() && ball_type_[type]; }
   bool is_cage(int type) const { return type < (int)cage_type_.size() && cage_type_[type]; }
-  bool is_named(int type) const;    // in some pair_coeff
+  bool is_named(int type) const;    // in some pair_coeff of a bearing
+  bool is_grain(int type) const { return grain_type_.count(type) > 0; }
   // Sides on which a ball type has a raceway: 1 inner, 2 outer, or their sum.
   int sides_of(int ball_type) const;
   bool any_raceway() const { return !raceways_.empty(); }
@@ -62,6 +69,7 @@ class PairCoefficients {
   double pitch_radius(int ring_type) const;
   bool any_spheres() const { return !spheres_.empty(); }    // with cage balls or one another
   const Spheres *spheres(int type_1, int type_2) const;     // null if none
+  const raceway::GrainLaw *grains(int type_1, int type_2) const;    // null if none
   // Parts of the contact law (core/contact/contact.h), one law for all raceways.
   unsigned law() const { return law_; }
   const raceway::LawFacts &facts() const { return facts_; }
@@ -82,6 +90,7 @@ class PairCoefficients {
   void read_spheres(Arguments &, int i, int j);
   void read_cage(Arguments &, int ball, int cage, int types);
   bool is_there(const GrooveName &) const;
+  void read_grains(Arguments &, int i, int j);
   std::string wrong_size(const GrooveName &, const raceway::RacewayPhysics &) const;
   std::string wrong_rings() const;
   void set_law(unsigned parts);
@@ -91,8 +100,10 @@ class PairCoefficients {
   int axis_ = 2;
   double overlap_limit_ = 0.05;
   std::map<GrooveName, raceway::RacewayPhysics> raceways_;
-  std::map<std::pair<int, int>, Spheres> spheres_;    // smaller type first
-  std::vector<char> ring_type_, ball_type_;           // a cage that is one ring is a ring
+  std::map<std::pair<int, int>, Spheres> spheres_;             // smaller type first
+  std::map<std::pair<int, int>, raceway::GrainLaw> grains_;    // smaller type first
+  std::set<int> grain_type_;
+  std::vector<char> ring_type_, ball_type_;    // a cage that is one ring is a ring
   std::vector<char> cage_type_;
   TypeSizes sizes_;
   double creep_ = 0.0;    // of the last smooth_friction(), 0: none

@@ -27,7 +27,8 @@ examples:
   raceway shaft rotor.toml --reduced build/rotor.modes
 
 Exit codes: 0 done, 1 no equilibrium or unusable data, 2 wrong command line."""
-SHOWN = 6  # natural frequencies in the table
+SHOWN = 6  # natural frequencies and critical speeds
+FASTEST = 1e4  # rad/s, of critical speeds
 AXES = ("x", "y", "z", "rx", "ry")
 
 
@@ -154,7 +155,7 @@ def reduce(case: Any, rest: Any, arguments: argparse.Namespace) -> None:
 def figures(case: Any, rest: Any, folder: str | None, cleanliness: str) -> dict[str, Any]:
     """Figures by name in SI units of a `shaft_file.Case` and its `shaft.Rest`."""
     from raceway import catalogue, inputs
-    from raceway.theory import life, shaft_motion
+    from raceway.theory import life, shaft_modes, shaft_motion
 
     viscosity = None
     if case.lubricant is not None:
@@ -194,7 +195,10 @@ def figures(case: Any, rest: Any, folder: str | None, cleanliness: str) -> dict[
                 row.update(life_factor=found.factor)
         bearings.append(row)
     rigid = shaft_motion.rigid(case.shaft, rest)
-    frequencies = shaft_motion.frequencies(case.shaft, rest, case.rpm * math.pi / 30)
+    speed = case.rpm * math.pi / 30
+    frequencies = shaft_motion.frequencies(case.shaft, rest, speed)
+    modes = shaft_modes.modes(case.shaft, rest, speed)[:SHOWN]
+    critical = shaft_modes.critical_speeds(case.shaft, rest, FASTEST)[:SHOWN]
     return dict(
         rpm=case.rpm,
         lubricant=case.lubricant,
@@ -204,6 +208,13 @@ def figures(case: Any, rest: Any, folder: str | None, cleanliness: str) -> dict[
         residual=rest.residual,
         rigid=rigid_figures(rigid),
         frequencies_Hz=(frequencies / (2 * math.pi)).tolist(),
+        modes=[
+            dict(frequency_Hz=one.speed / (2 * math.pi), shape=one.shape, whirl=one.whirl)
+            for one in modes
+        ],
+        critical_speeds=[
+            dict(rpm=one.speed * 30 / math.pi, shape=one.shape, whirl=one.whirl) for one in critical
+        ],
     )
 
 
@@ -233,13 +244,23 @@ def table(result: dict[str, Any]) -> str:
         units = ("m", "m", "m", "rad", "rad")
         rows.append([prefixed(z, "m"), *map(_cell, place, units)])
     body = result["rigid"]
-    first = ", ".join(prefixed(one, "Hz") for one in result["frequencies_Hz"][:SHOWN])
+    modes = [
+        [prefixed(one["frequency_Hz"], "Hz"), one["shape"], one["whirl"]] for one in result["modes"]
+    ]
+    critical = [
+        [f"{one['rpm']:.5g} rpm", one["shape"], one["whirl"]] for one in result["critical_speeds"]
+    ]
     return "\n".join(
         [
             *text,
             *_block(rows),
             "",
-            f"Natural frequencies at {result['rpm']:g} rpm: {first}",
+            f"Natural frequencies at {result['rpm']:g} rpm",
+            *_block(modes),
+            "",
+            f"Critical speeds up to {FASTEST * 30 / math.pi:.2g} rpm",
+            *_block(critical or [["none"]]),
+            "",
             rigid_line(body),
         ]
     )

@@ -35,8 +35,13 @@ class Seat:
     clearance: float = 0.0  # m, diametral
     # (5,), m and rad: where the outer ring sits off its place, x, y, z, rx, ry
     offset: tuple[float, ...] = (0.0,) * FREEDOMS
-    floating: bool = False  # the outer ring slides along z: no axial load
+    floating: bool = False  # the outer ring slides along z: no axial load but that of a spring
+    spring: float = 0.0  # N, along z: force of a soft spring on the outer ring, which then slides
     phase: float = 0.0  # rad, azimuth of the first ball
+
+    @property
+    def slides(self) -> bool:
+        return self.floating or self.spring != 0.0
 
 
 @dataclass(frozen=True)
@@ -116,7 +121,7 @@ def rest(
     for load in loads:
         at = FREEDOMS * node[load.at]
         given[at : at + FREEDOMS] += [*load.force, *load.moment]
-    if not seats or not np.any(given):
+    if not seats or not (np.any(given) or any(one.spring for one in seats)):
         raise NoEquilibrium("a shaft at rest needs bearings and a load")
     holders = [_Holder(seat, FREEDOMS * node[seat.at], speed, ball_density) for seat in seats]
     place = np.zeros(len(given))
@@ -130,7 +135,7 @@ def rest(
 
 
 class _Holder:
-    """A bearing's forces on the shaft, without axial force if it slides along z."""
+    """A bearing's forces on the shaft, the axial one that of its spring if it slides along z."""
 
     def __init__(self, seat, first, speed, density):
         self.seat, self.at = seat, slice(first, first + FREEDOMS)
@@ -140,10 +145,11 @@ class _Holder:
     def state(self, place):
         relative = place[self.at] - self.seat.offset
         held = dict(zip(static.FREEDOMS, relative))
-        if self.seat.floating:
+        if self.seat.slides:
             del held["z"]
         return static.equilibrium(
             self.seat.bearing,
+            axial_load=-self.seat.spring,
             held=held,
             clearance=self.seat.clearance,
             phase=self.seat.phase,
@@ -155,14 +161,14 @@ class _Holder:
         try:
             state = self.state(place)
         except NoEquilibrium:
-            if not self.seat.floating:
+            if not self.seat.floating or self.seat.spring:
                 raise
             return np.zeros(FREEDOMS), np.zeros((FREEDOMS, FREEDOMS))  # nothing carries
         force = np.array([*state.force, *state.moment[:2]])
         stiffness = state.stiffness
-        if self.seat.floating:
+        if self.seat.slides:
             others = [0, 1, 3, 4]
-            force[2] = 0.0
+            force[2] = self.seat.spring
             full, stiffness = stiffness, np.zeros_like(stiffness)
             inner = full[np.ix_(others, others)]
             if full[2, 2] > 0:
@@ -172,11 +178,11 @@ class _Holder:
 
     def carried(self, place):
         state, relative = self.state(place), place[self.at] - self.seat.offset
-        if self.seat.floating:
+        if self.seat.slides:
             relative = np.array([*relative[:2], state.shift[2], *relative[3:]])
         force = -np.array([*state.force, *state.moment[:2]])
-        if self.seat.floating:
-            force[2] = 0.0
+        if self.seat.slides:
+            force[2] = -self.seat.spring
         return Carried(self.seat, relative, force, state, self.respond(place)[1])
 
 
@@ -184,7 +190,7 @@ def _newton(stiffness, given, holders, place, soft):
     """(place, what is left of the balance over the loads) with springs `soft` (N/m) to the
     ground."""
     lengths = np.tile([1.0, 1.0, 1.0, 0.1, 0.1], len(given) // FREEDOMS)  # m per unit of a place
-    size = np.abs(given / lengths).max()
+    size = max(np.abs(given / lengths).max(), *(abs(one.seat.spring) for one in holders), 0.0)
 
     def balance(at):
         left, slope = given - stiffness @ at - soft * lengths**2 * at, stiffness.copy()

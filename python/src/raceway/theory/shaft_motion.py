@@ -80,8 +80,13 @@ def frequencies(shaft: Shaft, rest: Rest, speed: float) -> Floats:
     [259, 482, 494]
     """
     z, whole = nodes(shaft, rest)
-    springs = np.zeros_like(whole.stiffness)
+    return beam_motion.frequencies(whole, springs(z, rest), speed)
+
+
+def springs(z: Floats, rest: Rest) -> Floats:
+    """(5 N, 5 N) stiffness of the bearings at the nodes `z` (N,) in m."""
+    whole = np.zeros((FREEDOMS * len(z), FREEDOMS * len(z)))
     for one in rest.bearings:
         first = FREEDOMS * int(np.argmin(np.abs(z - one.seat.at)))
-        springs[first : first + FREEDOMS, first : first + FREEDOMS] += one.stiffness
-    return beam_motion.frequencies(whole, springs, speed)
+        whole[first : first + FREEDOMS, first : first + FREEDOMS] += one.stiffness
+    return whole

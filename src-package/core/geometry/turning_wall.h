@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Walls that turn with a shaft, seen from its axis: the inside of a closed drum, and radial blades.
+#ifndef RACEWAY_TURNING_WALL_H
+#define RACEWAY_TURNING_WALL_H
+
+#include "../numbers/vec3.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raceway {
+
+// A sphere at a wall: overlap (m, negative if apart), unit normal from the wall to the sphere.
+struct WallTouch {
+  double overlap = -HUGE_VAL;
+  Vec3 n;
+};
+
+struct TurningWall {
+  bool drum = true;
+  int blades = 0;               // number of radial blades, the first at the shaft's angle
+  double r1 = 0.0, r2 = 0.0;    // m: radii of the blades' edges; r2 is also the drum's
+  double z1 = 0.0, z2 = 0.0;    // m, along the axis: both ends
+  int parts() const { return drum ? 3 : blades; }
+
+  // Part of the wall at a sphere of radius R with its centre at p; the axis is the third axis, and
+  // `angle` (rad) the wall's turn about it. Parts of a drum: shell, first and second end.
+  WallTouch touch(int part, const Vec3 &p, double R, double angle) const
+  {
+    const double r = std::hypot(p.x, p.y);
+    if (drum) {
+      if (part == 1) return {z1 + R - p.z, {0.0, 0.0, 1.0}};
+      if (part == 2) return {p.z + R - z2, {0.0, 0.0, -1.0}};
+      if (!(r > 0.0)) return {};
+      return {r + R - r2, {-p.x / r, -p.y / r, 0.0}};
+    }
+    const double a = angle + 2.0 * M_PI * part / blades;
+    const Vec3 out = {std::cos(a), std::sin(a), 0.0}, side = {-out.y, out.x, 0.0};
+    const double u = dot(p, out), t = dot(p, side);
+    const Vec3 d = out * (u - std::clamp(u, r1, r2)) + side * t +
+                   Vec3{0.0, 0.0, p.z - std::clamp(p.z, z1, z2)};
+    const double far = norm(d);
+    if (!(far > 0.0)) return {};
+    return {R - far, d * (1.0 / far)};
+  }
+  // True for a centre beyond the drum's walls.
+  bool lost(const Vec3 &p) const
+  {
+    return drum && (p.x * p.x + p.y * p.y > r2 * r2 || p.z < z1 || p.z > z2);
+  }
+};
+
+}    // namespace raceway
+
+#endif

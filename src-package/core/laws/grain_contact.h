@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Contact of a grain with a grain or a wall: linear spring and dashpot, friction by a spring with
+// history (Cundall and Strack, Geotechnique 29, 1979, 47; docs/fix_bearing_grains).
+#ifndef RACEWAY_GRAIN_CONTACT_H
+#define RACEWAY_GRAIN_CONTACT_H
+
+#include "../numbers/vec3.h"
+#include "grain_law.h"
+
+namespace raceway {
+
+// State of a contact from step to step. Forces and moments are those on the first body.
+struct GrainContact {
+  Vec3 spring;            // m, tangential
+  Vec3 force;             // N
+  Vec3 couple;            // N, normal times force: the moment on a body over its lever
+  Vec3 moment;            // N m, of the force about the centre of a turning wall
+  double energy = 0.0;    // J, of both springs
+};
+
+// Two bodies in a step: the second is a grain or a wall, which turns about its centre.
+struct GrainMeeting {
+  double mass;       // kg, reduced
+  double overlap;    // m
+  Vec3 n;            // unit normal towards the first body
+  Vec3 v;            // m/s, velocity of the first body's centre relative to the second's
+  Vec3 turn;         // m/s, sum of angular velocity times lever of the grains
+  Vec3 arm, spin;    // m, rad/s: of a wall, contact from its centre and angular velocity
+};
+
+// Advances a contact by dt (s) and returns the energy lost in it (J): the work of the bodies on the
+// contact less what the springs store. Velocities are those of the half step. With the mean of
+// forces and moments at both ends this is the loss of velocity Verlet, apart from the change of the
+// grains' levers in a step.
+inline double advance(GrainContact &c, const GrainLaw &law, const GrainMeeting &m, double dt)
+{
+  const GrainContact before = c;
+  c = GrainContact();
+  if (m.overlap > 0.0) {
+    const Vec3 v = m.v - cross(m.turn, m.n) - cross(m.spin, m.arm);
+    const double closing = -dot(v, m.n), damping = law.damping(m.mass),
+                 push = law.stiffness * m.overlap + damping * closing,
+                 normal = push > 0.0 ? push : 0.0;    // no attraction
+    const double kt = GrainLaw::tangential * law.stiffness;
+    const Vec3 slide = v + m.n * closing;
+    // the spring turns with the contact's plane and keeps its length
+    Vec3 s = before.spring - m.n * dot(before.spring, m.n);
+    const double length = norm(before.spring), left = norm(s);
+    if (left > 0.0) s = s * (length / left);
+    s += slide * dt;
+    Vec3 along = s * -kt - slide * (GrainLaw::tangential * damping);
+    const double most = law.friction * normal, wanted = norm(along);
+    if (wanted > most) {
+      along = along * (most / wanted);
+      s = along * (-1.0 / kt);
+    }
+    c.spring = s;
+    c.force = m.n * normal + along;
+    c.couple = cross(m.n, c.force);
+    c.moment = cross(m.arm, c.force);
+    c.energy = 0.5 * law.stiffness * m.overlap * m.overlap + 0.5 * kt * dot(s, s);
+  }
+  const double power = dot(before.force + c.force, m.v) - dot(before.couple + c.couple, m.turn) -
+                       dot(before.moment + c.moment, m.spin);
+  return -0.5 * dt * power - (c.energy - before.energy);
+}
+
+}    // namespace raceway
+
+#endif

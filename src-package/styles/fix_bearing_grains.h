@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix bearing/grains: contacts of grains with each other and with walls, which may turn with a
+// fix bearing/shaft and load it. Their sums are in order of tag, so bits do not depend on ranks.
+#ifdef FIX_CLASS
+FixStyle(bearing/grains,FixBearingGrains)
+#else
+#ifndef LMP_FIX_BEARING_GRAINS_H
+#define LMP_FIX_BEARING_GRAINS_H
+
+#include "../core/bodies/ring_program.h"
+#include "../core/geometry/turning_wall.h"
+#include "../core/laws/grain_contact.h"
+#include "../deck/column_list.h"
+#include "bearing_compat.h"
+
+#include <vector>
+
+namespace bearing {
+class Arguments;
+}
+
+namespace LAMMPS_NS {
+
+class FixBearingShaft;
+class PairBearingHertz;
+
+class FixBearingGrains : public Fix, public bearing::ColumnList {
+ public:
+  FixBearingGrains(class LAMMPS *, int, char **);
+  ~FixBearingGrains() override;
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void post_force(int) override;
+  double compute_vector(int) override;
+  std::vector<Item> columns() const override;
+
+  void grow_arrays(int) override;
+  void copy_arrays(int, int, int) override;
+  void set_arrays(int) override;
+  int pack_exchange(int, double *) override;
+  int unpack_exchange(int, double *) override;
+  int pack_restart(int, double *) override;
+  void unpack_restart(int, int) override;
+  int size_restart(int) override;
+  int maxsize_restart() override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+  double memory_usage() override;
+
+ private:
+  // With a grain of that tag, or with a part of the walls: tag 0
+  struct Contact {
+    bearing::tag_t tag = 0;
+    int part = 0;
+    raceway::GrainContact of;
+  };
+  struct Grain {
+    std::vector<Contact> contacts;
+    double lost = 0.0;    // J, since the start of the run; half of a contact with a grain
+  };
+  struct Wall {
+    raceway::TurningWall shape;
+    int shaft = -1;    // index in shafts_; -1: at rest
+    int first = 0;     // number of its first part
+  };
+  // A shaft with walls; all ranks know it. Bearing axis third.
+  struct Shaft {
+    std::string id;
+    FixBearingShaft *fix = nullptr;
+    raceway::RingAtom now, before;
+    raceway::Vec3 force, moment;    // of grains at its centre: N, N m
+  };
+  struct Velocity {
+    raceway::Vec3 v, w;
+  };
+  struct Neighbour {
+    int i, j;    // local indices, i is owned
+  };
+  struct Push {    // of a grain on a wall
+    bearing::tag_t tag;
+    int part, shaft;
+    raceway::Vec3 force, moment;    // on the shaft's centre
+    double work;                    // J, on the grain in the last step
+  };
+  struct Sums {
+    double lost = 0.0, kinetic = 0.0, elastic = 0.0, contacts = 0.0;
+    raceway::Vec3 first_moment;
+  };
+
+  void read_wall(bearing::Arguments &, bool drum);
+  void check_step() const;
+  void find_neighbours();
+  void find_shafts();
+  Velocity velocity(const Shaft *) const;
+  void act(bool advance);
+  void touch_grains(const Neighbour &, double dt, std::vector<Contact> &, double &lost,
+                    raceway::Vec3 &force, raceway::Vec3 &torque) const;
+  void touch_walls(int i, double dt, std::vector<Contact> &, double &lost, raceway::Vec3 &force,
+                   raceway::Vec3 &torque);
+  raceway::GrainContact kept(int i, bearing::tag_t, int part) const;
+  void load_shafts();
+  Sums sums() const;
+
+  static constexpr int most_contacts = 24, numbers_kept = 15;
+
+  PairBearingHertz *pair_;
+  raceway::LabAxes axes_;
+  raceway::GrainLaw wall_law_;
+  std::vector<Wall> walls_;
+  std::vector<Shaft> shafts_;
+  std::vector<Grain> grains_;
+  std::vector<Neighbour> neighbours_;
+  std::vector<Push> pushes_;
+  int build_ = -1;
+  double known_step_ = -1.0;    // the contacts are of this step
+  double work_ = 0.0;           // J, of the walls on the grains
+  Sums start_, now_;
+  bigint summed_ = -1;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif
