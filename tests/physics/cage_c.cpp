@@ -35,9 +35,9 @@ FORMULA(double, cage_churning,
 
 // A cage with ball and ring wherever a test puts them.
 RECORD(CageScene, double pockets, spherical, pitch, phase, along, across, stiffness, mass, friction,
-       creep, shear, guide, radius, clearance, width, viscosity, land_stiffness, x[3], v[3], w[3],
-       e[3], angle, ball_x[3], ball_v[3], ball_w[3], ball_radius, ball_mass, ring_x[3], ring_v[3],
-       ring_w[3], ring_e[3];)
+       creep, shear, guide, radius, clearance, width, viscosity, land_stiffness, wall, x[3], v[3],
+       w[3], e[3], angle, ball_x[3], ball_v[3], ball_w[3], ball_radius, ball_mass, ring_x[3],
+       ring_v[3], ring_w[3], ring_e[3];)
 RECORD(PocketOutput, double pocket, overlap, force[3], ball_torque[3], cage_moment[3], normal[3],
        loss, energy, push, stiffness, damping;)
 RECORD(LandOutput, double force[3], moment[3], share, loss, energy, push, displaced[4], moved[4];)
@@ -59,6 +59,7 @@ static CageRing cage_of(const CageScene &in)
   c.guide = CageRing::Guide(int(in.guide));
   c.land = {in.radius, in.clearance, in.width, 2, in.viscosity, 1.0};
   c.land_stiffness = in.land_stiffness;
+  c.wall = in.wall;
   return c;
 }
 

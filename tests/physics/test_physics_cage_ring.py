@@ -116,6 +116,7 @@ CAGE = dict(
     width=1.5e-3,
     viscosity=OIL,
     land_stiffness=3e8,
+    wall=0.0,
     angle=0.7,
     ball_radius=BALL,
     ball_mass=2e-3,
@@ -148,9 +149,10 @@ PUSHES = [(1.2, 0, 0), (-1.1, 0, 3), (0.8, 0.9, 0), (0, -1.3, -2), (-0.9, 0.7, 1
 @pytest.mark.parametrize("spherical", [0, 1])
 @pytest.mark.parametrize("push", PUSHES)
 @pytest.mark.parametrize("tilt", [0.0, 0.02])
-def test_a_pocket_keeps_angular_momentum_and_power(physics, push, tilt, spherical):
+@pytest.mark.parametrize("wall", [0.0, 1e6])
+def test_a_pocket_keeps_angular_momentum_and_power(physics, push, tilt, spherical, wall):
     for seed in range(5):
-        s = scene(4, np.array(push) * PLAY, seed, tilt, spherical=spherical)
+        s = scene(4, np.array(push) * PLAY, seed, tilt, spherical=spherical, wall=wall)
         c = physics.call("cage_pocket", s)
         assert c.pocket == 4 and c.overlap > 0
         about_cage = np.cross(s["ball_x"] - s["x"], c.force) + c.ball_torque + c.cage_moment
@@ -163,19 +165,21 @@ def test_a_pocket_keeps_angular_momentum_and_power(physics, push, tilt, spherica
         )
         dv = s["ball_v"] - s["v"] - np.cross(s["w"], s["ball_x"] - s["x"])
         rate = -np.dot(dv, c.normal)
-        stored = s["stiffness"] * c.overlap**1.5 * rate
+        stored = (wall * c.overlap if wall else s["stiffness"] * c.overlap**1.5) * rate
         assert power + c.loss + stored == pytest.approx(0, abs=1e-9 * abs(power) + 1e-15)
 
 
 @pytest.mark.parametrize("along, across", [(PLAY, PLAY), (2 * PLAY, PLAY), (PLAY, 3 * PLAY)])
 @pytest.mark.parametrize("spherical", [0, 1])
-def test_the_force_of_a_pocket_is_the_slope_of_its_energy(physics, along, across, spherical):
+@pytest.mark.parametrize("wall", [0.0, 1e6])
+def test_the_force_of_a_pocket_is_the_slope_of_its_energy(physics, along, across, spherical, wall):
     draw = np.random.default_rng(3)
     hits = 0
     for _ in range(40):
         push = draw.uniform(-1, 1, 3) * np.array([along, across, PLAY]) * 1.4
         still = {name: np.zeros(3) for name in ("v", "w", "ball_v", "ball_w")}
         rest = still | dict(friction=0.0, along=along, across=across, spherical=spherical)
+        rest["wall"] = wall
         c = physics.call("cage_pocket", scene(2, push, tilt=0.01, **rest))
         hits += c.overlap > 0
         s, step = scene(2, push, tilt=0.01, **rest), 1e-9
@@ -188,6 +192,19 @@ def test_the_force_of_a_pocket_is_the_slope_of_its_energy(physics, along, across
         slope = [(energy(k, -step) - energy(k, step)) / (2 * step) for k in range(3)]
         assert c.force == pytest.approx(slope, abs=1e-4 * (1e-3 + np.linalg.norm(c.force)))
     assert 10 < hits < 40
+
+
+def test_a_wall_is_a_spring_with_a_damper_that_grows(physics):
+    """k x + 2 sqrt(k m) min(1, x/x_1) dx/dt, with x_1 a fiftieth of the half play."""
+    still = {name: np.zeros(3) for name in ("v", "w", "ball_w")}
+    k, mass = 1e6, 2e-3 * 0.01 / (2e-3 + 0.01)
+    for overlap, v in ((0.5e-6, 1e-2), (1e-6, -1e-3), (5e-6, 1e-2), (1e-6, -1.0)):
+        s = scene(0, (PLAY + overlap, 0, 0), shear=0.0, friction=0.0, wall=k, **still)
+        s["ball_v"] = -v * np.array(physics.call("cage_pocket", s | dict(ball_v=np.zeros(3))).normal)
+        c = physics.call("cage_pocket", s)
+        damper = 2 * np.sqrt(k * mass) * min(1.0, overlap / (0.02 * PLAY))
+        assert c.overlap == pytest.approx(overlap, rel=1e-6)
+        assert c.push == pytest.approx(max(k * overlap + damper * v, 0.0), rel=1e-6)
 
 
 def test_friction_brakes_a_spinning_ball_with_its_coefficient(physics):

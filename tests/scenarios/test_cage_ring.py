@@ -103,7 +103,9 @@ def test_a_free_cage_slows_as_its_oil_says(tmp_path, integrator):
     )
 
 
-@pytest.mark.parametrize("words", ["planar yes", f"planar no {LAND} oil 0.04 0.3 4.4e-3"])
+@pytest.mark.parametrize(
+    "words", ["planar yes", "wall 1e6 planar yes", f"planar no {LAND} oil 0.04 0.3 4.4e-3"]
+)
 def test_work_is_stored_or_lost(tmp_path, words):
     outcome, cage = scene(tmp_path, span=0.03, words=f"friction 0.1 {words}")
     found = re.search(r"ENERGY work (\S+) own (\S+) dissipated (\S+) stored (\S+)", outcome.text)
@@ -233,6 +235,54 @@ def test_a_cage_bears_gravity(tmp_path, integrator, fall):
     assert 0.02 < cage[:, 7].max() < 50
 
 
+@pytest.mark.parametrize("fall", ["1 0 0", "0 1 0", "-1 0 0", "0 -1 0"])
+@pytest.mark.parametrize("speed", [1, 100, 1000])
+def test_no_ball_leaves_its_pocket_under_gravity(tmp_path, speed, fall):
+    """A ball beyond a wall by a tenth of its radius ends a run. Two ball passes at 1 rad/s, a turn
+    of the cage above. The cage hangs on two balls at most a spacing apart, which leave the pitch
+    circle by the clearance, and walls yield."""
+    passes = 2 if speed == 1 else 9
+    _, cage = scene(
+        tmp_path,
+        speed=speed,
+        span=passes * 2 * np.pi / 9 / (0.396 * speed),
+        dt=2e-3 if speed == 1 else 1.5e-2 / speed,
+        inner=f"x free y free spin speed {speed} force 0 -1000 0 ramp 2.0e-3",
+        words="friction 0.1 wall 1e6 planar yes",
+        weight=9.81,
+        fall=fall,
+    )
+    largest = cage[:, 6].max()
+    assert 0.1 < largest < 200
+    assert np.hypot(cage[:, 2], cage[:, 3]).max() < (1e-4 + 5e-6 + largest / 1e6) / np.cos(np.pi / 9)
+    turned = np.ptp(cage[:, 5]) / np.ptp(cage[:, 1])
+    assert turned == pytest.approx(speed * (1 - BALL / PITCH) / 2, rel=2e-2)
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        *(
+            dict(
+                outer=f"x free y free support x {0.3 * w**2} {0.03 * w} "
+                f"support y {0.3 * w**2} {0.03 * w}",
+                inner="x free y free spin speed 157 force 0 -30 0 ramp 2.0e-3",
+                weight=9.81,
+                fall="0 -1 0",
+            )
+            for w in 2 * np.pi * np.array([20, 100, 300])
+        ),
+        dict(inner="x free y free spin speed 157 force 0 -20000 0 ramp 1.0e-3"),
+    ],
+    ids=["20 Hz", "100 Hz", "300 Hz", "shock of 20 kN"],
+)
+def test_no_ball_leaves_its_pocket_on_soft_housings_or_in_a_shock(tmp_path, changes):
+    _, cage = scene(tmp_path, span=0.08, dt=1e-4, words="friction 0.1 wall 1e6 planar yes", **changes)
+    assert 0.1 < cage[:, 6].max() < 200
+    turned = np.ptp(cage[:, 5]) / np.ptp(cage[:, 1])
+    assert turned == pytest.approx(157 * (1 - BALL / PITCH) / 2, rel=2e-2)
+
+
 @pytest.mark.parametrize(
     "changes, message",
     [
@@ -247,6 +297,7 @@ def test_a_cage_bears_gravity(tmp_path, integrator, fall):
             "on the wrong land: 'guide inner' with radius 0.031",
         ),
         (dict(words="oil 0.04 0.3 4e-3", play=0), "shears in its play, which is 0"),
+        (dict(words="wall -1"), "stiffness of the walls of a pocket .*is -1, must be > 0"),
         (dict(words="friction 2"), "friction of ball and cage is 2, must be from 0 to 1"),
         (dict(words="colour red"), "unknown .*colour.*pockets, play, across"),
         (dict(coeff="print none"), "no pair_coeff 1 2 cage before this command"),

@@ -4,8 +4,8 @@
 //
 // A pocket is a slot along its radial axis p. Its half plays are c_t along the pitch circle and c_z
 // along the bearing's axis. A cylindrical pocket leaves the ball free along p; a spherical one
-// holds it there as well. Ball and wall touch by damped_hertz.h. Coulomb friction opposes the
-// sliding of the ball's surface on the wall, smoothed below `creep`; oil in the wrap shears with
+// holds it there as well. Ball and wall touch by damped_hertz.h or, if the bars of the cage give way
+// more than the contact does, by pocket_wall.h. Coulomb friction opposes the sliding of the ball's surface on the wall, smoothed below `creep`; oil in the wrap shears with
 // the relative spin. Forces on ball and cage act through one point, so momentum and angular
 // momentum are kept.
 #ifndef RACEWAY_CAGE_RING_H
@@ -14,6 +14,7 @@
 #include "../laws/cage_drag.h"
 #include "../laws/damped_hertz.h"
 #include "../laws/hertz.h"
+#include "../laws/pocket_wall.h"
 #include "../numbers/vec3.h"
 
 namespace raceway {
@@ -25,6 +26,7 @@ struct CageRing {
   double pitch = 0.0, phase = 0.0;        // m, circle of the pockets; rad, of the first pocket
   double along = 0.0, across = 0.0;       // m, half plays along the circle and along the axis
   double stiffness = 0.0;                 // N/m^1.5, of ball on wall
+  double wall = 0.0;                      // N/m, of a pocket whose bars bend; 0: Hertz
   double mass = 0.0;                      // kg
   double friction = 0.0, creep = 1e-2;    // of ball on wall; m/s
   double shear = 0.0;                     // N m s, pocket_shear()
@@ -33,6 +35,11 @@ struct CageRing {
   double land_stiffness = 0.0;    // N/m^1.5, of cage on land
   double oil_share = 0.0, oil_density = 0.0, oil_viscosity = 0.0, outer_radius = 0.0;    // churning
 
+  // m, play that counts: half of the smaller one, at least that of a bore a thousandth wider
+  double least_play(double ball_radius) const
+  {
+    return std::fmax(std::fmin(along, across), 1e-3 * ball_radius);
+  }
   double churning(double speed) const
   {
     return churning_couple(oil_share, oil_density, oil_viscosity, outer_radius, speed);
@@ -145,13 +152,18 @@ inline PocketContact pocket_contact(const CageRing &cage, const CageMotion &m, i
   c.rate = -dot(dv, n);
   const double reduced = ball.mass * cage.mass / (ball.mass + cage.mass);
   const bool touches = c.overlap > 0.0;
-  c.h = damped_hertz(cage.stiffness, touches ? c.overlap : barely, touches ? c.rate : 0.0, reduced);
+  const double overlap = touches ? c.overlap : barely, rate = touches ? c.rate : 0.0;
+  c.h = cage.wall > 0.0 ? damped_wall(cage.wall, full_damping * cage.least_play(ball.radius),
+                                      overlap, rate, reduced)
+                        : damped_hertz(cage.stiffness, overlap, rate, reduced);
   if (!touches) {
     c.h.force = 0.0;
     return c;
   }
-  c.energy = 0.4 / 1.5 * c.h.stiffness * c.overlap * c.overlap;
-  c.loss += damping_loss(c.h, c.overlap, c.rate);
+  const double linear = c.h.stiffness * c.overlap;
+  const double spring = cage.wall > 0.0 ? linear : linear / 1.5;
+  c.energy = (cage.wall > 0.0 ? 0.5 : 0.4) * spring * c.overlap;
+  c.loss += (c.h.force - spring) * c.rate;
   if (!(c.h.force > 0.0)) return c;
   // where both half plays differ the slot has straight walls, on which the normal does not turn
   const bool turns = cage.spherical || cage.along == cage.across || (qt != 0.0 && qz != 0.0);

@@ -39,6 +39,8 @@ void CageSettings::read(Arguments &args)
       if (inertia[0] > 2.0 * inertia[1])
         args.fail("inertia " + text(inertia[0]) + " " + text(inertia[1]) +
                   ": no body has more than twice as much about its axis as across it");
+    } else if (args.take("wall")) {
+      of.wall = args.positive("stiffness of the walls of a pocket (N/m)");
     } else if (args.take("young")) {
       young[0] = args.positive("Young's modulus of the balls (Pa)");
       young[1] = args.positive("Young's modulus of the cage (Pa)");
@@ -61,8 +63,8 @@ void CageSettings::read(Arguments &args)
     } else if (args.take("planar")) {
       planar = args.choice("planar", {"no", "yes"}) == 1;
     } else {
-      args.unknown("pockets, play, across, shape, phase, mass, inertia, young, poisson, friction, "
-                   "guide, oil, churning, planar");
+      args.unknown("pockets, play, across, shape, phase, mass, inertia, wall, young, poisson, "
+                   "friction, guide, oil, churning, planar");
     }
   }
   if (of.pockets == 0) args.fail("'pockets Z' is missing");

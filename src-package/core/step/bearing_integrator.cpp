@@ -77,8 +77,6 @@ static double slowest_contact(const BearingModel &model)
 {
   double slowest = 0.0;
   for (const BearingModel::Pocket &p : model.pockets) slowest = std::max(slowest, p.mass / p.K);
-  for (const BearingModel::Cage &c : model.cages)
-    slowest = std::max(slowest, c.of->mass / c.of->stiffness);
   return slowest;
 }
 
@@ -88,6 +86,10 @@ BearingIntegrator::BearingIntegrator(const BearingModel &model) :
 {
 }
 
+// The last correction of a cage that is one ring is a thirtieth of its allowed error, however long
+// the stage.
+static constexpr double of_ring = 30.0;
+
 // Weight of a cage ball's last correction in a stage of h seconds. Its tolerance is ten times finer
 // than that of the error. The error left in a contact force moves the cage ball by an amount that
 // grows with the square of the stage. The tolerance is therefore finer still if the stage is longer
@@ -95,6 +97,7 @@ BearingIntegrator::BearingIntegrator(const BearingModel &model) :
 double BearingIntegrator::cage_correction(const Settings &set, double h) const
 {
   if (!(set.cage > 10.0)) return 1.0;
+  if (!bodies_.model.cages.empty()) return std::min(1.0, of_ring / set.cage);
   const double stiffness = 1.5 * std::sqrt(set.cage * set.newton);    // over K
   const double pi = std::acos(-1.0), lasts2 = pi * pi * slowest_ / stiffness;
   const double finer = h * h > lasts2 ? 10.0 * h * h / lasts2 : 10.0;
@@ -287,6 +290,19 @@ static RACEWAY_INLINE T changed(const ErrorWeights &w, const T &from, const T &f
   return where(bend > change, bend, change);
 }
 
+// Error of a ball as one of its load, in a bearing whose cage is one ring: a ball outside the loaded
+// arc is thrown about between the raceways by its pocket. An error is wrong by the stiffness of its
+// contacts, but by no more than their load. `share`: of the largest stiffness; the load varies as
+// its cube, and the largest one is `full` (m) times two thirds of that stiffness. A free ball may
+// be off by 200 times as much as a loaded one.
+static RACEWAY_INLINE Lane of_load(const Lane &share, const Lane &off, double full)
+{
+  const Lane by_stiffness = share * off, by_load = share * share * share * (full / 1.5),
+             least = 0.005 * off;
+  const Lane less = where(by_stiffness < by_load, by_stiffness, by_load);
+  return where(less > least, less, least);
+}
+
 RACEWAY_LANES double BearingIntegrator::error(double h, const Settings &set) const
 {
   const bool drift = set.dampers_only, one = set.order == 1;
@@ -294,6 +310,9 @@ RACEWAY_LANES double BearingIntegrator::error(double h, const Settings &set) con
   const double full = drift ? 0.0 : light * largest_stiffness();
   const ErrorWeights weights =
       set.estimate ? ErrorWeights{sudden, bend_2 / gamma_2} : ErrorWeights();
+  // m/s, velocity error that is as large as the largest overlap; 0: no cage ring
+  const double whole =
+      drift || bodies_.model.cages.empty() ? 0.0 : forces_.largest_overlap() / (share * h);
   Lane off = {};
   for (const BodyGroup &g : bodies_.groups) {
     Lane counts = all_lanes(g.spins ? 1.0 : set.cage_error());
@@ -304,8 +323,10 @@ RACEWAY_LANES double BearingIntegrator::error(double h, const Settings &set) con
     }
     const Vec3L before = drift ? Vec3L() : one ? g.v_from : g.v_first;
     const Lane x = changed(weights, g.v_from.x, before.x, g.v.x),
-               z = changed(weights, g.v_from.z, before.z, g.v.z);
-    const Lane worse = where(x > z, x, z) * counts;
+               z = changed(weights, g.v_from.z, before.z, g.v.z), larger = where(x > z, x, z);
+    Lane worse = larger * counts;
+    if (whole > 0.0 && full > 0.0 && g.spins)
+      worse = of_load(g.stiffness * (light / full), larger, whole);
     off = where(g.used & (worse > off), worse, off);
   }
   double largest = std::max(std::max(off[0], off[1]), std::max(off[2], off[3]));

@@ -31,6 +31,7 @@
 //
 // The error of a ball with less than a hundredth of the largest load is weighted by the stiffness
 // of its contacts, down to a tenth: unloaded balls rattle by nanometres without effect on any load.
+// With a cage that is one ring the error of each ball is that of its load, down to a 200th.
 //
 // A relative tolerance is a fraction of the largest overlap of a ball and a raceway at the start of
 // the step, used if it exceeds the tolerance in m. It depends on the state alone, so a restart is

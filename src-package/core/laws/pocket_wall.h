@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Wall of a cage's pocket as a linear spring, the bending of its bars, with a damper that grows
+// over the first micrometres: the contact of multi-body programs (IMPACT of ADAMS and
+// MotionSolve, exponent 1).
+#ifndef RACEWAY_POCKET_WALL_H
+#define RACEWAY_POCKET_WALL_H
+
+#include "damped_hertz.h"
+
+#include <cmath>
+
+namespace raceway {
+
+// Overlap at which the damper is whole, over the half play of the pocket.
+constexpr double full_damping = 0.02;
+
+// k overlap + c overlap/whole overlap_rate, never attractive; c is the critical damping
+// 2 sqrt(k m), whole from the overlap `whole` (m) on. k: N/m, m: reduced mass, kg; overlap >= 0.
+inline DampedHertz damped_wall(double k, double whole, double overlap, double overlap_rate,
+                               double m)
+{
+  DampedHertz h;
+  const double critical = 2.0 * std::sqrt(k * m);
+  const bool grows = overlap < whole;
+  h.stiffness = k;
+  h.damping = grows ? critical * overlap / whole : critical;
+  h.force = std::fmax(k * overlap + h.damping * overlap_rate, 0.0);
+  h.growth = grows && overlap_rate > 0.0 ? k + critical * overlap_rate / whole : k;
+  return h;
+}
+
+}    // namespace raceway
+
+#endif
