@@ -254,7 +254,8 @@ def test_no_ball_leaves_its_pocket_under_gravity(tmp_path, speed, fall):
     )
     largest = cage[:, 6].max()
     assert 0.1 < largest < 200
-    assert np.hypot(cage[:, 2], cage[:, 3]).max() < (1e-4 + 5e-6 + largest / 1e6) / np.cos(np.pi / 9)
+    reach = (1e-4 + 5e-6 + largest / 1e6) / np.cos(np.pi / 9)
+    assert np.hypot(cage[:, 2], cage[:, 3]).max() < reach
     turned = np.ptp(cage[:, 5]) / np.ptp(cage[:, 1])
     assert turned == pytest.approx(speed * (1 - BALL / PITCH) / 2, rel=2e-2)
 
@@ -277,7 +278,8 @@ def test_no_ball_leaves_its_pocket_under_gravity(tmp_path, speed, fall):
     ids=["20 Hz", "100 Hz", "300 Hz", "shock of 20 kN"],
 )
 def test_no_ball_leaves_its_pocket_on_soft_housings_or_in_a_shock(tmp_path, changes):
-    _, cage = scene(tmp_path, span=0.08, dt=1e-4, words="friction 0.1 wall 1e6 planar yes", **changes)
+    words = "friction 0.1 wall 1e6 planar yes"
+    _, cage = scene(tmp_path, span=0.08, dt=1e-4, words=words, **changes)
     assert 0.1 < cage[:, 6].max() < 200
     turned = np.ptp(cage[:, 5]) / np.ptp(cage[:, 1])
     assert turned == pytest.approx(157 * (1 - BALL / PITCH) / 2, rel=2e-2)
