@@ -254,8 +254,8 @@ def test_no_ball_leaves_its_pocket_under_gravity(tmp_path, speed, fall):
     )
     largest = cage[:, 6].max()
     assert 0.1 < largest < 200
-    play = 1e-4 + 5e-6 + largest / 1e6
-    assert np.hypot(cage[:, 2], cage[:, 3]).max() < play / np.cos(np.pi / 9)
+    reach = (1e-4 + 5e-6 + largest / 1e6) / np.cos(np.pi / 9)
+    assert np.hypot(cage[:, 2], cage[:, 3]).max() < reach
     turned = np.ptp(cage[:, 5]) / np.ptp(cage[:, 1])
     assert turned == pytest.approx(speed * (1 - BALL / PITCH) / 2, rel=2e-2)
 
