@@ -33,7 +33,7 @@ FixBearingHeat::FixBearingHeat(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, nar
     args.fail("'housing_capacity' needs 'seat', the conductance from outer ring to housing");
   restart_global = 1;
   scalar_flag = vector_flag = 1;
-  size_vector = of::N;
+  size_vector = bearing::of_fix_heat::N;
   extscalar = extvector = 0;
   global_freq = 1;
   nevery = 1;

@@ -74,6 +74,7 @@ def test_off_is_free(tmp_path):
     assert "bearing/heat" in text and "bearing/heat" not in without
     deck.write_text(without)
     for name, path in (("off", "inputs/in.6208"), ("none", deck)):
-        succeed(path, out=tmp_path / name, lubricant="vg46", rpm=1910, passes=1, models="full")
+        succeed(path, out=tmp_path / name, lubricant="vg46", rpm=1910, settle=1, passes=1,
+                models="full")  # fmt: skip
     assert differing(tmp_path / "off", tmp_path / "none") == []
     assert values(tmp_path / "off")["jumps"] == ""

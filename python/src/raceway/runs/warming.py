@@ -3,9 +3,9 @@
 window."""
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
-import xarray as xr
 
 from raceway.core import laws
 from raceway.errors import RunError
@@ -13,6 +13,9 @@ from raceway.files import FilePath
 from raceway.rows import Row
 from raceway.runs.columns import HEAT
 from raceway.runs.tables import RunTables
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 FILE = "heat.txt"  # in the run's folder
 PARTS = ("inner", "balls", "outer", "housing", "oil")
@@ -32,9 +35,11 @@ ROWS = (
 )
 
 
-def transient(folder: FilePath) -> xr.Dataset:
+def transient(folder: FilePath) -> "xr.Dataset":
     """The jumps of the temperatures of the run in `folder`: a dataset over `thermal_time` in s,
     with units and meanings in `attrs`. Raises `RunError` where the run has none."""
+    import xarray as xr  # takes longer to load than a summary to compute
+
     path = Path(folder) / FILE
     try:
         lines = path.read_text().splitlines()
