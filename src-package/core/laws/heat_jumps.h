@@ -2,9 +2,9 @@
 // Temperatures of a bearing that jump from ball pass to ball pass (docs/heat). A pass gives mean
 // losses, which change little while temperatures do; they are taken to hold for as long as no
 // temperature moves by more than `change`. The contacts run at the temperatures that are predicted
-// for the end of a jump; the jump is then made with losses that go evenly from those at its start to
-// those at its end. So its error is of second order in `change`, and the heat that is booked is the
-// heat that was used.
+// for the end of a jump; the jump is then made with losses that go evenly from those at its start
+// to those at its end. So its error is of second order in `change`, and the heat that is booked is
+// the heat that was used.
 #ifndef RACEWAY_HEAT_JUMPS_H
 #define RACEWAY_HEAT_JUMPS_H
 

@@ -25,7 +25,8 @@ class RecordFile {
     NetcdfHeader::Attributes about;
   };
   // A row is its kind, its index in the layout and its values; a sample ends with its time, step
-  // and, with heat, the temperatures of each bearing (NAN: unknown). The index of a contact is (raceway * grooves + groove) * balls + ball.
+  // and, with heat, the temperatures of each bearing (NAN: unknown). The index of a contact
+  // is (raceway * grooves + groove) * balls + ball.
   enum Kind { BALL, CONTACT, CAGE, RING, END };
   // temperatures of a bearing: of_fix_heat from INNER to OIL
   enum { TEMPERATURES = of_fix_heat::OIL + 1 - of_fix_heat::INNER };

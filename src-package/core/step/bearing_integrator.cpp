@@ -8,8 +8,8 @@ namespace raceway {
 
 static const double gamma_2 = 1.0 - std::sqrt(0.5);     // length of a stage of order 2
 static const double beyond_2 = 1.0 + std::sqrt(2.0);    // (1 - gamma)/gamma
-// Error of the method for a velocity that grows with the square of time: of a position, over h times
-// the second divided difference of the velocities at 0, gamma h and h.
+// Error of the method for a velocity that grows with the square of time: of a position, over h
+// times the second divided difference of the velocities at 0, gamma h and h.
 static const double bend_2 = gamma_2 + (1.0 - gamma_2) * gamma_2 * gamma_2 - 1.0 / 3.0;
 
 static BearingIntegrator::Outcome &failed(BearingIntegrator::Outcome &o, Failure why, int body = -1)
@@ -290,8 +290,8 @@ static RACEWAY_INLINE T changed(const ErrorWeights &w, const T &from, const T &f
   return where(bend > change, bend, change);
 }
 
-// Error of a ball as one of its load, in a bearing whose cage is one ring: a ball outside the loaded
-// arc is thrown about between the raceways by its pocket. An error is wrong by the stiffness of its
+// Error of a ball as one of its load, in a bearing whose cage is one ring: a ball outside the
+// loaded arc is thrown about between the raceways by its pocket. An error is wrong by the stiffness of its
 // contacts, but by no more than their load. `share`: of the largest stiffness; the load varies as
 // its cube, and the largest one is `full` (m) times two thirds of that stiffness. A free ball may
 // be off by 200 times as much as a loaded one.
