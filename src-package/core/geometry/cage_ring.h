@@ -2,12 +2,13 @@
 // A cage as one rigid ring: pockets at equal angles on the pitch circle, and a land that may guide
 // it. Both integrators evaluate the same contact of a ball and its pocket.
 //
-// A pocket is a slot along its radial axis p. Its half plays are c_t along the pitch circle and c_z
-// along the bearing's axis. A cylindrical pocket leaves the ball free along p; a spherical one
-// holds it there as well. Ball and wall touch by damped_hertz.h or, if the bars of the cage give way
-// more than the contact does, by pocket_wall.h. Coulomb friction opposes the sliding of the ball's surface on the wall, smoothed below `creep`; oil in the wrap shears with
-// the relative spin. Forces on ball and cage act through one point, so momentum and angular
-// momentum are kept.
+// A pocket is a slot along its radial axis p. Its half plays are c_t along the pitch circle and
+// c_z along the bearing's axis. A cylindrical pocket leaves the ball free along p; a spherical
+// one holds it there as well. Ball and wall touch by damped_hertz.h or, if the bars of the cage
+// give way more than the contact does, by pocket_wall.h. Coulomb friction opposes the sliding of
+// the ball's surface on the wall, smoothed below `creep`; oil in the wrap shears with the
+// relative spin. Forces on ball and cage act through one point, so momentum and angular momentum
+// are kept.
 #ifndef RACEWAY_CAGE_RING_H
 #define RACEWAY_CAGE_RING_H
 

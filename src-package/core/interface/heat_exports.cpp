@@ -67,8 +67,8 @@ FORMULA(double, clearance_change,
   return clearance_change(inner_radius, outer_radius, ball_radius, inner, balls, outer);
 }
 
-// Temperatures (C) after `time` seconds with heat (W) into each node that goes evenly from `heat` to
-// `end`; returns the heat (J) carried to ambient.
+// Temperatures (C) after `time` seconds with heat (W) into each node that goes evenly from
+// `heat` to `end`; returns the heat (J) carried to ambient.
 EXPORT(double, heat_advance,
        (const HeatNetworkOf *net, const double heat[4], const double end[4], const double from[4],
         double time, double to[4]))

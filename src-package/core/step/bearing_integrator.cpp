@@ -291,10 +291,10 @@ static RACEWAY_INLINE T changed(const ErrorWeights &w, const T &from, const T &f
 }
 
 // Error of a ball as one of its load, in a bearing whose cage is one ring: a ball outside the
-// loaded arc is thrown about between the raceways by its pocket. An error is wrong by the stiffness of its
-// contacts, but by no more than their load. `share`: of the largest stiffness; the load varies as
-// its cube, and the largest one is `full` (m) times two thirds of that stiffness. A free ball may
-// be off by 200 times as much as a loaded one.
+// loaded arc is thrown about between the raceways by its pocket. An error is wrong by the
+// stiffness of its contacts, but by no more than their load. `share`: of the largest stiffness;
+// the load varies as its cube, and the largest one is `full` (m) times two thirds of that
+// stiffness. A free ball may be off by 200 times as much as a loaded one.
 static RACEWAY_INLINE Lane of_load(const Lane &share, const Lane &off, double full)
 {
   const Lane by_stiffness = share * off, by_load = share * share * share * (full / 1.5),
