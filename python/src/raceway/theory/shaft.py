@@ -35,7 +35,7 @@ class Seat:
     clearance: float = 0.0  # m, diametral
     # (5,), m and rad: where the outer ring sits off its place, x, y, z, rx, ry
     offset: tuple[float, ...] = (0.0,) * FREEDOMS
-    floating: bool = False  # the outer ring slides along z: no axial load but that of a spring
+    floating: bool = False  # the outer ring slides along z: no axial load except a spring's
     spring: float = 0.0  # N, along z: force of a soft spring on the outer ring, which then slides
     phase: float = 0.0  # rad, azimuth of the first ball
 
