@@ -61,7 +61,7 @@ def losses():
         LOAD,
         0.0,
         RPM,
-        size=(20e-3, 32e-3),
+        size=inputs.size(path),
     )
     found = [scene.at(oil, 0.0) for oil in OILS]
     return Losses(
