@@ -10,6 +10,7 @@ FixStyle(bearing/grains,FixBearingGrains)
 #include "../core/bodies/ring_program.h"
 #include "../core/geometry/turning_wall.h"
 #include "../core/laws/grain_contact.h"
+#include "../core/numbers/lab_axes.h"
 #include "../deck/column_list.h"
 #include "bearing_compat.h"
 
