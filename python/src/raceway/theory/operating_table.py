@@ -79,7 +79,7 @@ TOPICS = {
         row("h_c_m"),
         row("lambda"),
         Row("film_factor", "factor of inlet shear", "", "Murch-Wilson"),
-        Row("asperity_share", "load share of asperities", "", "Zhou-Hoeprich"),
+        Row("asperity_share", "load share of asperities", "", "Clarke"),
     ),
     "Friction torque": (
         Row("friction_torque_N_m", "of the inner ring", "N m", "power over speed"),
