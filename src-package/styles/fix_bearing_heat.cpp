@@ -372,7 +372,7 @@ void FixBearingHeat::write_restart(FILE *fp)
   const int size = static_cast<int>(sizeof now_ + rows);
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(&now_, sizeof now_, 1, fp);
-  fwrite(rows_.data(), 1, rows, fp);
+  if (rows) fwrite(rows_.data(), 1, rows, fp);
 }
 
 void FixBearingHeat::restart(char *buf)

@@ -192,20 +192,24 @@ void FixBearingRecord::begin(const bearing::Sampling &sampling)
   if (dumps_) begin_dumps();
 }
 
-// The host's text dumps of contacts, balls and rings, at ends of steps, in the folder of the record
+// The host's text dumps of contacts, balls and rings, at ends of steps, in the folder of the record.
+// run.yaml names their columns.
 void FixBearingRecord::begin_dumps()
 {
   const std::string every = std::to_string(nevery), resumed = resumed_ ? "yes" : "no";
+  const std::string columns = "id type x y z vx vy vz omegax omegay omegaz";
   for (const std::string &line :
        {std::string("compute contact balls bearing/contact usual"),
         "bearing_dump contacts balls " + every + " " + folder_ + "/contacts.dump contact append " +
-            resumed,
-        "dump balls all custom " + every + " " + folder_ +
-            "/balls.dump id type x y z vx vy vz omegax omegay omegaz",
+            resumed + " columns b_contact_columns",
+        "dump balls all custom " + every + " " + folder_ + "/balls.dump " + columns,
         "dump_modify balls append " + resumed + " " + bearing::line_format() +
             " \"%d %d %.12g %.12g %.12g %.12g %.12g %.12g %.12g %.12g %.12g\" sort id",
         "bearing_dump rings all " + every + " " + folder_ + "/rings.dat inner append " + resumed})
     input->one(line.c_str());
+  char name[] = "b_contact_columns";
+  note(NetcdfHeader::attribute("contact_columns", std::string(input->variable->retrieve(name))));
+  note(NetcdfHeader::attribute("ball_columns", columns));
 }
 
 void FixBearingRecord::note(NetcdfHeader::Attribute one, bool changes)

@@ -109,7 +109,7 @@ void FixBearingRun::write_restart(FILE *fp)
   const int size = static_cast<int>(sizeof now_ + past + words_.size() + 1);
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(&now_, sizeof now_, 1, fp);
-  fwrite(passes_.data(), 1, past, fp);
+  if (past) fwrite(passes_.data(), 1, past, fp);
   fwrite(words_.c_str(), 1, words_.size() + 1, fp);
 }
 

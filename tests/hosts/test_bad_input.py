@@ -242,7 +242,7 @@ DECKS = {
     ),
     "fix before pair style": (
         BOX + "group inner type 3\nfix r inner bearing/ring\n",
-        r"fix bearing/ring needs pair_style bearing/hertz or bearing/ehd before it",
+        r"fix bearing/ring needs pair_style bearing, bearing/hertz or bearing/ehd before it",
     ),
     "ring fix on balls": (
         DRY + "fix r balls bearing/ring\n",

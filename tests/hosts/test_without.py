@@ -63,12 +63,20 @@ def test_no_cage(tmp_path, whole):
 
 
 def test_starvation(tmp_path, whole):
-    """SKF's factor of the rolling couple, formula 10000 EN 2013; 1 without it."""
-    succeed("inputs/in.6208", out=tmp_path, without="starvation", **SCENE)
-    starved, flooded = (one["losses_W"]["rolling"] for one in (whole, Run(tmp_path).summary()))
+    """SKF's factor of the rolling couple, formula 10000 EN 2013, and the inlet of a groove, which
+    leaves at least half of the couple; 1 and a flooded inlet without them."""
+    succeed("inputs/in.6208", out=tmp_path / "flooded", without="starvation", **SCENE)
+    succeed("inputs/in.6208", out=tmp_path / "starved", **SCENE)
     nu = 1e6 * whole["viscosity_Pa_s"] / 858  # mm2/s; vg46 at 40 C
     factor = 2.718281828 ** (-3e-8 * nu * 477.5 * 120 * (1.55 / 40) ** 0.5)
-    assert starved / flooded == pytest.approx(factor, rel=2e-3)
+    starved, flooded = (commands(tmp_path / name) for name in ("starved", "flooded"))
+    found = float(starved.split(" rolling ")[1].split()[2])
+    assert found == pytest.approx(factor, rel=2e-3) and "rolling_inlet 3" in starved
+    assert float(flooded.split(" rolling ")[1].split()[2]) == 1 and "rolling_inlet" not in flooded
+    losses = [
+        Run(tmp_path / name).summary()["losses_W"]["rolling"] for name in ("starved", "flooded")
+    ]
+    assert 0.5 * factor < losses[0] / losses[1] < factor
 
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])

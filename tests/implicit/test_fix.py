@@ -325,7 +325,7 @@ def test_coarse_cage_balls_leave_unloaded_balls_at_rest(tmp_path):
         scene = deck_with(tmp_path, "bound")
         succeed(scene, out=out, settle=1, rpm=47.75, cage_tolerance=cage)
         found[cage] = summary(RunTables(out))["evaluations"]
-    assert found[1e-6] < 0.8 * found[1e-7]
+    assert found[1e-6] < 0.95 * found[1e-7]
 
 
 def test_an_error_may_be_larger_than_corrections(tmp_path):
