@@ -58,15 +58,15 @@ def test_couple_dissipates_twice_the_force(bearing):
 def test_hysteresis(bearing):
     r_x, r_y = bearing.effective_radii(INNER)
     a, b = hertz.semi_axes(hertz.exact(r_x, r_y), bearing.effective_modulus, 2436.2)
-    line = rolling.hysteresis(2436.2, b)
+    line = rolling.hysteresis(2436.2, b, 0.01)
     assert line == pytest.approx(1.1357e-3, abs=5e-8)
 
     def strip(z):  # the line's couple of a strip, with its own load and half-length
         half = np.sqrt(1 - z**2)
-        return rolling.hysteresis(0.75 * 2436.2 * half**2, b * half)
+        return rolling.hysteresis(0.75 * 2436.2 * half**2, b * half, 0.01)
 
     whole = quad(strip, -1, 1)[0]
-    assert rolling.hysteresis_strips(2436.2, b) == pytest.approx(whole, rel=1e-7)
+    assert rolling.hysteresis_strips(2436.2, b, 0.01) == pytest.approx(whole, rel=1e-7)
     assert whole / line == pytest.approx(0.88, abs=0.005)
 
 

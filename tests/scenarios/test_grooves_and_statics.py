@@ -118,10 +118,13 @@ def double_row(folder, fluid, **changes):
     folder.mkdir(exist_ok=True)
     loads = LOADS | changes
     film = f"{fluid.temperature_viscosity} {fluid.conductivity}"
+    path = catalogue.find("bearings", "7208")
+    of = friction_torque.surfaces(inputs.bearing(path), inputs.size(path), fluid, SPIN)
     words = (
         f"lubricant {fluid.viscosity} {fluid.pressure_viscosity} roughness 1.0e-7 0"
-        f" friction mixed 0.12 0.05 slices 1.0e-4 1 rolling {film} 1 rolling_hysteresis 0.01"
-        f" drag {fluid.density} 0.1 gap 1 gap_film power film_damping branch"
+        f" friction mixed 0.12 0.05 asperity_law clarke slices 1.0e-4 1 rolling {film}"
+        f" {of.starvation} rolling_inlet {of.inlet} rolling_hysteresis 0.016"
+        f" drag {fluid.density} {of.oil_share} gap 1 gap_film power film_damping branch"
         f" inlet_shear murch {film}"
     )
     text = (ROOT / "docs/decks/in.double_row").read_text()
@@ -153,6 +156,7 @@ def of_statics(fluid):
     path = catalogue.find("bearings", "7208")
     bearing = inputs.bearing(path, double_row=ROWS)
     oil = inputs.Oil(fluid.viscosity, fluid.pressure_viscosity, fluid.permittivity, 1e-7)
+    surfaces = friction_torque.surfaces(bearing, inputs.size(path), fluid, SPIN)
     film, places, powers, stiff = FilmInGap(fluid, SPIN), [], [], []
     for phase in np.arange(2) * np.pi / 13:
         options = {"load_azimuth": -np.pi / 2, "moment": (LOADS["moment"], 0.0), "phase": phase}
@@ -160,7 +164,9 @@ def of_statics(fluid):
         state, orbit = lubrication.turning(bearing, SPIN, *loads, film=film, **options)
         assert (state.inner.load > 0).all()
         films = lubrication.lubricate(bearing, state, oil, SPIN, factor=film.factor)
-        lost = friction_torque.losses(bearing, state, films, fluid, SPIN, orbit, **LAWS)
+        lost = friction_torque.losses(
+            bearing, state, films, fluid, SPIN, orbit, surfaces=surfaces, **LAWS
+        )
         places.append([*state.shift[1:], state.tilt[0]])
         powers.append([lost.parts[part] for part in friction_torque.PARTS])
         stiff.append(1 / np.linalg.inv(state.stiffness)[2, 2])

@@ -41,6 +41,7 @@ class Seat:
 
     @property
     def slides(self) -> bool:
+        """True if the outer ring slides along z."""
         return self.floating or self.spring != 0.0
 
 

@@ -38,7 +38,7 @@ def modes(shaft: Shaft, rest: Rest, speed: float) -> list[Mode]:
     >>> loads = [Load(0.2, (0.0, -3000.0, 500.0))]
     >>> still = rest(whole, [Seat(0.0, b), Seat(0.4, b)], loads)
     >>> [one.shape for one in modes(whole, still, 300.0)[:3]]
-    ['bending', 'axial', 'bending']
+    ['axial', 'parallel', 'parallel']
     """
     z, whole = nodes(shaft, rest)
     stiffness = whole.stiffness + springs(z, rest)
