@@ -192,8 +192,8 @@ void FixBearingRecord::begin(const bearing::Sampling &sampling)
   if (dumps_) begin_dumps();
 }
 
-// The host's text dumps of contacts, balls and rings, at ends of steps, in the folder of the record.
-// run.yaml names their columns.
+// The host's text dumps of contacts, balls and rings, at ends of steps, in the folder of the
+// record. run.yaml names their columns.
 void FixBearingRecord::begin_dumps()
 {
   const std::string every = std::to_string(nevery), resumed = resumed_ ? "yes" : "no";
