@@ -90,7 +90,6 @@ def test_torque(tmp_path, name, load, axial, rpm):
     body, film = inputs.bearing(path), FilmInGap(FLUID, ring)
     rest, orbit = turning(body, ring, load, axial, finite_shift=True, film=film)
     films = lubricate(body, rest, OIL, ring, factor=film.factor)
-    starvation = friction_torque.surfaces(inputs.size(path), FLUID, ring).starvation
-    surfaces = friction_torque.Surfaces(film=0.05, starvation=starvation)
+    surfaces = friction_torque.surfaces(body, inputs.size(path), FLUID, ring)
     lost = friction_torque.losses(body, rest, films, FLUID, ring, orbit, surfaces=surfaces)
     assert abs(run) == pytest.approx(lost.power / ring, rel=0.01)
