@@ -61,7 +61,7 @@ struct RingProgram {
   bool apart = false;       // such loads or unbalances exist
   Support support[SPIN];    // of displacements and tilts
   bool supported = false;
-  // Of grains, constant in the host's step and without the ramp; N, and N m about the centre
+  // Load of grains, constant in the host's step and without the ramp; N, and N m about the centre
   bool grains = false;
   Vec3 grain_force, grain_moment;
   double spin_growth = 0.0;    // rad/s^2, of a driven spin

@@ -25,7 +25,7 @@ inline double contact_conductance(double a, double b, double u)
   return integral * 2.0 * a * std::sqrt(2.0 * property * b * u / 3.14159265358979323846);
 }
 
-// What seats and housing of a radial bearing of these sizes (m) carry away per degree above
+// Heat that seats and housing of a radial bearing of these sizes (m) carry away per degree above
 // ambient, W/K, at the reference conditions of ISO 15312: W_s = q_r pi B (D + d)/50 K, q_r = 0.016
 // W/mm^2 (from memory, unchecked).
 inline double iso_15312_conductance(double bore, double outside, double width)

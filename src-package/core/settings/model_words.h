@@ -33,7 +33,7 @@ struct LubricatedBearing {
   double rpm = 0.0;
 };
 
-// What the kind of lubrication gives rolling resistance and drag
+// Numbers of rolling resistance and drag by the kind of lubrication
 struct LubricationWords {
   double starvation = 1.0, inlet = 0.0, share = 0.0;    // phi_rs; semi-axes b; X
 };

@@ -21,7 +21,7 @@ BATH = Supply()  # to the middle of the lowest ball
 
 
 class Numbers(NamedTuple):
-    """What a `Supply` gives friction."""
+    """Numbers of friction that a `Supply` sets."""
 
     inlet: float  # in semi-axes b along rolling; 0: flooded, 1: the shortest
     replenishment: float  # K_rs of SKF's starvation factor; 0: none
