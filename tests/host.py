@@ -31,7 +31,7 @@ ENVIRONMENT = dict(
     ASAN_OPTIONS="detect_leaks=0",
     UBSAN_OPTIONS="print_stacktrace=1",
 )
-# What decks of inputs are given unless a test says otherwise: the cheapest model, settled for one
+# Variables of decks of inputs unless a test says otherwise: the cheapest model, settled for one
 # ball pass. None leaves a variable to the deck.
 QUICK = {"models": "paper", "settle": 1}
 QUICK_DECKS = [ROOT / "inputs" / name for name in ("in.6208", "in.dry", "in.preload", "in.nocage")]

@@ -94,7 +94,7 @@ def reference(name):
 
 
 def rows():
-    """Of each point: name, point, own shares, SKF's."""
+    """(name, point, own shares, SKF's shares) of each point."""
     return [(name, one, *point(name, *one)) for name, points in POINTS.items() for one in points]
 
 

@@ -59,7 +59,7 @@ def test_given(tmp_path, host, ranks):
 
 @pytest.mark.parametrize("host", HOSTS)
 def test_known(tmp_path, host):
-    """Of the head, after `vars`, of a bearing, of an oil."""
+    """Variables of the head, after `vars`, of a bearing, of an oil."""
     words = dict(load=3000, tolerance=1e-9, ball_poisson=0.29, viscosity=0.05)
     succeed("inputs/in.6208", host=host, out=tmp_path, **words, **SHORT)
 

@@ -48,7 +48,7 @@ def values(folder):
 
 
 def digest(folder):
-    """Of the variables that records had at a7b5052."""
+    """Digest of the variables that records had at a7b5052."""
     known = sorted((name, data) for name, data in values(folder).items() if name not in LATER)
     total = hashlib.sha256()
     for name, data in known:

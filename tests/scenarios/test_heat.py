@@ -35,7 +35,7 @@ def test_steady_state_is_that_of_raceway_heat(warm):
 
 
 def test_heat_balances(warm):
-    """What the losses made is stored and carried away; in the end as much goes as comes."""
+    """Heat of the losses is stored or carried away; in the steady state all is carried away."""
     jumps = warm.heat
     booked, rest = jumps["booked"], jumps["carried"] + jumps["stored"]
     assert booked.to_numpy() == pytest.approx(rest.to_numpy(), rel=1e-9, abs=1e-9)
