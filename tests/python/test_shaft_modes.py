@@ -8,6 +8,8 @@ from raceway.theory import shaft_modes, shaft_motion
 from raceway.theory.beam import Disc, Section
 from raceway.theory.bearing import Bearing
 from raceway.theory.shaft import Load, Seat, Shaft
+from scipy.integrate import quad
+from scipy.optimize import brentq
 
 B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 
@@ -53,3 +55,34 @@ def test_shapes():
     assert set(names[:5]) == {"axial", "parallel", "conical"}
     assert names[:5].count("parallel") == names[:5].count("conical") == 2
     assert names[5] == "bending"
+
+
+def shaft_share(ratio):
+    """Share of the shaft in the strain energy of the lowest symmetric mode of a uniform
+    Euler-Bernoulli beam on a spring k at each end; `ratio` is k L^3/(E I).
+
+    y = cosh(b) cos(b s) + cos(b) cosh(b s), s = -1 ... 1, has no moment at its ends; b follows
+    from the shear there, which is the force of the spring.
+    """
+
+    def shear(b):
+        third = np.sin(b) * np.cosh(b) + np.cos(b) * np.sinh(b)
+        return 8 * b**3 * third - ratio * 2 * np.cosh(b) * np.cos(b)
+
+    b = brentq(shear, 1e-6, np.pi / 2)
+    c, d = np.cos(b), np.cosh(b)
+    bent = 8 * b**4 * quad(lambda s: (d * np.cos(b * s) - c * np.cosh(b * s)) ** 2, -1, 1)[0]
+    return bent / (bent + 2 * ratio * (2 * c * d) ** 2)
+
+
+@pytest.mark.parametrize("diameter", [0.02, 0.03, 0.04, 0.05, 0.08, 0.1, 0.12])
+def test_a_mode_is_bending_where_the_shaft_has_most_of_its_strain_energy(diameter):
+    whole = Shaft([Section(0.5, diameter)])
+    seats = [Seat(0.0, B6208), Seat(0.5, B6208, spring=-800.0)]
+    still = shaft.rest(whole, seats, [])
+    stiffness = shaft_motion.springs(shaft_motion.nodes(whole, still)[0], still)[0, 0]
+    share = shaft_share(stiffness * 0.5**3 / (210e9 * np.pi / 64 * diameter**4))
+    lowest = next(one for one in shaft_modes.modes(whole, still, 0.0) if one.whirl)
+    assert abs(share - 0.5) > 0.1
+    assert (lowest.shape == "bending") == (share > 0.5)
+    assert lowest.whirl == "planar"

@@ -16,7 +16,7 @@ from raceway.theory.shaft_motion import nodes, springs
 
 FREE = 1e-5  # of the median frequency: below, a free motion
 ROUND = 0.1  # circularity of an orbit below which it is called planar
-RIGID = 0.5  # share of a rigid motion in the inertia of a mode from which it is not called bending
+BENT = 0.5  # share of the shaft in the strain energy of a mode above which it is called bending
 
 
 class Mode(NamedTuple):
@@ -38,10 +38,17 @@ def modes(shaft: Shaft, rest: Rest, speed: float) -> list[Mode]:
     >>> loads = [Load(0.2, (0.0, -3000.0, 500.0))]
     >>> still = rest(whole, [Seat(0.0, b), Seat(0.4, b)], loads)
     >>> [one.shape for one in modes(whole, still, 300.0)[:3]]
-    ['axial', 'parallel', 'parallel']
+    ['axial', 'bending', 'bending']
     """
+    import scipy.linalg
+
     z, whole = nodes(shaft, rest)
-    stiffness = whole.stiffness + springs(z, rest)
+    bearings = springs(z, rest)
+    stiffness = whole.stiffness + bearings
+    if speed == 0:  # real shapes: the pairs of equal frequency of a still shaft are planar
+        squares, real = scipy.linalg.eigh(stiffness, whole.mass)
+        speeds = np.sqrt(np.maximum(squares, 0.0))
+        return _named(z, whole, bearings, list(zip(speeds, real.T, strict=True)))
     n = len(stiffness)
     inverse = np.linalg.inv(whole.mass)
     system = np.block(
@@ -53,7 +60,7 @@ def modes(shaft: Shaft, rest: Rest, speed: float) -> list[Mode]:
     values, vectors = np.linalg.eig(system)
     order = [k for k in np.argsort(values.imag) if values[k].imag > 0]
     found = [(values[k].imag, vectors[:n, k]) for k in order]
-    return _named(z, whole, found)
+    return _named(z, whole, bearings, found)
 
 
 def critical_speeds(shaft: Shaft, rest: Rest, highest: float) -> list[Mode]:
@@ -65,16 +72,19 @@ def critical_speeds(shaft: Shaft, rest: Rest, highest: float) -> list[Mode]:
     import scipy.linalg
 
     z, whole = nodes(shaft, rest)
-    stiffness = whole.stiffness + springs(z, rest)
+    bearings = springs(z, rest)
+    stiffness = whole.stiffness + bearings
     squares, vectors = scipy.linalg.eig(stiffness, whole.mass - 1j * whole.gyroscopic)
     real = (np.abs(squares.imag) < 1e-6 * np.abs(squares)) & (squares.real > 0)
     real &= squares.real <= highest**2
     order = [k for k in np.argsort(squares.real) if real[k]]
     found = [(float(np.sqrt(squares[k].real)), vectors[:, k]) for k in order]
-    return [one for one in _named(z, whole, found) if one.whirl]
+    return [one for one in _named(z, whole, bearings, found) if one.whirl]
 
 
-def _named(z: Floats, whole: Matrices, found: Sequence[tuple[float, Floats]]) -> list[Mode]:
+def _named(
+    z: Floats, whole: Matrices, bearings: Floats, found: Sequence[tuple[float, Floats]]
+) -> list[Mode]:
     rigid = _rigid_motions(z, whole)
     least = FREE * np.median([speed for speed, _ in found]) if found else 0.0
     named = []
@@ -82,7 +92,7 @@ def _named(z: Floats, whole: Matrices, found: Sequence[tuple[float, Floats]]) ->
         if speed < least:
             named.append(Mode(float(speed), "free", ""))
             continue
-        name = _shape(shape, whole.mass, rigid)
+        name = _shape(shape, whole, bearings, rigid)
         named.append(Mode(float(speed), name, "" if name == "axial" else _whirl(shape)))
     return named
 
@@ -100,21 +110,20 @@ def _rigid_motions(z, whole):
     return {"axial": flat[2:3], "parallel": flat[:2], "conical": flat[3:]}
 
 
-def _shape(shape, mass, rigid):
-    whole = np.real(np.conj(shape) @ mass @ shape)
-    along = shape.reshape(-1, FREEDOMS)[:, 2]
-    only = np.zeros((len(along), FREEDOMS), complex)
-    only[:, 2] = along
-    only = only.ravel()
-    if np.real(np.conj(only) @ mass @ only) > 0.5 * whole:
+def _shape(shape, whole, bearings, rigid):
+    along = np.where(np.arange(len(shape)) % FREEDOMS == 2, shape, 0.0)
+    if _quadratic(along, whole.mass) > 0.5 * _quadratic(shape, whole.mass):
         return "axial"
-    share = {
-        name: float((np.abs(motions @ mass @ shape) ** 2).sum() / whole)
-        for name, motions in rigid.items()
-    }
-    if share["parallel"] + share["conical"] < RIGID:
+    bent = _quadratic(shape, whole.stiffness)
+    if bent > BENT * (bent + _quadratic(shape, bearings)):
         return "bending"
+    share = {name: (np.abs(one @ whole.mass @ shape) ** 2).sum() for name, one in rigid.items()}
     return max(("parallel", "conical"), key=lambda name: share[name])
+
+
+def _quadratic(shape, matrix):
+    """Twice the energy of a complex shape: u* A u."""
+    return np.real(np.conj(shape) @ matrix @ shape)
 
 
 def _whirl(shape):
