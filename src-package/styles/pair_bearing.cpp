@@ -97,7 +97,8 @@ bearing::OilWords PairBearing::read_oil(const Arguments &args, const std::string
   else if (values.there("kinematic_viscosity_40")) laws.at("walther")(values);
   else if (const auto at = oil.of_file.find("temperature");
            at != oil.of_file.end() && args.number_in(at->second, "temperature") != t)
-    args.fail(oil.label + " has values for " + at->second + " C only, not for " + text(t) + " C");
+    args.fail(oil.label + " has values for " + at->second + " C only, not for " + text(t) +
+              " C: take a lubricant with physical data, vg46 for example");
   bearing::check_data(args, oil, "oil data");
   return oil.values;
 }

@@ -10,7 +10,7 @@ GROUPS = {
     "Theory, without a run": ("static", "heat", "stiffness", "shaft", "catalogue"),
     "Films as capacitors": ("electric", "circuit"),
     "Many runs": ("sweep", "gather", "needs", "dataset"),
-    "Measurements": ("measured", "identify", "track"),
+    "Measurements": ("measured", "compare", "identify", "track"),
     "The publication": ("paper",),
 }
 
