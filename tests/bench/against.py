@@ -82,9 +82,14 @@ def counts():
 
 
 def spent(tree, deck, variables, steps, instructions):
-    """(seconds, instructions or None) of one run."""
-    words = [str(tree / "build/liggghts"), "-in", f"tests/bench/{deck}", "-log", "none"]
-    for name, value in {**variables, "steps": steps}.items():
+    """(seconds, instructions or None) of a run of a deck of this folder."""
+    return program(tree, f"tests/bench/{deck}", {**variables, "steps": steps}, instructions)
+
+
+def program(tree, deck, variables, instructions):
+    """(seconds of the user, instructions or None) of a run of LIGGGHTS of a tree, in that tree."""
+    words = [str(tree / "build/liggghts"), "-in", str(deck), "-log", "none"]
+    for name, value in variables.items():
         words += ["-var", name, str(value)]
     with tempfile.NamedTemporaryFile("r") as report:
         if instructions:

@@ -3,10 +3,13 @@
 
 import platform
 import re
+import statistics
 import subprocess
+import tempfile
 from pathlib import Path
 
 PAGES = Path(__file__).resolve().parents[2] / "build" / "bench"
+YARDSTICK = Path(__file__).with_name("yardstick.cpp")
 
 
 def bench_file(name):
@@ -15,8 +18,20 @@ def bench_file(name):
     return PAGES / name
 
 
+def yardstick(rounds=9):
+    """Seconds of the fixed work of yardstick.cpp: median, smallest and largest of `rounds`."""
+    with tempfile.TemporaryDirectory() as folder:
+        program = Path(folder) / "yardstick"
+        subprocess.run(["g++", "-std=c++17", "-O2", YARDSTICK, "-o", program], check=True)
+        seconds = [
+            float(subprocess.run([program], capture_output=True, check=True).stdout.split()[0])
+            for _ in range(rounds)
+        ]
+    return statistics.median(seconds), min(seconds), max(seconds)
+
+
 def machine():
-    """Processor, compiler and host versions, in one line each."""
+    """Processor, compiler and host versions and the time of the yardstick, in one line each."""
     cpu = re.search(r"model name\s*:\s*(.+)", Path("/proc/cpuinfo").read_text()).group(1)
     gcc = subprocess.run(
         ["g++", "--version"], capture_output=True, text=True, check=True
@@ -32,4 +47,7 @@ def machine():
         f"compiler: {gcc}",
         f"host: LIGGGHTS {package} (Debian)",
         f"system: {platform.platform(terse=True)}",
+        "yardstick (fixed work, tests/bench/yardstick.cpp): {:.3f} s ({:.3f} to {:.3f})".format(
+            *yardstick()
+        ),
     ]

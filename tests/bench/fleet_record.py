@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Cost of recording one bearing and fleets; writes build/bench/fleet_record.rst.
+
+    .venv/bin/python tests/bench/fleet_record.py [rounds]
+
+A run of in.many with a record of all contacts at ten instants of every host step, over the same run
+that writes nothing, in turns. The cost of a run is that of its last 90 %: a run of a tenth of the
+steps is subtracted. Each record is opened: it must have the samples that its run was asked for, and
+the other run must have none.
+"""
+
+import sys
+import tempfile
+from datetime import date
+from pathlib import Path
+
+import against
+import raceway
+from machine import bench_file, machine
+
+WITHIN = 5  # samples in a host step
+STEP = 8.75e-4  # s: 200 samples a ball pass, as in the main deck
+STEPS = {1: 4000, 100: 80, 1000: 20}  # host steps by bearings
+MODELS = ("paper", "full")
+PAGE = bench_file("fleet_record.rst")
+DECK = """include inputs/in.many
+undump table
+unfix record
+{record}
+thermo_modify lost ignore
+run {steps}
+"""
+RECORD = "fix record all bearing/record 1 {out} within {within} overwrite yes"
+
+
+def run(folder, bearings, models, steps, recorded, instructions):
+    """(seconds, instructions or None) of one run; its record is checked."""
+    out = folder / ("record" if recorded else "nothing")
+    record = RECORD.format(out=out, within=WITHIN) if recorded else ""
+    deck = folder / "in.fleet"
+    deck.write_text(DECK.format(record=record, steps=steps))
+    variables = {
+        "bearings": bearings,
+        "columns": max(1, round(bearings**0.5)),
+        "models": models,
+        "record": "none",
+        "lubricant": "mineral",
+        "step": STEP,
+        "sample": STEP,
+        "time": 40 * STEP,
+        "overwrite": "yes",
+        "out": out,
+    }
+    cost = against.program(against.ROOT, deck, variables, instructions)
+    file = out / "record.nc"
+    if file.exists() != recorded:
+        sys.exit(f"{out}: a record {'is missing' if recorded else 'was written'}")
+    if recorded:
+        found = raceway.open(out).select(1).bearing.sizes["time"]
+        if found != WITHIN * steps + 1:  # that of the start is one more
+            sys.exit(f"{out} has {found} samples, not {WITHIN * steps + 1}")
+    return cost
+
+
+def ratios(folder, bearings, models, rounds, instructions):
+    """Recording over nothing written: ([ratio of seconds, ...], [ratio of instructions, ...])"""
+    found = ([], [])
+    steps = STEPS[bearings]
+    for n in range(rounds):
+        cost = {}
+        for recorded in (True, False) if n % 2 else (False, True):
+            long, short = (
+                run(folder, bearings, models, count, recorded, instructions)
+                for count in (steps, steps // 10)
+            )
+            cost[recorded] = [a - b for a, b in zip(long, short) if a is not None]
+        for k, (with_record, without) in enumerate(zip(cost[True], cost[False])):
+            found[k].append(with_record / without)
+    return found
+
+
+def main(rounds=5):
+    instructions = against.counts()
+    rows = []
+    for models in MODELS:
+        for bearings in STEPS:
+            with tempfile.TemporaryDirectory() as folder:
+                found = ratios(Path(folder), bearings, models, rounds, instructions)
+            rows.append((models, bearings, *map(against.spread, found)))
+            print(*rows[-1], flush=True)
+    lines = [
+        "Recording fleets",
+        "================",
+        "",
+        f"A record of all contacts at {WITHIN} instants of a host step of {STEP * 1e3:g} ms,",
+        "200 samples a ball pass, over the",
+        f"same run that writes nothing; median (range) of {rounds} rounds, {date.today()}.",
+        "",
+        ".. list-table::",
+        "   :header-rows: 1",
+        "",
+        *(f"   {'* -' if k == 0 else '  -'} {head}" for k, head in enumerate(HEADS)),
+    ]
+    for row in rows:
+        lines += [f"   {'* -' if k == 0 else '  -'} {value}" for k, value in enumerate(row)]
+    lines += ["", *(f"- {fact}" for fact in machine())]
+    PAGE.write_text("\n".join(lines) + "\n")
+    print(f"{PAGE} is written")
+
+
+HEADS = ("models", "bearings", "seconds of the user", "instructions")
+
+if __name__ == "__main__":
+    main(*map(int, sys.argv[1:]))
