@@ -14,6 +14,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 WORDS = 5  # shorter lines are titles, ends of sentences and names
 COMMENT = re.compile(r"(?:^|\s)(?://+|#)\s(.+)")
+QUOTES = re.compile(r'^r?"""|"""$')
 MESSAGE = re.compile(r'"([^"\n]*\s[^"\n]*\s[^"\n]*)"')
 
 
@@ -36,7 +37,7 @@ def code(text):
     for number, line in enumerate(text.splitlines(), 1):
         quotes = line.count('"""')
         if inside or quotes:
-            yield number, line.strip().strip('"r')
+            yield number, QUOTES.sub("", line.strip()).strip()
             inside = inside != (quotes % 2 == 1)
             continue
         for found in (COMMENT.search(line), MESSAGE.search(line)):

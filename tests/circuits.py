@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Films of known content, for the tests of the circuit."""
+"""Films with given properties, for the tests of the circuit."""
 
 import numpy as np
 from raceway.electric.breakdown import Breakdown
@@ -11,7 +11,8 @@ PICO = 1e-12
 
 
 def films(capacitance, time=None, thickness=200e-9, conductance=0.0, roughness=0.0):
-    """`Films` of `capacitance` (n, 2, Z), F; `thickness` (m) and `conductance` (S) as given."""
+    """`Films` with `capacitance` (n, 2, Z), F, and `thickness` (m) and `conductance` (S) as
+    given."""
     capacitance = np.asarray(capacitance, dtype=float)
     n, _, z = capacitance.shape
     azimuth = np.linspace(0, 0.5, n)[:, None] + 2 * np.pi * np.arange(z) / z
@@ -35,7 +36,8 @@ def steady(inner, outer, n=3, **more):
 
 
 def turning(n=201, z=7, thickness=(80e-9, 140e-9), seed=3, **more):
-    """Films of balls that pass a load: every capacitance and thickness is another and changes."""
+    """Films of balls that pass through a load zone: all capacitances and thicknesses differ and
+    vary."""
     rng = np.random.default_rng(seed)
     angle = 2 * np.pi * (np.arange(z) / z + np.linspace(0, 1.3, n)[:, None])[:, None]
     least = rng.uniform(5, 15, (1, 2, z)) * PICO

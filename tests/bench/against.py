@@ -3,13 +3,14 @@
 
     python3 tests/bench/against.py REVISION|FOLDER [--rounds 9] [--out PAGE]
 
-REVISION of git is built in a temporary worktree; FOLDER is the root of a tree that is built
-already. Each tree runs its own decks with its own program. Both take turns in every round, now one
-first, now the other, and a ratio is formed within a round. What counts is the processor time of the
-user in the steps: that of a run less that of a run of a tenth of its steps. Where the kernel counts
-instructions (`perf stat`), their ratio stands beside it; it does not depend on the machine's load.
+REVISION is a git revision, which is built in a temporary worktree; FOLDER is the root of a tree
+that is already built. Each tree runs its own decks with its own program. The two take turns: in
+each round one goes first, in the next the other, and ratios are formed within a round. The cost is
+the user processor time of the steps: that of a run minus that of a run of a tenth of its steps.
+Where the kernel counts instructions (`perf stat`), their ratio is given as well; it does not depend
+on the machine's load.
 
-The page has median and range of the ratios, by scene.
+The page lists median and range of the ratios for each scene.
 """
 
 import argparse
@@ -51,7 +52,7 @@ def parsed(arguments):
 
 @contextlib.contextmanager
 def built(other):
-    """Root of the tree to hold this one against."""
+    """Root of the tree to compare this one with."""
     if Path(other).is_dir():
         yield Path(other).resolve()
         return
@@ -105,7 +106,7 @@ def program(tree, deck, variables, instructions):
 
 
 def cost(tree, scene, instructions):
-    """The same of nine tenths of the steps, without what a run begins with."""
+    """The same for nine tenths of the steps, without the start of the run."""
     _, (deck, steps), variables = scene
     long = spent(tree, deck, variables, steps, instructions)
     short = spent(tree, deck, variables, steps // 10, instructions)
@@ -134,10 +135,10 @@ def spread(values):
 def page(name, found, rounds):
     here = git("rev-parse", "--short", "HEAD")
     lines = [
-        f"Cost of a step of {here} over that of {name}, {date.today()}; {rounds} rounds in turns.",
+        f"Cost of a step of {here} over that of {name}, {date.today()}; {rounds} rounds.",
         "Median (range) of the ratios within a round. Above 1: this tree is slower.",
         "",
-        f"{'scene':44} {'seconds of the user':28} instructions",
+        f"{'scene':44} {'user seconds':28} instructions",
     ]
     lines += [f"{scene:44} {spread(s):28} {spread(i)}" for scene, (s, i) in found.items()]
     return "\n".join([*lines, "", *machine()]) + "\n"

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs the main job on every rated bearing of inputs/bearings under 0.1 C0, and as much along the
-axis where the balls have a contact angle. Holds the largest load of a ball against the statics.
+"""Runs the main deck on every rated bearing of inputs/bearings under a radial load of 0.1 C0, with
+the same axial load where the balls have a contact angle. Compares the largest ball load with
+statics.
 
     .venv/bin/python tests/bench/all_bearings.py [NAME ...]
 
-Minutes for all. Exit code 1 when one fails or is off by more than `WITHIN`.
+Takes a few minutes. Exit code 1 when a bearing fails or deviates by more than `WITHIN`.
 """
 
 import subprocess
@@ -20,11 +21,11 @@ from raceway.runs.tables import RunTables
 
 ROOT = Path(__file__).resolve().parents[2]
 WITHIN = 0.01
-PHASES = 16  # positions of the balls within a ball pass
+PHASES = 16  # sampled ball positions within a ball pass
 
 
 def run(name, load, axial, out):
-    """Largest load (N) of an inner contact in a run of a ball pass, with the host's output."""
+    """Largest inner contact load (N) over a ball pass, and the host's output."""
     given = {"bearing": name, "load": load, "axial": axial, "out": out, "passes": 1}
     words = [word for key, value in given.items() for word in ("-var", key, str(value))]
     done = subprocess.run(
@@ -67,7 +68,7 @@ def main():
             print(f"{one.name:<9}{figures}", flush=True)
             if not good:
                 print(said)
-    print(f"{off} off by more than {WITHIN:g} or failed")
+    print(f"{off} deviate by more than {WITHIN:g} or failed")
     return off > 0
 
 

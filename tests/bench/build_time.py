@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""CPU seconds of `make TARGET` from nothing: this commit over another one.
+"""CPU seconds of `make TARGET` from nothing: this commit relative to another one.
 
     .venv/bin/python tests/bench/build_time.py REV [--targets run,build] [--rounds 3]
 
 Every measurement is a clean clone without compiler cache. The two revisions take turns, so that a
-drift of the machine hits both. Run `make test` before: it installs what is missing of Debian and
-fills pip's cache. Also counts the objects that an edit of one part of the contact law makes again.
-Uncommitted changes are not measured.
+drift of the machine affects both. Run `make test` first: it installs the missing Debian packages
+and fills pip's cache. Also counts the objects that are rebuilt after one part of the contact law
+changes. Uncommitted changes are not measured.
 """
 
 import argparse
@@ -24,7 +24,7 @@ PART = "core/parts/part_drag.h"
 
 
 def environment():
-    """That of this process, without a compiler cache and without a tree's own Python."""
+    """The environment of this process, without a compiler cache and without a tree's own Python."""
     kept = {k: v for k, v in os.environ.items() if not k.startswith(("CCACHE", "MAKE", "VIRTUAL"))}
     paths = [p for p in kept["PATH"].split(os.pathsep) if "ccache" not in p and ".venv" not in p]
     return {**kept, "CCACHE_DISABLE": "1", "PATH": os.pathsep.join(paths)}
@@ -55,7 +55,7 @@ def build(revision, target, folder):
 
 
 def made_again(folder):
-    """Number of objects that an edit of `PART` makes again, in a built clone: those that saw it."""
+    """Number of objects that an edit of `PART` rebuilds in a built clone: those that include it."""
     seen = (folder / "build").rglob("*.d")
     return sum(PART in path.read_text() for path in seen)
 
@@ -86,7 +86,7 @@ def main():
                     print(f"make {target} of {revision}: CPU {cpu:.1f} s, {wall:.0f} s", flush=True)
                     found[revision].append((cpu, wall))
                     if target == "build" and turn == 0:
-                        print(f"  {made_again(folder)} objects made again after {PART}")
+                        print(f"  {made_again(folder)} objects rebuilt after {PART}")
         ratios = [a[0] / b[0] for a, b in zip(found[head], found[other])]
         walls = {name: statistics.median(w for _, w in of) for name, of in found.items()}
         print(

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Slip of a cage ring beside that of measured bearings; writes build/bench/cage_slip.rst.
+"""Slip of a cage ring compared with measured bearings; writes build/bench/cage_slip.rst.
 
     .venv/bin/python tests/bench/cage_slip.py [--print] [--guide balls|outer]
 
-Measured: slip from the ball pass frequency of the outer race of MFPT's bearing (NICE, 8 balls), and
-medians of the envelope's lines of Paderborn's 6203. Clearance, conformity, oil and play of both are
-not published: each column is one play. Exit code 1 unless the slip falls with the load in all
-columns, and the cage of a bearing whose balls are all loaded keeps its order.
+Measured values: slip from the outer-race ball pass frequency of MFPT's bearing (NICE, 8 balls), and
+medians of the envelope's lines for Paderborn's 6203. Clearance, conformity, oil and play of both
+are unpublished: each column assumes one play. Exit code 1 unless slip falls with load in every
+column and the cage of a bearing with all balls loaded keeps its kinematic order.
 """
 
 import itertools
@@ -25,19 +25,19 @@ from raceway.runs.run import Run  # noqa: E402
 
 TARGET = bench_file("cage_slip.rst")
 DECK = "inputs/in.cage_ring"
-SHARES = (0.02, 0.025, 0.03, 0.035)  # play over the ball's diameter
-# balls, ball and pitch diameter (m), conformities inner and outer, diametral clearance (m)
+SHARES = (0.02, 0.025, 0.03, 0.035)  # play divided by the ball diameter
+# balls, ball and pitch diameter (m), inner and outer conformity, diametral clearance (m)
 MFPT = (8, 5.969e-3, 31.62e-3, 0.515, 0.53, 15e-6)
 SKF_6203 = (8, 6.75e-3, 28.5e-3, 0.52, 0.53, 5e-6)
 SKF_6205 = (9, 7.94e-3, 39.04e-3, 0.515, 0.53, 8e-6)
-# N: slip, %, of the measured outer series
+# N and slip in % of the measured outer-race series
 MEASURED = {111: 0.60, 222: 0.48, 445: 0.45, 667: 0.46, 890: 0.28, 1112: 0.05, 1334: -0.22}
 PADERBORN = {400: 0.16, 1000: 0.05}
 PASSES = 48  # six turns of the cage
 
 
 def bearing(folder, balls, ball, pitch, inner, outer):
-    """A file of the bearing's data: the 6208's, but for these."""
+    """A bearing data file: the 6208's with these values replaced."""
     own = dict(
         balls=balls,
         ball_diameter=ball,

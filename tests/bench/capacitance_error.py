@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Error of the closed form of a contact's whole capacitance against its integrals, over sizes,
-conformities, raceways, loads and films; writes build/bench/capacitance_error.rst.
+"""Error of the closed form of a contact's total capacitance against numerical integrals, over
+sizes, conformities, raceways, loads and films; writes build/bench/capacitance_error.rst.
 
     .venv/bin/python tests/bench/capacitance_error.py [--print]     --print: leave the page alone
 
-Exit code 1 when a row misses the promise.
+Exit code 1 when a row exceeds the stated error.
 """
 
 import sys
@@ -19,7 +19,7 @@ PATH = bench_file("capacitance_error.rst")
 SIZES = {"12.6 mm": 60.6e-3, "7.938 mm": 39.04e-3, "3.968 mm": 15e-3}  # ball, pitch diameter (m)
 CONFORMITIES = (0.505, 0.51, 0.52, 0.53, 0.54)
 SEPARATIONS = np.geomspace(20e-9, 2e-6, 7)  # m
-LOADS = (0.1, 1.0, 10.0, 100.0, 300.0, 1000.0, 2000.0, 3000.0)  # N; without load the gap is rigid
+LOADS = (0.1, 1.0, 10.0, 100.0, 300.0, 1000.0, 2000.0, 3000.0)  # N; the gap is rigid without load
 PLAYS = np.array([5e-6, 10e-6, 20e-6])  # m
 PERMITTIVITY = 2.2
 PROMISE = 0.015
@@ -29,20 +29,21 @@ Error of the closed form of capacitance
 
 Written by ``tests/bench/capacitance_error.py`` (``make bench``).
 
-:doc:`../electric` has a closed form for the capacitance of a contact with its surroundings. Here
-it is compared with its integrals. The total of plates and surroundings counts. The oil has a
+:doc:`../electric` gives a closed form for the capacitance of a contact with its surroundings. Here
+it is compared with numerical integrals; the total of plates and surroundings counts. The oil has a
 relative permittivity of {permittivity} at rest. Each row has {count} points. Loads are
 {loads} N at seven films from 20 nm to 2 µm. Without load the gap is rigid, at the
 same separations.
 
-* *arc*: the integral over a circular groove, {depth:g} of the ball's diameter deep.
-* *parabola*: the integral that the form stands for, a parabola of the form's half-width.
-* *rigid*: the gap without load, against the arc.
-* *play*: the same at 5, 10 and 20 µm.
-* *left out*: loads under which the ellipse reaches the shoulder. It is no ellipse then
+* *arc*: the integral over a circular groove with a depth of {depth:g} ball diameters.
+* *parabola*: the integral that the closed form approximates, over a parabola of the same
+  half-width.
+* *rigid*: the gap without load, compared with the arc.
+* *play*: the same with 5, 10 and 20 µm of play.
+* *left out*: loads under which the contact reaches the shoulder and is no longer an ellipse
   (:doc:`../scope`).
 
-The largest error of the first three columns is {worst:.2f} %. The promise is {promise:.1f} %.
+The largest error of the first three columns is {worst:.2f} %; the stated limit is {promise:.1f} %.
 
 .. list-table:: largest error, %
    :header-rows: 1
@@ -79,12 +80,12 @@ class Errors(NamedTuple):
 
     @property
     def inside(self) -> float:
-        """The largest that the promise is about."""
+        """The largest error in the range that the stated limit covers."""
         return max(self.arc, self.parabola, self.rigid)
 
 
 def bearing(size: str, conformity: float) -> Bearing:
-    """A bearing of a size of the page."""
+    """A bearing of one of the sizes on the page."""
     ball, pitch = 1e-3 * float(size.split()[0]), SIZES[size]
     groove = conformity * ball
     return Bearing(9, ball, (pitch - ball) / 2, (pitch + ball) / 2, groove, groove)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Decks as a user runs them, and what their folders say of the cost."""
+"""Runs decks as a user does and reads their cost from the output folders."""
 
 import subprocess
 import sys
@@ -9,7 +9,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def run_deck(deck, **variables):
-    """Output of a deck run with these `-var`. Ends the program if the deck fails."""
+    """Output of a deck run with these `-var` settings. Exits the program if the deck fails."""
     words = [ROOT / "build" / "liggghts", "-in", deck, "-log", "none"]
     for name, value in variables.items():
         words += ["-var", name, str(value)]

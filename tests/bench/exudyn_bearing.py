@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Exudyn's ball bearing with the sizes of a 6208: python exudyn_bearing.py SETTINGS, a JSON object.
+"""Exudyn's ball bearing with the sizes of a 6208: python exudyn_bearing.py SETTINGS (a JSON
+object).
 
 Settings: stiffness (N/m^exponent), exponent, damping (N s/m), friction, zone (m/s, sliding speed
-from which friction is full), load (N, towards -y), speed (rad/s), step, ramp, settle and window
-(s), period of the samples (s; a multiple of step), folder for the files of its sensors, or "" for
-none: then only the clock counts. Prints one JSON line: wall seconds of the time loop, simulated
-seconds, and for each sample of the window the ring's place (m), the balls' places (m) and inner
-loads (N); or the error with which the solver stopped and the time (s) it had reached.
+from which friction is fully developed), load (N, towards -y), speed (rad/s), step, ramp, settle and
+window (s), sampling period (s, a multiple of step), folder for the sensor files, or "" for
+none when only the time matters. Prints one JSON line: wall seconds of the time loop, simulated
+seconds, and for each sample of the window the ring's position (m), the balls' positions (m) and
+inner loads (N); or the error that stopped the solver and the time (s) it had reached.
 """
 
 import json
@@ -25,7 +26,7 @@ RING_MASS, RING_INERTIA = 0.2, (6.5e-5, 6.5e-5, 1.2e-4)  # kg, kg m^2
 
 def model(case):
     """(system, inner contacts, balls and inner ring): outer ring fixed, inner ring driven and free
-    in its plane."""
+    to move in its plane."""
     system = exu.SystemContainer().AddSystem()
     pitch = (INNER + OUTER) / 2
     data = GetBallBearingData(
@@ -60,7 +61,7 @@ def model(case):
         cageInitialAngularVelocity=[0, 0, orbit],
         ballsInitialAngularVelocity=[0, 0, orbit * (1 - OUTER / BALL)],
         springStiffnessCage=1e5,
-        springDampingCage=1e2,  # as in its own test model; zero would leave the cage out
+        springDampingCage=1e2,  # as in Exudyn's own test model; zero would omit the cage
         contactParametersRingBalls={
             "contactStiffness": case["stiffness"],
             "contactDamping": case["damping"],
@@ -77,7 +78,7 @@ def model(case):
 
 
 def sensors(system, contacts, bodies, folder):
-    """(files of the contacts' forces, files of the bodies' places); none without a folder."""
+    """(contact force files, body position files); none without a folder."""
     kinds, files = exu.OutputVariableType, ([], [])
     if not folder:
         return files
@@ -95,12 +96,12 @@ def sensors(system, contacts, bodies, folder):
 
 
 def table(file):
-    """Rows (time, x, y, z) that a sensor wrote."""
+    """Rows (time, x, y, z) written by a sensor."""
     return np.loadtxt(file, delimiter=",", comments="#")
 
 
 def run(case):
-    """The result described above, as a dict."""
+    """The result described in the module's docstring, as a dict."""
     system, contacts, bodies = model(case)
     forces, places = sensors(system, contacts, bodies, case["folder"])
     system.Assemble()
@@ -121,7 +122,7 @@ def run(case):
     start = time.perf_counter()
     try:
         system.SolveDynamic(settings)
-    except Exception as error:  # its exceptions share no base class of their own
+    except Exception as error:  # Exudyn's exceptions have no common base class
         reached = system.systemData.GetTime()
         return {"error": f"{type(error).__name__}: {error}", "reached": reached}
     wall = time.perf_counter() - start
@@ -141,6 +142,6 @@ def run(case):
 
 
 if __name__ == "__main__":
-    # old names of settings, which its own examples still use
+    # old names of settings, which Exudyn's own examples still use
     warnings.simplefilter("ignore", DeprecationWarning)
     print(json.dumps(run(json.loads(sys.argv[1]))))

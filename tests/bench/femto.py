@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Temperatures of the bearing of the PRONOSTIA rig (FEMTO) at 1800 rpm and 4 kN: fit of three
-numbers of its housing to three runs, error of jumps against no jumping, and a cold start of ten
-minutes in a run of the main deck. Writes build/bench/femto.rst.
+"""Temperatures of the bearing of the PRONOSTIA rig (FEMTO) at 1800 rpm and 4 kN: three housing
+parameters fitted to three runs, error of time jumps against full integration, and a cold start of
+ten minutes with the main deck. Writes build/bench/femto.rst.
 
-Losses and conductances of the contacts are those of statics with the models `full`; capacities of
-rings and balls follow from their sizes. The warm runs start with a housing at ambient: their
-recording began when the bearing was warm, which is inferred from the data.
+Losses and contact conductances come from statics with the models `full`; heat capacities of
+rings and balls follow from their sizes. The warm runs start with the housing at ambient
+temperature: the data suggest that recording began with a warm bearing.
 """
 
 import csv
@@ -29,7 +29,7 @@ OILS = np.array([26.5, 35, 45, 55, 65, 75, 85, 95, 105, 115, 125, 140])  # C
 
 
 class Losses(NamedTuple):
-    """Losses at both raceways (W) and conductances of the contacts (W/K) over the oil's
+    """Losses at both raceways (W) and contact conductances (W/K) as functions of the oil
     temperature."""
 
     sides: np.ndarray  # (N, 2)
@@ -92,7 +92,7 @@ def network(contacts, seat, housing, capacity):
 
 
 def integrated(table, start, minutes, seat, housing, capacity):
-    """C of inner ring, balls, outer ring and housing (M, 4), without jumping."""
+    """Temperatures (C) of inner ring, balls, outer ring and housing (M, 4), without jumps."""
     own = np.array([*capacities(), capacity])
 
     def rate(_, t):
@@ -113,7 +113,7 @@ def integrated(table, start, minutes, seat, housing, capacity):
 
 
 def jumps(table, start, until, change, housing_of):
-    """The same by jumps: seconds, C (N, 4) and the number of passes that gave losses."""
+    """The same with jumps: seconds, C (N, 4) and the number of ball passes that gave losses."""
     control = dict(
         change=change, error=0.5, until=until, steady=0.05, hottest=200.0, share=0.2, both_ends=1.0
     )
@@ -135,7 +135,7 @@ def jumps(table, start, until, change, housing_of):
 
 
 def fit(table):
-    """Numbers of the housing, and the largest distance from the three runs in K."""
+    """Housing parameters, and the largest deviation from the three runs in K."""
     runs = measured()
 
     def missing(logs):
@@ -157,7 +157,7 @@ def fit(table):
 
 
 def error_of_jumps(table, of, change):
-    """Largest error in K of a cold start of four hours, and the passes of it."""
+    """Largest error in K over a cold start of four hours, and the ball passes it took."""
     start = measured()["cold start"][1][0]
     rows, passes = jumps(table, start, 60 * LAST, change, of)
     keep = np.flatnonzero(np.diff(rows[:, 0], prepend=-1.0))
@@ -166,7 +166,7 @@ def error_of_jumps(table, of, change):
 
 
 def cold_start(of, folder, until=600.0, change=2.0):
-    """The dataset of jumps of a run of the main deck from cold."""
+    """The dataset of a run of the main deck from cold, with time jumps."""
     variables = dict(
         bearing=HERE / "bearing", lubricant=OIL, load=LOAD, rpm=RPM, heat="yes", ambient=AMBIENT,
         warm_start=measured()["cold start"][1][0], warm_time=until, warm_change=change,
@@ -192,7 +192,7 @@ def main():
         f"Capacities of inner ring, balls and outer ring: {own[0]:.2f}, {own[1]:.2f},"
         f" {own[2]:.2f} J/K.",
         f"Fitted: outer ring to housing {of['seat']:.3f} W/K, housing to ambient"
-        f" {of['housing']:.3f} W/K, housing {of['capacity']:.0f} J/K. Largest distance from the"
+        f" {of['housing']:.3f} W/K, housing {of['capacity']:.0f} J/K. Largest deviation from the"
         f" {FIRST:g} to {LAST:g} min of three runs: {worst:.2f} K.",
         "",
     ]
@@ -212,18 +212,18 @@ def main():
     balance = float(last["booked"] - last["carried"] - last["stored"]) / float(last["booked"])
     outer = float(last["temperature_outer"])
     more = [
-        f"Cold start of {thermal:g} s in a run of {run:.3f} s, 1/{thermal / run:.0f} of it: outer"
-        f" ring {outer:.2f} C, with the losses of statics"
+        f"Cold start of {thermal:g} s within a run of {run:.3f} s (1/{thermal / run:.0f} of that):"
+        f" outer ring {outer:.2f} C, with the losses of statics"
         f" {integrated(table, measured()['cold start'][1][0], [0, 10], **of)[-1, 2]:.2f} C,"
         f" measured {measured()['cold start'][1][1]:g} C; losses {float(last['power']):.2f} W;"
-        f" balance of heat {balance:.1e}.",
+        f" heat balance {balance:.1e}.",
     ]
     fine = cold_start(of, ROOT / "build/bench/femto_fine", change=0.25).isel(thermal_time=-1)
     change = max(
         abs(float(last[f"temperature_{p}"] - fine[f"temperature_{p}"]))
         for p in ("inner", "balls", "outer", "housing")
     )
-    more.append(f"With jumps of at most 0.25 K the end differs by {change:.3f} K.")
+    more.append(f"With jumps of at most 0.25 K the final temperature differs by {change:.3f} K.")
     print("\n".join(more))
     PAGE.parent.mkdir(parents=True, exist_ok=True)
     PAGE.write_text("\n".join([*lines, *more, ""]))

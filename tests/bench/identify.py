@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs with hidden clearance, loads and oil temperature: how often `identify` has them inside the
-stated 95 %. Writes build/bench/identify.rst.
+"""Runs with hidden clearance, loads and oil temperature: how often the true values lie inside the
+95 % intervals of `identify`. Writes build/bench/identify.rst.
 
-Each state is run at three operating points. Cage speed and capacitance, with errors of one standard
-deviation drawn, are all that `identify` sees. `identify.py N` does N states, 30 unless given.
+Each state is run at three operating points. `identify` sees only cage speed and capacitance, each
+with a random error of one standard deviation. `identify.py N` runs N states (default 30).
 """
 
 import subprocess
@@ -25,8 +25,9 @@ RANGES = {
     "load": (5.0, 300.0),
     "temperature": (25.0, 90.0),
 }
-ORDER, CAPACITANCE = 1e-4, 0.01  # standard deviations, of the line and relative
-WANTED = 0.9  # of the states
+# standard deviations of the frequency line (absolute) and the capacitance (relative)
+ORDER, CAPACITANCE = 1e-4, 0.01
+WANTED = 0.9  # ranges of the states
 
 
 def drawn(random):
@@ -64,7 +65,7 @@ def run(state, point, folder):
 
 
 def one(number, folder):
-    """(true state, `identify.Found`) of the state with this number."""
+    """(true state, `identify.Found`) of a state by its number."""
     random = np.random.default_rng(number)
     state, rows = drawn(random), []
     for point in POINTS:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cost of a step of fix bearing/implicit: feature by feature, part by part, and with the number
+"""Cost of a step of fix bearing/implicit: feature by feature, part by part, and against the number
 of balls; writes build/bench/implicit_cost.rst.
 
 All scenes take turns in every round; ratios and differences are formed within a round. Medians and
@@ -25,7 +25,7 @@ ROUNDS = 5
 BALLS = 9
 STEPS = 20_000
 PLAIN = "tolerance 1e-7 order"
-SCENES = [  # name, variables of in.implicit_cost, the scene it is held against (its number) or None
+SCENES = [  # name, variables of in.implicit_cost, number of the scene it is compared with (or None)
     (
         "dry: 9 balls, two raceways, friction, free ring; order 1",
         dict(lubricant="dry", cage="no", control=f"{PLAIN} 1"),
@@ -56,7 +56,7 @@ SCENES = [  # name, variables of in.implicit_cost, the scene it is held against 
 AROUND = [(3, 5, 1), (4, 6, 10)]  # plates, with surroundings, samples a step
 HOST = ("the host's own step, 20 free particles", dict())
 ROWS = (9, 18, 36)
-# symbols of a profile, in the order they are looked for
+# profile symbols, in the order in which they are searched
 PARTS = [
     ("contact forces and derivatives", r"BearingForces::(\w*raceways|evaluate)"),
     ("cage rails", "BearingForces::rails"),
@@ -104,7 +104,7 @@ def measure(name, variables):
 
 
 def wide(balls):
-    """Variables of a bearing with 9 k balls on a pitch circle k times that of a 6208, under the
+    """Variables of a bearing with 9 k balls on a pitch circle k times that of a 6208, with the
     same contact loads."""
     k = balls / 9
     pitch = 30.3e-3 * k
@@ -190,7 +190,7 @@ def main():
         "",
         *"""\
 The bearing is a 6208 (5 kN, 477.5 rpm, mineral oil). Host steps are 0.1 ms, the tolerance is 0.1
-µm. *Adds* is the difference to the scene that a row builds on, in the same round. Figures are
+µm. *Adds* is the difference from the scene that a row builds on, in the same round. Figures are
 medians, with the range of the rounds in brackets.
 """.splitlines(),
         "",
@@ -218,8 +218,8 @@ medians, with the range of the rounds in brackets.
     cost = [spread([(r[w][0] - r[p][0]) / (BALLS * n) for r in scenes]) for p, w, n in AROUND]
     lines += [
         (
-            f"The surroundings of a ball cost {cost[0]} ns a sample at the end of a step, in"
-            f" contact or not. At ten instants of it they cost {cost[1]} ns."
+            f"The surroundings of a ball cost {cost[0]} ns a sample at the end of a step, with or"
+            f" without contact. At ten instants within the step they cost {cost[1]} ns."
         ),
         "",
         "Part by part",
@@ -231,7 +231,7 @@ medians, with the range of the rounds in brackets.
         lines += [
             (
                 "Everything is on, with order 2 and the capacitance at 10 instants of a step. The"
-                " share is of the processor's time in a long run (perf record)."
+                " share is that of processor time in a long run (perf record)."
             ),
             "",
         ]
@@ -245,8 +245,8 @@ medians, with the range of the rounds in brackets.
         "------------------------",
         "",
         (
-            "The bearings have a wider pitch circle and as many times more balls and load. They"
-            " have film, cage and free ring, and order 1."
+            "These bearings have a pitch circle, a load and a number of balls that are larger by"
+            " the same factor, with film, cage, a free ring and order 1."
         ),
         "",
     ]
@@ -268,12 +268,12 @@ medians, with the range of the rounds in brackets.
     ]
     lines += [
         (
-            "The time of a host step with one correction grows with the number of balls to the"
+            "With one correction, the time of a host step grows with the number of balls to the"
             f" power {spread(orders, '{:.2f}')}."
         ),
         *"""\
-The blocks of four balls, the chain of cage contacts and the border of the rings each cost a time
-proportional to it. The host's step has a part that does not depend on it.
+The blocks of four balls, the chain of cage contacts and the coupling to the rings each take a time
+proportional to it. Part of the host's step does not depend on it.
 """.splitlines(),
         "",
     ]

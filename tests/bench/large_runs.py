@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run larger than memory should need: simulates a 6208 until its record holds 2 GB, looks at it
-in every way the package has, and writes seconds and memory to build/bench/large_runs.rst.
+"""A run larger than the memory it should need: simulates a 6208 until its record holds 2 GB, reads
+it in every way the package offers, and writes seconds and memory to build/bench/large_runs.rst.
 
     .venv/bin/python tests/bench/large_runs.py [GIGABYTES [FOLDER]]
 
-A run in FOLDER (default build/run/large) that is large enough is used again; one made here is left
-for that. Exit code 1 when anything fails, needs 1 GB of memory, or takes longer than LONGEST.
+A large enough run in FOLDER (default build/run/large) is reused, and a new one is kept there
+for that purpose. Exit code 1 when anything fails, needs 1 GB of memory, or takes longer than
+LONGEST.
 """
 
 import subprocess
@@ -20,7 +21,7 @@ ROOT = Path(__file__).resolve().parents[2]
 LIMIT = 1000  # MB
 FIGURES, LARGEST = "all figures (`raceway summary`)", "largest load of each ball"
 LONGEST = {FIGURES: 3.0, LARGEST: 1.0}  # s
-TASKS = {  # name: what is done to `run`, in a process of its own
+TASKS = {  # name: what is done with `run`, in a separate process
     "load the package only": "",
     FIGURES: "run.summary()",
     "bearing totals, every sample": "run.bearing",
@@ -48,7 +49,7 @@ TASKS = {  # name: what is done to `run`, in a process of its own
 
 
 def run_deck(folder, passes):
-    """The main deck with its record into `folder`."""
+    """Run the main deck with its record into `folder`."""
     print(f"simulating {passes} ball passes into {folder}", flush=True)
     words = [ROOT / "build" / "liggghts", "-in", "inputs/in.6208", "-log", "none"]
     for name, value in {"passes": passes, "out": folder, "overwrite": "yes"}.items():
@@ -61,7 +62,7 @@ def run_deck(folder, passes):
 
 
 def passes_of(folder):
-    """Ball passes of a finished run; 0: there is none."""
+    """Ball passes of a finished run; 0 if there is none."""
     if not (folder / "run.yaml").exists():
         return 0
     said = dict(line.split(": ", 1) for line in (folder / "run.yaml").open() if ": " in line)
@@ -69,7 +70,8 @@ def passes_of(folder):
 
 
 def simulate(folder, size):
-    """Ball passes of the run in `folder`, made unless it is there: its length from a short one."""
+    """Ball passes of the run in `folder`, made if missing; its length is estimated from a short
+    run."""
     record = folder / "record.nc"
     if not (passes_of(folder) and record.stat().st_size >= size):
         run_deck(folder, 4)
@@ -78,10 +80,10 @@ def simulate(folder, size):
 
 
 def measure(folder, task, middle):
-    """(seconds without loading the package, largest resident memory in MB) of a task."""
+    """(seconds excluding the import of the package, largest resident memory in MB) of a task."""
     code = (
         "import sys, time, warnings; warnings.simplefilter('ignore'); import raceway\n"
-        "raceway.open(sys.argv[1], slice(0, 1))  # loads all that is needed, and next to no data\n"
+        "raceway.open(sys.argv[1], slice(0, 1))  # loads all modules, and next to no data\n"
         "begun = time.perf_counter(); run = raceway.open(sys.argv[1])\n"
         + task.replace("MIDDLE", str(middle))
         + "\nprint(time.perf_counter() - begun, next(line.split()[1] for line in"
@@ -122,8 +124,8 @@ def main():
     lines += [
         "",
         *"""\
-Each task runs in a process of its own. Seconds are without loading the package, which the first row
-has. Files are in the page cache or not, as it happens. Memory is the largest resident size of the
+Each task runs in a process of its own. Seconds exclude loading the package, which the first row
+shows. Files may or may not be in the page cache. Memory is the largest resident size of the
 process.
 """.splitlines(),
         "",

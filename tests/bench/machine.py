@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Where `make bench` writes its pages, and what a measurement ran on."""
+"""Folder of the pages that `make bench` writes, and a description of the machine."""
 
 import platform
 import re
@@ -13,7 +13,7 @@ YARDSTICK = Path(__file__).with_name("yardstick.cpp")
 
 
 def bench_file(name):
-    """The path of one of its pages or pictures, in a folder that is there."""
+    """Path of a page or picture, in a folder that is created if missing."""
     PAGES.mkdir(parents=True, exist_ok=True)
     return PAGES / name
 

@@ -4,8 +4,8 @@ build/bench/main_deck.rst.
 
     .venv/bin/python tests/bench/main_deck.py [ROUNDS]
 
-All settings take turns in every round; medians count. Errors are against the same deck at a fine
-tolerance.
+All settings take turns in every round; medians count. Errors are relative to the same deck at a
+fine tolerance.
 """
 
 import statistics
@@ -23,10 +23,10 @@ from machine import bench_file, machine
 MODELS = ("paper", "full")
 ASKED = {47.75: 250.0, 477.5: 30.0, 9549.0: 2.0}  # rpm: real-time factor
 REFERENCE = {"implicit": 1e-10, "damping": 1e-9}  # tolerance, m
-HIGH_SPEED = 9549.0  # rpm, from which on damping has a row: below, its steps are too short
+HIGH_SPEED = 9549.0  # rpm above which no row has damping, because its steps would be too short
 SAMPLES = 200  # a ball pass
 TIMED, COMPARED = 40, 4  # ball passes
-LEAST = 0.01  # of the largest load: contacts with less are left out of the film's error
+LEAST = 0.01  # share of the largest load; contacts below it are left out of the film's error
 HEADS = (
     "models",
     "rpm",
@@ -48,26 +48,26 @@ The main deck: speed and error
 
 Written by ``tests/bench/main_deck.py`` (``make bench``), {today}.
 
-The main deck as it stands, at 5 kN, with {samples} samples in a ball pass. Speeds are real-time
-factors over {timed} ball passes, with the whole record and with nothing written, medians of
-{rounds} rounds. Times end when the system has the last sample.
+The main deck with its defaults, at 5 kN, with {samples} samples in a ball pass. Speeds are
+real-time factors over {timed} ball passes, with the whole record and with nothing written, medians
+of {rounds} rounds. Times include writing all samples to the operating system.
 
-Errors are relative, over {compared} ball passes. The reference has a tolerance of 0.1 nm, for cage
-balls too, and with *damping* 1 nm. Loads are compared contact by contact, over the largest load.
-Films count for contacts with at least 1 % of the largest load. Means are over the {compared} ball
-passes. With ``full`` the motion of the cage is chaotic: there means are what repeats.
+Errors are relative, over {compared} ball passes. The reference has a tolerance of 0.1 nm, also for
+cage balls, and 1 nm with *damping*. Loads are compared contact by contact, relative to the largest
+load. Films are compared for contacts with at least 1 % of the largest load, means over all
+{compared} ball passes. With ``full`` the motion of the cage is chaotic, so that only means repeat.
 
 .. list-table::
    :header-rows: 1
 
 {table}
 
-What the asked factor leaves
+Time left by the required factor
 ----------------------------
 
-A real-time factor fixes the time for a sample. A sample of a record needs one evaluation of all
-contacts, its columns and the file. The steps need their own evaluations. All in microseconds a
-sample, with the faster integrator:
+A real-time factor fixes the time for a sample. A recorded sample needs one evaluation of all
+contacts, its columns and the file; the steps need evaluations of their own. All times are in
+microseconds a sample, with the faster integrator:
 
 .. list-table::
    :header-rows: 1
@@ -140,7 +140,7 @@ def listed(rows):
 
 
 def compared(scene, folder):
-    """Errors of a scene against itself at a fine tolerance."""
+    """Errors of a scene relative to itself at a fine tolerance."""
     fine = REFERENCE[scene.integrator]
     truth = recorded(played(scene, folder, passes=COMPARED, tolerance=fine, cage_tolerance=fine))
     return errors(recorded(played(scene, folder, passes=COMPARED)), truth)

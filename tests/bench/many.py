@@ -4,7 +4,7 @@ model for clusters.
 
     .venv/bin/python tests/bench/many.py [rounds]
 
-The runs of a round follow each other, so that a drift of the machine hits them alike, and ratios
+The runs of a round follow each other, so that a drift of the machine affects all alike; ratios
 are formed within a round.
 """
 
@@ -28,7 +28,7 @@ ENVIRONMENT = dict(
     OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
     OMPI_MCA_mpi_yield_when_idle="0",
 )
-# Host steps of the runs, (one bearing, many), and how long the load takes to come on before them,
+# Host steps of the runs (one bearing, many), and the steps of the load ramp before them,
 # s.
 # 140: a ball pass
 INTEGRATORS = {
@@ -40,20 +40,22 @@ RANKS = (100, 1000, 10_000)
 FLEETS = (10_000, 100_000, 1_000_000)
 LATENCY, BANDWIDTH = 2e-6, 1e10  # s, bytes/s: a usual cluster network; not measured here
 PACK = (
-    20e-9  # s, to pack and unpack a ghost; of the order of a copy out of cache, not measured here
+    # s, to pack and unpack a ghost; about the time of a copy from outside the cache, not measured
+    # here
+    20e-9
 )
 GHOST_BYTES = 72  # position, velocity, spin
 
 
 def run(ranks, steps, folder, **variables):
-    """A run of in.many: seconds of all loops and of a bearing-step, these in a host step, kB and
+    """One run of in.many: seconds of all loops, of a bearing-step and of its host part, kB and
     ghosts of a rank."""
     implicit, settle = (
         variables["integrator"] == "implicit",
         INTEGRATORS[variables["integrator"]]["settle"],
     )
     deck = folder / "in.bench"
-    # the load comes on in a first run; the last one is timed
+    # the load is applied in a first run; the last one is timed
     deck.write_text(
         f"include inputs/in.many\nundump table\nrun {steps}\n"
         + ('variable made equal f_move[3]\nprint "internal steps ${made}"\n' if implicit else "")
@@ -116,7 +118,7 @@ def run(ranks, steps, folder, **variables):
 
 
 def state(ranks, folder, **variables):
-    """Every bit of the last state of many bearings, all different."""
+    """All bits of the last state of many different bearings."""
     command = [ROOT / "build" / "liggghts", "-in", "tests/hosts/in.many_bits", "-log", "none"]
     for name, value in {"out": folder, **variables}.items():
         command += ["-var", name, value]
@@ -134,7 +136,7 @@ def state(ranks, folder, **variables):
     )
     if done.returncode:
         sys.exit(f"failed on {ranks} ranks:\n{done.stdout[-2000:]}")
-    # the rows of the table, by step: their order may depend on ranks, their bits must not
+    # table rows, sorted by step: their order may depend on the number of ranks, their bits must not
     return (
         sorted((folder / "bearings.dump").read_text().splitlines()),
         (folder / "last.dump").read_text(),
@@ -142,8 +144,8 @@ def state(ranks, folder, **variables):
 
 
 def measure(rounds, folder):
-    """One dictionary a round and integrator: seconds a bearing and host step, and what comes with
-    it."""
+    """One dictionary for each round and integrator: seconds a bearing and host step, and the other
+    figures."""
     results = {}
     for name, how in INTEGRATORS.items():
         one, many = how["steps"]
@@ -203,13 +205,13 @@ def span(rows, key, scale=1.0, digits=3):
 
 
 def model(seconds, ghosts, fleet, ranks):
-    """(seconds a host step, parallel efficiency) of a fleet in a square grid, cut into equal
+    """(seconds a host step, parallel efficiency) of bearings in a square grid, cut into equal
     squares of whole ranks."""
     n = math.ceil(fleet / ranks)
     work = n * seconds
     if ranks == 1:
         return work, 1.0
-    each = 4 * math.sqrt(n) * ghosts  # ghosts of a rank: four sides
+    each = 4 * math.sqrt(n) * ghosts  # a rank has ghosts on four sides
     talk = 4 * LATENCY + each * (GHOST_BYTES / BANDWIDTH + PACK)
     return work + talk, fleet * seconds / ranks / (work + talk)
 
@@ -243,8 +245,8 @@ medians, with the range of the rounds in brackets. Ratios are formed within a ro
         "----------------",
         "",
         *"""\
-*bearing-step*: wall time of the run over the steps and bearings in it. Steps of velocity Verlet
-are 0.4 µs. Internal steps of the implicit integrator are some 200 µs, with host steps of 250 µs
+*bearing-step*: wall time of the run divided by its steps and bearings. Steps of velocity Verlet
+are 0.4 µs. Internal steps of the implicit integrator are about 200 µs, with host steps of 250 µs
 and without output. *ratio*: many over one bearing in a box, both on one rank. *efficiency*: of
 two ranks, time on one over twice the time on two.
 """.splitlines(),
@@ -277,15 +279,15 @@ two ranks, time on one over twice the time on two.
     )
     lines += [
         *"""\
-A ratio above 1 has two parts. A single bearing stays in the caches of its core. Many bearings
-are fetched from farther away once a host step (their memory is in the table). On the other hand
-a single one bears the fixed cost of a host step alone. Bearings that are alike share the solver
-of the implicit step, which so stays in the caches: only the state of a bearing is fetched.
+A ratio above 1 has two causes. A single bearing stays in the caches of its core, whereas many
+bearings are fetched from main memory once a host step (the table lists their memory). On the other
+hand, a single bearing bears the fixed cost of a host step alone. Identical bearings share the
+solver of the implicit step, which stays in the caches: only the state of a bearing is fetched.
 """.splitlines(),
         "",
         *f"""\
-The last state of {MANY} bearings that differ in load, speed, azimuth and lubricant was compared.
-Every bit on 1, 2 and 4 ranks (4 on two cores):
+The last states of {MANY} bearings that differ in load, speed, azimuth and lubricant were compared
+bit by bit on 1, 2 and 4 ranks (4 on two cores):
 """.splitlines(),
         "; ".join(f"{name}: {'equal' if same else '**different**'}" for name, same in equal.items())
         + ".",
@@ -294,14 +296,14 @@ Every bit on 1, 2 and 4 ranks (4 on two cores):
         + "; ".join(f"{n} bearing{'s' if n > 1 else ''} {seconds:.2g} s" for n, seconds in set_ups)
         + ".",
         *"""\
-A ``create_bearing`` adds its atoms to the host's map, which is made anew every thousand atoms. It
-still looks for the largest tag of its rank, which takes a nanosecond for every few atoms.
+A ``create_bearing`` adds its atoms to the host's map, which is rebuilt every thousand atoms. It
+still searches the largest tag of its rank, which takes a nanosecond for every few atoms.
 
 Clusters: a model
 -----------------
 
-All ranks act together only in two cases: the host checks for new neighbour lists, and output
-asks for it. A rank computes its bearings and exchanges messages with its neighbours, four in a
+All ranks communicate together in two cases only: the check for new neighbour lists, and output.
+Otherwise a rank computes its bearings and exchanges messages with its neighbours, four in a
 plane grid. With :math:`n = N/P` bearings on a rank,
 
 .. math::
@@ -310,13 +312,13 @@ plane grid. With :math:`n = N/P` bearings on a rank,
 """.splitlines(),
         "",
         *f"""\
-Two numbers are measured: the cost :math:`c` of a bearing in a host step, among many, and the
-number :math:`g` of ghost atoms a bearing along a cut. These are assumed, not measured: latency
+Two quantities are measured: the cost :math:`c` of a bearing in a host step, among many, and the
+number :math:`g` of ghost atoms a bearing along a cut. Three are assumed, not measured: latency
 :math:`L` = {LATENCY * 1e6:.0f} µs, bandwidth :math:`B` = {BANDWIDTH / 1e9:.0f} GB/s, and
 :math:`p` = {PACK * 1e9:.0f} ns to pack and unpack a ghost. A ghost has :math:`b` = {GHOST_BYTES}
-bytes (position, velocity, spin). A bearing that a cut goes through costs one or two short
-messages more. They are its ring's sums; with the implicit step the state of its bodies, there
-and back.
+bytes (position, velocity, spin). A bearing on a cut costs one or two short
+messages more: the sums over its ring and, with the implicit step, the state of its bodies, both
+ways.
 """.splitlines(),
         "",
     ]
@@ -357,20 +359,21 @@ and back.
             rows,
         )
     lines += [
-        "What the model leaves out",
+        "Limits of the model",
         "-------------------------",
         "",
         *"""\
 - Ranks get equal volumes. Where bearings differ in cost (the implicit step refines some more
-  than others), the slowest rank sets the pace. A grid that ranks do not divide evenly costs as
-  much.
+  than others), the slowest rank sets the pace. A grid that does not divide evenly among ranks costs
+  more, too.
 - Messages inside a rank are free and every bearing costs the same. A network shared with others
   is slower.
-- After every new neighbour list each rank tells every other how much it will send, a few bytes
-  for each. With the implicit step that is every few host steps, with Verlet every few thousand.
-- With the implicit step all ranks learn which rings belong together: about 24 bytes a ring and
-  rank that sees it. So above some 10\\ :sup:`5` bearings these lists, not the bearings, set the
-  pace there.
+- After every new neighbour list each rank sends every other rank the sizes of its messages, a few
+  bytes for each. With the implicit step that is every few host steps, with Verlet every few
+  thousand.
+- With the implicit step all ranks exchange which rings belong together: about 24 bytes a ring and
+  rank that sees it. Above about 10\\ :sup:`5` bearings these lists, not the bearings, set the
+  pace.
 - The host's map of atoms takes 4 bytes for every atom of the box on every rank. That is 80 MB at
   10\\ :sup:`6` bearings. Each fix bearing/ring takes 4 bytes for every ring.
 - ``thermo`` with compute bearing/total gathers all balls on all ranks. The table of compute

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Numerical error and error of the model on one diagram; writes build/bench/model_error.rst
+"""Numerical error and model error in one diagram; writes build/bench/model_error.rst
 and its diagram.
 
     .venv/bin/python tests/bench/model_error.py
 
-Every set of models runs over tolerances, as `raceway needs` measures it: against every part of the
-model with a fine integration. Its numerical error alone is against the same set at that fineness.
+Every set of models runs over a range of tolerances, measured as `raceway needs` does: against the
+full model with a fine integration. Its numerical error is relative to the same set at that
+fineness.
 """
 
 import sys
@@ -38,19 +39,20 @@ MODELS = {"paper": ("#0072b2", "o"), "film": ("#d55e00", "s"), "full": ("#009e73
 FIGURES = {"torque": "friction torque", "capacitance": "capacitance", "load": "largest load"}
 TOLERANCES = ("1e-6", "3e-7", "1e-7", "3e-8", "1e-8", "3e-9", "1e-9", "3e-10", "1e-10")  # m
 SAMPLES = 200  # a ball pass
-COARSE, USUAL = "1e-6", "1e-9"  # m, of the table
-LEAST = 1e-6  # smaller errors are drawn here: the reference is no better
+COARSE, USUAL = "1e-6", "1e-9"  # tolerance of the table, m
+LEAST = 1e-6  # smaller errors are drawn here: the reference is no more accurate
 
 
 class Found(NamedTuple):
-    """A run: its figures by word of `raceway needs`, and how often contacts were evaluated."""
+    """A run: its figures by the names that `raceway needs` uses, and the number of contact
+    evaluations."""
 
     figures: dict[str, float]
     evaluations: float
 
 
 class Curve(NamedTuple):
-    """A set of models in a scene: its runs by tolerance, and the one with the fine integration."""
+    """A set of models in a scene: its runs by tolerance, and the run with the fine integration."""
 
     runs: dict[str, Found]
     fine: Found
@@ -78,12 +80,12 @@ def curves(scene: dict[str, float], folder: Path) -> dict[str, Curve]:
 
 
 def error(found: Found, truth: Found, yardstick: Found, word: str) -> float:
-    """Error of a figure against `truth`, over that of the yardstick."""
+    """Error of a figure against `truth`, relative to the yardstick's figure."""
     return abs(found.figures[word] - truth.figures[word]) / abs(yardstick.figures[word])
 
 
 def draw(results: dict[str, dict[str, Curve]]) -> None:
-    """The diagram: scenes down, figures across."""
+    """The diagram: one row for each scene, one column for each figure."""
     figure, axes = plt.subplots(
         len(results), len(FIGURES), figsize=(13, 8), sharex=True, sharey=True
     )
@@ -126,7 +128,7 @@ def draw(results: dict[str, dict[str, Curve]]) -> None:
 
 
 def table(results: dict[str, dict[str, Curve]]) -> list[str]:
-    """Errors of the models, and the numerical ones at a coarse and at a usual tolerance."""
+    """Model errors, and numerical errors at a coarse and at a usual tolerance."""
     rows = []
     for scene, found in results.items():
         yardstick = found["full"].fine
@@ -156,24 +158,24 @@ def page(results: dict[str, dict[str, Curve]]) -> str:
         [
             ".. written by make bench (tests/bench/model_error.py); do not edit",
             "",
-            "Error of numbers and of the model",
+            "Numerical error and model error",
             "=================================",
             "",
             *f"""\
 The main deck ran with three sets of models, {SAMPLES} samples a ball pass. Tolerances go from 1 µm
-to 0.1 nm. Errors of means over a ball pass are against ``full`` at 0.01 nm and 800 samples, as in
-:doc:`needs`. Filled marks have the whole error. Open ones have the numerical one alone: against the
-same models at that fineness. All are relative to the same figures, those of ``full``.
+to 0.1 nm. Errors of means over a ball pass are relative to ``full`` at 0.01 nm and 800 samples, as
+in :doc:`needs`. Filled marks show the total error, open marks the numerical error alone, against
+the same models at that fineness. All are divided by the same figures, those of ``full``.
 
 .. image:: model_error.png
    :alt: error against evaluations, for three sets of models
 
-Where a full line is level, the model's error is left, and a finer tolerance buys nothing. There
-numerical errors are far below it. Where open marks are level, the error of a mean of {SAMPLES}
-samples is left.
+Where a full line is level, the model's error remains, and a finer tolerance gains nothing:
+numerical errors are far below it. Where open marks are level, the error of a mean over {SAMPLES}
+samples remains.
 
 Errors below {LEAST:g} are drawn there. ``paper`` and ``film`` have hardly any friction torque, so
-theirs is wrong by all of it. In the table, *model* is the error at the finest integration.
+its relative error is 1. In the table, *model* is the error at the finest integration.
 """.splitlines(),
             "",
             *table(results),

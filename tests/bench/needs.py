@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What 20 scenes drawn at random need, each answer judged by runs that `raceway needs` did not
+"""Answers of `raceway needs` for 20 random scenes, each judged by runs that the command did not
 make; writes build/bench/needs.rst.
 
     .venv/bin/python tests/bench/needs.py [--print]     --print: leave the page alone
 
-Exit code 1 when fewer than 19 answers keep what is wanted, or the median cost is above a fifth.
+Exit code 1 when fewer than 19 answers meet the wanted accuracy, or the median cost is above a
+fifth.
 """
 
 import json
@@ -58,7 +59,7 @@ def words(variables):
 
 
 def figures(folder, variables):
-    """The figures of a run, or what the host says."""
+    """Figures of a run, or the host's error."""
     done = liggghts("inputs/in.6208", out=folder, **variables)
     if done.code:
         return done.error
@@ -66,8 +67,8 @@ def figures(folder, variables):
 
 
 def row(own, folder):
-    """(cells of the table, whether it keeps what is wanted, cost), or None for a scene that the
-    engine refuses with every part of the model."""
+    """(table cells, whether the wanted accuracy is met, cost), or None for a scene that the engine
+    refuses with the full model."""
     name = ", ".join(f"{key} {value}" for key, value in own.items() if key not in SAME)
     exact = figures(folder / "exact", {**own, **EXACT})
     if isinstance(exact, str):
@@ -112,7 +113,7 @@ def main():
 
 
 def page(rows, refused):
-    """(answers that keep what is wanted, median factor, text of the page)"""
+    """(number of answers that meet the wanted accuracy, median factor, page)"""
     kept = sum(good for _, good, _ in rows)
     cheaper = [1 / cost for _, _, cost in rows]
     middle = statistics.median(cheaper)
@@ -125,20 +126,20 @@ def page(rows, refused):
         "",
         *f"""\
 ``raceway needs`` (:doc:`../needs`) was asked for ``--want {wanted}`` in {SCENES} scenes of a 6208.
-They were drawn at random, seed {SEED}. Gaps are flooded. Written on {date.today()}:
+They were drawn at random with seed {SEED}. Gaps are flooded. Written on {date.today()}:
 """.splitlines(),
         "",
         *(f"- {line}" for line in machine()),
         "",
         *f"""\
-The errors are of one more run with the words of the answer. It is held against a run with every
-part of the model at a tolerance of 0.01 nm and 1000 samples a ball pass. The command does not
-see that run. {kept} of {SCENES} answers keep what is wanted; {KEPT} are asked for.
+The errors are those of one more run with the settings of the answer, compared with a run of the
+full model at a tolerance of 0.01 nm and 1000 samples a ball pass, which the command does not
+see. {kept} of {SCENES} answers meet the wanted accuracy; {KEPT} are required.
 
 Full and fine is a tolerance of 0.1 nm and 400 samples a ball pass. The answers are {middle:.1f}
-times cheaper (median, range {min(cheaper):.1f} to {max(cheaper):.1f}); {CHEAPER} is asked for.
-Cost is processor time, the median of three runs. {refused} more scenes did not run with every part
-of the model, before any answer.
+times cheaper (median, range {min(cheaper):.1f} to {max(cheaper):.1f}); {CHEAPER} is required.
+Cost is processor time, the median of three runs. {refused} more scenes were refused with the full
+model and got no answer.
 """.splitlines(),
         "",
         *list_table(HEAD, [cells for cells, _, _ in rows]),

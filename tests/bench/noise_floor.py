@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Vibration of a perfect bearing with integrator vibration, against a waviness of 0.01 um of
+"""Vibration of a perfect bearing with integrator vibration, compared with 0.01 um of waviness on
 its inner raceway; writes build/bench/noise_floor.rst.
 
     .venv/bin/python tests/bench/noise_floor.py [--print]     --print: leave the page alone
 
-Exit code 1 when the perfect bearing has more than a tenth of the wave's line.
+Exit code 1 when the perfect bearing exceeds a tenth of the amplitude of the wave's line.
 """
 
 import sys
@@ -26,11 +26,11 @@ TARGET = bench_file("noise_floor.rst")
 SCENE = dict(bearing=6205, load=500, rpm=1797, lubricant="vg46", passes=80, settle=10)
 MODE = dict(integrator="vibration", housing="springs", record="summary")
 RATE = 48e3  # Hz
-BAND = (20.0, 0.4 * RATE)  # Hz, what the filter leaves alone
+BAND = (20.0, 0.4 * RATE)  # Hz, above the filter's influence
 WAVE = 1e-8  # m
-# waves of the inner raceway, Z - 1 and Z + 1, and the order of the shaft that each adds to BPFI
+# waves of the inner raceway, Z - 1 and Z + 1, and the shaft order that each adds to BPFI
 WAVES = {8: -1, 10: 1}
-ENDS = 100  # samples that the filter spoils
+ENDS = 100  # samples affected by the filter
 PAGE = """\
 Noise floor of vibration
 ========================
@@ -40,28 +40,29 @@ Written by ``tests/bench/noise_floor.py`` (``make bench``).
 A perfect bearing is not silent, since its stiffness varies as balls pass: BPFO and its harmonics.
 The rest of its spectrum is the noise of the computation. Here it is compared with an inner
 raceway that has waves of {wave:g} µm. The bearing is a 6205 at {rpm} rpm under {load} N with VG 46.
-Signals are at {rate:g} kHz, of ``-var integrator vibration`` and ``-var housing springs``. The
-record is {seconds:.2f} s long.
+Signals are sampled at {rate:g} kHz, with ``-var integrator vibration`` and ``-var housing
+springs``. The record is {seconds:.2f} s long.
 
 The perfect bearing, accelerations along the load in m/s²:
 
 {perfect}
 
-* *rms*: of the whole signal, nearly all of it BPFO and harmonics.
-* *median*: of the amplitudes between {low:g} Hz and {high:g} kHz, a line's floor.
+* *rms*: of the whole signal, nearly all of it at BPFO and its harmonics.
+* *median*: median amplitude between {low:g} Hz and {high:g} kHz, the noise floor of a line.
 
-Lines of waves of the inner raceway, in m/s², and what the perfect bearing has there:
+Lines of inner-raceway waves in m/s², and the amplitude of the perfect bearing at the same
+frequency:
 
 {waves}
 
-Waves of order :math:`Z - 1` have the line BPFI - shaft, those of :math:`Z + 1` BPFI + shaft.
-The housing's acceleration is small there. It has 2 kg on stiff springs, and only the inner ring's
-mass pushes it.
+Waves of order :math:`Z - 1` produce a line at BPFI - shaft, those of :math:`Z + 1` at BPFI + shaft.
+The housing's acceleration is small there: it has 2 kg on stiff springs, and only the inertia of the
+inner ring excites it.
 """
 
 
 def run(folder, **words):
-    """The run of the scene with more variables."""
+    """A run of the scene with additional variables."""
     succeed("inputs/in.6208", out=folder, timeout=1200, **SCENE, **MODE, **words)
     return Run(folder)
 
@@ -73,7 +74,8 @@ def of_ring(run, ring):
 
 
 def line(found, run, shift):
-    """Amplitude (m/s^2) at BPFI + `shift` times the shaft, by the run's own cage speed."""
+    """Amplitude (m/s^2) at BPFI + `shift` times the shaft frequency, from the run's own cage
+    speed."""
     order, hertz = spectrum.places(run, harmonics=1)["BPFI", 1]
     hertz += shift * hertz / order
     return float(found.sel(frequency=hertz, method="nearest"))

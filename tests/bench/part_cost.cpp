@@ -14,7 +14,7 @@ using namespace raceway;
 
 namespace {
 
-constexpr int contacts = 4096;    // their states stay in the cache of one core
+constexpr int contacts = 4096;    // small enough for their states to stay in the cache of one core
 
 struct Scene {
   RacewayPhysics p;
@@ -122,7 +122,7 @@ template <class L> struct Implicit {
   }
 };
 
-double kept = 0.0;    // what is not used the compiler leaves out
+double kept = 0.0;    // the compiler removes what is not used
 
 template <class L> void report(const char *name, int base, const Film &film = {})
 {
@@ -130,7 +130,8 @@ template <class L> void report(const char *name, int base, const Film &film = {}
   std::vector<double> one(contacts * (L::states + 1));
   std::vector<Lane> four(contacts / lanes * (L::states + 1));
   double least[2] = {HUGE_VAL, HUGE_VAL};
-  for (int round = 0; round < 40; ++round) {    // the least is what the machine's other work left
+  // the minimum is least disturbed by other work on the machine
+  for (int round = 0; round < 40; ++round) {
     const double t0 = seconds();
     kept += explicit_pass<L>(s, one.data());
     const double t1 = seconds();

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cost of each part of the contact law, alone (part_cost.cpp) and in whole runs of the models
+"""Cost of each part of the contact law, alone (part_cost.cpp) and in complete runs of the models
 `paper`, `film` and `full`; writes build/bench/part_cost.rst."""
 
 import statistics
@@ -37,7 +37,7 @@ def parts(program):
 
 
 def whole():
-    """{models: (ns a step of velocity Verlet, ns of a run's ms under the implicit step)}."""
+    """{models: (ns a step of velocity Verlet, ns for each simulated ms of the implicit step)}."""
     found = {}
     for models in MODELS:
         verlet = measure("in.cost", dict(models=models))[0]
@@ -68,11 +68,11 @@ def main():
         *(f"- {fact}" for fact in machine()),
         "",
         *"""\
-The laws alone, on 4096 loaded contacts of a 6208. *Adds* is the difference to the law that a row
-builds on, in the same round. Explicit is one evaluation in doubles. Implicit is one with
-derivatives, four contacts side by side. The share is what a part adds in the explicit evaluation of
-nine contacts, over a step of velocity Verlet with ``full``. Figures are medians, with the range of
-the rounds in brackets.
+The laws alone, on 4096 loaded contacts of a 6208. *Adds* is the difference from the law that a row
+builds on, in the same round. Explicit is one evaluation in doubles; implicit is one with
+derivatives, four contacts at a time. The share is the cost of a part in the explicit evaluation of
+nine contacts, relative to a step of velocity Verlet with ``full``. Figures are medians, with the
+range of the rounds in brackets.
 """.splitlines(),
         "",
     ]

@@ -2,8 +2,8 @@
 """Runs of a 6208 in stock LIGGGHTS, Exudyn and Raceway, judged by the exact static load; for
 peers.py.
 
-Runs with `output` write what a user would look at, at samples PERIOD apart where nothing else is
-said. Without, they write nothing, and only their cost counts.
+Runs with `output` write the data a user would look at, at samples PERIOD apart unless stated
+otherwise. Runs without write nothing, and only their cost counts.
 """
 
 import json
@@ -27,7 +27,7 @@ from host import tables  # noqa: E402
 DECKS = Path("tests/bench/peers")
 OUT = Path("build/bench/peers")
 LOAD, SPEED = 5000.0, 50.0  # N along -y, rad/s
-PERIOD = 1.76e-4  # s between samples, about 200 a ball pass
+PERIOD = 1.76e-4  # s between samples, about 200 samples a ball pass
 PASSES = 8  # ball passes that Raceway runs
 NAMES = (
     "balls",
@@ -54,7 +54,7 @@ STIFFNESS = [
     for side in (INNER, OUTER)
 ]
 IN_SERIES = sum(k ** (-2 / 3) for k in STIFFNESS) ** -1.5
-BOTH_ALIKE = 2**1.5 * IN_SERIES  # of two like contacts that together are as stiff
+BOTH_ALIKE = 2**1.5 * IN_SERIES  # stiffness of two equal contacts with the same stiffness in series
 SPHERE_ON_PLANE = 2 / 3 * BEARING.effective_modulus * BEARING.ball_radius**0.5
 
 
@@ -63,8 +63,8 @@ PASS = 4 * np.pi / (BEARING.balls * SPEED * (1 - DATA["ball_diameter"] / (2 * PI
 
 
 class Sample(NamedTuple):
-    """One instant: the inner ring's shift (2,) and the balls' places (n, 2) in m, their inner loads
-    (n,) in N."""
+    """One instant: the inner ring's shift (2,) and the balls' positions (n, 2) in m, their inner
+    loads (n,) in N."""
 
     shift: np.ndarray
     balls: np.ndarray
@@ -72,8 +72,8 @@ class Sample(NamedTuple):
 
 
 class Outcome(NamedTuple):
-    """One run: its cost, and the load of the ball nearest the load line against exact theory (see
-    `judge`)."""
+    """One run: its cost, and the load of the ball nearest the load line relative to exact theory
+    (see `judge`)."""
 
     cost: float  # wall s per simulated s
     step: float  # s
@@ -82,28 +82,28 @@ class Outcome(NamedTuple):
     low: float = np.nan
     high: float = np.nan
     same_load: float = np.nan
-    left: int = BEARING.balls  # balls still there
+    left: int = BEARING.balls  # balls still in the bearing
     loads: np.ndarray | None = None  # N (samples, balls), on the inner ring
 
 
 class Failure(Exception):
-    """A peer did not run; the text says why."""
+    """A peer did not run; the text has the reason."""
 
 
 def exact_shift():
-    """Shift in m towards the load of the exact bearing, one ball on the load line."""
+    """Shift in m towards the load of the exact bearing with one ball on the load line."""
     rest = static.equilibrium(BEARING, LOAD, load_azimuth=-np.pi / 2, phase=-np.pi / 2)
     load, _ = exact(rest.shift[:2], np.stack([np.cos(rest.azimuth), np.sin(rest.azimuth)], 1))
     if np.abs(load - rest.inner.load).max() > 1e-6 * LOAD:
-        sys.exit("the closed form of the exact load does not agree with raceway.static")
+        sys.exit("the closed form of the exact load disagrees with raceway.static")
     return -rest.shift[1]
 
 
 def exact(shift, balls):
-    """Exact static loads (n,) in N of balls at these places for this shift of the ring; and their
-    part along it (n,).
+    """Exact static loads (n,) in N of balls at these positions for this shift of the ring; and
+    their components along it (n,).
 
-    Zero clearance and no axial load: both contacts of a ball in series, K = (K_i^-2/3 +
+    Zero clearance and no axial load: both contacts of a ball act in series, K = (K_i^-2/3 +
     K_o^-2/3)^-3/2, under the approach of the raceways at its azimuth.
     """
     along = balls / np.linalg.norm(balls, axis=1)[:, None] @ shift
@@ -113,15 +113,15 @@ def exact(shift, balls):
 def judge(samples, cost, step, simulated):
     """`Outcome` of the samples of one run, by medians over the samples.
 
-    same_shift: load of the ball that theory loads most over its exact load at the ring's place,
-    minus one; low and high: 5 % and 95 % of the samples lie below. same_load: that ball's load as
-    part of what the ring carries over the exact part, minus one.
+    same_shift: load of the ball with the largest theoretical load, relative to the exact load at
+    the ring's position, minus one; low and high: its 5 % and 95 % quantiles. same_load: that ball's
+    share of the load on the ring relative to the exact share, minus one.
     """
     ratio, part = [], []
     for shift, balls, load in samples:
         truth, along = exact(shift, balls)
         if not np.any(truth > 0):
-            raise Failure("no ball left under the load")
+            raise Failure("no ball is left under the load")
         k = np.argmax(truth)
         ratio.append(load[k] / truth[k])
         if (carried := load @ along) > 0:
@@ -147,9 +147,9 @@ def whole(samples):
 
 
 def host(program, deck, **variables):
-    """Printed text of a run of a deck. Raises `Failure` with the host's own words."""
+    """Printed text of a run of a deck. Raises `Failure` with the host's message."""
     words = [w for name, value in variables.items() for w in ("-var", name, str(value))]
-    # line by line: the host aborts without flushing, and its last words would be lost
+    # line-buffered: the host aborts without flushing, and its last message would be lost
     done = subprocess.run(
         ["stdbuf", "-oL", program, "-in", deck, "-log", "none", *words],
         cwd=ROOT,
@@ -165,12 +165,12 @@ def host(program, deck, **variables):
 
 
 def loop_time(text):
-    """Wall seconds of the last run of a deck, from what it printed."""
+    """Wall seconds of the last run of a deck, from its log."""
     return float(re.findall(r"Loop time of (\S+) on", text)[-1])
 
 
 def cylinders(young, step=1e-6, output=True):
-    """Smooth cylinders, the ring at the exact shift; a ball has 0.1 s to settle."""
+    """Smooth cylinders with the ring at the exact shift; balls settle for 0.1 s."""
     every = round(PERIOD / step)
     steps = 2000 * every
     text = host(
@@ -194,7 +194,7 @@ def cylinders(young, step=1e-6, output=True):
 
 
 def tori(mesh, steps, edges, step=4e-7):
-    """Triangle meshes, the ring at the exact shift."""
+    """Triangle meshes with the ring at the exact shift."""
     every = 20
     text = host(
         "liggghts",
@@ -232,7 +232,7 @@ def exudyn(stiffness, exponent, friction, step, output=True):
         "speed": SPEED,
         "step": step,
         "ramp": 3e-3,
-        # whole periods: then all steps that divide one have their samples at the same times
+        # whole periods, so that all steps that divide a period are sampled at the same times
         "settle": 114 * PERIOD,
         "window": 400 * PERIOD,
         "period": PERIOD,
@@ -263,7 +263,7 @@ def exudyn(stiffness, exponent, friction, step, output=True):
 
 
 def raceway(name, output=True, **variables):
-    """Raceway's main deck under the load, as it stands."""
+    """Raceway's main deck under the load, with its defaults."""
     host(
         "build/liggghts",
         "inputs/in.6208",
@@ -287,8 +287,8 @@ def raceway(name, output=True, **variables):
 
 
 def precision(name, output=True, **variables):
-    """Raceway with film, friction and cage from a fixed time on, so that settings can be compared
-    ball by ball."""
+    """Raceway with film, friction and cage from a fixed starting time, so that settings can be
+    compared ball by ball."""
     text = host(
         "build/liggghts",
         "tests/bench/in.precision",

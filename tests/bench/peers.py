@@ -3,9 +3,10 @@
 build/bench/peers.rst.
 
 Stock LIGGGHTS with smooth cylinders and with triangle meshes (decks in tests/bench/peers), Exudyn's
-ball bearing, and Raceway for comparison: its implicit step, and velocity Verlet with the friction
-that suits it. What converges first tries a list of settings and runs at the best. Then all take
-turns in every round, with their output and without, so that a drift of the machine hits them alike.
+ball bearing, and Raceway: its implicit step, and velocity Verlet with the friction law
+that suits it. Programs that converge first try a list of settings and run at the best. Then all
+take turns in every round, with and without output, so that a drift of the machine affects all
+alike.
 """
 
 import statistics
@@ -45,14 +46,14 @@ from work_precision import SPRING
 
 ROUNDS = 3
 MESHES = {"180x8": (180, 8), "360x16": (360, 16), "720x32": (720, 32)}
-# of the meshed groove to either side; the contact reaches 18 degrees at 5 kN
+# degrees of groove meshed to either side; the contact reaches 18 degrees at 5 kN
 REACH = np.radians(40)
-SECANT = BOTH_ALIKE * (exact_shift() / 2) ** 0.5  # N/m, of two like linear contacts
+SECANT = BOTH_ALIKE * (exact_shift() / 2) ** 0.5  # N/m, of two equal linear contacts
 FITTED = BEARING.young * BOTH_ALIKE / SPHERE_ON_PLANE
 SHARP, SMOOTH = "curvature 0.25", "curvature 20 curvature_tolerant yes"
-# On the tori a ball passes two to four facets, whatever their size; with longer steps balls fly off
-# in that time.
-SCENES = [  # name, call with output or without
+# On the tori a ball passes two to four facets whatever their size; with longer steps balls escape
+# within that time.
+SCENES = [  # name, call with or without output
     ("stock LIGGGHTS, smooth cylinders", partial(cylinders, BEARING.young)),
     ("stock LIGGGHTS, STL tori, 180 by 8 facets a ring", partial(tori, "180x8", 16000, SHARP)),
     ("STL tori, 360 by 16 facets", partial(tori, "360x16", 8000, SHARP)),
@@ -91,7 +92,7 @@ def implicit(steps, tolerance):
         partial(
             precision,
             "implicit",
-            # the deck rounds it down to a whole number in a sample
+            # the deck rounds it down so that a sample has a whole number of steps
             step=1.001 * PASS / steps,
             samples=steps,
             within=200 // steps,
@@ -110,7 +111,7 @@ PEERS = [  # what converges
         fixed(STIFFENED, 704),
     ),
     Peer(
-        "Exudyn, exponent 1.5, exact stiffness given, no friction",
+        "Exudyn, exponent 1.5, exact stiffness, no friction",
         [fixed(EXPONENT, n) for n in (32, 16, 8, 4, 2, 1)],
         fixed(EXPONENT, 64),
     ),
@@ -128,7 +129,7 @@ PEERS = [  # what converges
         ),
     ),
 ]
-ATTEMPTS = [  # what was tried, call; run once
+ATTEMPTS = [  # description, call; each runs once
     (
         "stock LIGGGHTS, a servo that holds 5 kN on a mesh whose surface turns",
         lambda: host("liggghts", DECKS / "in.servo", folder=OUT),
@@ -138,14 +139,14 @@ ATTEMPTS = [  # what was tried, call; run once
         lambda: tori("360x16", 2000, SHARP, step=1e-6),
     ),
     (
-        "Exudyn, exponent 1.5, exact stiffness given, and friction 0.1",
+        "Exudyn, exponent 1.5, exact stiffness, friction 0.1",
         lambda: exudyn(BOTH_ALIKE, 1.5, 0.1, 1e-5),
     ),
 ]
 
 
 def attempt(call):
-    """One sentence on how the call ended."""
+    """One sentence on how a call ended."""
     try:
         found = call()
     except Failure as failure:
@@ -159,14 +160,14 @@ def attempt(call):
 
 
 def percent(part):
-    """A part of one in per cent, two digits after the point where small."""
+    """A fraction in per cent, with two decimals if small."""
     return f"{100 * part:+.{2 if abs(part) < 0.1 else 1 if abs(part) < 1 else 0}f} %".replace(
         "-0.00", "+0.00"
     )
 
 
 def number(value):
-    """Two digits, or all before the point."""
+    """Two significant digits, or all digits before the decimal point."""
     return f"{value:.0f}" if value >= 100 else f"{value:.2g}"
 
 
@@ -177,7 +178,7 @@ def spread(outcomes):
 
 
 def row(name, outcomes, bare):
-    """Lines of one row of the table; `bare` are the runs without output."""
+    """Table rows of one result; `bare` are the runs without output."""
     for why in (each for each in outcomes + bare if isinstance(each, Failure)):
         cells = ["", "", f"failed: {why}", "", "", ""]
         break
@@ -196,7 +197,7 @@ def row(name, outcomes, bare):
 
 
 def tried_rows(peer, choice):
-    """Lines of the table of settings that a peer tried."""
+    """Table rows of the settings that a peer tried."""
     lines = []
     for one in choice.tried:
         worth = f"{one.error:.0e}" if np.isfinite(one.error) else "stopped"
@@ -217,7 +218,7 @@ def exudyn_version():
 
 
 def page(rounds, choices, attempts):
-    """The page's text: peers/page.txt with what was measured; `rounds` are {(name, output): its
+    """The page: peers/page.txt with the measured figures; `rounds` are {(name, output): its
     outcomes}."""
     facts = [*machine(), f"Exudyn {exudyn_version()} from PyPI, one thread"]
     names = dict.fromkeys(name for name, _ in rounds)

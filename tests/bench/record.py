@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cost of a record: against the host's text, against nothing written, with samples inside long
-steps, from start to end of the program, and for a hundred bearings; writes
+"""Cost of a record: compared with the host's text dumps and with no output, with samples inside
+long steps, from start to end of the program, and for a hundred bearings; writes
 build/bench/record.rst.
 
     .venv/bin/python tests/bench/record.py [ROUNDS] [--print]     --print: leave the page alone
 
-The runs of a round follow each other, so that a drift of the machine hits them alike. Ratios are
-formed within a round; the median counts. Exit code 1 when one misses its limit.
+The runs of a round follow each other, so that a drift of the machine affects all alike. Ratios are
+formed within a round; the median counts. Exit code 1 when one exceeds its limit.
 """
 
 import re
@@ -21,7 +21,8 @@ from typing import NamedTuple
 from deck_runs import ROOT, cost, factor, run_deck
 from machine import bench_file, machine
 
-SPEEDS = {47.75: 200.0, 477.5: 20.0, 9549.0: 0.6}  # rpm: least real-time factor of the main deck
+# rpm: smallest acceptable real-time factor of the main deck
+SPEEDS = {47.75: 200.0, 477.5: 20.0, 9549.0: 0.6}
 # Outputs of the main deck, with one sample a host step and with ten.
 TEXT = {"record": "none", "dumps": "yes", "within": 1}
 RECORD, NOTHING = ({"record": record, "dumps": "no", "within": 1} for record in ("all", "none"))
@@ -33,8 +34,8 @@ OUTPUTS = {
     "nothing, a tenth of the steps": {**NOTHING, "within": 10},
 }
 PASSES, TEXT_PASSES = 400, 40
-AS_IT_STANDS = "record, 10 samples a step"  # what the main deck does unless told otherwise
-SHORT, SHORT_PASSES = "make run", 4  # of `make run`: the main deck without any -var
+AS_IT_STANDS = "record, 10 samples a step"  # default of the main deck
+SHORT, SHORT_PASSES = "make run", 4  # rpm of `make run`: the main deck without any -var
 FASTER, FASTER_WITHIN, COST = 8.0, {47.75: 15.0, 477.5: 15.0, 9549.0: 12.0}, 2.0
 MANY, MANY_COST = 100, 1.3
 PAGE = """\
@@ -44,11 +45,11 @@ Cost of a record
 Written by ``tests/bench/record.py`` (``make bench``), {today}.
 
 The main deck was run at 5000 N, with 200 samples in a ball pass: {text_passes} passes as text,
-{passes} otherwise. *text* is contacts, balls and the table of the ring as the host's dumps.
-*record* is :doc:`../fix_bearing_record` with all its columns. The motion is the same in the first
-three rows, to the bit. The median of the rounds counts: {rounds}.
+{passes} otherwise. *text* is contacts, balls and the ring table as dumps of the host.
+*record* is :doc:`../fix_bearing_record` with all its columns. The motion in the first
+three rows is the same to the bit. Figures are medians of {rounds} rounds.
 
-Times in the next two tables end when the system has the last sample.
+Times in the next two tables include writing the last sample to the operating system.
 
 .. list-table:: microseconds a sample, and how much faster than real time
    :header-rows: 1
@@ -65,11 +66,11 @@ Times in the next two tables end when the system has the last sample.
      - asked for
 {ratios}
 
-The main deck as it stands, from the start of the measured passes and from the start of the program.
-The program also starts, settles and closes its files. ``make run`` is the row of {short} passes at
-477.5 rpm: {short_wall:.2f} s from start to end of the program, {short_loop:.0f} ms of it in the
-measured passes. Its summary and its picture are not counted. {passes} passes at 477.5 rpm take
-{long_wall:.2f} s from start to end.
+The main deck with its defaults, timed from the start of the measured passes and from the start of
+the program. The latter includes starting, settling and closing the files. ``make run`` is the row
+of {short} passes at 477.5 rpm: {short_wall:.2f} s from start to end of the program,
+{short_loop:.0f} ms of it in the measured passes, without its summary and picture. {passes} passes
+at 477.5 rpm take {long_wall:.2f} s from start to end.
 
 .. list-table:: how much faster than real time the measured passes are
    :header-rows: 1
@@ -78,8 +79,8 @@ measured passes. Its summary and its picture are not counted. {passes} passes at
 {heads}
 {whole}
 
-A hundred bearings in one box on one rank (:doc:`many`): recording takes {many:.2f} times what not
-recording takes. At most {many_cost} is asked for.
+A hundred bearings in one box on one rank (:doc:`many`): a run with a record takes {many:.2f} times
+as long as one without. The limit is {many_cost}.
 
 {machine}
 """
@@ -88,11 +89,11 @@ recording takes. At most {many_cost} is asked for.
 class Taken(NamedTuple):
     """Times of a run of the main deck."""
 
-    sample: float  # s of a sample, of the measured passes
+    sample: float  # s for a sample, over the measured passes
     factor: float  # real-time factor of the measured passes
     loop: float  # s of the measured passes
     wall: float  # s from start to end of the program
-    whole: float  # real-time factor of the measured passes, if they took `wall`
+    whole: float  # real-time factor of the measured passes if they took `wall`
 
 
 def main_deck(folder, rpm, output):
@@ -125,7 +126,7 @@ def many(folder, record):
 
 
 def measure(rounds):
-    """[{(rpm, output): `Taken`, "many": ratio}] of every round."""
+    """[{(rpm, output): `Taken`, "many": ratio}], one for each round."""
     results = []
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -141,12 +142,12 @@ def measure(rounds):
 
 
 def middle(results, rpm, output, what):
-    """Median over the rounds of a part of `Taken`."""
+    """Median of a part of `Taken` over the rounds."""
     return statistics.median(getattr(one[rpm, output], what) for one in results)
 
 
 def from_start(results):
-    """Rows of the table that has the start of the program in it."""
+    """Rows of the table that includes the start of the program."""
     rows = []
     for output, passes in ((AS_IT_STANDS, PASSES), (SHORT, SHORT_PASSES)):
         for what, said in (("factor", "measured passes"), ("whole", "start to end of the program")):
@@ -156,7 +157,7 @@ def from_start(results):
 
 
 def ratios(results):
-    """[(name, {rpm: ratio}, {rpm: limit}, whether at least)] over the rounds."""
+    """[(name, {rpm: ratio}, {rpm: limit}, whether it is a lower limit)] over the rounds."""
 
     def ratio(slow, fast):
         return {

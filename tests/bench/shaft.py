@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Speed against error of a shaft on two 6208s at 3000 rpm; writes build/bench/shaft.rst.
+"""Speed and error of a shaft on two 6208s at 3000 rpm; writes build/bench/shaft.rst.
 
 The deck is docs/decks/in.shaft at twice its speed. All settings take turns in every round. Loads
-are compared with those of a run with a tolerance of 0.1 nm at the same instants.
+are compared at the same instants with those of a run with a tolerance of 0.1 nm.
 """
 
 import re
@@ -31,26 +31,26 @@ SETTINGS = [  # of fix bearing/implicit, host step (s)
     ("order 1 tolerance 1e-5", 2e-4),
 ]
 HEAD = """\
-Speed against error of a shaft
+Speed and error of a shaft
 ==============================
 
 Written by ``tests/bench/shaft.py`` (``make bench``), {date}.
 
 Two 6208s carry the motor shaft of :doc:`../tutorial_shafts` at 3000 rpm, with unbalance, thrust
-and belt pull. A ball passes in 5.6 ms. The table has real-time factors: simulated over wall time,
+and belt pull. A ball pass takes 5.6 ms. The table has real-time factors: simulated over wall time,
 one core, with a record of loads and films every {sample:g} ms. Figures are medians of {rounds}
 rounds. The reference has a tolerance of 0.1 nm. Errors are shares of the largest load:
 
-* *mean of a ball*: the worst of the balls, its load averaged over {measure:g} s;
-* *mean of the largest*: of the largest load of an instant;
-* *one instant*: the worst ball and instant.
+* *mean of a ball*: load of the worst ball, averaged over {measure:g} s;
+* *mean of the largest*: mean over time of the largest load;
+* *one instant*: the worst ball at the worst instant.
 
 """
 TAIL = """
-Ten times real time with loads to 1e-3 was asked for. Two ways were tried, and neither has it.
-Larger tolerances lose the loads of single instants first, then the means. Backward Euler with one
-step in 0.1 or 0.2 ms loses the means, too. Balls that carry little set the step. They vibrate on
-the outer raceway as they enter and leave the load.
+The goal was ten times real time with loads to 1e-3. Two ways were tried, and neither meets it.
+Larger tolerances spoil first the loads of single instants, then the means. Backward Euler with one
+step in 0.1 or 0.2 ms spoils the means, too. Lightly loaded balls limit the step: they vibrate on
+the outer raceway as they enter and leave the load zone.
 
 """
 

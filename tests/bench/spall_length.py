@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Lengths of spalls that a sensor on the housing gives, by four ways to read the time from entry to
-blow; writes build/bench/spall_length.rst.
+"""Spall lengths from a sensor on the housing, by four ways to read the time from entry to
+impact; writes build/bench/spall_length.rst.
 
     .venv/bin/python tests/bench/spall_length.py [--print]     --print: leave the page alone
 
-Exit code 1 when raceway.spall is more than 5 % off.
+Exit code 1 when raceway.spall deviates by more than 5 %.
 """
 
 import sys
@@ -42,25 +42,25 @@ Length of a spall
 
 Written by ``tests/bench/spall_length.py`` (``make bench``).
 
-A spall has the length that is given first. The others are read from the time between entry and blow
-in the acceleration of the housing, at 192 kHz and without noise (``raceway.passages``). They are
-medians over the balls that pass under the load, in mm:
+The first column is the true length of the spall. The others are read from the time between entry
+and impact in the acceleration of the housing, at 192 kHz and without noise (``raceway.passages``).
+They are medians over the balls that pass under the load, in mm:
 
 {table}
 
 * *half-way*: the ball keeps its load and strikes half-way, ``raceway.kinematics.spall_length``.
-* *static rate*: the ball leaves the raceway as fast as the drop pushes it; the ring stands still.
+* *static rate*: the ball leaves the raceway at the rate of the static drop; the ring stands still.
 * *two masses*: ball and ring move, ``raceway.spall.length``.
-* *the ball's own fall*: how far the ball has fallen when it strikes, from the record.
-  No sensor has that.
+* *the ball's own fall*: distance that the ball has fallen when it strikes, from the record.
+  No sensor measures that.
 
-All but the first know the edge's radius, 0.05 mm: a ball that keeps its load is heard that much
+All except the first use the edge's radius, 0.05 mm: a ball that keeps its load is heard that much
 before the middle. The largest error of *two masses* is {error:.1f} %.
 """
 
 
 def at_static_rate(bearing, raceway, seconds, spin, load):
-    """Lengths (m) if a ball leaves at its share of the drop's rate."""
+    """Lengths (m) if a ball leaves at a given share of the drop's static rate."""
     orbit = spin * kinematics.frequencies(bearing).cage
     speed = kinematics.entrainment(bearing, spin)
     full = static.equilibrium(bearing, load, orbital_speed=orbit)
@@ -81,7 +81,7 @@ def at_static_rate(bearing, raceway, seconds, spin, load):
 
 
 def by_own_fall(run, side, raceway, found, spin):
-    """Lengths (m) by the fall of the balls of the `Passages` `found`."""
+    """Lengths (m) from the fall of the balls of the `Passages` `found`."""
     bearing = run.tables.geometry
     speed, rolling = kinematics.entrainment(bearing, spin), bearing.effective_radii(raceway)[0]
     load, overlap = (
@@ -90,7 +90,7 @@ def by_own_fall(run, side, raceway, found, spin):
     )
     x, y = (run.balls[name].transpose("time", "ball").to_numpy() for name in "xy")
     turned = 0.0
-    if side == "inner":  # about the ring with the spall
+    if side == "inner":  # relative to the ring with the spall
         x, y = (one - run.rings[k].to_numpy()[:, None] for one, k in ((x, "x"), (y, "y")))
         turned = run.rings["angle"].to_numpy()[:, None]
     radius, way = np.hypot(x, y), np.arctan2(y, x) - turned + np.pi / 2

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cost of one step, feature by feature, and the peer scene of stock LIGGGHTS; writes
+"""Cost of one step, feature by feature, and of a comparable scene in stock LIGGGHTS; writes
 build/bench/step_cost.rst.
 
-All scenes take turns in every round, so that a drift of the machine hits them alike; the ratio to
+All scenes take turns in every round, so that a drift of the machine affects all alike; the ratio to
 the empty step is formed within a round. Medians and the range of the rounds are reported.
 """
 
@@ -75,8 +75,9 @@ def main():
     lines += [
         "",
         *"""\
-The bearing is a loaded 6208 (5 kN, 477.5 rpm, mineral oil) with velocity Verlet. "Ratio" is to
-the empty step of the same round. Figures are medians, with the range of the rounds in brackets.
+The bearing is a loaded 6208 (5 kN, 477.5 rpm, mineral oil) with velocity Verlet. "Ratio" is
+relative to the empty step of the same round. Figures are medians, with the range of the rounds in
+brackets.
 """.splitlines(),
         "",
         ".. list-table::",
@@ -99,8 +100,8 @@ the empty step of the same round. Figures are medians, with the range of the rou
     lines += [
         "",
         *"""\
-The stock scene has no groove, no ellipse, no ring that gives way under a load and no film. It is
-the nearest thing that an unmodified host offers.
+The stock scene has no groove, no contact ellipse, no free ring and no film. It is
+the closest scene that an unmodified host offers.
 """.splitlines(),
         "",
     ]

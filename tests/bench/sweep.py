@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A sweep of 200 points: throughput of two processes against one, and a sweep that is killed
+"""A sweep of 200 points: throughput of two processes relative to one, and a sweep that is killed
 half-way; writes build/bench/sweep.rst.
 
     .venv/bin/python tests/bench/sweep.py [--print]     --print: leave the page alone
 
-One and two processes take turns, so that a drift of the machine hits both. Exit code 1 when a point
-was lost or done twice.
+One and two processes take turns, so that a drift of the machine affects both. Exit code 1 when a
+point was lost or done twice.
 """
 
 import csv
@@ -27,7 +27,7 @@ from machine import bench_file, machine
 ROOT = Path(__file__).resolve().parents[2]
 LOADS, SPEEDS = (1000, 2000, 5000, 10000, 20000), (100, 250, 477.5, 1000, 2000)
 CLEARANCES, OILS = (-2e-5, 0, 1e-5, 2e-5), ("mineral", "pao48")
-# ball passes of a point: more than the default, so that light loads at speed have settled
+# ball passes of a point: more than the default, so that light loads settle even at high speed
 PASSES, SETTLE, SAMPLES = (4, 3, 100)
 ROUNDS = 3
 WANTED = 1.8
@@ -40,8 +40,8 @@ Written by ``tests/bench/sweep.py`` (``make bench``), {today}.
 The sweep has {points} points: {loads} loads from {load_low} to {load_high} N,
 {speeds} speeds from {rpm_low:g} to {rpm_high:g} rpm,
 {clearances} clearances from {clearance_low:g} to {clearance_high:g} m, and {oils} lubricants.
-A point has {passes} ball passes, with all output and figures (:doc:`../sweep`). One and two
-processes ran in turn. Rounds: {rounds}.
+Each point has {passes} ball passes, with all output and figures (:doc:`../sweep`). One and two
+processes took turns. Rounds: {rounds}.
 
 .. list-table::
    :header-rows: 1
@@ -52,19 +52,19 @@ processes ran in turn. Rounds: {rounds}.
      - points a second
 {rows}
 
-Two processes do {ratio:.2f} times the work of one (the rounds: {ratios}). At least {wanted} is
-asked for.
+Two processes do {ratio:.2f} times the work of one (rounds: {ratios}). At least {wanted} is
+required.
 
-A sweep was killed half-way (``kill -9`` with {killed} points done, two in work) and started
-again. {finished} of {points} points finished, none lost. Of the points that were done, {again}
-had been run again. Of the tables of results, {same} have the figures of the undisturbed sweep.
+A sweep was killed half-way (``kill -9`` with {killed} points finished and two running) and
+restarted. {finished} of {points} points finished, none was lost. Of the finished points, {again}
+had been run again. {same} result tables have the figures of the undisturbed sweep.
 
 {machine}
 """
 
 
 def write_table(path):
-    """The points as a CSV file; return how many."""
+    """Write the points as a CSV file; return their number."""
     points = list(itertools.product(LOADS, SPEEDS, CLEARANCES, OILS))
     with open(path, "w", newline="") as file:
         writer = csv.writer(file)
@@ -103,19 +103,19 @@ def timed(table, folder, jobs):
 
 
 def finished(folder):
-    """When each finished point was finished."""
+    """Completion time of each finished point."""
     return {path.parent.name: path.stat().st_mtime_ns for path in folder.glob("*/summary.json")}
 
 
 def figures(folder):
-    """The table of results without what depends on the clock."""
+    """The table of results without the columns that depend on the clock."""
     return pd.read_csv(folder / "results.csv").drop(
         columns=["wall_s", "processor_s", "real_time_factor"]
     )
 
 
 def killed_half_way(table, folder, points):
-    """(points done when the sweep was killed, points done after the second start, points done
+    """(points finished when the sweep was killed, points finished after the restart, points done
     twice)."""
     process = subprocess.Popen(
         command(table, folder, 2), cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
@@ -126,7 +126,7 @@ def killed_half_way(table, folder, points):
         time.sleep(0.02)
     os.kill(process.pid, signal.SIGKILL)
     process.wait()
-    time.sleep(1.0)  # the runs in work see it and stop
+    time.sleep(1.0)  # the running points notice it and stop
     before = finished(folder)
     timed(table, folder, 2)
     after = finished(folder)
@@ -143,7 +143,7 @@ def main():
             for jobs in (1, 2) if turn % 2 == 0 else (2, 1):
                 seconds[jobs].append(timed(table, folder / f"{jobs}.{turn}", jobs))
                 if turn:
-                    shutil.rmtree(folder / f"{jobs}.{turn}")  # half a gigabyte each
+                    shutil.rmtree(folder / f"{jobs}.{turn}")  # half a gigabyte for each process
                 print(f"{jobs} at a time: {points} points in {seconds[jobs][-1]:.1f} s", flush=True)
         before, after, again = killed_half_way(table, folder / "killed", points)
         same = figures(folder / "killed").equals(figures(folder / "1.0")) and figures(

@@ -6,9 +6,9 @@ from raceway.theory.bearing import INNER
 
 
 def triangles(bearing, side, around, across, half_angle):
-    """Corners (T, 3, 3) in m of one groove about the z axis, on the surface.
+    """Corners (T, 3, 3) in m of the surface of one groove about the z axis.
 
-    `around` facets along the ring, `across` over the groove, which reaches `half_angle` rad to
+    `around` facets along the ring, `across` over the groove, which extends `half_angle` rad to
     either side of its bottom. Two triangles a facet.
     """
     turn = 2 * np.pi * np.arange(around) / around

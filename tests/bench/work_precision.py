@@ -4,11 +4,11 @@ diagram.
 
     python tests/bench/work_precision.py [rad/s ...]
 
-Error: largest over balls and samples of one ball pass of inner and outer load (over the largest
-load), orbital speed (over its mean) and film of loaded balls (relative, loads above 1 % of the
-largest), against a reference with the same friction law. Cost: wall seconds per simulated second of
-one core with the capacitance at 200 instants of a ball pass and nothing written, median of ROUNDS;
-all methods of a scene take turns in a round.
+Error: the largest over balls and samples of one ball pass of inner and outer load (relative to the
+largest load), orbital speed (relative to its mean) and film of balls with more than 1 % of the
+largest load (relative), against a reference with the same friction law. Cost: wall seconds per
+simulated second on one core with the capacitance at 200 instants of a ball pass and no output,
+median of ROUNDS; all methods of a scene take turns in a round.
 """
 
 import re
@@ -40,7 +40,7 @@ ROUNDS = 2
 SAMPLES = 200
 SPEEDS = (5.0, 50.0, 1000.0)
 CLEARANCES = {-0.0035: -44.1e-6, 0.0: 0.0, 0.0035: 44.1e-6}
-# colours that the colour-blind tell apart (Okabe and Ito)
+# colours that the colour-blind can distinguish (Okabe and Ito)
 STYLE = {
     "implicit, order 1": ("#0072b2", "o"),
     "implicit, order 2": ("#d55e00", "s"),
@@ -48,21 +48,21 @@ STYLE = {
     "Verlet, history spring": ("#009e73", "v"),
     "dampers implicit": ("#cc79a7", "D"),
 }
-# friction that suits Verlet: a spring with history, where the smoothed law is a stiff damper
+# friction that suits Verlet: a spring with history, since the smoothed law is a stiff damper
 SPRING = "tangential 0.8235 0.3"
-# steps of Verlet (s) by rad/s: the longest that a clearance bears, and shorter ones
+# steps of Verlet (s) by rad/s: the longest stable with this clearance, and shorter ones
 SAME_STEPS = {50.0: (1.6e-7, 8e-8, 4e-8), 1000.0: (2e-6, 1e-6, 5e-7)}
 SPRING_STEPS = {
     5.0: (1e-6, 8e-7, 4e-7),
     50.0: (1.6e-6, 1.4e-6, 1e-6, 5e-7),
     1000.0: (3e-6, 2e-6, 1e-6, 5e-7),
 }
-# real-time factors asked for at 1e-3 and 1e-2
+# real-time factors required at errors of 1e-3 and 1e-2
 TARGETS = {5.0: (150, 300), 50.0: (20, 40), 1000.0: (1.5, 10)}
 
 
 def run(**variables):
-    """(wall over simulated time, mean step) of one run of in.precision, None where it was
+    """(wall over simulated time, mean step) of one run of in.precision, or None where it was
     refused."""
     words = [w for name, value in variables.items() for w in ("-var", name, str(value))]
     done = subprocess.run(
@@ -110,7 +110,8 @@ def recorded(**variables):
 
 
 def error(found, truth):
-    """The figure of the module's first lines; `found` may have fewer samples, evenly."""
+    """The error defined in the module's docstring; `found` may have fewer samples, evenly
+    spaced."""
     truth = [there[:: (len(there) - 1) // (len(here) - 1)] for here, there in zip(found, truth)]
     peak = truth[0].max()
     loaded = (truth[0] > 0.01 * peak) & (found[0] > 0)
@@ -123,7 +124,8 @@ def error(found, truth):
 
 def settings(speed):
     """(method, words for the table, variables of the deck, kind of reference) of every point."""
-    sample = 1.7627e-4 * 50 / speed * 1.001  # the deck rounds it down to a whole number in a sample
+    # the deck rounds it down so that a sample has a whole number of steps
+    sample = 1.7627e-4 * 50 / speed * 1.001
     for order in (1, 2):
         for samples in (10, 20, 40, 100, 200):
             yield (
@@ -178,8 +180,8 @@ def settings(speed):
 
 
 def references(scene, speed):
-    """{kind: truth} and how far two methods are apart: Verlet of 25 ns and the implicit step at 0.1
-    nm; at 5 rad/s, where the same friction would hold Verlet at nanoseconds, the implicit step with
+    """{kind: truth} and the difference of two methods: Verlet of 25 ns and the implicit step at 0.1
+    nm; at 5 rad/s, where the same friction limits Verlet to nanoseconds, the implicit step with
     order 1 and order 2."""
     fine = recorded(
         **scene,
@@ -226,7 +228,7 @@ def measure(speed, clearance):
 
 
 def slope(rows, method):
-    """Observed order: error against mean step between its coarsest and finest fixed setting."""
+    """Observed order: error against mean step, between its coarsest and finest fixed setting."""
     points = sorted((r[2], r[3]) for r in rows if r[0] == method and r[3] and "nm" not in r[1])
     return (
         np.polyfit(np.log([p[0] for p in points]), np.log([p[1] for p in points]), 1)[0]
@@ -261,8 +263,8 @@ def table(rows):
 
 
 def fastest(rows, limit, method=None):
-    """(real-time factor, setting) of the fastest row of a method, or of Raceway's implicit ones,
-    with at most this error; (nan, "none") without one."""
+    """(real-time factor, setting) of the fastest row of a method, or of Raceway's implicit methods,
+    with at most this error; (nan, "none") if there is none."""
     fitting = [
         (1 / r[4], f"{r[0]}: {r[1]}")
         for r in rows
@@ -272,8 +274,8 @@ def fastest(rows, limit, method=None):
 
 
 def targets(results):
-    """Best real-time factor at an error of at most 1e-3 and 1e-2 for each scene, against what was
-    asked for and against Verlet."""
+    """Best real-time factor at an error of at most 1e-3 and 1e-2 for each scene, compared with the
+    goal and with Verlet."""
     head = (
         "rad/s",
         "P_d/D",
@@ -358,11 +360,11 @@ def page(results):
         *f"""\
 The bearing is a 6208 at 5 kN in mineral oil, with film, friction, cage and free ring. Its
 capacitance is computed at 200 instants of a ball pass (:doc:`../fix_bearing_capacitance`,
-*within*). Nothing is written.
+*within*). There is no output.
 
 The error is the largest over balls and instants of one ball pass, against a reference with the
-same friction. It is taken of inner and outer load (over the largest load), cage speed (over its
-mean) and film. The film counts for balls that carry more than 1 % of the largest load.
+same friction. It covers inner and outer load (relative to the largest load), cage speed (relative
+to its mean) and film, for balls that carry more than 1 % of the largest load.
 
 All runs use one core. Figures are the median of {ROUNDS} rounds, in which all settings of a
 scene take turns. Measured on {date.today()}:
@@ -382,11 +384,11 @@ scene take turns. Measured on {date.today()}:
         "",
         *"""\
 Velocity Verlet is compared twice, each time at the fastest step with an error of at most 1e-3. The
-first ratio is the fair one. Verlet then has the friction that suits it: a spring with history,
-against a reference of its own. The second is with the smoothed friction of the implicit step. At
-low sliding speed that law is a stiff damper. At 50 rad/s it makes steps of Verlet ten to twenty
-times shorter. At 5 rad/s they would be nanoseconds, and that was not run. At 1000 rad/s it is not
-stiff, and Verlet is about as fast with either.
+first ratio is the fair one: Verlet has the friction law that suits it, a spring with history,
+against a reference of its own. The second uses the smoothed friction of the implicit step. At
+low sliding speed that law is a stiff damper. At 50 rad/s it shortens steps of Verlet by a factor of
+ten to twenty. At 5 rad/s steps would be nanoseconds long and were not run. At 1000 rad/s the law is
+not stiff, and Verlet is about as fast with either.
 """.splitlines(),
         "",
     ] + targets(results)
@@ -398,8 +400,8 @@ stiff, and Verlet is about as fast with either.
         "   :alt: error against wall time per simulated second",
         "",
         (
-            "Left and low is better. The dotted line is the difference of two reference methods."
-            " Errors below it say nothing. The grey line is 1e-3."
+            "Left and low is better. The dotted line is the difference between two reference"
+            " methods; errors below it are not significant. The grey line is 1e-3."
         ),
         "",
     ]
@@ -423,7 +425,7 @@ stiff, and Verlet is about as fast with either.
         "What failed",
         "-----------",
         "",
-        ":doc:`../notes/integrator` has what was tried and not used.",
+        ":doc:`../notes/integrator` describes what was tried and rejected.",
     ]
     PAGE.write_text("\n".join(lines) + "\n")
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The friction of rolling contacts in whole bearings. Velocity Verlet and the implicit step have
-one law and one answer: from rest, to and fro, loaded and nearly unloaded. Its states go over ranks
-and restarts to the bit. The shaft's power is the sum of the losses."""
+"""The friction of rolling contacts in whole bearings. Velocity Verlet and the implicit step use
+one law and agree: from rest, oscillating, loaded and nearly unloaded. States survive rank changes
+and restarts to the bit. The shaft's power equals the sum of the losses."""
 
 import re
 
@@ -34,7 +34,7 @@ def radial(load, speed=50):
 
 
 COMBINED = "x free y free z free rx free ry free spin speed 50 force 0 -2000 10000 ramp 3.0e-3"
-# law, lubricant, motion of the inner ring, its speed at the start, Verlet's steps a sample
+# law, lubricant, motion of the inner ring, its initial speed, Verlet's steps a sample
 SCENES = {
     "radial, dry": (SLIP, "dry", radial(5000), 50, 50),
     "radial, film": (FULL, "mineral", radial(5000), 50, 200),
@@ -51,13 +51,13 @@ SCENES = {
 
 
 def figures(folder, scene, integrator, substeps, **changes):
-    """Means over the second half of the run, of what is not 0."""
+    """Means over the second half of the run, without zeros."""
     simulate(folder, scene, integrator, substeps, **changes)
     return means(folder)
 
 
 def stored(folder, scene, integrator, substeps, **changes):
-    """J in motion and springs at the end of a run; those of the rails are not in it."""
+    """Energy (J) in motion and springs at the end of a run, without that of the rails."""
     text = simulate(folder, scene, integrator, substeps, **changes).text
     return float(re.search(r"STORED (\S+)", text).group(1))
 
@@ -92,7 +92,8 @@ def inner_ring(run):
 
 
 def largest_difference(one, other):
-    """Relative difference of figures: of displacements to the largest, of spin to all friction."""
+    """Relative difference of figures: displacements relative to the largest, spin to all
+    friction."""
     most = max(abs(one[name]) for name in ("x", "y", "z"))
     scale = one | dict(x=most, y=most, z=most, spin_power=one["friction_power"])
     return max(abs(one[name] - other[name]) / abs(scale[name]) for name in one)
@@ -100,8 +101,8 @@ def largest_difference(one, other):
 
 @pytest.mark.parametrize("scene", SCENES)
 def test_one_answer(tmp_path, scene):
-    """Loads, displacement, cage speed and friction power of both integrators within 1 %; each
-    within 0.5 % of itself with half the step."""
+    """Both integrators agree within 1 % in loads, displacement, cage speed and friction power; each
+    agrees within 0.5 % with itself at half the step."""
     steps = SCENES[scene][-1]
     found = {
         (integrator, n): figures(tmp_path / f"{integrator}{n}", scene, integrator, n)
@@ -124,8 +125,8 @@ def test_one_answer(tmp_path, scene):
 
 
 def test_slip_and_spin_in_slices(tmp_path):
-    """A 7208, 40 degrees, under combined load: both integrators within 1 %, with less lost to slip
-    and spin than the closed forms have, and the same loads."""
+    """A 7208, 40 degrees, under combined load: both integrators agree within 1 %, with smaller slip
+    and spin losses than the closed forms give, and the same loads."""
     inner = "x free y free z free rx free ry free spin speed 50 force 0 -500 4000 ramp 3.0e-3"
     case = dict(bearing="7208", inner=inner, samples=200)
     slices = GAP.replace("heathcote 1.0e-4", "slices 1.0e-4 1.0").replace(" spin 1.0", "")
@@ -138,7 +139,7 @@ def test_slip_and_spin_in_slices(tmp_path):
         case |= dict(out=tmp_path / name, law=law, integrator=integrator, substeps=n)
         succeed(CASE, **case)
         found[name] = means(tmp_path / name)
-        # one sum of stresses: what is slip of it and what spin is of no account
+        # slip and spin come from one sum of stresses, so that their split is arbitrary
         found[name]["friction_power"] += found[name]["spin_power"]
     closed, implicit = found["closed"], found["implicit"]
     apart = largest_difference(found["verlet"], implicit)
@@ -151,8 +152,8 @@ def test_slip_and_spin_in_slices(tmp_path):
 
 @pytest.mark.parametrize("lubricant, law, steps", [("dry", DRY, 50), ("mineral", FULL, 200)])
 def test_to_and_fro(tmp_path, lubricant, law, steps):
-    """The ring turns at 50 cos(2 pi t/20 ms) rad/s and the balls stop and come back: friction power
-    within 2 %, radial displacement within 0.01 %, and no drift."""
+    """The ring turns at 50 cos(2 pi t/20 ms) rad/s and the balls reverse: friction power agrees
+    within 2 %, radial displacement within 0.01 %, and nothing drifts."""
     found = {}
     for integrator, n in (("implicit", 1), ("verlet", steps)):
         succeed(
@@ -176,7 +177,7 @@ def test_to_and_fro(tmp_path, lubricant, law, steps):
 
 @pytest.mark.parametrize("integrator, steps", [("implicit", 1), ("verlet", 50)])
 def test_standing_bearing_sticks(tmp_path, integrator, steps):
-    """A bearing loaded at rest comes to rest: no power is lost, no ball rolls."""
+    """A bearing loaded at rest settles: no power is lost and no ball rolls."""
     succeed(
         CASE,
         out=tmp_path,
@@ -205,9 +206,9 @@ def test_standing_bearing_sticks(tmp_path, integrator, steps):
     ],
 )
 def test_power_is_the_sum_of_losses(tmp_path, integrator, steps, scene, bound):
-    """Over one ball pass, after two: what shaft and loads put in against the losses of all parts
-    and the growth of what bodies and springs store. Under combined load the balls' centres differ
-    in speed and press the cage together, pass by pass: 3 mJ a pass, 1.7e-3 of the losses."""
+    """Over one ball pass, after two: the work of shaft and loads equals the losses of all parts
+    plus the energy stored in bodies and springs. Under combined load the balls' centres differ in
+    speed and compress the cage together, pass by pass: 3 mJ a pass, 1.7e-3 of the losses."""
     cage = 19.775 if scene.startswith("radial") else 20.222
     case = dict(sample=2 * np.pi / 9 / cage / 350)
     before, after = (
@@ -231,8 +232,8 @@ def test_power_is_the_sum_of_losses(tmp_path, integrator, steps, scene, bound):
 @pytest.mark.parametrize("load", ["radial", "combined"])
 @pytest.mark.parametrize("speed", [5, 50, 1000])
 def test_work_is_dissipated_or_stored(tmp_path, speed, load):
-    """The implicit step's own account of two ball passes with all parts, the load coming on: what
-    it adds or takes itself is below 1e-3 of the losses."""
+    """The implicit step's own energy balance over two ball passes with all parts under a ramped
+    load: the energy it adds or removes itself is below 1e-3 of the losses."""
     inner = (radial(5000) if load == "radial" else COMBINED).replace("speed 50", f"speed {speed}")
     text = succeed(
         CASE,
@@ -264,7 +265,7 @@ def test_balance_at_any_speed(tmp_path, speed, load, ramp, law):
 
 
 def sum_of_loads(ring, scene):
-    """Mean power of the loads on the ring as it moves, W."""
+    """Mean power (W) of the loads on the moving ring."""
     load = (0.0, -5000.0, 0.0) if scene.startswith("radial") else (0.0, -2000.0, 10000.0)
     return sum(float(ring[f"v{k}"].mean()) * f for k, f in zip("xyz", load, strict=True))
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""States of contacts, the film branch and the tangential springs, have the order of the implicit
-step in a bearing that moves."""
+"""Contact states (film branch and tangential springs) converge with the order of the implicit
+step in a moving bearing."""
 
 import numpy as np
 import raceway
@@ -28,8 +28,8 @@ def contacts(folder, step):
 
 
 def test_second_order(tmp_path):
-    """A load of 3 kN comes on in 0.3 ms at 1000 rad/s: the largest error of any contact, against an
-    eighth of the smallest step, falls to a sixteenth with a quarter of the step."""
+    """A load of 3 kN is applied in 0.3 ms at 1000 rad/s: the largest error of any contact, relative
+    to an eighth of the smallest step, falls to a sixteenth at a quarter of the step."""
     truth = contacts(tmp_path / "truth", 1.25e-7)
     errors = {name: [] for name in NAMES}
     for step in (4e-6, 2e-6, 1e-6):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A command of `raceway` in a forked child: no start of Python for each, no crash of the fuzzer."""
+"""Runs a command of `raceway` in a forked child, which saves a start of Python for each and keeps
+crashes from the fuzzer."""
 
 import os
 import pkgutil
@@ -15,12 +16,13 @@ from pathlib import Path
 from fuzz.lab import Finding
 from raceway import cli, data, electric, export, runs, theory
 
-# once, not in every child
+# imported once, not in every child
 for package in (data, electric, export, runs, theory):
     for module in pkgutil.iter_modules(package.__path__, f"{package.__name__}."):
         import_module(module.name)
 
-# processor time, which other work on the machine does not change; the wall's is far above it
+# processor time, which other work on the machine does not affect; the wall time limit is far above
+# it
 SECONDS, WALL_S, BYTES = 20, 600, 6 * 2**30
 
 
@@ -32,7 +34,7 @@ class End:
 
 
 def raceway(words, folder):
-    """Run `raceway WORDS` in `folder`. A traceback, a signal or a hang is a finding."""
+    """Run `raceway WORDS` in `folder`. A traceback, a signal or a hang counts as a finding."""
     pid = os.fork()
     if pid == 0:
         _inside(words, folder)

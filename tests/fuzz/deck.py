@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A scene as a deck of any host, placed by a pose."""
+"""A scene as a deck for any host, placed by a pose."""
 
 from fuzz.pose import LAB, UPRIGHT
 
@@ -16,7 +16,7 @@ SUMS = "contacts loaded load_inner load_outer pressure".split()
 
 def deck(scene, pose=UPRIGHT, split=None, cuts="* * *", more=(), restart=None):
     """The deck's text. `split`: steps of the first of two runs. `more`: commands that must not
-    change the motion. `restart`: write a file after the first run ("write"), or begin with it
+    affect the motion. `restart`: write a file after the first run ("write"), or begin with one
     ("read")."""
     total = scene["every"] * scene["samples"]
     lines = [*_world(scene, pose, cuts)]
@@ -92,7 +92,8 @@ def _fixes(scene, pose):
     if scene["cage"]:
         yield "fix rails cage bearing/cage 4"
     for number, (ring, kind, azimuth, *rest) in enumerate(scene["flaws"]):
-        if kind == "wave":  # azimuth is the order, the last word the phase at the azimuth 0
+        # the azimuth stands for the order; the last word is the phase at azimuth 0
+        if kind == "wave":
             order, (amplitude, phase) = azimuth, rest
             # cos(n phi + p) with phi = sense (lab - offset)
             phase = pose.sense * phase - order * pose.azimuth(0)
@@ -100,7 +101,7 @@ def _fixes(scene, pose):
         else:
             rest = [pose.azimuth(azimuth), *rest]
         if scene["grooves"][ring == "outer"][2] and pose.signs[2] < 0:
-            rest = [*rest, "groove", 1]  # the first groove along the other axis
+            rest = [*rest, "groove", 1]  # the first groove in the direction of the lab axis
         yield f"fix flaw{number} {ring} bearing/profile {kind} {_words(rest)}"
     if scene["implicit"] is None:
         yield "fix move moving nve/sphere"

@@ -13,7 +13,7 @@ GRAMMAR = Path(__file__).parent / "grammar"
 
 @cache
 def grammar(name):
-    """A file of grammar/. YAML takes 1e-3 for text, so numbers there have a point."""
+    """A file of grammar/. YAML reads 1e-3 as text, so numbers there have a decimal point."""
     return yaml.safe_load((GRAMMAR / f"{name}.yaml").read_text())
 
 
@@ -21,8 +21,8 @@ class Draw(random.Random):
     """Random numbers with the words of a grammar."""
 
     def number(self, interval):
-        """One of [least, most], whole numbers if these are, or of [log, least, most]; rounded to
-        four digits."""
+        """A value from [least, most], a whole number if both are, or from [log, least, most];
+        rounded to four digits."""
         if interval[0] == "log":
             low, high = map(math.log, interval[1:])
             return float(f"{math.exp(self.uniform(low, high)):.4g}")

@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Output of a run, in the bearing's own frame."""
+"""Output of a run in the bearing's own frame."""
 
 import numpy as np
 from fuzz.deck import ATOMS, contact_columns, ring_columns
 from host import tables
 
-AXIAL = {"omegax", "tilt_1", "mx"}  # first components of axial vectors
+AXIAL = {"omegax", "tilt_1", "mx"}  # first components of the axial vectors
 VECTORS = ("x", "vx", "omegax", "fx", "mx", "ax")
 
 
 def read(folder, scene, pose):
     """{table: (columns, array (samples, rows, columns))}, in the frame and order of the scene."""
     balls, cage = scene["balls"], bool(scene["cage"])
-    # contacts differ in number: a row for every ball, raceway and groove, 0 without contact
+    # the number of contacts varies: one row for every ball, raceway and groove, 0 without contact
     columns = contact_columns(scene)
     contacts = []
     for _, rows in tables(folder / "contacts.dump"):
@@ -39,7 +39,7 @@ def read(folder, scene, pose):
 
 
 def _order(balls, cage, pose):
-    """Index in the lab of every atom in the own order."""
+    """Index in the lab of every atom in the scene's order."""
     step = np.arange(balls)
     if pose.sense < 0:
         own_balls, own_cage = (-step) % balls, (-step - 1) % balls
@@ -84,7 +84,7 @@ def _tilts(rings, names, pose):
 
 
 def differences(first, second, tolerance, start=1):
-    """Columns that differ by more than `tolerance` of their largest value, worst first: (share,
+    """Columns that differ by more than `tolerance` of their largest value, largest first: (share,
     table, column, sample)."""
     found = []
     for name, (columns, a) in first.items():
@@ -93,7 +93,7 @@ def differences(first, second, tolerance, start=1):
             a, b = _loaded(columns, a, b)
             at = columns.index("azimuth")
             b[..., at] -= 2 * np.pi * np.round((b[..., at] - a[..., at]) / (2 * np.pi))
-        if tolerance:  # at the start rounding decides whether balls that just touch are in contact
+        if tolerance:  # at the start, rounding decides whether balls that just touch are in contact
             a, b = a[start:], b[start:]
         if a.shape != b.shape:
             found.append((np.inf, name, f"shape {a.shape} {b.shape}", 0))
@@ -108,8 +108,8 @@ def differences(first, second, tolerance, start=1):
 
 
 def _loaded(columns, a, b):
-    """Contacts of two runs without those near zero load, which rounding opens and closes: their
-    loads stay, everything else becomes 0."""
+    """Contacts of two runs without those near zero load, which rounding opens and closes: only
+    their loads are kept, everything else becomes 0."""
     load = columns.index("load")
     light = np.minimum(a[..., load], b[..., load]) < 1e-2 * a[..., load].max(initial=0)
     kept = np.arange(len(columns)) == load

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Decks spoilt on purpose: words and lines exchanged, dropped, repeated or added. They may end in
+"""Decks damaged on purpose: words and lines swapped, dropped, repeated or added. They may end in
 any message, but not in a crash, a hang, or NaN."""
 
 import re
@@ -76,7 +76,7 @@ def _add(draw, lines):
 
 
 def check(draw, text, lab):
-    """Run a spoilt deck: "passed" or "refused"; raises Finding."""
+    """Run a damaged deck: "passed" or "refused"; raises Finding."""
     text = spoil(draw, text)
     if not affordable(text):
         return "refused"
@@ -97,7 +97,7 @@ def _finite(file):
 
 
 def affordable(text):
-    """True if its runs and steps are short: a second of motion takes minutes."""
+    """Whether its runs and steps are short enough: a simulated second takes minutes."""
     for word, most in (("run", 2e4), ("timestep", 1e-3)):
         for number in re.findall(rf"^{word} (\S+)", text, re.M):
             with suppress(ValueError):

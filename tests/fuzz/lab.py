@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs the decks of a case in a folder of its own and reports how each ended."""
+"""Runs the decks of a case in a folder of its own and reports how each run ended."""
 
 import re
 import subprocess
@@ -12,15 +12,16 @@ from fuzz.pose import UPRIGHT
 from host import run
 
 HOSTS = {"liggghts": "liggghts", "lammps": "lammps", "plugin": "wheel", "sanitized": "sanitized"}
-SECONDS = 600  # of a run that takes a tenth of a second, and a hundred times that beside others
+# for a run that takes a tenth of a second alone, and a hundred times as long beside other work
+SECONDS = 600
 CRASH = re.compile(
     r"Segmentation|Aborted|Traceback|terminate called|AddressSanitizer|runtime error|stack smashing"
 )
 
-# ends that the physics of a longer or slightly different run can bring about
+# errors that the physics of a longer or slightly different run can cause
 LATER = re.compile(r"on the far side of the groove|bearing/timestep: step \S+ s exceeds what")
 
-# frames of crashes that the host has without the package too
+# stack frames of crashes that occur in the host without the package, too
 HOSTS_OWN = re.compile(r"DumpLocal10init_style|DumpCustom10init_style")
 
 
@@ -29,7 +30,7 @@ class Finding(Exception):
 
 
 class Refused(Exception):
-    """The first deck of a case is not accepted, so the case ends."""
+    """The first deck of a case was refused, which ends the case."""
 
 
 @dataclass
@@ -41,7 +42,8 @@ class Lab:
     runs: int = 0
 
     def start(self, text, name="run", ranks=1, host=None):
-        """Run a deck; its outcome. A crash, a hang or an end without a message is a finding."""
+        """Run a deck and return its outcome. A crash, a hang or an end without a message is a
+        finding."""
         self.runs += 1
         file = self.folder / f"in.{name}"
         file.write_text(text)
@@ -65,7 +67,7 @@ class Lab:
         return end
 
     def figures(self, scene, name="first", pose=UPRIGHT, ranks=1, host=None, text=None, **options):
-        """The figures of a scene's run, in the scene's own frame."""
+        """Figures of a scene's run, in the scene's own frame."""
         end = self.start(text or deck(scene, pose, **options), name, ranks, host)
         if end.code:
             message = end.error.splitlines()[0]
@@ -79,7 +81,7 @@ class Lab:
 
 
 def same(first, second, tolerance, what):
-    """The figures of two runs agree."""
+    """Check that the figures of two runs agree."""
     if found := figures.differences(first, second, tolerance):
         words = "; ".join(
             f"{table} {column} by {share:.2g} at sample {sample}"

@@ -15,7 +15,7 @@ from host import run
 
 SHORT = {"passes": 1, "samples": 20, "settle": 0.1}
 WAYS = ("resume", "hosts", "ranks", "summary")
-# of the run, not of the bearing
+# variables of the run, not of the bearing
 TIMING = ("wall_s", "processor_s", "created", "ranks", "host", "program", "evaluations", "history")
 
 
@@ -30,7 +30,7 @@ def variables(draw):
 
 
 def check(draw, folder, host):
-    """A case; the way it went. Raises Finding or Refused."""
+    """Run one case; returns the check that was made. Raises Finding or Refused."""
     given, way = variables(draw), draw.choice(WAYS)
     first = _run(folder / "first", host, given, first=True)
     if way == "resume":

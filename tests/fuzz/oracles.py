@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Relations between runs that hold for every scene. Each takes the scene, its figures and
-the lab, and raises a Finding."""
+the lab, and raises a Finding if violated."""
 
 import json
 import re
@@ -24,7 +24,7 @@ EXTRA = (
 
 
 def turn(scene, first, lab, draw):
-    """Another direction of the axis and of the first ball."""
+    """Turn the axis and move the first ball to another direction."""
     _posed(scene, first, lab, draw.choice(TURNS), "turned")
 
 
@@ -48,8 +48,8 @@ def _posed(scene, first, lab, pose, name):
 
 
 def _near(scene, first, lab, other, what):
-    """Equal figures, unless a change of rounding in the scene itself makes them differ as well:
-    balls on a knife's edge."""
+    """Equal figures, unless a rounding-size change of the scene itself makes them differ as well,
+    for balls at the limit of contact."""
     if not figures.differences(first, other, POSED):
         return
     for k, share in enumerate((1e-13, -1e-12, 1e-11)):
@@ -64,13 +64,14 @@ def _near(scene, first, lab, other, what):
 
 
 def restart(scene, first, lab, draw):
-    """write_restart and read_restart at a sample: the bits of a run split there."""
+    """write_restart and read_restart at a sample give the bits of a run split there."""
     steps = scene["every"] * draw.randint(1, scene["samples"] - 1)
     whole = lab.figures(scene, "split", split=steps, restart="write")
     (lab.folder / "resumed").mkdir()
     (lab.folder / "split" / "half.restart").rename(lab.folder / "resumed" / "half.restart")
     after = lab.figures(scene, "resumed", restart="read")
-    # velocity Verlet has forces at half-step velocities, but at the start of a run at full ones
+    # velocity Verlet evaluates forces at half-step velocities, but at the start of a run at full
+    # ones
     count = scene["samples"] - steps // scene["every"] + (scene["implicit"] is not None)
     tails = [
         {name: (columns, table[-count:]) for name, (columns, table) in run.items()}
@@ -106,7 +107,7 @@ def rewrite(scene, first, lab, draw):
 
 
 def neighbour(scene, first, lab, draw):
-    """A second bearing of the same kind, beside the first along its axis, changes no bit."""
+    """A second bearing of the same kind, displaced along the axis, changes no bit."""
     lines, width = deck(scene).splitlines(), 3 * scene["diameter"]
     at = next(k for k, line in enumerate(lines) if line.startswith("create_bearing"))
     words = re.sub("centre 0 0 0", f"centre 0 0 {width:.17g}", lines[at])
@@ -119,7 +120,7 @@ def neighbour(scene, first, lab, draw):
         else re.sub(r"^group (\w+) type (.*)", r"group \1 type \2", line)
         for line in lines
     ]
-    # dumps and the capacitance are those of the first bearing; forces act on both
+    # dumps and the capacitance cover the first bearing only; forces act on both
     lines = [re.sub(r"^(dump atoms) all", r"\1 first", line) for line in lines]
     lines = [
         re.sub(r"^(compute contacts|dump contacts|fix cap) balls", r"\1 first_balls", line)
@@ -136,7 +137,7 @@ def neighbour(scene, first, lab, draw):
 
 
 def shaft(scene, first, lab, draw):
-    """A shaft of one ring is that ring."""
+    """A shaft of one ring behaves like that ring."""
     text = deck(scene)
     if "unbalance" in text or scene["gravity"]:
         return
@@ -148,7 +149,7 @@ def rest(scene, first, lab, draw):
     statics.check(scene, lab)
 
 
-# of a record's summary: what does not depend on where the bearing stands; force and shift may turn
+# figures of a record's summary that do not depend on position; force and shift may turn
 SCALARS = (
     "ring_shift_m load_parameter q_max_N q_inner_max_N q_outer_max_N p_max_inner_Pa p_max_outer_Pa "
     "entrainment_speed_m_s h_min_m h_c_m lambda capacitance_F capacitance_top_F "
@@ -157,7 +158,7 @@ SCALARS = (
 
 
 def read(scene, first, lab, draw):
-    """`raceway summary` of a record gives the same figures in every pose."""
+    """`raceway summary` of a record gives the same figures for every pose."""
     record = f"fix table all bearing/record {scene['every']} ${{out}}/record overwrite yes"
     pose = draw.choice([*TURNS, *MIRRORS])
     told = []
@@ -182,7 +183,7 @@ def _alike(a, b):
 
 
 def energy(scene, first, lab, draw):
-    """Work, dissipation and storage balance to 1e-3, or approach it with shorter substeps."""
+    """Work, dissipation and storage balance to 1e-3, or converge to it with shorter substeps."""
     jumps = any("position" in str(scene[ring]) for ring in ("inner", "outer"))  # no work defined
     if scene["implicit"] is None or "solve" in scene["implicit"] or jumps:
         return

@@ -13,12 +13,12 @@ def check(scene, figures, folder):
     names, rings = figures["rings"]
     ring = {name: rings[..., names.index(name)] for name in names}
     law = set(scene["law"].split())
-    gap = law & {"gap", "gap_film"}  # contacts then begin before the surfaces meet
+    gap = law & {"gap", "gap_film"}  # contacts then start before the surfaces touch
     springs = scene["implicit"] is None or law & {"heathcote", "slices"}
     for name in ("a", "b", "pressure", "h_min", "lambda", *([] if gap else ["overlap"])):
         if name in of and (of[name][touching] < 0).any():
             raise Finding(f"negative {name}")
-    # a tangential spring gives back what it stored
+    # a tangential spring returns the energy it stored
     for name in ("load", "normal", *([] if springs else ["friction_power"])):
         if (of[name][touching] < -1e-9 * abs(of[name]).max(initial=0)).any():
             raise Finding(f"negative {name} of a contact: {of[name].min()}")
@@ -30,7 +30,7 @@ def check(scene, figures, folder):
 
 
 def _sums(scene, of, touching, ring):
-    """Forces on every ring are the sums over its contacts."""
+    """Forces on every ring are sums over its contacts."""
     inner = ring["ring"].argmin(axis=1)
     for side in (0, 1):
         pick = inner if side == 0 else 1 - inner
@@ -43,7 +43,7 @@ def _sums(scene, of, touching, ring):
         most = np.where(mine, of["load"], 0).max(axis=1, initial=0)
         _close(most, ring["load"][rows, pick], f"largest load of ring {side}")
         if side and (scene["cage"] or "drag" in scene["law"]):
-            continue  # its rails and the drag push the ring too
+            continue  # rails and drag also push the ring
         radial = np.where(mine, of["normal"] * np.cos(of["angle"]), 0)
         sign = -1 if side == 0 else 1
         axial = np.where(mine, of["normal"] * np.sin(of["angle"]), 0).sum(axis=1)
@@ -66,7 +66,7 @@ def _sums(scene, of, touching, ring):
 def _totals(of, touching, folder):
     rows = np.loadtxt(folder / "sums.txt", comments="#", ndmin=2)
     found = dict(zip(("now", *SUMS), rows.T, strict=True))
-    missing = len(touching) - len(rows)  # LIGGGHTS prints nothing before the first step
+    missing = len(touching) - len(rows)  # LIGGGHTS prints no row before the first step
     touching = touching[missing:]
     of = {name: values[missing:] for name, values in of.items()}
     counts = touching.sum(axis=1)

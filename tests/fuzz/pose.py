@@ -12,7 +12,7 @@ LAB = "xyz"
 
 @dataclass(frozen=True)
 class Pose:
-    """Own axis i points along sign[i] times the lab axis `axes[i]`."""
+    """Axis i of the scene points along sign[i] times the lab axis `axes[i]`."""
 
     axes: tuple = (0, 1, 2)
     signs: tuple = (1, 1, 1)
@@ -37,11 +37,11 @@ class Pose:
 
     @property
     def sense(self):
-        """-1 if an azimuth in the lab falls where the own one rises."""
+        """-1 if the azimuth in the lab falls where that of the scene rises."""
         return self.hand * self.signs[2]
 
     def polar(self, vector):
-        """A displacement, velocity or force in the lab."""
+        """A displacement, velocity or force in lab axes."""
         return [float(value) for value in self.matrix @ vector]
 
     def axial(self, vector):
@@ -49,13 +49,13 @@ class Pose:
         return [self.hand * value for value in self.polar(vector)]
 
     def azimuth(self, own):
-        """The azimuth in the lab, from the axis after the bearing's."""
+        """The azimuth in the lab, measured from the axis after the bearing's."""
         lab = self.polar([math.cos(own), math.sin(own), 0])
         first, second = (self.axis + 1) % 3, (self.axis + 2) % 3
         return math.atan2(lab[second], lab[first])
 
     def back(self, vectors, axial=False):
-        """Vectors of the lab, (n, 3), in the own frame."""
+        """Lab vectors, (n, 3), in the scene's frame."""
         return (np.asarray(vectors) @ self.matrix) * (self.hand if axial else 1)
 
 

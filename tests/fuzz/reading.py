@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Command lines on whole and damaged files. Damage may be refused, but change no figure."""
+"""Command lines on intact and damaged files. Damaged files may be refused, but must change no
+figure."""
 
 import json
 import math
@@ -9,7 +10,7 @@ from fuzz.lab import Finding
 
 
 def check(draw, folder, runs):
-    """A command line: "passed" or "refused"; raises Finding."""
+    """Run a command line: "passed" or "refused"; raises Finding."""
     damage, places, whole = "", runs, draw.choice(runs)
     if draw.chance(0.3):
         place, damage = files.damaged(draw, whole, folder)

@@ -3,8 +3,8 @@
 
 python tests/fuzz/run.py --seed 1 --cases 1000 --host lammps
 
-A finding is shrunk and written to build/fuzz, and --replay runs such a file again. docs/extend.rst
-describes it."""
+A finding is reduced and written to build/fuzz; --replay runs such a file again. docs/extend.rst
+describes the fuzzer."""
 
 import argparse
 import sys
@@ -57,12 +57,12 @@ def judge(name, seed, host, drawn=None, runs=None):
 
 
 def oracle(seed):
-    """The kind of case of a seed."""
+    """The kind of case that belongs to a seed."""
     return Draw(seed).choices(list(SHARES), SHARES.values())[0]
 
 
 def report(name, seed, host, message):
-    """Write a finding, its scene as small as possible, and its deck."""
+    """Write a finding with its deck, its scene reduced as far as possible."""
     FINDINGS.mkdir(parents=True, exist_ok=True)
     found = {"message": message, "oracle": name, "seed": seed, "host": host}
     if name in ORACLES:
@@ -83,7 +83,7 @@ def report(name, seed, host, message):
 
 
 def series(seeds, host, only=None, runs=None, tell=lambda *words: None):
-    """Verdicts of many cases and the messages of the findings."""
+    """Verdicts of many cases, and the messages of the findings."""
     count, found = Counter(), []
     with tempfile.TemporaryDirectory() as folder:
         for seed in seeds:
@@ -99,7 +99,7 @@ def series(seeds, host, only=None, runs=None, tell=lambda *words: None):
 
 
 def replay(file, host=None):
-    """(verdict, message) of a finding's file."""
+    """(verdict, message) of a finding that was saved to a file."""
     found = yaml.safe_load(Path(file).read_text())
     name, seed, scene_found = found["oracle"], found["seed"], found.get("scene")
     with tempfile.TemporaryDirectory() as folder:

@@ -11,7 +11,7 @@ FREEDOMS = ("x", "y", "z", "rx", "ry")
 
 
 def scene(seed):
-    """The scene of a seed, as plain data: parts can be taken away one by one (shrink.py)."""
+    """The scene of a seed as plain data, from which parts can be removed one by one (shrink.py)."""
     draw = Draw(seed)
     film = draw.chance(0.65)
     bearing = _bearing(draw)
@@ -88,7 +88,7 @@ def _time(draw, implicit, bearing):
     every, samples = draw.number(ranges["steps"]), draw.number(ranges["samples"])
     if implicit:
         return {"step": draw.number(ranges["step"]), "every": every, "samples": samples}
-    # a step that velocity Verlet can take; more of them, since each does little
+    # a step short enough for velocity Verlet, and more of them
     step = 1.0e-7 * bearing["diameter"] / 12.6e-3
     return {"step": float(f"{step:.3g}"), "every": 20 * every, "samples": samples}
 

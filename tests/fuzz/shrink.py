@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Removes parts of a scene as long as the failure remains."""
+"""Removes parts of a scene as long as the failure persists."""
 
 from itertools import combinations
 

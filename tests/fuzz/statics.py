@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Loads of a run at rest against the statics of Python: the scene's bearing and load without
-friction, film and speed, with much damping."""
+"""Loads of a run at rest compared with statics in Python: the scene's bearing and load without
+friction, film and speed, with strong damping."""
 
 import numpy as np
 from fuzz.lab import Finding
@@ -9,7 +9,7 @@ from raceway import static
 from raceway.errors import NoEquilibrium
 from raceway.theory.bearing import Bearing, Layout
 
-SHARE = 2e-2  # of the largest load: balls roll a little while the run comes to rest
+SHARE = 2e-2  # share of the largest load: balls roll slightly while the run comes to rest
 
 
 def rest(scene):
@@ -27,7 +27,7 @@ def rest(scene):
             ring["supports"][name] = [1.0 * scale, 3e3 * scale]
     still = {"film": False, "law": "hysteresis 5", "speed": [0, 0], "implicit": "order 1"}
     still |= {"step": 5.0e-5, "every": 20, "samples": 5, "outer": None, "gravity": None}
-    # a seat is a displacement, which a held ring keeps
+    # a seat is a displacement, which a held ring would keep
     still |= {} if ring["freedoms"]["z"] == ["free"] else {"seat": 0}
     return scene | still | {"flaws": [], "capacitance": None, "inner": ring, "cage": None}
 
@@ -38,7 +38,8 @@ def check(scene, lab):
     if _theory(still, still["phase"]) is None:
         return False
     figures = lab.figures(still, "rest")
-    place = figures["atoms"][1][-1, : scene["balls"], 2:4]  # without friction they roll away
+    # without friction the balls would roll away
+    place = figures["atoms"][1][-1, : scene["balls"], 2:4]
     theory = _theory(still, np.arctan2(place[:, 1], place[:, 0]))
     if theory is None:
         return False
@@ -63,7 +64,7 @@ def check(scene, lab):
 
 
 def _unrest(ring, radius, names, table):
-    """Share of the loads that the contacts do not yet carry."""
+    """Share of the load that the contacts do not carry yet."""
     row = table[-1, table[-1, :, 0].argmin()]
     loads = zip(("fx", "fy", "fz", "mx", "my"), [*ring["force"], *ring["moment"]], strict=True)
     free = [

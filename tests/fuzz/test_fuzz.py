@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A few cases of the fuzzer (run.py makes more), and all that it found."""
+"""A few cases of the fuzzer (run.py runs more), and all its past findings."""
 
 from pathlib import Path
 from types import SimpleNamespace
@@ -43,7 +43,7 @@ def test_what_it_found(file):
     ],
 )
 def test_ends_that_a_longer_run_may_have(tmp_path, monkeypatch, end, verdict):
-    """Only the second run of a case ends so."""
+    """Only the second run of a case may end so."""
     ended = lab.Lab(tmp_path)
     outcome = SimpleNamespace(code=1, text=end, error=end)
     monkeypatch.setattr(lab, "run", lambda *words, **options: outcome)

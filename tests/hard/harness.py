@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs the cases of cases.yaml, makes their references, and measures how far they are apart."""
+"""Runs the cases of cases.yaml and their references, and measures the differences."""
 
 import re
 from pathlib import Path
@@ -15,20 +15,20 @@ DECK = "tests/hard/in.hard"
 BALLS = 9  # every case is a 6208
 _data = yaml.safe_load((Path(__file__).parent / "cases.yaml").read_text())
 CASES, BOUNDS, EXPLICIT = _data["cases"], _data["bounds"], _data["explicit"]
-# Settings of the references "fine" and of every comparison of the fix with
-# itself, whatever the defaults are.
+# Settings of the references "fine" and of all comparisons of the fix with
+# itself, independent of the defaults.
 FINE = "tolerance 1e-10"
-# what `Course.error` says of a run that ended well without them
-LOST = "atoms got lost and nothing was said"
+# `Course.error` of a run that ended normally with fewer atoms
+LOST = "atoms were lost without an error message"
 
 
 class Course(NamedTuple):
-    """A run, sample by sample; `error` holds the host's message when it stopped, tables
-    are None then."""
+    """A run, sample by sample; `error` is the host's message if it stopped, in which case tables
+    are None."""
 
     load: np.ndarray  # (samples, 2, balls), N; raceway 0 is the inner one
     film: np.ndarray  # (samples, 2, balls), m; 0 where there is no contact or no film
-    capacitance: np.ndarray  # (samples,), F, of the bearing
+    capacitance: np.ndarray  # (samples,), F, total of the bearing
     orbit: np.ndarray  # (samples, balls), rad/s
     ball: np.ndarray  # (samples, balls, 2), m: x and y
     ring: np.ndarray  # (samples, 3), m: inner ring
@@ -42,7 +42,7 @@ class Course(NamedTuple):
 
 
 def run(folder, case, **over):
-    """A `Course` of one case; `over` are variables of the deck that differ from the case's."""
+    """The `Course` of one case; `over` are deck variables that replace the case's."""
     variables = {
         "samples": 400,
         "sample": 1e-4,
@@ -105,8 +105,8 @@ def _arrays(folder, balls, wet):
 
 
 def reference(kind, folder, case, refine=1):
-    """The `Course` of a reference that is a run (verlet, history, fine), `refine` times finer than
-    its words say."""
+    """The `Course` of a reference run (verlet, history, fine), `refine` times finer than
+    specified."""
     sample = float(case["variables"].get("sample", 1e-4))
     substeps = max(1, round(refine * sample / float(case["references"][kind]["step"])))
     words = {
@@ -118,8 +118,8 @@ def reference(kind, folder, case, refine=1):
 
 
 def statics(found, case):
-    """(samples, loads (sample, 2, balls)) of static equilibria with balls where `found` has
-    them."""
+    """(samples, loads (sample, 2, balls)) of static equilibria with the balls at the positions in
+    `found`."""
     v, words = case["variables"], case["references"]["statics"]
     bearing = Bearing(
         BALLS,
@@ -157,16 +157,16 @@ def statics(found, case):
 class Figures(NamedTuple):
     """Largest differences over balls, raceways and samples."""
 
-    load: float  # over the peak load
-    orbit: float  # over the largest cage speed
-    # relative (below 0.1 um over that: the roughness), where both carry over 1 % of the peak; nan
+    load: float  # relative to the peak load
+    orbit: float  # relative to the largest cage speed
+    # relative (to at least 0.1 um, the roughness), where both carry over 1 % of the peak; nan
     # if dry
     film: float
 
 
 def compare(found, truth, after=0, every=1):
-    """`Figures` of two courses from the sample `after` of `truth` on; `found` has every `every`-th
-    of its samples."""
+    """`Figures` of two courses from the sample `after` of `truth` on; `found` contains every
+    `every`-th of its samples."""
     first = -(-after // every)
     load, film, orbit = (table[::every][first:] for table in (truth.load, truth.film, truth.orbit))
     mine, my_film, my_orbit = (table[first:] for table in (found.load, found.film, found.orbit))
@@ -181,8 +181,8 @@ def compare(found, truth, after=0, every=1):
 
 
 def before_whirl(course, limit):
-    """The course up to 20 ms before the inner ring starts to whirl: the sum of the inner loads is
-    above `limit` (N) for 10 ms."""
+    """The course up to 20 ms before the inner ring starts to whirl, that is before the sum of the
+    inner loads stays above `limit` (N) for 10 ms."""
     a_sample = course.simulated / (len(course.load) - 1)
     window = round(10e-3 / a_sample)
     total = np.convolve(course.load[:, 0].sum(1), np.ones(window) / window, "valid")
@@ -191,7 +191,7 @@ def before_whirl(course, limit):
 
 
 class Average(NamedTuple):
-    """A mean over time and its statistical error, from the spread of ten blocks about their
+    """A time average and its statistical error, from the scatter of ten blocks about their
     trend."""
 
     mean: float
@@ -199,7 +199,7 @@ class Average(NamedTuple):
 
 
 def averages(course, after=0, every=1):
-    """Means over time by which a chaotic case is judged, {name: `Average`}."""
+    """Time averages by which a chaotic case is judged, {name: `Average`}."""
     first = -(-after // every)
     load, orbit = course.load[first:], course.orbit[first:]
     inner, outer = load[:, 0] > 0, load[:, 1] > 0
@@ -219,9 +219,9 @@ def averages(course, after=0, every=1):
 
 
 def full(folder, case, truth=None):
-    """The courses of the implicit step and of velocity Verlet with the models `full`, the tolerance
-    of cage balls as in the decks, and the `Verdict` of the first by the second. A `truth` that is
-    there already is not run again."""
+    """The courses of the implicit step and of velocity Verlet with the models `full`, with the
+    cage-ball tolerance of the decks, and the `Verdict` of the first against the second. A given
+    `truth` is not run again."""
     film = "full_dry" if case["variables"].get("lubricant") == "dry" else "full"
     words = {"step": 5e-7, "after": 0, "last": None, **case.get("full", {})}
     own = case.get("control", "") + " cage_tolerance 1e-6"
@@ -240,7 +240,7 @@ def full(folder, case, truth=None):
 
 
 class Verdict(NamedTuple):
-    """A figure with its bound, and what else is known."""
+    """A figure with its bound, and additional information."""
 
     figure: float
     bound: float
@@ -259,14 +259,14 @@ class Verdict(NamedTuple):
 
 
 def judge(found, truth, case, words, every=1):
-    """`Verdict` of one course against another under the words (`bound`, `after`) of a reference or
-    of `large`."""
+    """`Verdict` of one course against another with the settings (`bound`, `after`) of a reference
+    or of `large`."""
     bound, after = BOUNDS[words["bound"]]["value"], words.get("after", 0)
     if case.get("chaotic"):
         full = len(found.load)
         found, truth = (before_whirl(course, case["whirl"]) for course in (found, truth))
         if min(len(found.load) * every, len(truth.load)) < 3 * after:
-            return Verdict(np.inf, bound, "the ring whirls too early to judge the time before")
+            return Verdict(np.inf, bound, "the ring whirls too early for a judgement before it")
         verdict = _judge_averages(averages(found, after, every), averages(truth, after), bound)
         whirls = (
             f"; the ring whirls from sample {len(found.load)} of {full}"
@@ -279,8 +279,8 @@ def judge(found, truth, case, words, every=1):
 
 
 def _judge_averages(found, truth, bound):
-    """The worst of the averages: loads and speeds relative, shares as they are. A run that bursts
-    now and then has a large statistical error of its own: no bound grows beyond a half."""
+    """The worst of the averages: loads and speeds relative, shares absolute. A run that bursts now
+    and then has a large statistical error: no bound grows beyond a half."""
     verdicts = []
     for name, (mean, error) in truth.items():
         scale = 1 if name.startswith("share") else mean
@@ -297,8 +297,8 @@ def _judge_averages(found, truth, bound):
 
 
 def least_room(course, truths, case):
-    """The `Verdict` nearest to its bound, by all references of the case; `truths` are the courses
-    of those that are runs."""
+    """The `Verdict` nearest to its bound over all references of the case; `truths` are the courses
+    of reference runs."""
     verdicts = [
         judge_statics(course, case)
         if kind == "statics"
@@ -309,12 +309,12 @@ def least_room(course, truths, case):
 
 
 def truths_of(folder, case):
-    """{kind: `Course`} of the references that are runs."""
+    """{kind: `Course`} of the reference runs."""
     return {kind: reference(kind, folder, case) for kind in case["references"] if kind != "statics"}
 
 
 def judge_statics(found, case):
-    """`Verdict` of the largest difference from static loads over the largest of them."""
+    """`Verdict` of the largest difference from static loads, relative to the largest of them."""
     picked, loads = statics(found, case)
     return Verdict(
         np.abs(found.load[picked] - loads).max() / loads.max(),
@@ -323,7 +323,7 @@ def judge_statics(found, case):
 
 
 def coarse(folder, case):
-    """The case with the host step that is too large on purpose."""
+    """The case with a host step that is deliberately too large."""
     factor = case["large"]["factor"]
     return run(
         folder,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A 6208 at 5 kN and 477.5 rpm for many simulated seconds, sampled coarsely: drift and energy."""
+"""A 6208 at 5 kN and 477.5 rpm over many simulated seconds, coarsely sampled: drift and energy."""
 
 import re
 from typing import NamedTuple
@@ -11,11 +11,11 @@ from hard.harness import BALLS, Course, run
 PER_PASS = 12  # samples
 PASS = 2 * np.pi / (BALLS * 0.5 * 50 * (1 - 6.3 / 30.3))  # s, kinematic
 SAMPLE = PASS / PER_PASS
-SETTLED = 10  # ball passes before the first second that counts
+SETTLED = 10  # ball passes before the first averaged second
 
 
 class Drift(NamedTuple):
-    """A mean over the first and over the last second and the statistical error of their
+    """Means over the first and the last second and the statistical error of their
     difference."""
 
     first: float
@@ -29,7 +29,7 @@ class Drift(NamedTuple):
 
 
 def long_run(folder, seconds, control="energy yes", substeps=4) -> Course:
-    """The run, every sample kept; `substeps` host steps a sample."""
+    """The run with every sample; `substeps` host steps a sample."""
     case = {
         "variables": {
             "inner": "x free y free spin speed 50 force 0 -5000 0 ramp 3.0e-3",
@@ -43,8 +43,8 @@ def long_run(folder, seconds, control="energy yes", substeps=4) -> Course:
 
 
 def drifts(course):
-    """{quantity: `Drift`}; each ball pass gives one value, so that their spread tells how sure the
-    means are."""
+    """{quantity: `Drift`}; each ball pass gives one value, whose scatter yields the error of the
+    means."""
     size = round(1 / PASS)
     found = {}
     for name, series in {
@@ -67,18 +67,18 @@ def drifts(course):
 class Account(NamedTuple):
     """Energies since the start, J."""
 
-    work: float  # of loads and drives
-    own: float  # what the integrator itself lost
-    dissipated: float  # in contacts
-    stored: float  # growth, in motion and springs
+    work: float  # work of loads and drives
+    own: float  # lost by the integrator itself
+    dissipated: float  # dissipated in contacts
+    stored: float  # growth of the energy in motion and springs
 
     @property
     def figure(self):
-        """The integrator's own loss over the dissipation."""
+        """The integrator's own loss relative to the dissipation."""
         return self.own / self.dissipated
 
 
 def account(course):
-    """The `Account` of a course, from the line ENERGY that report.implicit prints."""
+    """Energy `Account` of a course, from the line ENERGY that report.implicit prints."""
     line = r"^ENERGY work (\S+) own (\S+) dissipated (\S+) stored (\S+)"
     return Account(*map(float, re.search(line, course.text, re.MULTILINE).groups()))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Speed of the hard cases in host steps that are as long as their drives allow, with a record
-and with nothing written; what the control takes of the period of what rings."""
+"""Speed of the hard cases with host steps as long as their loads allow, with a record
+and without output; and the control's steps relative to the natural periods."""
 
 import re
 import statistics
@@ -13,18 +13,18 @@ from host import liggghts
 
 from hard.harness import DECK, coarse, first_samples, judge, least_room, run
 
-RUNS = 3  # of which the median counts
-# m, rising: the coarsest that holds the bounds says how many steps a period they need
+RUNS = 3  # rounds, of which the median counts
+# m, rising: the coarsest that meets the bounds gives the steps needed a period
 TOLERANCES = (1e-9, 2e-9, 5e-9, 1e-8, 2e-8, 5e-8, 1e-7, 2e-7)
 
 
 class Speed(NamedTuple):
-    factor: float  # simulated over wall time of the host's loop: set-up is not in it
+    factor: float  # simulated over wall time of the host's loop, without set-up
     step: float  # s, mean internal
 
 
 def speed(folder, case, writes, control=None):
-    """The `Speed` with output `writes` (record or nothing), in the host steps of `large`."""
+    """The `Speed` with output `writes` (record or nothing), with the host steps of `large`."""
     samples, sample = case["variables"]["samples"], float(case["variables"]["sample"])
     within = case["large"]["factor"]
     variables = {
@@ -57,8 +57,8 @@ def resonance(folder):
 
 
 def nearest(folder, case, control, truths):
-    """(`Verdict` nearest to its bound, mean internal step in s) of these words, in host steps of a
-    sample and in those of `large`; the step is that of the latter. None: it stopped."""
+    """(`Verdict` nearest to its bound, mean internal step in s) with these words; the verdict with
+    a host step a sample, the step with those of `large`. None if the run stopped."""
     case = dict(case, control=control)
     found, long = run(folder, case), coarse(folder, case)
     if found.error or long.error:
@@ -74,7 +74,7 @@ def nearest(folder, case, control, truths):
 
 def coarsest(folder, case, truths):
     """(tolerance in m, mean internal step in s) of the coarsest of `TOLERANCES` up to which all
-    bounds hold."""
+    bounds are met."""
     held = None
     for tolerance in TOLERANCES:
         found = nearest(folder, case, f"tolerance {tolerance}", truths)

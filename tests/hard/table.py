@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs the hard cases and their references, these twice as fine too, and writes
+"""Runs the hard cases and their references, the latter also at half their step, and writes
 build/bench/hard_cases.rst.
 
     python tests/hard/table.py          # all
-    python tests/hard/table.py last     # the last part alone
+    python tests/hard/table.py last     # only the last part
 """
 
 import sys
@@ -30,7 +30,7 @@ NAMES = {
 HEAD = [
     "case",
     "scene",
-    "reference (what halving its step changes)",
+    "reference (change at half its step)",
     "figure",
     "bound",
     "whole course",
@@ -44,8 +44,8 @@ def number(value):
 
 
 def rows_of(name, folder):
-    """The table's rows of one case, a row a reference; the names of references that are not sure of
-    themselves."""
+    """Table rows of one case, one for each reference; and names of references that are not
+    converged."""
     case, unsure, rows = CASES[name], [], []
     found = harness.run(folder, case)
     print(name, found.error, flush=True)
@@ -92,7 +92,7 @@ def rows_of(name, folder):
 
 
 def too_large(name, folder):
-    """End of the case with a host step and with Verlet steps that are too large on purpose."""
+    """Result of the case with host steps and Verlet steps that are deliberately too large."""
     case = CASES[name]
     kinds = case["references"]
     truth_kind = next(k for k in ("verlet", "fine") if k in kinds)
@@ -151,7 +151,7 @@ def thirty_seconds(folder):
     ]
     energy = longrun.account(course)
     said = (
-        f" Loads and drives put in {energy.work:.4g} J. Contacts dissipated"
+        f" Loads and drives did {energy.work:.4g} J of work. Contacts dissipated"
         f" {energy.dissipated:.4g} J. The integrator itself lost {energy.own:.3g} J,"
         f" {abs(energy.figure):.1e} of the dissipation."
     )
@@ -173,7 +173,7 @@ def thirty_seconds(folder):
 
 
 def last_part():
-    """Writes the last part of the page anew."""
+    """Rewrites the last part of the page."""
     page = TARGET.read_text()
     with tempfile.TemporaryDirectory() as folder:
         part = thirty_seconds(folder)
@@ -196,18 +196,18 @@ def main():
         "==========",
         "",
         *f"""\
-These are scenes that are hard to integrate, for :doc:`../fix_bearing_implicit` with its default
-words and one host step a sample. The bearing is a 6208, in mineral oil unless said otherwise.
-``tests/hard/cases.yaml`` has the scenes, the bounds with their reasons, and what misses its
-bound. Written on {date.today()}: {len(rows)} figures, {missed} outside their bound.
+These scenes are hard to integrate; they run with :doc:`../fix_bearing_implicit` and its default
+settings, one host step a sample. The bearing is a 6208, in mineral oil unless stated otherwise.
+``tests/hard/cases.yaml`` lists the scenes, the bounds with their reasons, and the cases that miss
+their bound. Written on {date.today()}: {len(rows)} figures, {missed} outside their bound.
 
-The figure is the largest difference of the contact load over balls, raceways and samples, over
-the peak load. It counts from the sample on that the case names. *Whole course* is the same from
-the first sample. Remarks have the largest differences of cage speed and film.
+The figure is the largest difference of the contact load over balls, raceways and samples, relative
+to the peak load, from the sample on that the case specifies. *Whole course* is the same from the
+first sample. Remarks give the largest differences of cage speed and film.
 
-Quasi-static cases are compared with statics, transients on their whole course with the peak. A
-chaotic case, up to a whirl of the ring (:ref:`known-limits`), is compared by averages over time
-with their statistical error. :doc:`hard_cases_speed` has the speeds.
+Quasi-static cases are compared with statics, transients over their whole course. A
+chaotic case, up to a whirl of the ring (:ref:`known-limits`), is compared by time averages
+and their statistical error. :doc:`hard_cases_speed` lists the speeds.
 """.splitlines(),
         "",
         *list_table(HEAD, rows),
@@ -223,9 +223,9 @@ with their statistical error. :doc:`hard_cases_speed` has the speeds.
         "--------------------------",
         "",
         *"""\
-The control refines a host step that is too large, or the run stops with an error. Verlet is
-given 30 and 100 times the step of its reference. The package must refuse it, or the result must
-be no nonsense.
+The control refines a host step that is too large, or the run stops with an error. Verlet runs
+at 30 and 100 times the step of its reference: the package must refuse it, or the result must
+remain sensible.
 """.splitlines(),
         "",
         *list_table(
@@ -238,7 +238,7 @@ be no nonsense.
     TARGET.write_text("\n".join(text))
     print(TARGET)
     if unsure:
-        sys.exit("References that are not sure of themselves:\n" + "\n".join(unsure))
+        sys.exit("References that are not converged:\n" + "\n".join(unsure))
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs the hard cases with relative tolerances, by smoothed friction and by the models `full`, and
-writes build/bench/relative_tolerance.rst.
+"""Runs the hard cases with relative tolerances, with smoothed friction and with the models `full`,
+and writes build/bench/relative_tolerance.rst.
 
     python tests/hard/table_relative.py
 """
@@ -27,13 +27,13 @@ HEAD += ["bound", *(f"figure, R = {share:g}" for share in SHARES)]
 
 
 def corrections(course):
-    """Evaluations of the whole run, refused steps included."""
+    """Evaluations of the whole run, including refused steps."""
     found = re.search(r"CONTROL .* substeps (\S+) corrections (\S+)", course.text)
     return float(found[1]) * float(found[2])
 
 
 def by_smoothed_friction(name, folder):
-    """(course, verdict with the least room) by share."""
+    """(course, verdict nearest to its bound) by share."""
     case = CASES[name]
     truths = truths_of(folder, case)
     for share in SHARES:
@@ -56,7 +56,7 @@ def by_full(name, folder):
 
 
 def table(by, folder):
-    """Rows of the table, and how many of them save a half and miss their bound at each share."""
+    """Table rows, and for each share how many save a half and how many miss their bound."""
     rows, halves, misses = [], [0] * len(SHARES), [0] * len(SHARES)
     for name in CASES:
         found = list(by(name, folder))
@@ -80,7 +80,7 @@ def table(by, folder):
 
 def sentence(halves, misses):
     return [
-        f"R = {share:g} saves a third of the corrections or more in {half} of {len(CASES)} cases."
+        f"R = {share:g} saves at least a third of the corrections in {half} of {len(CASES)} cases."
         f" {missed} are outside their bound."
         for share, half, missed in zip(SHARES[1:], halves[1:], misses[1:])
     ]
@@ -97,9 +97,9 @@ def main():
         "",
         *f"""\
 The scenes of :doc:`hard_cases` and :doc:`hard_cases_full` with *relative* R of
-:doc:`../fix_bearing_implicit`. The tolerance is then 1 nm, or R times the largest overlap.
-Corrections count those of refused steps. The figure is the largest difference of the
-contact load over the peak load, against the reference with the least room to its bound. Written on
+:doc:`../fix_bearing_implicit`. The tolerance is the larger of 1 nm and R times the largest overlap.
+Corrections include those of refused steps. The figure is the largest difference of the
+contact load relative to the peak load, against the reference nearest to its bound. Written on
 {date.today()}.
 """.splitlines(),
         "",
