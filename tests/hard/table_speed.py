@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Times the hard cases with a record and with nothing written, and writes
+"""Times the hard cases with a record and without output, and writes
 build/bench/hard_cases_speed.rst.
 
     python tests/hard/table_speed.py
@@ -48,13 +48,13 @@ def times(name, folder):
 
 
 def fast(name, folder):
-    """(`Speed` with a record and with nothing written) with the words that are faster."""
+    """(`Speed` with a record and without output) with the faster settings."""
     words = CASES[name]["fast"]
     return [speed(folder, CASES[name], writes, words) for writes in ("record", "nothing")]
 
 
 def needs(name, folder, default, period, faster):
-    """Row of the second table."""
+    """A row of the second table."""
     case = CASES[name]
     truths = truths_of(folder, case)
     tolerance, step = coarsest(folder, case, truths)
@@ -87,28 +87,28 @@ def main():
         "=======================",
         "",
         *f"""\
-The scenes of :doc:`hard_cases` in long host steps: as long as their loads and motions allow. That
-page has the errors of these host steps. *With a record* is :doc:`../fix_bearing_record` with the
+The scenes of :doc:`hard_cases` with host steps as long as their loads and motions allow. That
+page lists the errors of these host steps. *With a record* is :doc:`../fix_bearing_record` with the
 samples of that page, taken within the host steps. *Nothing written* is the same motion without
 output. A factor is simulated over wall time of the host's loop, without set-up. It is the median of
 {RUNS} runs on a shared virtual core. Written on {date.today()}: without output {below} of
-{len(timed)} are slower than real time at the default words.
+{len(timed)} are slower than real time with the default settings.
 """.splitlines(),
         "",
         *list_table(HEAD, [row for row, _, _ in timed.values()]),
-        "Where vibration sets the step",
-        "-----------------------------",
+        "Where vibration limits the step",
+        "-------------------------------",
         "",
         *"""\
-Balls between two loaded contacts ring. *Contact resonance* is the shortest period of a ball on the
-springs of its two contacts in the run. The default tolerance follows this motion with more steps
-than the bounds need. *Coarsest tolerance* is the largest of a series of which all smaller ones hold
-every bound too: 1, 2, 5, 10, 20, 50, 100 and 200 nm. The series was run with a host step a sample,
-and with the host steps above. The steps a period are those of the latter. Steps as long as the
-period damp the vibration. The loads stay within the bound.
+Balls between two loaded contacts vibrate. *Contact resonance* is the shortest period of a ball on
+the springs of its two contacts in the run. The default tolerance follows this motion with more
+steps than the bounds require. *Coarsest tolerance* is the largest of the series 1, 2, 5, 10, 20,
+50, 100 and 200 nm up to which all bounds are met. The series was run with a host step a sample, and
+with the host steps above; the steps a period are those of the latter. Steps as long as the period
+damp the vibration, while the loads stay within the bound.
 
-*Words* are those of :doc:`../fix_bearing_implicit` that hold the same bounds faster. The figure is
-the one with the least room to its bound, of both lengths of host steps.
+*Words* are those of :doc:`../fix_bearing_implicit` that meet the same bounds faster. The figure is
+the one nearest to its bound, over both lengths of host steps.
 """.splitlines(),
         "",
         *list_table(SLOW, slow),

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The hard cases of cases.yaml: figures against their references, steps too large on purpose,
-thirty seconds."""
+"""The hard cases of cases.yaml: figures against their references, deliberately large steps, and
+a run of thirty seconds."""
 
 import re
 from functools import cache
@@ -23,7 +23,7 @@ from hard.speed import nearest
 
 
 def marked(*keys, name, key):
-    """A pytest parameter, expected to fail where cases.yaml says that it misses its figure."""
+    """A pytest parameter, marked as an expected failure where cases.yaml lists a miss."""
     why = CASES[name].get("misses", {}).get(key)
     return pytest.param(
         name,
@@ -50,8 +50,8 @@ def courses(tmp_path_factory):
 
 
 def yardstick(name):
-    """The reference by which a run of the same friction law is judged, and the one of Verlet, with
-    its words."""
+    """The reference with the same friction law by which a run is judged, and that of Verlet, with
+    its settings."""
     kinds = CASES[name]["references"]
     return next(k for k in ("verlet", "fine") if k in kinds), next(
         k for k in ("verlet", "history") if k in kinds
@@ -67,7 +67,7 @@ def yardstick(name):
     ],
 )
 def test_figure(courses, name, kind):
-    """The fix at its defaults, one host step a sample, against a reference."""
+    """The fix with its defaults, one host step a sample, against a reference."""
     case, found = CASES[name], courses(name, "default")
     verdict = (
         judge_statics(found, case)
@@ -80,8 +80,8 @@ def test_figure(courses, name, kind):
 
 @pytest.mark.parametrize("name", [name for name, case in CASES.items() if "fast" in case])
 def test_fast_words(courses, tmp_path, name):
-    """The words that are faster hold the case's bounds, in host steps of a sample and in long ones,
-    and take at least 1.5 times longer internal steps."""
+    """The faster settings meet the case's bounds, with host steps of a sample and with long ones,
+    and take internal steps that are at least 1.5 times longer."""
     case = CASES[name]
     truths = {kind: courses(name, kind) for kind in case["references"] if kind != "statics"}
     verdict, step = nearest(tmp_path, case, case["fast"], truths)
@@ -92,7 +92,7 @@ def test_fast_words(courses, tmp_path, name):
 
 @pytest.mark.parametrize("name", CASES)
 def test_models_full(tmp_path, name):
-    """The implicit step at its defaults against velocity Verlet, both with the models `full`."""
+    """The implicit step with its defaults against velocity Verlet, both with the models `full`."""
     found, truth, verdict = full(tmp_path, CASES[name])
     assert not found.error and not truth.error, found.error or truth.error
     print(f"{name}, full: {verdict}")
@@ -101,8 +101,8 @@ def test_models_full(tmp_path, name):
 
 @pytest.mark.parametrize("name", [marked(name=name, key="large") for name in CASES])
 def test_host_step_too_large(courses, tmp_path, name):
-    """Refined by the control to the case's figure at the samples it has, or refused in plain
-    words."""
+    """The control refines to the case's figure at its samples, or the run is refused with a clear
+    message."""
     case, kind = CASES[name], yardstick(name)[0]
     found = coarse(tmp_path, case)
     if found.error:
@@ -122,8 +122,8 @@ def test_host_step_too_large(courses, tmp_path, name):
     [marked(factor, name=name, key=f"explicit {factor}") for name in CASES for factor in EXPLICIT],
 )
 def test_verlet_step_too_large(courses, tmp_path, name, factor):
-    """Velocity Verlet far beyond its limit is refused, or no nonsense all the same; a warning alone
-    does not do."""
+    """Velocity Verlet far beyond its limit is refused or still gives sensible results; a warning
+    alone is not enough."""
     case, kind = CASES[name], yardstick(name)[1]
     found = reference(kind, tmp_path, case, refine=1 / factor)
     if found.error:
@@ -148,7 +148,7 @@ def thirty_seconds(tmp_path_factory):
 
 
 def test_no_drift_in_thirty_seconds(thirty_seconds):
-    """Means over the first and over the last second agree within 1e-4 and three times their
+    """Means over the first and the last second agree within 1e-4 and three times their
     statistical error: a rounding or damping error that adds up over the 850 ball passes between
     them would show."""
     for name, drift in longrun.drifts(thirty_seconds).items():
@@ -157,17 +157,18 @@ def test_no_drift_in_thirty_seconds(thirty_seconds):
 
 
 def test_energy_of_thirty_seconds(thirty_seconds):
-    """The account closes to 1e-3 of the losses at the defaults. They are 1.5 mW, hundreds of times
-    less than goes to and fro as balls enter and leave the load."""
+    """The energy balance closes to 1e-3 of the losses with the defaults. The losses are 1.5 mW,
+    hundreds of times less than the power exchanged as balls enter and leave the load zone."""
     found = longrun.account(thirty_seconds)
     print(found, found.figure)
     assert found.dissipated > 0.03 and abs(found.figure) <= 1e-3
 
 
 def test_the_integrators_own_loss(tmp_path):
-    """The energy a method loses by itself falls with the square of the step for order 2, with the
-    step for order 1, whose damping is large: the step goes like the root of the tolerance. With the
-    default words the drive has put in what contacts lose at a tenth of the tolerance."""
+    """The energy that a method loses falls with the square of the step for order 2, and with the
+    step for order 1, whose damping is large: the step grows with the root of the tolerance. With
+    the default settings the work of the drive equals the contact losses at a tenth of the
+    tolerance."""
 
     def found(control):
         return longrun.account(longrun.long_run(tmp_path, 1.5, f"energy yes {control}"))
@@ -185,6 +186,6 @@ def test_the_integrators_own_loss(tmp_path):
 
 
 def test_thirty_seconds_with_one_step_a_sample(tmp_path):
-    """Twelve host steps a ball pass, 2.9 ms each: refined by the control."""
+    """Twelve host steps a ball pass, 2.9 ms each, refined by the control."""
     course = longrun.long_run(tmp_path, 30, substeps=1)
     assert not course.error, course.error

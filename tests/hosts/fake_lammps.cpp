@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A LAMMPS of any version on any MPI, as far as raceway_plugin.so looks at it before it loads the
-// styles:
+// A stand-in for a LAMMPS of any version on any MPI, with the symbols that raceway_plugin.so
+// inspects before it loads the styles:
 //   fake_lammps PLUGIN VERSION MPI_NAME [BYTES_OF_TAGINT]
 // Ends with 0 if the plugin registered nothing and returned.
 #include <dlfcn.h>

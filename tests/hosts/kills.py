@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Kill runs at random moments, resume them, and compare every output file with that of a run nobody
-disturbed.
+"""Kill runs at random moments, resume them, and compare every output file with that of an
+undisturbed run.
 
     .venv/bin/python tests/hosts/kills.py [N] [--seed S]
 
-N of kill -TERM and N of kill -9 (default 50). A run that is killed is resumed, killed again with
-some chance, on 1, 2 or 4 ranks in turn, until it is done. Only the wall time in `run.yaml` may
+N times kill -TERM and N times kill -9 (default 50). A killed run is resumed, sometimes killed
+again, on 1, 2 or 4 ranks in turn, until it finishes. Only the wall time in `run.yaml` may
 differ. Exit code 1 when a file does.
 """
 
@@ -52,14 +52,14 @@ class Story:
     """Events of one run."""
 
     kills: int = 0
-    resumed: int = 0  # starts that found a restart file
+    resumed: int = 0  # number of starts that found a restart file
     codes: tuple = ()
     different: tuple = ()  # files whose bytes differ
 
 
 def start(scene, out, *, ranks=1):
-    """A run of `scene` into `out`, in a session of its own, its output in out.log; go on if there
-    is something to go on from."""
+    """Run `scene` into `out` in a session of its own, with its output in out.log; resume if a
+    restart file exists."""
     command = [
         str(ROOT / "build" / "liggghts"),
         "-in",
@@ -90,7 +90,7 @@ def start(scene, out, *, ranks=1):
 
 
 def run(scene, out):
-    """A run that nobody disturbs; return its wall time in s."""
+    """Run undisturbed; return the wall time in s."""
     begun = time.monotonic()
     code = start(scene, out).wait()
     assert code == 0, Path(f"{out}.log").read_text(errors="replace")[-2000:]
@@ -98,7 +98,7 @@ def run(scene, out):
 
 
 def settings(folder):
-    """`run.yaml` without its wall time, which is no result of the model."""
+    """`run.yaml` without its wall time, which is not a result of the model."""
     return [
         line
         for line in (folder / "run.yaml").read_text().splitlines()
@@ -107,7 +107,7 @@ def settings(folder):
 
 
 def same(one, other):
-    """True if two files are equal byte for byte, apart from the order of rows in a frame, which
+    """Whether two files are equal byte for byte, apart from the order of rows in a frame, which
     depends on ranks."""
     if one.read_bytes() == other.read_bytes():
         return True
@@ -119,7 +119,7 @@ def same(one, other):
 
 
 def session(leader):
-    """The processes of a session, the leader last."""
+    """Processes of a session, the leader last."""
     found = []
     for stat in Path("/proc").glob("[0-9]*/stat"):
         try:
@@ -132,19 +132,19 @@ def session(leader):
 
 
 def disturb(scene, out, which, reference, length, dice, *, ranks=(1,)):
-    """Run `scene` with signals `which` at random moments of its `length` (s) until it is done;
+    """Run `scene` with signals `which` at random moments of its `length` (s) until it finishes;
     compare with `reference`."""
     story, attempt = Story(), -1
     while attempt < 100:
         attempt += 1
         process = start(scene, out, ranks=ranks[attempt % len(ranks)])
-        # the first start always has a signal sent to it, the later ones every other time
+        # the first start always receives a signal, later ones every other time
         if attempt == 0 or dice.random() < 0.5:
             try:
                 process.wait(dice.uniform(0.0, length))
             except subprocess.TimeoutExpired:
-                # kill -9 takes all ranks, which else write on until they miss mpirun; mpirun hands
-                # a USR1 on as it is
+                # kill -9 goes to all ranks, which otherwise write on until they notice that mpirun
+                # is gone; mpirun forwards a USR1 itself
                 if which == signal.SIGKILL:
                     for pid in session(process.pid):
                         os.kill(pid, which)
@@ -157,7 +157,7 @@ def disturb(scene, out, which, reference, length, dice, *, ranks=(1,)):
         story.codes += (code,)
         if code == 0 and story.kills:
             break
-        if code == 0:  # too late: nothing was disturbed
+        if code == 0:  # too late: the run was not disturbed
             shutil.rmtree(out)
             attempt = -1
     story.resumed = Path(f"{out}.log").read_text(errors="replace").count("Going on from")

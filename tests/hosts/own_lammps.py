@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""In a LAMMPS built from Debian's sources with Open MPI, plugin and package have the bits of
+"""In a LAMMPS built from Debian's sources with Open MPI, plugin and package give the bits of
 build/liggghts. `make test-lammps` builds all of them and runs this."""
 
 import pytest
@@ -26,5 +26,5 @@ def test_main_deck(tmp_path, monkeypatch, program, integrator, ranks):
         assert frames(tmp_path / "own" / name) == frames(tmp_path / "liggghts" / name)
     rings = [(tmp_path / host / "rings.dat").read_text() for host in ("own", "liggghts")]
     head, *rows = rings[1].splitlines()
-    # LAMMPS writes a row at the start, too
+    # LAMMPS also writes a row at the start
     assert rings[0].splitlines()[0] == head and rings[0].splitlines()[2:] == rows

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every deck of inputs and docs/decks runs, those with `models` with paper and full; what decks are
-made of."""
+"""Every deck of inputs and docs/decks runs, those with `models` with both paper and full; and the
+structure of the decks."""
 
 import re
 
@@ -39,7 +39,8 @@ def test_runs(tmp_path, deck, models):
 
 
 def test_include_files():
-    """Decks include decks only, and in one condition they choose between a box and a restart."""
+    """Decks include only decks, and use a condition only to choose between a new box and a
+    restart."""
     for deck in DECKS:
         text = (ROOT / deck).read_text()
         included = re.findall(r"^include (\S+)", text, re.M)

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Wrong input ends with an error that names the command, the value and what is allowed, before the
-first step."""
+"""Wrong input ends with an error that names the command, the value and the allowed range, before
+the first step."""
 
 import re
 
 import pytest
 from host import BOX, liggghts, run
 
-# what is wrong: (variables of in.6208, what the error must say)
+# mistake: (variables of in.6208, text of the error)
 MAIN_DECK = {
     "conformal groove": (
         {"inner_groove": 6.2e-3},
@@ -117,7 +117,7 @@ FOUR_POINT = (
     + GROUPS
 )
 
-# what is wrong: (deck, what the error must say)
+# mistake: (deck, text of the error)
 DECKS = {
     "unknown style keyword": (
         BOX + "pair_style bearing/hertz viscosity 0.04\n",
@@ -315,7 +315,7 @@ DECKS = {
 
 
 def wrong(outcome, message):
-    """It failed, it said so in one readable error, and it did not step."""
+    """The run failed with one readable error and made no step."""
     assert outcome.code != 0, outcome.text[-1500:]
     assert re.search(message, outcome.error), (
         f"no /{message}/ in:\n{outcome.error or outcome.text[-1500:]}"
@@ -329,7 +329,7 @@ def test_main_deck(name, tmp_path):
     variables, message = MAIN_DECK[name]
     outcome = liggghts("inputs/in.6208", **{"out": tmp_path / "run", **variables})
     wrong(outcome, message)
-    assert not list(tmp_path.rglob("*.dump")), "an output file was begun"
+    assert not list(tmp_path.rglob("*.dump")), "an output file was started"
 
 
 @pytest.mark.parametrize("name", DECKS)
@@ -373,7 +373,7 @@ def test_ghost_cutoff_too_small(host, tmp_path):
 
 
 def test_lost_ball_is_named(tmp_path):
-    """A run that goes wrong on the way stops and says which contact, when, and what to change."""
+    """A run that diverges stops and reports the contact, the step and the remedy."""
     deck = tmp_path / "in.runaway"
     deck.write_text(
         DRY
@@ -389,7 +389,7 @@ def test_lost_ball_is_named(tmp_path):
 
 
 def test_step_that_turns_out_too_large_is_refused(tmp_path):
-    """A fixed step the springs do not allow stops the main deck instead of giving numbers."""
+    """A fixed step above the limit of the springs stops the main deck."""
     outcome = liggghts(
         "inputs/in.6208", models="paper", integrator="verlet", step=3.0e-6, out=tmp_path / "run"
     )
@@ -400,7 +400,7 @@ def test_step_that_turns_out_too_large_is_refused(tmp_path):
 
 
 def test_not_a_number_under_an_implicit_step(tmp_path):
-    """The step is refined in vain, then the run stops and says where."""
+    """Refinement of the step fails; the run stops and reports where."""
     deck = tmp_path / "in.nan"
     deck.write_text(
         DRY
@@ -418,7 +418,7 @@ def test_not_a_number_under_an_implicit_step(tmp_path):
 
 
 def test_not_a_number_is_named(tmp_path):
-    """A position that is not a number is no gap: the run stops at the contact."""
+    """A position that is not a number does not count as a gap: the run stops at the contact."""
     deck = tmp_path / "in.nan"
     deck.write_text(
         DRY + "variable nothing equal 1.0e308*10*step-1.0e308*10*step\n"  # inf - inf

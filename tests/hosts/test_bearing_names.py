@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A bearing with a name: numbers of its data, and errors that help."""
+"""A bearing given by name: its data, and errors that help."""
 
 import pytest
 from host import run
@@ -19,7 +19,7 @@ def said(tmp_path, deck, **values):
     return done, [line for line in done.text.splitlines() if line[:3] == "IS "]
 
 
-# Numbers that the decks' formulas gave before: balls, ball diameter, inner radius, both grooves;
+# Values that the decks' formulas gave before: balls, ball diameter, inner radius, both grooves;
 # outer radius, half a box, mass and inertia of the inner ring, diameter of a cage ball
 NUMBERS = {
     ("6208", "clearance", "1.1e-5"): (

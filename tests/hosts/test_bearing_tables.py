@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The command `bearing` takes a row of INPUTS/bearings/*.csv as it takes a file of that name, and
-Python reads the same."""
+"""The command `bearing` reads a row of INPUTS/bearings/*.csv like a file of that name, and
+Python reads the same data."""
 
 import pytest
 from host import ROOT, run, succeed
@@ -26,7 +26,7 @@ print "NOW ${{b_balls}} ${{b_ball_diameter}}"
 
 
 def table(tmp_path, text=OWN):
-    """The folder of `inputs` with that table."""
+    """The folder `inputs` with that table."""
     folder = tmp_path / "own"
     (folder / "bearings").mkdir(parents=True)
     (folder / "bearings" / "table.csv").write_text(text, newline="")
@@ -42,7 +42,7 @@ def deck(tmp_path, folder, before=""):
 @pytest.mark.parametrize("host", HOSTS)
 @pytest.mark.parametrize("change", ["", "mark", "spreadsheet"])
 def test_own_table(tmp_path, host, change):
-    """Tables saved by a spreadsheet are read. A value that the deck or -var gives wins."""
+    """Tables saved by a spreadsheet are read. A value from the deck or -var takes precedence."""
     text = OWN
     if change == "mark":
         text = "\ufeff" + text

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Forces and reports around the boundary of two runs."""
+"""Forces and reports at the boundary between two runs."""
 
 import pytest
 from host import ROOT, frames, succeed
@@ -9,8 +9,8 @@ DRAG = "fix drag balls viscous 5.0\n"
 
 
 def test_a_fix_defined_between_runs_adds_no_impulse(tmp_path):
-    """Forces of the step before are put back after the set-up of every fix, also of one that is
-    younger."""
+    """Forces of the previous step are restored after the set-up of every fix, including later
+    ones."""
     deck = tmp_path / "in.drag"
     deck.write_text(BITS.replace("timestep 2.0e-7\n", DRAG + "timestep 2.0e-7\n"))
     succeed(deck, out=tmp_path / "whole")
@@ -23,15 +23,15 @@ def test_a_fix_defined_between_runs_adds_no_impulse(tmp_path):
 
 
 def test_report_is_of_the_end_of_the_step(tmp_path):
-    """Also when a variable that drives a ring asks for the ring's own report in the middle of the
-    step."""
+    """This also holds when a variable that drives a ring reads the ring's own report in the middle
+    of the step."""
     deck = tmp_path / "in.report"
     deck.write_text(
         BITS.replace(
             "timestep 2.0e-7\n",
             (
                 "variable vy_now equal f_inner[5]\n"
-                "variable push equal 1.0e-3*v_vy_now\n"  # N, nothing next to the load
+                "variable push equal 1.0e-3*v_vy_now\n"  # N, negligible compared with the load
                 "unfix outer\n"
                 "fix outer outer bearing/ring rx position v_wobble force v_push 0 0\n"
                 "variable vy equal f_inner[5]\n"
@@ -53,7 +53,7 @@ def test_report_is_of_the_end_of_the_step(tmp_path):
 
 
 def test_restart_written_in_a_run_without_setup(tmp_path):
-    """`run N pre no` skips the set-up; a restart file written then must still hold the forces of
+    """`run N pre no` skips the set-up; a restart file written then must still contain the forces of
     its own step."""
     deck = tmp_path / "in.pre"
     deck.write_text(BITS.replace("run ${first}\n", "run 100\nrun 300 pre no\n"))
@@ -65,7 +65,7 @@ def test_restart_written_in_a_run_without_setup(tmp_path):
 
 
 def test_reports_after_the_pair_style_is_gone(tmp_path):
-    """Numbers asked for between runs read no freed memory (AddressSanitizer watches)."""
+    """Values read between runs use no freed memory (checked by AddressSanitizer)."""
     deck = tmp_path / "in.gone"
     deck.write_text(
         BITS + "pair_style bearing/hertz friction none\nvariable gone equal f_inner[1]\n"

@@ -2,9 +2,9 @@
 """Same input, same bits: on 1, 2 or 4 ranks, in one run or two, and through a restart on another
 number of ranks.
 
-The scene (in.bits) has everything switched on: film, friction springs, cage, a free inner ring with
-gyroscopic moments, a wobbling outer ring with the rails on it, capacitance. Its box is cut far from
-the ring atoms and through the balls, neighbour lists are made anew many times and atoms change
+The scene (in.bits) uses everything: film, friction springs, cage, a free inner ring with
+gyroscopic moments, a wobbling outer ring that carries the rails, capacitance. The box is cut far
+from the ring atoms and through the balls; neighbour lists are rebuilt many times and atoms change
 ranks.
 """
 
@@ -19,7 +19,7 @@ FULL = (
     "gap 1 film_damping branch inlet_shear murch 0.047 0.134 friction mixed 0.12 0.05 heathcote"
     " 1.0e-4 rolling 0.047 0.134 1.0 rolling_hysteresis 0.01 spin 1.0 drag 870 0.1"
 )
-# balls in the middle of Gothic arches are in contact at 35 degrees
+# balls centred in Gothic arches make contact at 35 degrees
 SLACK, ANGLE = 6.552e-3 - 6.3e-3, math.radians(35)
 GOTHIC = {
     "arch": SLACK * math.sin(ANGLE),
@@ -61,7 +61,7 @@ def scene(request, tmp_path_factory):
 
 
 def state(folder):
-    """Every bit of the last sample: contacts, atoms, ring."""
+    """Every bit of the last sample of contacts, atoms and ring."""
     return [frames(folder / name)[LAST] for name in ("contacts.dump", "balls.dump")] + [
         (folder / "ring.txt").read_text().splitlines()[-1]
     ]
@@ -76,10 +76,10 @@ def test_scene_is_worth_comparing(scene):
     housing = 21  # its atom
     moved = {int(row.split()[0]): row for row in balls}
     assert len(balls) == (housing if "housing" in scene[0] else housing - 1)
-    if housing in moved:  # the ring moves against it, m
+    if housing in moved:  # displacement of the ring relative to its atom, m
         (x, y), outer = (list(map(float, moved[one].split()[1:3])) for one in (housing, 20))
         assert min(abs(outer[0] - (x + 0.03)), abs(outer[1] - y)) > 1e-8
-    assert abs(float(ring.split()[2])) > 1000  # N, the ring feels its balls
+    assert abs(float(ring.split()[2])) > 1000  # N, force of the balls on the ring
 
 
 @pytest.mark.parametrize("ranks", [2, 4])
@@ -94,8 +94,8 @@ def test_ranks(scene, ranks):
 
 @pytest.mark.parametrize("cuts", ["z", "3x3"])
 def test_cuts(scene, cuts, tmp_path):
-    """A cut through the middle plane, with balls on both sides; nine ranks, where the one with the
-    rings has no ball."""
+    """The box is cut through the middle plane, with balls on both sides; on nine ranks, the rank
+    with the rings has no ball."""
     variables, _ = scene
     box = {"xhi": 0.05, "ylo": -0.05, **variables}
     grid, ranks = {
@@ -122,7 +122,7 @@ def test_two_runs_are_one(scene):
     [("during", 1, 1), ("after", 1, 2), ("after", 4, 1), ("during", 2, 4)],
 )
 def test_restart(scene, when, write_ranks, read_ranks):
-    """A restart file written in the middle of a run, or by a command after one."""
+    """Restart files written in the middle of a run, or by a command after one."""
     variables, folder = scene
     out = folder / f"{when}{write_ranks}{read_ranks}"
     how = {"keep": 200} if when == "during" else {"first": 200, "write": 1}

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway check` with the real program: a run repeated finer, its errors beside its figures."""
+"""`raceway check` with the real program: repeats a run with finer settings and adds errors to its
+figures."""
 
 import json
 
@@ -20,7 +21,7 @@ COARSE = {
 
 @pytest.fixture(scope="module")
 def checked(tmp_path_factory):
-    """A run of a coarse tolerance, and what raceway check made of it."""
+    """A run with a coarse tolerance, and the output of raceway check."""
     folder = tmp_path_factory.mktemp("check") / "run"
     succeed("inputs/in.6208", out=folder, **COARSE)
     with pytest.MonkeyPatch.context() as patch:
@@ -30,7 +31,7 @@ def checked(tmp_path_factory):
 
 
 def test_errors_are_those_of_the_run(checked, tmp_path):
-    """Each is the difference to a run made by hand, to the last digit."""
+    """Each error is the difference from a run made by hand, to the last digit."""
     figures = summary(RunTables(checked))
     errors = figures["numerical_errors"]
     assert {"q_max_N", "h_min_m", "capacitance_F", "cage_speed_rad_s"} <= set(errors)
@@ -47,7 +48,7 @@ def test_errors_are_those_of_the_run(checked, tmp_path):
             differences[key] += abs(other[key] - figures[key])
     for key, error in errors.items():
         assert error == pytest.approx(differences[key], rel=1e-9, abs=1e-30), key
-    # a coarse run has an error, and a small one
+    # the error of a coarse run is small but not zero
     assert 0 < errors["q_max_N"] < 0.1 * figures["q_max_N"]
 
 
@@ -92,15 +93,15 @@ def test_verlet_takes_half_the_step(tmp_path, monkeypatch):
     ids=str,
 )
 def test_data_of_ones_own(tmp_path, monkeypatch, own):
-    """The repeats have them too. The main deck's means are good to 1e-3 at its defaults; without
-    the data they move by one to twenty percent."""
+    """Bearing and oil data are passed on to the repeats. The main deck's means are accurate to 1e-3
+    by default; without the data they would change by one to twenty per cent."""
     monkeypatch.chdir(ROOT)
     succeed("inputs/in.6208", out=tmp_path, passes=1, **own)
     before = summary(RunTables(tmp_path))
     assert main(["check", str(tmp_path)]) == 0
     errors = json.loads((tmp_path / "check.json").read_text())["errors"]
     for key in ("force_y_N", "q_max_N", "capacitance_F"):
-        if key in errors:  # a heavy ring has not settled
+        if key in errors:  # a heavy ring does not settle
             error = errors[key]["integration"] + errors[key]["sampling"]
             assert error < 1e-3 * abs(before[key]), key
     repeated = repeat(variables(RunTables(tmp_path)))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/checkpoint: stop on a signal, go on, refuse what does not fit, and say when the disk
-is full."""
+"""fix bearing/checkpoint stops on a signal, resumes, refuses files that do not match, and reports a
+full disk."""
 
 import os
 import re
@@ -22,7 +22,7 @@ FILES = ("contacts.dump", "balls.dump", "rings.dat", "record.nc")
 
 
 def wait_for(path, size=1, patience=60.0):
-    """Until `path` holds `size` bytes."""
+    """Wait until `path` holds `size` bytes."""
     end = time.monotonic() + patience
     while not (path.exists() and path.stat().st_size >= size):
         assert time.monotonic() < end, f"{path} did not come"
@@ -31,7 +31,7 @@ def wait_for(path, size=1, patience=60.0):
 
 @pytest.fixture
 def stopped(tmp_path):
-    """The folder of a run that got SIGTERM in its measurement."""
+    """The folder of a run that received SIGTERM during its measurement."""
     out = tmp_path / "run"
     process = start(SCENE, out)
     wait_for(out / "record.nc", 50_000)  # it measures
@@ -85,7 +85,7 @@ def test_shortened_record_is_refused(stopped):
 
 
 def test_new_run_replaces_an_old_restart_file(stopped):
-    """Without resume the run starts anew, and nothing of the old one is left."""
+    """Without resume the run starts again, and nothing of the old one remains."""
     small = {"passes": 1, "samples": 50, "dumps": "yes"}
     succeed("inputs/in.6208", out=stopped, **small)
     assert sorted(path.name for path in stopped.iterdir()) == [
@@ -100,7 +100,7 @@ def test_new_run_replaces_an_old_restart_file(stopped):
 
 
 def test_restart_files_change_no_bit(tmp_path):
-    """Writing them is not seen by the run."""
+    """Writing restart files does not affect the run."""
     for name, keep in (("without", 0), ("with", 7)):
         succeed("inputs/in.6208", out=tmp_path / name, passes=1, samples=50, keep=keep, dumps="yes")
     for name in FILES:
@@ -108,7 +108,7 @@ def test_restart_files_change_no_bit(tmp_path):
 
 
 def test_killed_run_opens(tmp_path):
-    """All samples written until then can be read, each of them whole."""
+    """All samples written so far can be read, each of them complete."""
     out = tmp_path / "run"
     process = start(SCENE, out)
     wait_for(out / "record.nc", 2_000_000)
@@ -151,7 +151,7 @@ def limited(out, bytes_of_a_file, *words):
 
 
 def test_file_size_limit(tmp_path):
-    done = limited(tmp_path / "record", 12_000_000)  # MPI has files of 4 MB
+    done = limited(tmp_path / "record", 12_000_000)  # MPI creates files of 4 MB
     assert done.returncode != 0
     assert "record.nc: File too large" in done.stdout
     done = limited(tmp_path / "run", 30_000_000, "-var", "dumps", "yes", "-var", "record", "none")
@@ -174,7 +174,7 @@ def test_full_disk(tmp_path):
         failed = liggghts("inputs/in.6208", out=disk / "run", passes=4, keep=20, dumps="yes")
         assert failed.code != 0
         assert "No space left on device" in failed.error
-        # with room again the run goes on to the end, and to the same bits
+        # after space is freed the run continues to the end with the same bits
         subprocess.run(["mount", "-o", "remount,size=20m", disk], check=True)
         succeed("inputs/in.6208", out=disk / "run", passes=4, keep=20, dumps="yes", resume="yes")
         succeed("inputs/in.6208", out=tmp_path / "reference", passes=4, dumps="yes")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway dataset` with the real program: files, labels, going on, and folders of something
-else."""
+"""`raceway dataset` with the real program: files, labels, resuming, and folders with unrelated
+content."""
 
 import json
 
@@ -70,11 +70,12 @@ def test_files(made):
 
 
 def test_rates_hold_the_same_signal(made):
-    """Every fourth sample of 48 kHz, except for what 12 kHz cannot hold."""
+    """Every fourth sample of the 48 kHz signal, apart from the content that 12 kHz cannot
+    represent."""
     fast, slow = (signal_of(made, 2, rate)["X002_DE_time"].ravel() for rate in (48000, 12000))
     low = np.fft.rfft(fast)[: int(0.35 * len(slow))] / len(fast)
     own = np.fft.rfft(slow)[: len(low)] / len(slow)
-    # the ends differ, since a record is no whole number of periods
+    # the ends differ, since a record is not a whole number of periods
     assert np.abs(own - low).max() < 0.1 * np.abs(low).max()
 
 
@@ -103,7 +104,8 @@ def test_card(made):
 
 
 def test_goes_on(made, tmp_path, monkeypatch):
-    """Stopped while the files of a record are made: the same command ends with the same signals."""
+    """Stopped while the files of a record are written: the same command finishes with the same
+    signals."""
 
     def stop(one, *_):
         raise KeyboardInterrupt

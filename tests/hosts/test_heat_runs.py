@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway heat --runs` with the real program: balance, finished runs, failures, messages."""
+"""`raceway heat --runs` with the real program: heat balance, finished runs, failures, messages."""
 
 import json
 
@@ -29,10 +29,10 @@ def heat(capsys, folder, *more):
 
 def test_balance_with_the_friction_of_runs(capsys, folder):
     code, found, said = heat(capsys, folder, "--runs", "2")
-    # the second run is left out when the first one agrees with statics
+    # the second run is skipped if the first one agrees with statics
     assert code == 0 and found["runs"] in (1, 2) and len(said.splitlines()) == found["runs"]
     conductance = found["conductance_W_K"]
-    # what is found carries the friction of statics, as much larger as that of the last run
+    # the result uses the friction of statics, scaled by the ratio found in the last run
     scene = steady_heat.Case("6208", "vg46", load=5000.0, rpm=9549.0).scene()
     there = found["run_temperature_C"]
     of_statics = scene.at(there, 0.0)["power_loss_W"]

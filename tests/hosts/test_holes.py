@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Decks that change what a fix found out when it was made: groups that grow, rings named twice."""
+"""Decks that change what a fix read when it was created: groups that grow, rings named twice."""
 
 import re
 
@@ -34,7 +34,8 @@ def deck(request):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_two_fixes_on_one_ring_are_refused(tmp_path, deck, ranks):
-    """The second one won without a word under fix bearing/implicit: wrong load and displacement."""
+    """Under fix bearing/implicit the second fix silently replaced the first: wrong load and
+    displacement."""
     end = outcome(
         tmp_path, deck, "fix again inner bearing/ring spin speed 50\nrun 100\n", ranks=ranks
     )
@@ -56,7 +57,7 @@ def test_one_fix_after_another_on_one_ring(tmp_path, deck):
 
 @pytest.mark.parametrize("when", ["before the first run", "between two runs"])
 def test_balls_may_not_join_the_group_of_a_ring_fix(tmp_path, deck, when):
-    """They got the ring's mass, and the report of the ring was that of a ball."""
+    """Such a group received the ring's mass, and the report of the ring was that of a ball."""
     first = "run 20\n" if when == "between two runs" else ""
     end = outcome(tmp_path, deck, first + "group inner type 1\nrun 100\n")
     assert end.code != 0
@@ -69,9 +70,10 @@ def test_balls_may_not_join_the_group_of_a_ring_fix(tmp_path, deck, when):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_ring_that_joins_the_group_is_reported(tmp_path, deck, ranks):
-    """The report had as many rows as there were rings when the fix was made, and wrote beyond them.
+    """The report had as many rows as there were rings when the fix was created, and wrote beyond
+    them.
 
-    Inner and outer ring are one group then; the outer one has its own row, and moves.
+    Inner and outer ring are then one group; the outer one has its own row, and moves.
     """
     end = outcome(
         tmp_path,
@@ -90,7 +92,7 @@ def test_a_ring_that_joins_the_group_is_reported(tmp_path, deck, ranks):
 
 
 def test_a_second_bearing_joins_the_group(tmp_path, deck):
-    """Made after the fix; the group takes its inner ring in."""
+    """The second bearing is created after the fix; the group includes its inner ring."""
     wide = deck.replace("block -0.05 0.05", "block -0.05 0.3")
     second = (
         "create_bearing 1 none 2 3 balls 9 diameter 12.6e-3 speed 50.0 0 centre 0.2 0 0\n"
@@ -112,7 +114,7 @@ def test_a_second_bearing_joins_the_group(tmp_path, deck):
 
 
 def test_rows_of_a_group_that_grew_wait_for_the_next_run(tmp_path, deck):
-    """Asked for between the group command and the run, the report is that of the known rings."""
+    """Read between the group command and the run, the report covers the known rings."""
     end = outcome(
         tmp_path,
         deck,

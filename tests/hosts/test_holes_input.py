@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Input that was accepted or refused with another's message: numbers of bearings and lubricants,
-words that only C takes for numbers, files that are none."""
+"""Input that was accepted, or refused with the wrong message: values of bearings and lubricants,
+words that only C reads as numbers, paths that are not files."""
 
 import re
 
@@ -48,7 +48,7 @@ def test_every_number_has_a_range(tmp_path, name, value):
 
 
 def inputs(tmp_path, folder, name, text):
-    """A folder of inputs with one file more."""
+    """A folder of inputs with one additional file."""
     own = tmp_path / "inputs"
     own.mkdir()
     for path in (ROOT / "inputs").iterdir():
@@ -110,7 +110,7 @@ def test_names_of_folders(tmp_path, name):
 
 
 def test_a_file_called_like_an_option_stays(tmp_path):
-    """The host's own `rm` took -f for a file of the current folder."""
+    """The host's own `rm` took -f as a file of the current folder."""
     for name in ("inputs",):
         (tmp_path / name).symlink_to(ROOT / name)
     (tmp_path / "-f").write_text("mine")
@@ -122,7 +122,7 @@ def test_a_file_called_like_an_option_stays(tmp_path):
 
 
 def test_a_file_that_the_checkpoint_sees_too_often(tmp_path):
-    """Dumped every 200 steps, looked at every 20: no disk was full."""
+    """Dumped every 200 steps, checked every 20: the disk was not full."""
     deck = tmp_path / "in.often"
     text = (ROOT / "docs" / "decks" / "in.ehd").read_text()
     deck.write_text(

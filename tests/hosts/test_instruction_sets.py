@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Processors without AVX2 take contacts with other code, made from the same formulas: same bits.
-That code calls the law part by part, where code for AVX2 has the laws of `models` inlined.
+"""Processors without AVX2 evaluate contacts with other code, generated from the same formulas, to
+the same bits. That code calls the law part by part, whereas code for AVX2 has the laws of `models`
+inlined.
 
-The variable RACEWAY_NARROW_LANES asks for that code where there is AVX2 (docs/design).
+The variable RACEWAY_NARROW_LANES selects that code on processors with AVX2 (docs/design).
 """
 
 import ctypes
@@ -17,7 +18,7 @@ LIBRARY = host.ROOT / "build" / "libraceway_physics.so"
 
 
 def takes_avx2(**environment):
-    """Instruction set that a process with these variables uses."""
+    """Instruction set used by a process with these variables."""
     ask = f"import ctypes; print(ctypes.CDLL({str(LIBRARY)!r}).takes_avx2())"
     done = subprocess.run(
         [sys.executable, "-c", ask],

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Raceway in an upstream LIGGGHTS source tree: same bits as in Debian's library; refused where it
-does not belong; reversible."""
+"""Raceway in an upstream LIGGGHTS source tree: same bits as with Debian's library; refused in an
+unsuitable tree; removable."""
 
 import os
 import shutil
@@ -16,7 +16,7 @@ PATCHED = ("finish.cpp", "utils.h", "dump_mesh_vtk.h", "dump_mesh_vtk.cpp")
 
 
 def make(what, tree):
-    """`make install-tree` or `uninstall-tree`: (exit code, what it said)."""
+    """`make install-tree` or `uninstall-tree`: (exit code, output)."""
     done = subprocess.run(
         ["make", "-s", f"{what}-tree", f"LIGGGHTS={tree}"],
         cwd=ROOT,
@@ -39,7 +39,7 @@ def contents(tree):
 
 @pytest.fixture(scope="module")
 def upstream(tmp_path_factory):
-    """The upstream sources used here: all of src except its packages, untouched."""
+    """The upstream sources used here: all of src without its packages, unmodified."""
     whole = unpacked(tmp_path_factory.mktemp("upstream") / "liggghts")
     tree = tmp_path_factory.mktemp("small")
     (tree / "src" / "MAKE").mkdir(parents=True)
@@ -55,7 +55,7 @@ def tree(upstream, tmp_path):
 
 
 def refused(tree, says, what="install"):
-    """It is refused with a message and nothing is changed."""
+    """The tree is refused with a message and left unchanged."""
     before = contents(tree)
     code, text = make(what, tree)
     assert code != 0 and "Refused: " in text and says in text, text
@@ -134,7 +134,8 @@ def test_another_change_of_a_patched_file_is_kept(tree):
 
 
 def test_an_interrupted_installation_is_taken_out(tree):
-    """Killed half-way: the manifest is written first, so that what is there can be taken out."""
+    """Killed half-way: the manifest is written first, so that the files already there can be
+    removed."""
     before = contents(tree)
     assert make("install", tree)[0] == 0
     for name in ("film.h", "create_bearing.cpp"):
@@ -145,7 +146,7 @@ def test_an_interrupted_installation_is_taken_out(tree):
 
 
 def test_a_failure_half_way_leaves_nothing(tree):
-    """One of the last names to be written cannot be: a folder of that name with something in it."""
+    """One of the last files cannot be written: a non-empty folder has its name."""
     (tree / "src" / "finish.cpp.raceway-new").mkdir()
     (tree / "src" / "finish.cpp.raceway-new" / "x").write_text("x")
     refused(tree, "taken out again")
@@ -156,7 +157,7 @@ def times(tree):
 
 
 def test_patches_keep_the_times_of_files(tree):
-    """They change nothing in a compiled program, so objects of the host need not be built again."""
+    """They do not change a compiled program, so the host's objects need not be rebuilt."""
     before = times(tree)
     assert make("install", tree)[0] == 0
     assert times(tree) == before
@@ -164,7 +165,7 @@ def test_patches_keep_the_times_of_files(tree):
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 def test_main_deck_has_the_same_bits(tmp_path, integrator):
-    """Short and fast passes of the main deck: every column of every sample."""
+    """A few fast passes of the main deck: every column of every sample."""
     case = {"integrator": integrator, "rpm": 20000, "passes": 1, "samples": 20, "dumps": "yes"}
     succeed("inputs/in.6208", out=tmp_path / "debian", **case)
     succeed("inputs/in.6208", program=PROGRAM, out=tmp_path / "tree", **case)
@@ -177,7 +178,7 @@ def test_main_deck_has_the_same_bits(tmp_path, integrator):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_transient_has_the_same_bits(tmp_path, ranks):
-    """All digits, free tilts, on one rank and on two."""
+    """All digits, rings free to tilt, on one rank and on two."""
     succeed("tests/hosts/in.bits", out=tmp_path / "debian", tilt="free")
     succeed("tests/hosts/in.bits", program=PROGRAM, ranks=ranks, out=tmp_path / "tree", tilt="free")
     for name in ("contacts.dump", "balls.dump"):
@@ -188,15 +189,15 @@ def test_transient_has_the_same_bits(tmp_path, ranks):
 
 
 def test_it_is_the_tree_that_ran(tmp_path):
-    """The program is the host itself: no library of Debian's LIGGGHTS in it."""
+    """The program is the host itself, without Debian's LIGGGHTS library."""
     libraries = subprocess.run(["ldd", PROGRAM], text=True, capture_output=True, check=True).stdout
     assert "liggghts" not in libraries
     assert os.path.islink(PROGRAM)
 
 
 def test_sources_of_apt_in_one_line(tmp_path):
-    """Private sources are derived from the machine's own, in either format; other suites and
-    repositories are left out."""
+    """Private apt sources are derived from the machine's own, in either format, without other
+    suites and repositories."""
     (tmp_path / "sources.list").write_text(
         "# deb x\ndeb [arch=amd64 signed-by=/k.gpg] http://m/debian bookworm main contrib\n"
         "deb http://m/debian bookworm-updates main\ndeb http://n/x nodistro main\n"

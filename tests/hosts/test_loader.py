@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The styles are there in every way LIGGGHTS is started: after `clear`, by preload, in partitions,
+"""The styles are available however LIGGGHTS is started: after `clear`, by preload, in partitions,
 from Python."""
 
 import os
@@ -12,7 +12,7 @@ from host import FORMATS, ROOT, frames, succeed
 
 
 def test_clear(tmp_path):
-    """The second bearing of one script, after `clear`, has the bits of the first."""
+    """The second bearing of a script, after `clear`, has the bits of the first."""
     deck = tmp_path / "in.clear"
     deck.write_text(
         f"variable out index {tmp_path}/first\ninclude tests/hosts/in.bits\nclear\n"
@@ -23,7 +23,8 @@ def test_clear(tmp_path):
 
 
 def test_partition(tmp_path):
-    """Two partitions run two lubricants at once (universe variables), each as it would alone."""
+    """Two partitions run two lubricants at once (universe variables), each with the bits of a run
+    alone."""
     deck = tmp_path / "in.partition"
     deck.write_text(
         "variable lubricant universe mineral pao48\nvariable out index"
@@ -72,7 +73,7 @@ def test_preload_into_the_stock_program(program, host, styles, tmp_path):
 
 
 def test_from_python(tmp_path):
-    """Loaded with ctypes (docs: "From Python"); the library's C interface drives the deck."""
+    """Loaded with ctypes (docs: "From Python"); the library's C interface runs the deck."""
     script = textwrap.dedent("""
         import ctypes, sys
         lib = ctypes.CDLL(sys.argv[1], mode=ctypes.RTLD_GLOBAL)

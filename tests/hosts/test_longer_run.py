@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A finished run is not overwritten unasked, and goes on with more ball passes."""
+"""A finished run is not overwritten by default, and can be continued with more ball passes."""
 
 import pytest
 from host import ROOT, liggghts, run, succeed
 
 DECK = "inputs/in.6208"
 SHORT = {"samples": 20, "rpm": 20000, "passes": 2}
-COST = ("wall_s", "processor_s")  # no two runs have it alike
+COST = ("wall_s", "processor_s")  # differs from run to run
 
 
 @pytest.mark.parametrize("deck", ["in.6208", "in.dry", "in.nocage", "in.preload"])
@@ -25,7 +25,7 @@ def test_finished_run_stays(tmp_path, deck):
 
 
 def test_finished_run_that_cannot_go_on(tmp_path):
-    """Without its restart file, of an older version for example."""
+    """The run has no restart file, for example because an older version made it."""
     succeed(DECK, out=tmp_path, **SHORT)
     (tmp_path / "restart").unlink()
     failed = liggghts(DECK, out=tmp_path, resume="yes", **SHORT)
@@ -36,7 +36,7 @@ def test_finished_run_that_cannot_go_on(tmp_path):
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
 def test_more_passes(tmp_path, host, integrator):
-    """To the bytes of a run that had them from the start."""
+    """The continued run has the bytes of a run with that length from the start."""
     scene = {**SHORT, "integrator": integrator, "dumps": "yes", "unbalance": 1e-5}
     succeed(DECK, host=host, out=tmp_path / "whole", **{**scene, "passes": 5})
     for passes in (2, 3, 5):

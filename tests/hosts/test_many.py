@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Many bearings in one box: each has the bits that it has alone, on any number of ranks, wherever
-these are cut.
+"""Many bearings in one box: each has the bits that it has alone, on any number of ranks, however
+the box is cut.
 
-Twelve bearings in three columns, all different in load, speed and first azimuth, two lubricants in
-turn. Two ranks are cut between rows of bearings; three through two rows, four through the middle
-column, so through rings, balls and cages.
+Twelve bearings in three columns with different loads, speeds and first azimuths, and two
+alternating lubricants. Two ranks are cut between rows of bearings; three through two rows; four
+through the middle column, that is through rings, balls and cages.
 """
 
 import re
@@ -40,7 +40,7 @@ def fleet(folder):
 
 
 def table(folder, ring):
-    """{step: the rest of the row of an inner ring}."""
+    """{step: the remaining columns of the row of an inner ring}."""
     found = {}
     for step, rows in frames(folder / "bearings.dump").items():
         mine = [row.split()[1:] for row in rows if int(row.split()[0]) == ring]
@@ -85,7 +85,7 @@ def test_scene_is_worth_comparing(scene):
     for ring, load, rpm, _ in them.values():
         row = [float(word) for word in table(folder, ring)[max(table(folder, ring))]]
         assert row[2] == pytest.approx(rpm * 3.14159265358979 / 30, rel=1e-5)  # spin, rad/s
-        assert 0.5 * load < row[4] < 1.5 * load  # N, the contacts carry it by now
+        assert 0.5 * load < row[4] < 1.5 * load  # N, carried by the contacts at this time
         assert row[14] > 1e-11  # F
 
 
@@ -113,8 +113,8 @@ def test_hosts(tmp_path, host, ranks):
 
 @pytest.mark.parametrize("number, ranks", [(1, 1), (5, 3), (8, 1), (11, 4)])
 def test_alone(scene, number, ranks, tmp_path):
-    """The middle column's 5 and 8 are those that four ranks cut; alone they are in their place of
-    the same box."""
+    """Bearings 5 and 8 of the middle column are cut by four ranks; the single runs have them at the
+    same place of the same box."""
     variables, folder = scene
     succeed(DECK, ranks=ranks, out=tmp_path, only=number, **variables)
     (alone,) = fleet(tmp_path).values()
@@ -125,8 +125,8 @@ def test_alone(scene, number, ranks, tmp_path):
 
 
 def test_table_against_the_contacts(tmp_path):
-    """Sums and extremes of a row are those of the contact table of its ring; force and torque those
-    of fix bearing/ring."""
+    """Sums and extremes of a row match the contact table of its ring; force and torque match
+    fix bearing/ring."""
     deck = tmp_path / "in.check"
     deck.write_text(f"""
 variable out index {tmp_path}
@@ -162,14 +162,14 @@ run 1
         assert {c[1] for c in mine} == {0.0} and len(mine) == live > 2
         assert load == max(c[2] for c in mine) and pressure == max(c[3] for c in mine)
         assert h_min == min(c[4] for c in mine) and film == min(c[5] for c in mine)
-    # a ball's two capacitors in series, summed: the outer ring (the next tag) has the other one of
-    # every ball in order
+    # two capacitors of a ball in series, summed over balls: the outer ring (the next tag) has the
+    # second one of every ball, in order
     for row in rows:
         inner = [c[7] for c in contacts if c[0] == row[0]]
         outer = [c[7] for c in contacts if c[0] == row[0] + 1]
         assert max(inner) / 2 < row[10] < sum(inner) and row[10] < sum(outer)
     digits = pytest.approx
-    # 12 digits of one, the host's %g-like print of the other
+    # one has 12 digits, the other the host's %g-like print
     assert rows[0][2] == digits(said[0], rel=1e-9, abs=1e-9)
     assert rows[3][3] == digits(said[1], rel=1e-9)
     assert rows[3][1] == digits(said[2], rel=1e-9)
@@ -209,7 +209,7 @@ write_dump all custom OUT id x y z vx vy vz omegax omegay omegaz modify &
 
 
 def one_ring(**words):
-    """The deck with these words in the places of their names in capitals."""
+    """The deck with these words substituted for the names in capitals."""
     text = ONE_RING
     for name, word in words.items():
         text = text.replace(name.upper(), str(word))
@@ -222,7 +222,7 @@ def one_ring(**words):
     ids=["implicit", "verlet"],
 )
 def test_a_value_of_its_own_is_the_number(move, step, tmp_path):
-    """Loads, speeds and positions by atom-style variables give the bits of the numbers."""
+    """Loads, speeds and positions from atom-style variables give the bits of numbers."""
     by = {
         "number": {"spin": 50, "tilt": 1e-4, "load": -2000, "moment": 50},
         "variable": {"spin": "v_spin", "tilt": "v_tilt", "load": "v_force", "moment": "v_spin"},
@@ -283,7 +283,7 @@ def test_mistakes(words, message, tmp_path):
 
 
 def test_oils_in_turn(tmp_path):
-    """Three oils, seven bearings: the record has the viscosity of each."""
+    """Three oils in seven bearings: the record has the viscosity of each."""
     oils = ["mineral", "vg68", "vg46"]
     words = {"bearings": 7, "columns": 3, "time": 1e-3, "kinds": 3, "lubricant": oils}
     succeed("inputs/in.many", out=tmp_path, **words)
@@ -296,7 +296,7 @@ def test_oils_in_turn(tmp_path):
 
 
 def test_alike(tmp_path):
-    """Every bearing as the first: same load, speed and azimuth."""
+    """Every bearing equals the first: same load, speed and azimuth."""
     words = {"bearings": 2, "columns": 2, "fleet": "alike", "lubricant": "vg46", "phase": 0.3}
     succeed(DECK, out=tmp_path, time=2e-3, **words)
     one, other = fleet(tmp_path).values()
@@ -304,7 +304,7 @@ def test_alike(tmp_path):
 
 
 def test_surroundings(tmp_path):
-    """All of the capacitance in the record; the motion and the table stay."""
+    """The record contains the capacitances; motion and table are unchanged."""
     short = {"bearings": 2, "columns": 2, "time": 2e-3}
     runs = {}
     for word in ("none", "cavitated"):
@@ -323,7 +323,7 @@ def test_surroundings(tmp_path):
 
 
 def test_starved_as_alone(tmp_path):
-    """The factor of starvation is that of the nominal speed, whichever bearing is the first."""
+    """The starvation factor follows the nominal speed, whichever bearing comes first."""
     for only in (0, 2):
         succeed(DECK, out=tmp_path / str(only), only=only, models="full", time=2e-3, **BEARINGS)
     ring = fleet(tmp_path / "0")[2][0]
@@ -332,7 +332,7 @@ def test_starved_as_alone(tmp_path):
 
 
 def test_one_oil_in_lammps(tmp_path):
-    """LAMMPS crashed in its own reader."""
+    """LAMMPS crashed in its own reader before."""
     words = {"bearings": 4, "time": 5e-4, "sample": 2.5e-4, "lubricant": "vg46"}
     succeed("inputs/in.many", host="lammps", out=tmp_path, **words)
     assert [oil for *_, oil in fleet(tmp_path).values()] == 4 * ["vg46"]

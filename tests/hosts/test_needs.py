@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway needs` with the real program: random scenes, judged by runs that it did not make."""
+"""`raceway needs` with the real program: random scenes, judged by runs of their own."""
 
 import json
 import random
@@ -15,14 +15,14 @@ from raceway.sweeps.scene_parts import REFERENCE, choices, sets, variables
 SEED = 16
 SHORT = {"passes": "1", "settle": "1"}
 WANTED = {"torque": 0.1, "capacitance": 0.05, "load": 0.01}
-# what the second scene leaves alone, so that it is quick
+# options kept fixed in the second scene, for speed
 FEW = ["asperities", "differential_slip", "drag", "inlet_shear", "record", "rolling", "samples"]
 FEW += ["rolling_hysteresis", "film_branch", "spin", "damping", "relative 5e-4", "starvation"]
 FEW += ["cage"]
 
 
 def scene(number):
-    """Variables of a scene drawn at random: load, speed, clearance, oil, temperature."""
+    """Variables of a random scene: load, speed, clearance, oil, temperature."""
     draw = random.Random(100 * SEED + number)
     return {
         **SHORT,
@@ -40,7 +40,7 @@ def words(variables):
 
 @pytest.fixture(scope="module", params=[(0, []), (1, ["--keep", *FEW])], ids=["all", "few"])
 def answered(request, tmp_path_factory):
-    """(scene, what raceway needs wrote, its folder)"""
+    """(scene, output of raceway needs, its folder)"""
     number, keep = request.param
     folder = tmp_path_factory.mktemp("needs")
     with pytest.MonkeyPatch.context() as patch:
@@ -52,7 +52,7 @@ def answered(request, tmp_path_factory):
 
 @pytest.fixture
 def undrawn(monkeypatch):
-    """In the root, without the picture: `answered` has it, and it takes a second."""
+    """Run from the root, without the picture: `answered` has it, and it takes a second."""
     monkeypatch.chdir(ROOT)
     monkeypatch.setattr("raceway.pictures.needs.picture", lambda found, path: None)
 
@@ -62,8 +62,8 @@ def figures(folder):
 
 
 def test_picked_set_keeps_what_is_wanted(answered, tmp_path):
-    """Two runs made by hand: one with all parts, finer than the command's own reference, and one
-    with the words that it gives."""
+    """Two runs made by hand: one with the full model, finer than the command's own reference, and
+    one with the settings that it recommends."""
     own, found, _ = answered
     assert found["wanted"] == WANTED
     finer = {**REFERENCE, "tolerance": "1e-11", "samples": 500}
@@ -106,11 +106,11 @@ def test_effects_are_those_of_the_runs(answered, tmp_path):
         assert rows["gap"]["errors"][word] == pytest.approx(
             abs(without[word] / value - 1), rel=1e-9, abs=1e-12
         )
-    # the ellipses alone are far from the whole capacitance; motion and film do not know of it
+    # the ellipses alone are far from the total capacitance; motion and film do not depend on it
     errors = rows["surroundings"]["errors"]
     assert errors["capacitance"] > 0.1
     assert {value for word, value in errors.items() if word != "capacitance"} == {0.0}
-    assert rows["models paper"]["errors"]["torque"] is None  # it has no friction torque
+    assert rows["models paper"]["errors"]["torque"] is None  # this model has no friction torque
 
 
 def test_goes_on_without_running_again(answered, capsys, undrawn):
@@ -126,7 +126,7 @@ def test_goes_on_without_running_again(answered, capsys, undrawn):
 
 
 def test_wants_that_forbid_everything(answered, undrawn):
-    """Then it is the reference that is picked."""
+    """In that case the reference is chosen."""
     own, _, folder = answered
     tight = ["--want", "torque=1e-9", "capacitance=1e-9", "--keep", *FEW]
     assert main(["needs", "inputs/in.6208", *words(own), *tight, "--out", str(folder)]) == 0
@@ -154,7 +154,7 @@ def test_mistakes(tmp_path, monkeypatch, capsys):
 
 
 def test_sets():
-    """One of a group, and no part that the models do not have."""
+    """One part of a group, and a part that the models do not have."""
     known = choices({}, True)
     every = sets([one for one in known if one.name not in ("cage", "surroundings", "spin")])
     names = [{choice.name for choice in picked} for picked in every]
@@ -168,7 +168,7 @@ def test_sets():
     picked = tuple(one for one in known if one.name in ("gap", "drag", "samples 40"))
     assert variables(picked) == {**REFERENCE, "samples": "40", "without": "gap+drag"}
     assert all("film" not in choice.name for choice in choices({}, False))
-    # a scene that has chosen leaves no choice
+    # a scene with these settings leaves no choice
     chosen = {"cage": "no", "surroundings": "none", "load": "5000", "settle": "auto"}
     gone = {one.name for one in known} - {one.name for one in choices(chosen, True)}
     assert gone == {"cage", "surroundings"}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""inputs/in.6208 in plain commands: its bits with models paper, its hosts, restarts and errors."""
+"""inputs/in.6208 in plain commands: its bits with models paper, hosts, restarts and errors."""
 
 import hashlib
 
@@ -35,11 +35,12 @@ CASES = {
     "vibration": (dict(integrator="vibration", samples=200), "b34d453ae1c80999"),
     "velocity Verlet": (dict(integrator="verlet", rpm=5000), "ebadcd956696ab21"),
 }
-LATER = {"checksum", "bearing_cage_power", "bearing_cage_force"}  # variables that records had not
+# variables that records did not have then
+LATER = {"checksum", "bearing_cage_power", "bearing_cage_force"}
 
 
 def values(folder):
-    """Variables of a record, as bytes; a zero has no sign."""
+    """Variables of a record as bytes, without signs of zeros."""
     with netcdf_file(folder / "record.nc", mmap=False) as file:
         return {
             name: (one.data + 0.0 if one.data.dtype.kind == "f" else one.data).tobytes()
@@ -79,7 +80,7 @@ def test_hosts(tmp_path, host):
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
 def test_goes_on(tmp_path, host):
-    """One ball pass and another are two; the text dumps, too."""
+    """One ball pass continued by another equals two; so do the text dumps."""
     case = dict(settle=1, rpm=2000, dumps="yes", host=host)
     for folder in ("whole", "parts"):
         succeed("inputs/in.6208", out=tmp_path / folder, passes=2 - (folder == "parts"), **case)
@@ -90,7 +91,8 @@ def test_goes_on(tmp_path, host):
 
 
 def test_settles_by_itself(tmp_path):
-    """`settle auto`, the default: the record has how far, and the models are full."""
+    """`settle auto`, the default: the record contains how far it settled, and the models are
+    full."""
     succeed("inputs/in.6208", out=tmp_path, passes=1, models=None, settle=None)
     found = raceway.open(tmp_path)
     assert found.settings["models"] == "full" and found.settings["settled_passes"] >= 2

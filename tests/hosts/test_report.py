@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway report`: one HTML page that loads nothing, of a run and of a sweep."""
+"""`raceway report`: one self-contained HTML page for a run and for a sweep."""
 
 import json
 import re
@@ -22,7 +22,7 @@ TABLE = """load,lubricant,passes,samples
 4000,vg32,1,20
 1e9,dry,1,20
 """
-# in the page of a browser: zoom into the first chart, read a value, pick another axis
+# actions in a browser: zoom into the first chart, read a value, choose another axis
 ACTIONS = """
 <script>
 window.addEventListener("load", () => {
@@ -50,7 +50,7 @@ window.addEventListener("load", () => {
 
 
 class Parsed(HTMLParser):
-    """Tags with their attributes, scripts of data by id, and the text."""
+    """Tags with their attributes, data scripts by id, and the text."""
 
     def __init__(self, page):
         super().__init__()
@@ -72,7 +72,7 @@ class Parsed(HTMLParser):
 def folder(tmp_path_factory):
     folder = tmp_path_factory.mktemp("report") / "a<b>&c"
     succeed("inputs/in.6208", out=folder.with_name("run"), lubricant="vg68", **SCENE)
-    folder.with_name("run").rename(folder)  # a name that HTML takes for more
+    folder.with_name("run").rename(folder)  # a name with characters special to HTML
     assert main(["report", str(folder)]) == 0
     return folder
 
@@ -119,7 +119,7 @@ def test_page_loads_nothing(folder, sweep):
 
 
 def test_command_repeats_the_run(folder, tmp_path):
-    """To the bits of the record's loads."""
+    """The command on the page repeats the run, with the same bits of its loads."""
     text = Parsed((folder / "report.html").read_text()).text
     (command,) = re.findall(r"build/liggghts -in inputs/in.6208 .*", text)
     words = shlex.split(command)[3:]
@@ -156,8 +156,8 @@ def test_record_without_contacts(tmp_path, capsys):
 
 @pytest.mark.skipif(shutil.which("chromium") is None, reason="chromium is not installed")
 def test_in_a_browser(folder, sweep, tmp_path):
-    """Debian's chromium draws the charts; a frame zooms, a double click shows all, the mouse reads,
-    a menu picks an axis."""
+    """Debian's chromium draws the charts; a frame zooms, a double click resets, the mouse reads
+    values, a menu selects an axis."""
     for number, path in enumerate((folder / "report.html", sweep / "page.html")):
         page = tmp_path / f"{number}.html"
         page.write_text(path.read_text().replace("</body>", ACTIONS + "</body>"))
@@ -185,5 +185,5 @@ def test_in_a_browser(folder, sweep, tmp_path):
         assert tried["zooms"]
         assert not re.search(r' (?:d|x|y|cx|cy|x1|y1|x2|y2)="[^"]*(?:NaN|Infinity)', dom)
         assert re.search(r": [0-9.e-]+", tried["read"]) or number == 1
-        assert tried["back"] or number == 1  # a menu has drawn the chart anew
+        assert tried["back"] or number == 1  # the menu has redrawn the chart
         assert number == 0 or "wall_s" in tried["picked"] or "_" in tried["picked"]

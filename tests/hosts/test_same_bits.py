@@ -82,8 +82,8 @@ RESUMED = {
 
 
 def written(folder):
-    """All that a run wrote, {file: samples}: of dumps the rows, of tables the rows after step 0,
-    where LAMMPS prints too."""
+    """All output of a run, {file: samples}: the rows of dumps, and the rows of tables after step 0,
+    where only LAMMPS prints."""
     dumps = {path.name: frames(path) for path in folder.glob("*.dump")}
     tables = {
         path.name: [line for line in path.read_text().splitlines() if line[0] not in "#0"]
@@ -94,8 +94,8 @@ def written(folder):
 
 @pytest.fixture(scope="module")
 def liggghts(tmp_path_factory):
-    """What LIGGGHTS writes: (deck, variables) -> `written` and the folder, made when first asked
-    for."""
+    """Output of LIGGGHTS: (deck, variables) -> `written` and the folder, computed on first
+    use."""
 
     @cache
     def get(deck, variables):
@@ -131,7 +131,7 @@ def test_scene(liggghts, name, host, tmp_path):
 @pytest.mark.parametrize("host", LAMMPS)
 @pytest.mark.parametrize("name", CASES)
 def test_hard_case(liggghts, name, host, tmp_path):
-    """The fix at its defaults, chaotic cases too."""
+    """The fix with its defaults, including chaotic cases."""
     variables = {
         "samples": 400,
         "sample": 1e-4,
@@ -149,7 +149,7 @@ def test_hard_case(liggghts, name, host, tmp_path):
 )
 @pytest.mark.parametrize("deck", TRANSIENT)
 def test_ranks(liggghts, deck, host, ranks, tmp_path):
-    """Against LIGGGHTS on one rank."""
+    """Compared with LIGGGHTS on one rank."""
     want, _ = liggghts(deck, TRANSIENT[deck])
     outcome = succeed(deck, host=host, ranks=ranks, out=tmp_path, **TRANSIENT[deck])
     assert f"{ranks} procs" in outcome.text
@@ -162,7 +162,7 @@ def test_ranks(liggghts, deck, host, ranks, tmp_path):
 )
 @pytest.mark.parametrize("deck", TRANSIENT)
 def test_restart(liggghts, deck, host, write_ranks, read_ranks, tmp_path):
-    """Written in the middle of a run, read by another number of ranks."""
+    """Written in the middle of a run and read by another number of ranks."""
     want, _ = liggghts(deck, TRANSIENT[deck])
     resume, variables, step = RESUMED[deck]
     succeed(deck, host=host, ranks=write_ranks, out=tmp_path, keep=step, **TRANSIENT[deck])
@@ -183,8 +183,8 @@ def test_restart(liggghts, deck, host, write_ranks, read_ranks, tmp_path):
 
 @pytest.mark.parametrize("host", LAMMPS)
 def test_stopped_run_goes_on(liggghts, host, tmp_path):
-    """A run that gets SIGTERM ends with a restart file; resumed, it has written what LIGGGHTS
-    writes undisturbed."""
+    """A run that receives SIGTERM ends with a restart file; resumed, it has the output of an
+    undisturbed LIGGGHTS run."""
     variables = {"passes": 40, "keep": 50, "dumps": "yes"}
     program, _ = HOSTS[host]
     words = [
@@ -224,7 +224,7 @@ def test_stopped_run_goes_on(liggghts, host, tmp_path):
         )
         subprocess.run(stop, check=False)
     assert process.returncode != 0 and (tmp_path / "restart").exists(), (
-        "it was not stopped on the way"
+        "the run was not stopped early"
     )
     succeed("inputs/in.6208", host=host, out=tmp_path, resume="yes", **variables)
     want, _ = liggghts("inputs/in.6208", variables)
@@ -233,7 +233,8 @@ def test_stopped_run_goes_on(liggghts, host, tmp_path):
 
 @pytest.mark.parametrize("host", LAMMPS)
 def test_clear(liggghts, host, tmp_path):
-    """The styles are there after `clear`, and the second bearing of one script is the first."""
+    """The styles are available after `clear`, and the second bearing of a script equals the
+    first."""
     deck = tmp_path / "in.clear"
     deck.write_text(
         f"{LINE}variable out index {tmp_path}/first\ninclude tests/hosts/in.bits\nclear\n"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The scenes under AddressSanitizer and UndefinedBehaviorSanitizer: the first finding ends the run
+"""Scenes under AddressSanitizer and UndefinedBehaviorSanitizer: the first finding ends the run
 with an error."""
 
 import pytest
@@ -8,7 +8,7 @@ from host import frames, succeed
 
 @pytest.mark.parametrize("lubricant", ["mineral", "dry"])
 def test_bits_scene(tmp_path, lubricant):
-    """Also the same bits as the plain build: the sanitizers change no arithmetic."""
+    """The bits equal those of the plain build: the sanitizers change no arithmetic."""
     for name, sanitized in (("plain", False), ("checked", True)):
         succeed(
             "tests/hosts/in.bits",
@@ -34,7 +34,7 @@ def test_two_ranks_and_resume(tmp_path):
 
 @pytest.mark.parametrize("deck", ["6208", "preload", "nocage"])
 def test_main_decks(tmp_path, deck):
-    """With few, fast passes: 10 times the usual speed."""
+    """A few fast passes, at 10 times the usual speed."""
     succeed(f"inputs/in.{deck}", sanitized=True, out=tmp_path, rpm=20000, passes=1, samples=20)
 
 
@@ -44,8 +44,8 @@ def test_axial_deck():
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_implicit(tmp_path, ranks):
-    """Two bearings, the cut of two ranks through one: a transient with refused steps, a restart and
-    the rest of it from there."""
+    """Two bearings, one of them cut by two ranks: a transient with refused steps, a restart and
+    the rest of the run from there."""
     deck, case = "tests/implicit/in.ranks", {"bearings": 2, "xlo": -0.15, "xhi": 0.18}
     succeed(deck, sanitized=True, ranks=ranks, out=tmp_path, keep=20, **case)
     succeed(
@@ -66,7 +66,7 @@ def test_implicit(tmp_path, ranks):
 
 @pytest.mark.parametrize("integrator, step", [("implicit", 2.5e-4), ("verlet", 4e-7)])
 def test_many(tmp_path, integrator, step):
-    """Values and tables of several rings, the cut of two ranks through two bearings of six."""
+    """Values and tables of several rings on two ranks that cut two of six bearings."""
     case = {
         "bearings": 6,
         "columns": 3,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway.simulate`: the deck it writes, run by hand, gives its bits and its errors."""
+"""`raceway.simulate` gives the bits and errors of the deck it writes, run by hand."""
 
 import os
 import pickle
@@ -25,7 +25,7 @@ LONG = {"load": 3000, "rpm": 2000, "passes": 60, "keep": 25, "models": "full"}
 
 @pytest.fixture(autouse=True)
 def environment(monkeypatch):
-    """That in which all tests start a host."""
+    """The environment in which all tests start a host."""
     for name, value in ENVIRONMENT.items():
         monkeypatch.setenv(name, value)
 
@@ -36,10 +36,11 @@ def record(folder):
 
 @pytest.mark.parametrize("host, ranks", [("liggghts", 1), ("liggghts", 2), ("wheel", 2)])
 def test_bits_of_the_deck_run_by_hand(tmp_path, monkeypatch, host, ranks):
-    """Bits of the deck it wrote and of the main deck with -var, also in a folder without inputs."""
+    """Bits of the deck it wrote and of the main deck with -var, also from a folder without
+    inputs."""
     monkeypatch.chdir(tmp_path)
     program = str(HOSTS[host][0]) if host == "liggghts" else None
-    if host == "wheel":  # as where no source tree is near
+    if host == "wheel":  # as if no source tree were near
         monkeypatch.setattr(raceway.sweeps.host_program, "LIGGGHTS", Path("build/none"))
     found = raceway.simulate(**POINT, **OIL, out="one", program=program, ranks=ranks)
     written = Path("one/in.6208")
@@ -52,7 +53,7 @@ def test_bits_of_the_deck_run_by_hand(tmp_path, monkeypatch, host, ranks):
     assert given == ["viscosity=0.05"] * 3
     assert re.search(r"^variable load +index 1234.5678901234567 ", written.read_text(), re.M)
     assert pickle.loads(pickle.dumps(found)).summary() == found.summary()
-    # again: no step of the run as it is; all of them when asked to
+    # a second call makes no step; with overwrite it makes all of them
     for overwrite in (False, True):
         raceway.simulate(**POINT, **OIL, out="one", program=program, overwrite=overwrite)
         assert ("Settling" in Path("one/log.txt").read_text()) == overwrite
@@ -64,7 +65,7 @@ def test_bits_of_the_deck_run_by_hand(tmp_path, monkeypatch, host, ranks):
     [{"load": -1}, {"models": "half"}, {"bearing": "6299"}, {"lubricant": "pao8", "passes": 2}],
 )
 def test_errors_of_the_command_line(tmp_path, wrong):
-    """The message of the host, of the same deck with -var."""
+    """The host's message equals that of the same deck with -var."""
     folder = tmp_path / "run"
     if "passes" in wrong:  # a finished run of other settings
         raceway.simulate(out=folder, passes=1)
@@ -99,7 +100,7 @@ def _max_load(load):
     "pool", [ThreadPoolExecutor, lambda n: ProcessPoolExecutor(n, get_context("spawn"))]
 )
 def test_side_by_side(tmp_path, monkeypatch, pool):
-    """A folder of its own for each point, whose name is its values."""
+    """Each point has a folder of its own, named after its values."""
     monkeypatch.chdir(tmp_path)
     loads = [1000, 2000, 4000]
     with pool(2) as workers:
@@ -111,7 +112,7 @@ def test_side_by_side(tmp_path, monkeypatch, pool):
 
 
 def test_folder_in_use(tmp_path):
-    """Two runs into one folder: the second is refused as on the command line."""
+    """Of two runs into one folder the second is refused, as on the command line."""
     code = "import sys, raceway; raceway.simulate(out=sys.argv[1], **eval(sys.argv[2]))"
     first = subprocess.Popen([sys.executable, "-c", code, tmp_path, repr(LONG)], cwd=ROOT)
     try:
@@ -125,8 +126,8 @@ def test_folder_in_use(tmp_path):
 
 @pytest.mark.parametrize("whom", ["caller", "host"])
 def test_stopped_and_continued(tmp_path, whom):
-    """Ctrl-C stops the host, which leaves a restart file; a killed host is an error. The next call
-    continues to the same bits."""
+    """Ctrl-C stops the host, which leaves a restart file; a killed host raises an error. The next
+    call continues to the same bits."""
     raceway.simulate(out=tmp_path / "whole", **LONG)
     code = "import sys, raceway; raceway.simulate(out=sys.argv[1], **eval(sys.argv[2]))"
     out = tmp_path / "run"
@@ -150,7 +151,7 @@ def test_stopped_and_continued(tmp_path, whom):
 
 
 def _wait(path, process):
-    """Until the run has some samples in `path`."""
+    """Wait until the run has some samples in `path`."""
     for _ in range(600):
         if path.exists() and path.stat().st_size > 1_500_000:
             return

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Start of Open MPI by the programs: quickly when alone, by its own rules when a launcher started
-them, and by the user's settings always."""
+"""How the programs start Open MPI: quickly when alone, by its own rules when a launcher started
+them, and always by the user's settings."""
 
 import re
 import subprocess
@@ -13,7 +13,8 @@ OURS = {"ess_singleton_isolated": "true", "pml": "ob1", "orte_create_session_dir
 
 
 def settings(host, tmp_path, deck="", ranks=1, **environment):
-    """The settings that Open MPI found in the environment, as {name: value}; runs `deck`."""
+    """The settings that Open MPI found in the environment, as {name: value}, when it runs
+    `deck`."""
     path = tmp_path / "in.deck"
     path.write_text(deck + "\n")
     command = [HOSTS[host][0], "-in", path, "-log", "none", "-screen", "none"]
@@ -32,12 +33,12 @@ def settings(host, tmp_path, deck="", ranks=1, **environment):
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
 def test_alone(host, tmp_path):
-    """Without a launcher: no daemon, no search for networks."""
+    """Without a launcher there is no daemon and no search for networks."""
     assert settings(host, tmp_path).items() >= OURS.items()
 
 
 def test_launcher(tmp_path):
-    """With mpirun nothing is set by us."""
+    """Under mpirun the programs set nothing."""
     found = settings("liggghts", tmp_path, ranks=2)
     assert found["ess"] == "pmi"
     assert not OURS.keys() & found.keys()
@@ -45,12 +46,12 @@ def test_launcher(tmp_path):
 
 @pytest.mark.parametrize("name", ["PMIX_RANK", "PMI_RANK", "SLURM_STEP_ID", "FLUX_TASK_RANK"])
 def test_other_launchers(name, tmp_path):
-    """One of their variables is enough."""
+    """One variable of a launcher is enough to leave Open MPI's settings alone."""
     assert "ess_singleton_isolated" not in settings("liggghts", tmp_path, **{name: "0"})
 
 
 def test_settings_of_the_user_win(tmp_path):
-    """Also one of the two alone."""
+    """A setting of the user wins, even one of the two alone."""
     found = settings("liggghts", tmp_path, OMPI_MCA_ess_singleton_isolated="0")
     assert (found["ess_singleton_isolated"], found["pml"]) == ("false", "ob1")
     found = settings("liggghts", tmp_path, OMPI_MCA_pml="^cm")
@@ -58,7 +59,8 @@ def test_settings_of_the_user_win(tmp_path):
 
 
 def test_programs_that_a_deck_starts(tmp_path):
-    """They find the environment of the user: `shell mpirun ...` must not be told to be alone."""
+    """Child processes get the user's environment: `shell mpirun ...` must not inherit the singleton
+    settings."""
     settings("liggghts", tmp_path, "shell env > seen", OMPI_MCA_pml="^cm")
     seen = (tmp_path / "seen").read_text().splitlines()
     assert "OMPI_MCA_pml=^cm" in seen
@@ -68,8 +70,8 @@ def test_programs_that_a_deck_starts(tmp_path):
 
 
 def test_many_starts_at_once(tmp_path):
-    """Of 400 starts, eight at a time, ten ended before MPI_Init was through: processes that end
-    took the session folder of those that start."""
+    """Without isolation, ten of 400 starts, eight at a time, failed in MPI_Init: processes that
+    ended removed the session folder of those that started."""
     deck = tmp_path / "in.nothing"
     deck.write_text("units si\n")
 

@@ -30,7 +30,7 @@ TABLE = """load,rpm,lubricant,passes,samples
 2000,477.5,pao48,1,20
 """
 COUNTER = """#!/bin/bash
-# counts the starts of a point, then is the program
+# counts the starts of a point, then runs the program
 for word; do case "$last" in out) echo start >> "$word.starts";; esac; last=$word; done
 exec {program} "$@"
 """
@@ -62,7 +62,7 @@ def table(tmp_path):
 
 @pytest.fixture
 def counter(tmp_path):
-    """The program, and a file beside each point's folder with a line per start."""
+    """The program, and a file next to each point's folder with a line for each start."""
     path = tmp_path / "counter.sh"
     path.write_text(COUNTER.format(program=ROOT / "build" / "liggghts"))
     path.chmod(0o755)
@@ -93,19 +93,19 @@ def test_sweep(table, tmp_path, counter):
     losses = {f"loss_{part}_W" for part in figures["losses_W"] or ()}
     assert set(figures) - {"losses_W", "model_ranges", "absent"} | losses <= set(results.columns)
     assert one["q_max_N"] == pytest.approx(figures["q_max_N"], rel=1e-15)
-    # the run is the one that the deck makes by itself
+    # the run equals that of the deck alone
     succeed(
         "inputs/in.6208", out=tmp_path / "alone", passes=1, samples=20, models=None, settle=None
     )
     assert (out / one.name / "record.nc").read_bytes() == (
         tmp_path / "alone" / "record.nc"
     ).read_bytes()
-    # again: nothing runs, failures stay; with --retry only the failed point runs
+    # a second call runs nothing and keeps failures; with --retry only the failed point runs
     again = sweep(table, "--out", out, "--program", counter)
     assert "3 finished (3 before), 1 failed" in again.stdout and set(starts(out).values()) == {1}
     sweep(table, "--out", out, "--program", counter, "--retry")
     assert sorted(starts(out).values()) == [1, 1, 1, 2]
-    # gathering is part of it, and a command
+    # gathering is part of a sweep, and also a command
     (out / "results.csv").unlink()
     gathered = subprocess.run(
         words("gather", out), cwd=ROOT, env=ENV, text=True, capture_output=True, check=False
@@ -115,14 +115,14 @@ def test_sweep(table, tmp_path, counter):
 
 
 def test_finished_means_the_figures_of_these_variables(table, tmp_path, counter):
-    """A folder whose files say something else is not taken for finished."""
+    """A folder whose files hold other settings does not count as finished."""
     out = tmp_path / "out"
     sweep(table, "--out", out, "--program", counter)
     name = "load=2000_rpm=1000_lubricant=dry_passes=1_samples=20"
     (out / name / "point.yaml").write_text("load: '1'\n")
     sweep(table, "--out", out, "--program", counter)
     assert starts(out)[name] == 2
-    # figures lost, run whole: they are computed again, the run is not
+    # figures are missing but the run is complete: the figures are computed again, the run is not
     (out / name / "summary.json").unlink()
     sweep(table, "--out", out, "--program", counter)
     assert (
@@ -166,13 +166,13 @@ def wait_for(condition):
     ids=lambda value: str(value),
 )
 def test_stopped_half_way(tmp_path, counter, which, code):
-    """Nothing is lost, nothing finished is done again, and a point in work goes on from its restart
-    file."""
+    """Nothing is lost, no finished point is repeated, and an interrupted point continues from its
+    restart file."""
     table, out = tmp_path / "table.csv", tmp_path / "out"
     table.write_text(
         "load,passes,samples,integrator\n"
         + "".join(f"{load},4,50,implicit\n" for load in range(1000, 9000, 1000))
-        + "9000,30,20,verlet\n"  # still in work when the signal comes
+        + "9000,30,20,verlet\n"  # still running when the signal arrives
     )
     process = subprocess.Popen(
         words("sweep", table, "--out", out, "--jobs", 2, "--program", counter),
@@ -201,7 +201,7 @@ def test_stopped_half_way(tmp_path, counter, which, code):
 
 
 def in_work(folder):
-    """True if a process still writes below `folder`."""
+    """Whether a process still writes below `folder`."""
     for line in Path("/proc").glob("[0-9]*/cmdline"):
         try:
             if f"{folder}/".encode() in line.read_bytes():
@@ -248,7 +248,7 @@ def slurm(task, tasks, **more):
 
 
 def test_job_array(table, tmp_path, counter):
-    """The script that `--slurm` writes, run task by task as Slurm would."""
+    """The script that `--slurm` writes, run task by task as in Slurm."""
     out, script = tmp_path / "out", tmp_path / "job.sh"
     done = sweep(table, "--out", out, "--program", counter, "--slurm", script, "--tasks", 2)
     assert done.stdout == f"{script}: 4 points in 2 tasks\n" and not starts(out)
@@ -297,7 +297,7 @@ def test_array_script(table, tmp_path):
 
 @pytest.mark.parametrize("script, tasks", [("run.sh", 1), ("mpi.sh", 2)])
 def test_run_scripts(tmp_path, script, tasks):
-    """Stopped as at the time limit, started again on one rank, started once more when finished."""
+    """Stopped as at a time limit, restarted on one rank, and started once more after the end."""
     out, settings = tmp_path / "run", ["-var", "passes", "30", "-var", "samples", "100"]
     command = ["bash", f"inputs/cluster/{script}", str(out), *settings]
     environment = {
@@ -348,7 +348,8 @@ def test_scripts_parse(script):
 
 
 def test_partition_deck(tmp_path):
-    """inputs/in.partition: two partitions take four points in turn, each as it is alone."""
+    """inputs/in.partition: two partitions take four points in turn, each with the result of a run
+    alone."""
     succeed(
         "inputs/in.partition",
         ranks=2,
@@ -382,7 +383,7 @@ def test_partition_deck(tmp_path):
 
 
 def test_table_of_the_docs(tmp_path):
-    """docs/sweep.rst shows this command, and the name of a folder."""
+    """docs/sweep.rst shows this command and the name of a folder."""
     done = sweep("docs/decks/sweep.csv", "--out", tmp_path)
     assert (done.returncode, done.stdout) == (0, f"4 finished: {tmp_path / 'results.csv'}\n")
     assert (tmp_path / "load=1000_rpm=477.5_lubricant=mineral_passes=1" / "summary.json").exists()

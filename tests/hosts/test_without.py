@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""-var without: parts of the models that a run leaves out."""
+"""-var without: parts of the models that a run omits."""
 
 import shutil
 
@@ -9,9 +9,9 @@ from raceway.errors import RunError
 from raceway.runs.run import Run
 
 SCENE = {"passes": 1, "samples": 20, "lubricant": "vg46", "load": 2000, "models": "full"}
-# a figure or a loss of the summary that a part changes, and how it is without it
+# a figure or a loss of the summary that the part changes, and its value without the part
 LOSSES = {"rolling": "rolling", "rolling_hysteresis": "hysteresis", "drag": "drag"}
-# part: (words of the pair style that are gone, words that are there instead)
+# part: (words removed from the pair style, words added instead)
 WORDS = {
     "gap": ("gap 1", "rolling_hysteresis 0.01"),
     "film_branch": ("film_damping branch", "gap 1"),
@@ -42,7 +42,7 @@ def whole(tmp_path_factory):
 
 
 def test_losses_that_are_gone(tmp_path, whole):
-    """Each of its own, and the others stay."""
+    """The losses of the omitted parts vanish, and the others stay."""
     succeed("inputs/in.6208", out=tmp_path, without="+".join(LOSSES), **SCENE)
     losses = Run(tmp_path).summary()["losses_W"]
     for loss in LOSSES.values():
@@ -51,7 +51,7 @@ def test_losses_that_are_gone(tmp_path, whole):
 
 
 def test_no_cage(tmp_path, whole):
-    """The balls move alone and carry the load."""
+    """The balls move without cage and carry the load."""
     succeed("inputs/in.6208", out=tmp_path, cage="no", **SCENE)
     bare = Run(tmp_path)
     found = bare.summary()
@@ -64,7 +64,7 @@ def test_no_cage(tmp_path, whole):
 
 def test_starvation(tmp_path, whole):
     """SKF's factor of the rolling couple, formula 10000 EN 2013, and the inlet of a groove, which
-    leaves at least half of the couple; 1 and a flooded inlet without them."""
+    leaves at least half of the couple; without them the factor is 1 and the inlet flooded."""
     succeed("inputs/in.6208", out=tmp_path / "flooded", without="starvation", **SCENE)
     succeed("inputs/in.6208", out=tmp_path / "starved", **SCENE)
     nu = 1e6 * whole["viscosity_Pa_s"] / 858  # mm2/s; vg46 at 40 C
@@ -95,7 +95,7 @@ def test_mistakes(tmp_path, host):
 
 
 def test_models_of_ones_own(tmp_path):
-    """They need no parts; then there is none to leave out."""
+    """These models need no parts, so there is none to omit."""
     inputs = tmp_path / "inputs"
     shutil.copytree(ROOT / "inputs", inputs)
     (inputs / "models").mkdir()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Words that say at once what decks said in many lines: create_bearing ... groups and resumed,
+"""Short forms for long passages of decks: create_bearing ... groups and resumed,
 bearing_dump, fix bearing/checkpoint ... balance."""
 
 import re
@@ -90,7 +90,7 @@ print "NAMES ${names}"
 
 @HOSTS
 def test_dump(tmp_path, host):
-    """A file begun and continued has the bytes of the host's own commands."""
+    """A file that is started and continued has the bytes of the host's own commands."""
     first = BOX + RACEWAYS + CREATE + " groups yes\n" + MOVE
     first += "compute contact balls bearing/contact ball load\n"
     said = {}
@@ -144,7 +144,8 @@ def test_create_refused(tmp_path, words, says):
 
 @HOSTS
 def test_balance(tmp_path, host):
-    """Share of the mean load that contacts do not carry, along what is free: y alone here."""
+    """Share of the mean load that contacts do not carry, along the free directions: here y
+    alone."""
     deck = tmp_path / "in.balance"
     text = BOX + RACEWAYS + CREATE + " groups yes\n" + MOVE.replace("x free y free", "y free")
     text += "".join(f"variable b{k} equal f_inner[{k}]\n" for k in (12, 19))
@@ -159,7 +160,7 @@ def test_balance(tmp_path, host):
 
 
 def test_balance_of_a_resumed_run(tmp_path):
-    """Over all samples, before and after."""
+    """Over all samples before and after the restart."""
     begin = BOX + RACEWAYS + CREATE + " groups yes\n"
     again = BOX[: BOX.index("region")].replace("boundary f f f\n", "")
     again += f"read_restart {tmp_path}/re\nneighbor 2.0e-3 bin\n"

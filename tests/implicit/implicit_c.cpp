@@ -31,9 +31,9 @@ static RacewayPhysics outer_6208(double mu)
   return p;
 }
 
-// State of a ball (x, v, w: 9 numbers) on a 6208 outer ring that turns at `spin`: damping, mu and
-// the friction's denominator sqrt(s^2 + v_0^2) come from `frozen` (3 numbers) if its first is not
-// negative, and are written there otherwise. Force on the ball.
+// State of a ball (x, v, w: 9 numbers) on a 6208 outer ring that rotates at `spin`: damping, mu and
+// the friction's denominator sqrt(s^2 + v_0^2) come from `frozen` (3 numbers) if the first is not
+// negative, and are stored there otherwise. Returns the force on the ball.
 static ContactState contact(const double *s, double spin, double mu, double *frozen, double *force)
 {
   const RacewayPhysics p = outer_6208(mu);
@@ -66,8 +66,8 @@ EXPORT(void, contact_force,
   contact(state, spin, mu, frozen, force);
 }
 
-// Derivative of the force in the velocity that a stage of 1 s has where positions follow
-// for the time `follows`: 3 x 3 in the lab, and the normal.
+// Derivative of the force with respect to the velocity, for a stage of 1 s in which positions
+// follow for the time `follows`: 3 x 3 in the lab, and the normal.
 static void lab_derivative(const ContactState &c, const RacewayPhysics &p, double follows,
                            double *D, double *normal)
 {
@@ -98,7 +98,7 @@ static void lab_derivative(const ContactState &c, const RacewayPhysics &p, doubl
   }
 }
 
-// D in the velocity at a given place and K in the place, and the normal.
+// Velocity derivative D at a given position, position derivative K, and the normal.
 EXPORT(void, contact_derivatives,
        (const double state[9], double spin, double mu, double D[9], double K[9], double n[3]))
 {
@@ -110,7 +110,7 @@ EXPORT(void, contact_derivatives,
   for (int k = 0; k < 9; ++k) K[k] = both[k] - D[k];
 }
 
-// Four systems of size 6 or 3; A[4][36] with rows 6 apart, r[4][6] becomes the solution.
+// Four systems of size 6 or 3; A[4][36] with rows 6 apart; r[4][6] holds the solution on return.
 EXPORT(void, blocks, (int n, const double A[144], double r[24]))
 {
   Lane a[36], x[6];
@@ -136,15 +136,16 @@ EXPORT(void, dense, (int n, const double *A, double *y))
   lu.solve(y);
 }
 
-// Links between bodies whose inverse blocks are given (9 numbers each); x: right-hand sides, then
-// forces.
+// Links between bodies with given inverse blocks (9 numbers each); x: right-hand sides on entry,
+// forces on return.
 EXPORT(int, chain,
        (int bodies, const double *inverse, int links, const int *pairs, const double *normals,
         const double *a, double *x))
 {
   LinkChain c;
   c.resize(bodies);
-  for (int round = 0; round < 2; ++round) {    // the second time with used memory: same answer
+  // the second time with used memory: must give the same answer
+  for (int round = 0; round < 2; ++round) {
     c.clear();
     for (int i = 0; i < links; ++i) {
       const Vec3 n = Vec3::from(normals + 3 * i);
@@ -162,7 +163,7 @@ EXPORT(int, chain,
   return 1;
 }
 
-// Place and velocity (lab) after a drift of the time h.
+// Position and velocity (lab) after a drift over the time h.
 EXPORT(void, drift,
        (const double x[3], const double v[3], double h, double x_new[3], double v_new[3]))
 {
@@ -183,7 +184,7 @@ EXPORT(double, cubic, (double s, double h, double x_from, double v_from, double 
   return Cubic(s, h)(x_from, v_from, x_to, v_to);
 }
 
-// The axis of a ring half-way between two instants h apart, which turns about `w` at a constant
+// Axis of a ring half-way between two instants h apart; the ring turns about `w` at a constant
 // rate.
 EXPORT(void, axis_between, (const double w[3], double h, double e[3]))
 {
@@ -205,7 +206,7 @@ EXPORT(void, turn, (double angle, double c[1], double s[1]))
   *s = sine[0];
 }
 
-// A ring alone, free except for its driven spin, under a constant force and moment, after n
+// A single ring, free except for its driven spin, under a constant force and moment, after n
 // steps. order 0: dampers only.
 EXPORT(void, lone_ring,
        (int order, int n, double h, double spin, const double inertia[2], const double moment[3],
@@ -245,8 +246,8 @@ EXPORT(void, lone_ring,
   rings[0].v.to(out->v);
 }
 
-// Corrections of the velocity (x, y, z) of a free ring of 0.5 kg under a force of 1, 2, 3 N: with
-// its own factors, and twice more with those.
+// Velocity corrections (x, y, z) of a free ring of 0.5 kg under a force of 1, 2, 3 N: with
+// its own factors, and twice more with the same factors.
 EXPORT(void, old_factors, (double h, double found[9]))
 {
   BearingModel m;
@@ -280,8 +281,8 @@ EXPORT(void, old_factors, (double h, double found[9]))
 }
 
 // A ball on an outer raceway with a notch, or with a pit of its own, in a stage of h seconds: the
-// matrix of the linear system and differences of its right-hand side. Rows: the ball's velocity and
-// spin; columns: these, and x, y and spin of the outer ring.
+// matrix of the linear system and difference quotients of its right-hand side. Rows: the ball's
+// velocity and spin; columns: the same, and x, y and spin of the outer ring.
 EXPORT(void, flawed_system,
        (const double notch[4], int of_ball, double off_middle, double overlap, double h,
         double matrix[54], double differences[54], double transposed[18]))
@@ -319,7 +320,7 @@ EXPORT(void, flawed_system,
   Stage stage;
   stage.h = h;
   const int dofs[] = {0, 1, RingProgram::SPIN};
-  // a change of one velocity; positions follow
+  // a change of one velocity component; positions follow
   const auto solve = [&](int which, double change, Evaluate what) {
     b.start();
     Lane *v[] = {&g.v.x, &g.v.y, &g.v.z, &g.w.x, &g.w.y, &g.w.z};
@@ -350,10 +351,9 @@ EXPORT(void, flawed_system,
   }
 }
 
-// A ball that goes round on an outer raceway with nothing but its inertia, `gap` (m) away from it
-// at the start, in steps of h seconds: corrections and estimated error of each, and its overlap
-// after it. Another ball, which the raceway carries with `heavy` (m) of overlap, goes round with it
-// if that is above 0.
+// A ball that rolls around an outer raceway pressed only by its inertia, initially `gap` (m) away
+// from it, in steps of h seconds: corrections and estimated error of each step, and the overlap
+// after it. If `heavy` (m) is above 0, a second ball with that overlap rolls around with it.
 EXPORT(void, resting,
        (double speed, double gap, double heavy, double newton, double h, int n, double *corrections,
         double *error, double *overlap))
@@ -388,7 +388,7 @@ EXPORT(void, resting,
   }
 }
 
-// Corrections of a step of h seconds in which a ball comes near a cage ball ahead of it, HUGE_VAL
+// Corrections of a step of h seconds in which a ball approaches the cage ball ahead, HUGE_VAL
 // without a solution.
 EXPORT(void, meeting, (double gap, double speed, double h, double newton, double *corrections))
 {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/implicit against velocity Verlet with the same friction, against statics, and against
+"""fix bearing/implicit compared with velocity Verlet with the same friction, with statics, and with
 itself."""
 
 import re
@@ -25,7 +25,8 @@ def loads(folder):
 
 
 def error(tmp_path, control="", verlet_step=5e-8, after=0, **case):
-    """Largest difference of any contact load from sample `after` on, over the largest load."""
+    """Largest difference of any contact load from sample `after` on, relative to the largest
+    load."""
     sample = float(case.get("sample", 1e-4))
     succeed(
         CASE,
@@ -68,7 +69,7 @@ def ring(motion):
     ],
 )
 def test_loads_against_verlet(tmp_path, name, bound, case):
-    """After the ramp, one step a sample of 0.1 ms: 2000 times Verlet's."""
+    """After the ramp, one step a sample of 0.1 ms: 2000 times as long as Verlet's."""
     assert error(tmp_path, samples=100, after=75, **case) < bound
 
 
@@ -81,15 +82,16 @@ def test_loads_against_verlet(tmp_path, name, bound, case):
     ],
 )
 def test_loads_by_estimated_errors(tmp_path, bound, case):
-    """The same scenes with errors estimated, in place of bounded, at 0.1 nm: as close to Verlet."""
+    """The same scenes with estimated instead of bounded errors, at 0.1 nm, agree as well with
+    Verlet."""
     words = dict(inner=ring("spin speed 50 force 0 -5000 0"), **case)
     control = "tolerance 1e-10 control estimate"
     assert error(tmp_path, control, samples=100, after=75, **words) < bound
 
 
 def test_transient_with_tilts_and_everything_free(tmp_path):
-    """Three free translations and two free tilts under a load that comes on in 3 ms: the error
-    against Verlet of 12.5 ns falls with the step."""
+    """Three free translations and two free tilts under a load that is applied in 3 ms: the error
+    relative to Verlet with 12.5 ns falls with the step."""
     case = dict(
         inner=(
             "x free y free z free rx free ry free spin speed 50 force 0 -2000 1000 moment 3 0 0"
@@ -108,8 +110,9 @@ def test_transient_with_tilts_and_everything_free(tmp_path):
 
 @pytest.mark.parametrize("order, steps", [(1, (4e-6, 2e-6, 1e-6)), (2, (4e-6, 2e-6, 1e-6))])
 def test_order(tmp_path, order, steps):
-    """A step of 3 kN at 1000 rad/s, where the film is thick and its damper soft: the error against
-    the same scene with an eighth of the smallest step falls with the order of the method."""
+    """A load step of 3 kN at 1000 rad/s, where the film is thick and its damper soft: the error
+    relative to the same scene with an eighth of the smallest step falls with the order of the
+    method."""
     case = dict(
         start=1000,
         inner="x free y free spin speed 1000 force 0 -3000 0 ramp 3.0e-4",
@@ -140,8 +143,8 @@ def test_order(tmp_path, order, steps):
 @pytest.mark.parametrize("rpm", [47.75, 477.5, 9549])
 def test_deck_against_statics(tmp_path, rpm):
     """in.6208 with the implicit integrator: ball loads at every azimuth, centrifugal load included,
-    within 0.2 % of the largest; at 9549 rpm the loads vibrate on the contact springs and 2 % is
-    allowed."""
+    agree within 0.2 % of the largest; at 9549 rpm the loads vibrate on the contact springs and 2 %
+    is allowed."""
     succeed("inputs/in.6208", out=tmp_path, integrator="implicit", passes=1, rpm=rpm)
     run = RunTables(tmp_path)
     contacts = run.contacts
@@ -178,8 +181,8 @@ def test_split_run_and_restart_are_bitwise(tmp_path):
 
 
 def test_cold_step_refines_by_itself(tmp_path):
-    """5 kN at once onto open clearance: substeps shrink far below the sample of 0.1 ms and grow
-    back; what is left after the impact agrees with Verlet."""
+    """5 kN at once onto a clearance: substeps shrink far below the sample of 0.1 ms and grow
+    again; the motion after the impact agrees with Verlet."""
     case = dict(inner="x free y free spin speed 50 force 0 -5000 0", clearance=44.1e-6, samples=100)
     assert error(tmp_path, after=75, verlet_step=2.5e-8, **case) < 2e-3
     text = succeed(CASE, out=tmp_path / "again", **case).text
@@ -228,8 +231,8 @@ def test_two_implicit_steps_of_one_atom_are_refused(tmp_path):
 
 def test_a_step_that_turns_a_ball_too_far_is_refined(tmp_path):
     """Host steps of 40 ms, 0.8 rad of orbit each, under preload, where nothing else would shorten
-    them: the frames turn by series that hold to 0.6 rad, so the control must. Every ball keeps its
-    place on the pitch circle.
+    them: the frames rotate by series that are accurate up to 0.6 rad, so the control must limit the
+    step. Every ball keeps its place on the pitch circle.
     """
     case = dict(
         inner=ring("spin speed 50 force 0 -50 0"), clearance=-88.2e-6, samples=10, sample=4e-2
@@ -245,8 +248,8 @@ def test_a_step_that_turns_a_ball_too_far_is_refined(tmp_path):
 
 @pytest.mark.parametrize("speed, bound", [(50, 1e-4), (1000, 1e-3)])
 def test_only_dampers_implicit_against_verlet(tmp_path, speed, bound):
-    """`solve damping` at the step that its stability allows. At 50 rad/s nothing vibrates; at 1000
-    rad/s balls ring when they are loaded, 1e-3 of the largest load, with a period wrong by (h
+    """`solve damping` at its stability limit. At 50 rad/s nothing vibrates; at 1000
+    rad/s balls vibrate when they are loaded, by 1e-3 of the largest load, with a period wrong by (h
     omega)^2/24, up to a tenth."""
     case = dict(
         start=speed,
@@ -258,24 +261,24 @@ def test_only_dampers_implicit_against_verlet(tmp_path, speed, bound):
 
 
 def test_only_dampers_implicit_keeps_its_step_stable(tmp_path):
-    """Host steps fifty times what the springs allow are cut to what they allow, h^2 k = 3 m + 1.5 h
-    c, for the heaviest ball: k is the stiffness of its two contacts (4.2e8 N/m under 5 kN), c adds
-    little at this speed. While the load comes on, steps are shorter (drift).
+    """Host steps of fifty times the limit of the springs are cut to the limit, h^2 k = 3 m + 1.5 h
+    c, for the heaviest ball: k is the stiffness of its two contacts (4.2e8 N/m under 5 kN), and c
+    adds little at this speed. During the load ramp, steps are shorter (drift).
     """
     case = dict(inner=ring("spin speed 1000 force 0 -5000 0"), start=1000, sample=4e-4, samples=40)
     text = succeed(CASE, out=tmp_path, control="solve damping", **case).text
     ball_mass = 7800 * 4 / 3 * np.pi * 6.3e-3**3
     limit = (3 * ball_mass / 4.2e8) ** 0.5
     assert 0.8 * limit < float(re.search(r"CONTROL mean (\S+)", text).group(1)) < 1.3 * limit
-    # 2436 N at rest with a ball on the load line; less between two; the centrifugal load of a ball
+    # 2436 N at rest with a ball on the load line, less between two; the centrifugal load of a ball
     # is 38 N
     assert 2200 < loads(tmp_path)[-20:].max() < 2600
 
 
 def test_only_dampers_implicit_keeps_a_swing(tmp_path):
-    """A dry ring under a sudden 5 kN swings on its balls, which dampers of the contacts take down
-    slowly: in the last 3 of 15 ms its swing is that of order 2 with steps of 0.25 us, another
-    method. The springs' period is wrong by (h omega)^2/24 for balls, nothing for the ring.
+    """A dry ring under a sudden 5 kN oscillates on its balls, slowly damped by the contacts:
+    over the last 3 of 15 ms it agrees with order 2 at steps of 0.25 us, another
+    method. The period of the balls is wrong by (h omega)^2/24, that of the ring is not.
     """
     case = dict(
         lubricant="dry",
@@ -291,7 +294,7 @@ def test_only_dampers_implicit_keeps_a_swing(tmp_path):
 
 
 def deck_with(folder, control):
-    """The main deck with this control of the implicit step."""
+    """The main deck with this control in the implicit step."""
     deck, words = (ROOT / "inputs/in.6208").read_text(), "bearing/${integrator} "
     assert deck.count(words) == 1
     scene = folder / f"in.{control}"
@@ -300,9 +303,9 @@ def deck_with(folder, control):
 
 
 def test_cage_balls_may_be_farther_off(tmp_path):
-    """The models `full`, where the cage drives the balls that carry no load: with 1 um for cage
-    balls instead of 1 nm steps are more than twice as long, and the figures of the bearing stay
-    within 0.1 %."""
+    """With the models `full`, where the cage drives the unloaded balls: with 1 um for cage
+    balls instead of 1 nm, steps are more than twice as long, and the figures of the bearing change
+    by less than 0.1 %."""
     found = []
     for cage in (1e-9, 1e-6):
         succeed(
@@ -316,9 +319,9 @@ def test_cage_balls_may_be_farther_off(tmp_path):
 
 
 def test_coarse_cage_balls_leave_unloaded_balls_at_rest(tmp_path):
-    """At low speed stages are long. What the last correction leaves of a cage ball's contact force
-    must not throw the balls that carry no load: with bounded errors 1 um for cage balls takes fewer
-    evaluations than 0.1 um. Without finer corrections in long stages it takes more."""
+    """At low speed stages are long. The residual of the last correction in a cage ball's contact
+    force must not throw the unloaded balls: with bounded errors, 1 um for cage balls takes fewer
+    evaluations than 0.1 um. Without finer corrections in long stages it would take more."""
     found = {}
     for cage in (1e-7, 1e-6):
         out = tmp_path / str(cage)
@@ -329,8 +332,8 @@ def test_coarse_cage_balls_leave_unloaded_balls_at_rest(tmp_path):
 
 
 def test_an_error_may_be_larger_than_corrections(tmp_path):
-    """A step may make 2.5 times the error that corrections leave: with the models `full` a sixth of
-    the evaluations less at high speed, figures within 0.1 %."""
+    """A step may have 2.5 times the error that corrections leave: with the models `full` this saves
+    a sixth of the evaluations at high speed, and figures change by less than 0.1 %."""
     found = []
     for share in (1, 2.5):
         out = tmp_path / str(share)
@@ -344,8 +347,8 @@ def test_an_error_may_be_larger_than_corrections(tmp_path):
 
 @pytest.mark.parametrize("rpm", [477.5, 9549])
 def test_estimated_errors_need_fewer_evaluations(tmp_path, rpm):
-    """The models `full` with estimated errors: less than 60 % of the evaluations that bounds need,
-    figures within 0.1 % of those at 0.1 nm with bounds."""
+    """The models `full` with estimated errors take less than 60 % of the evaluations of bounded
+    errors, with figures within 0.1 % of those at 0.1 nm with bounds."""
     found = {}
     for control, more in (
         ("estimate", {}),

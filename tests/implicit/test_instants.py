@@ -16,7 +16,7 @@ TILTED = (
 
 
 def sampled(folder, within, **case):
-    """(rows of contacts, totals, what thermo would see) of a run of in.case with the capacitance at
+    """(rows of contacts, totals, values for thermo) of a run of in.case with the capacitance at
     instants."""
     folder.mkdir()
     more = folder / "more"
@@ -43,24 +43,24 @@ def by_instant(rows, instants, column):
 
 @pytest.mark.parametrize("inner", [RADIAL, TILTED], ids=["radial", "tilted"])
 def test_instants_are_what_finer_steps_give(inner, tmp_path):
-    """Host steps of 0.8 ms with 8 instants each, 1 degree of orbit, against host steps of 0.1 ms,
-    both with an error of 1 nm an internal step: 2e8 N/m make that 0.2 N, 1e-4 of the largest load,
-    and a step has a few behind it that are not yet damped.
+    """Host steps of 0.8 ms with 8 instants each, 1 degree of orbit, compared with host steps of 0.1
+    ms, both with an error of 1 nm an internal step: at 2e8 N/m that is 0.2 N, 1e-4 of the largest
+    load, and a step carries the errors of a few earlier ones that are not damped yet.
     """
     case = dict(inner=inner, control="tolerance 1e-9")
     coarse, _, _ = sampled(tmp_path / "coarse", 8, sample=8e-4, samples=20, **case)
     fine, _, _ = sampled(tmp_path / "fine", 1, sample=1e-4, samples=160, **case)
     found, truth = by_instant(coarse, 160, 4), by_instant(fine, 160, 4)
     assert np.abs(found - truth)[40:].max() < 5e-4 * truth.max()
-    # film and capacitance follow from load and speed; Q^0.7 at the edge of the zone magnifies what
-    # the load misses
+    # film and capacitance follow from load and speed; Q^0.7 at the edge of the load zone magnifies
+    # the error of the load
     found, truth = by_instant(coarse, 160, 6), by_instant(fine, 160, 6)
     assert np.abs(found - truth)[40:].max() < 1e-3 * truth.max()
 
 
 def test_a_load_that_comes_on_within_steps(tmp_path):
-    """3 ms of ramp, seen from host steps of 1 ms: instants take part in every internal step, not in
-    the host's ends alone."""
+    """A ramp of 3 ms with host steps of 1 ms: instants are taken from every internal step, not only
+    from the ends of the host's."""
     coarse, _, _ = sampled(
         tmp_path / "coarse", 10, sample=1e-3, samples=4, inner=RADIAL, control="tolerance 1e-9"
     )
@@ -76,7 +76,7 @@ def test_a_load_that_comes_on_within_steps(tmp_path):
 
 
 def test_columns(tmp_path):
-    """Capacitance from its own load and film by the package; totals, largest, active and the
+    """Capacitance of the package from the row's load and film; totals, largest, active and the
     figures of a step from the rows."""
     rows, totals, now = sampled(tmp_path / "run", 5, sample=4e-4, samples=8, inner=RADIAL)
     bearing = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)

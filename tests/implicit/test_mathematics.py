@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Contact derivatives against finite differences, the solvers against numpy, turning frames, a ring
-alone against scipy."""
+"""Contact derivatives against finite differences, solvers against numpy, rotating frames, a single
+ring against scipy."""
 
 import subprocess
 from pathlib import Path
@@ -89,7 +89,7 @@ def test_velocity_derivative_is_exact(lib, angle, mu):
     D, _, n = derivatives(lib, state, 0.0, mu)
     numeric = differences(lib, state, 0.0, mu, 3, 1e-7)
     assert np.abs(D - numeric).max() < 1e-6 * np.abs(D).max()
-    # the spin moves the contact point: w x R n
+    # spin moves the contact point: w x R n
     R = 6.3e-3
     arm = R * np.array([[0, -n[2], n[1]], [n[2], 0, -n[0]], [-n[1], n[0], 0]])
     spin = differences(lib, state, 0.0, mu, 6, 1e-5)
@@ -98,7 +98,8 @@ def test_velocity_derivative_is_exact(lib, angle, mu):
 
 @pytest.mark.parametrize("angle, tolerance", [(0.0, 1e-6), (0.4, 1e-2)])
 def test_position_derivative(lib, angle, tolerance):
-    """Exact for a radial contact; under an angle the constants' own change with it is left out."""
+    """Exact for a radial contact; under an angle, the derivative of the frozen constants is
+    neglected."""
     state = ball(angle=angle)
     _, K, _ = derivatives(lib, state, 0.0, 0.0)
     numeric = differences(lib, state, 0.0, 0.0, 0, 1e-9)
@@ -106,7 +107,8 @@ def test_position_derivative(lib, angle, tolerance):
 
 
 def test_turn_of_the_normal(lib):
-    """The two terms that move the normal, seen alone: across the groove N/s, along it N/r."""
+    """The two terms from the rotation of the normal, isolated: across the groove N/s, along it
+    N/r."""
     state = ball()
     frozen = np.array([-1.0, 0, 0])
     N = np.linalg.norm(force(lib, state, 0.0, 0.0, frozen))
@@ -117,8 +119,8 @@ def test_turn_of_the_normal(lib):
 
 
 def test_friction_slope_is_a_dashpot(lib):
-    """A sliding contact resists in every direction: the slope has no negative one beyond the cross
-    term mu C."""
+    """A sliding contact resists in every direction: the slope has no negative eigenvalue beyond the
+    cross term mu C."""
     state = ball(v=(0, 0.65, 2e-3), w=(0, 0, -95.5))
     D = derivatives(lib, state, 0.0, 0.07)[0]
     assert np.linalg.eigvalsh(D + D.T).min() > -1e-3 * np.abs(D).max()
@@ -205,7 +207,7 @@ def lone_ring(lib, order, steps, time):
 
 
 def gyroscope(time):
-    """Axis and its rate from L' = M + reaction along e, integrated by scipy with the full
+    """Axis and its rate from L' = M + reaction along e, integrated by scipy with the complete
     kinematics."""
     axial, transverse = INERTIA
 
@@ -213,8 +215,8 @@ def gyroscope(time):
         e, L = y[:3], y[3:]
         along = e * (L @ e)
         turn = np.cross((L - along) / transverse, e)
-        # spin held: the momentum along e stays I_a spin, what the moment would add there is the
-        # drive's
+        # spin held: the momentum along e stays I_a spin; the drive takes the rest of the
+        # moment
         return np.concatenate([turn, MOMENT - e * (MOMENT @ e)])
 
     start = np.array([0, 0, 1, 0, 0, axial * SPIN])
@@ -225,8 +227,8 @@ def gyroscope(time):
 
 @pytest.mark.parametrize("order, method", [(1, 1), (2, 2), (1, 0)], ids=["1", "2", "dampers only"])
 def test_gyroscope(lib, order, method):
-    """A spinning ring under a moment precesses and nutates as theory says, with the order of the
-    method."""
+    """A spinning ring under a moment precesses and nutates according to theory, with the order of
+    the method."""
     time = 5e-3
     axis, rate = gyroscope(time)
     errors = []
@@ -245,7 +247,7 @@ def test_gyroscope(lib, order, method):
 
 @pytest.mark.parametrize("method", [2, 0], ids=["order 2", "dampers only"])
 def test_free_fall_is_exact(lib, method):
-    """A constant force: order 2 gives the parabola to rounding, and so do springs as in velocity
+    """Under a constant force, order 2 gives the parabola to rounding; springs behave as in velocity
     Verlet."""
     out, time = lone_ring(lib, method, 7, 2e-3), 2e-3
     acceleration = np.array([1.0, 2.0, 3.0]) / 0.5
@@ -275,7 +277,7 @@ def test_between_steps_a_cubic_is_exact(lib):
 
 
 def test_between_steps_an_axis_turns_to_fourth_order(lib):
-    """A ring that precesses: half-way the axis misses the truth by a multiple of h^4."""
+    """A precessing ring: half-way, the error of the axis is of order h^4."""
     errors = []
     for h in (2e-3, 1e-3, 5e-4):
         miss = lib.call("axis_between", [40.0, -60.0, 30.0], h)
@@ -287,8 +289,8 @@ def test_between_steps_an_axis_turns_to_fourth_order(lib):
 @pytest.mark.parametrize("width", [0, 3e-4], ids=["full", "pit"])
 @pytest.mark.parametrize("off_middle", [-4e-4, 1e-5, 2e-4, 2e-3])
 def test_derivatives_over_a_flaw(lib, off_middle, width):
-    """The slope of a flaw, and how it changes, are in the matrix of the implicit step: on a flank,
-    in the turn of the path, and on a wave. So is the ring that carries it."""
+    """The slope and curvature of a flaw enter the matrix of the implicit step: on a flank,
+    at an edge, and on a wave. So does the motion of the ring that carries it."""
 
     def found(overlap):
         return [
@@ -307,7 +309,7 @@ def test_derivatives_over_a_flaw(lib, off_middle, width):
     mass, frame, _ = found(-2e-4)  # without contact
     force, want = (matrix - mass)[:3], (differences - frame)[:3]
     stiff = want[0, 0]
-    # the matrix turns the force with the ball's place, which its frame does already: h^2 N/r
+    # the matrix rotates the force with the ball's position, which its frame does already: h^2 N/r
     assert np.abs(force[1, 1] - want[1, 1]) < 7e-4 * stiff
     force[1, 1] = want[1, 1]
     assert np.abs(force - want)[:, [0, 1, 2, 6, 7]].max() < 5e-5 * stiff
@@ -320,7 +322,7 @@ def test_derivatives_over_a_flaw(lib, off_middle, width):
 @pytest.mark.parametrize("width", [5e-3, 3e-4], ids=["wide", "narrow"])
 @pytest.mark.parametrize("off_middle", [-4e-4, 1e-5, 2e-4, 2e-3])
 def test_derivatives_over_a_flaw_of_the_ball(lib, off_middle, width):
-    """As above, with the ball's spin about the axis instead of its way along the raceway."""
+    """As above, with the ball's spin about the axis instead of its motion along the raceway."""
 
     def found(overlap):
         return [
@@ -351,7 +353,8 @@ def test_derivatives_over_a_flaw_of_the_ball(lib, off_middle, width):
 
 
 def test_old_factors_stay(lib):
-    """Corrections with factors of an earlier one solve with these, not with masses added again."""
+    """Corrections that reuse earlier factors solve with these factors, without adding masses
+    again."""
     h = 1e-4
     found = lib.call("old_factors", h=h)
     assert found.reshape(3, 3) == pytest.approx(
@@ -367,9 +370,9 @@ def resting(lib, steps=1, **words):
 
 
 def test_a_ball_that_rests_stays(lib):
-    """A ball of 8 g that goes round at 2 rad/s is pressed on its raceway by 1 mN, into an overlap
-    of 1 nm. It starts a nanometre away. The tolerance is 5 nm, a step a few of its periods of
-    vibration. One correction a stage brings it there: no leap from the raceway and back."""
+    """A ball of 8 g that rolls around at 2 rad/s is pressed on its raceway by 1 mN, to an overlap
+    of 1 nm. It starts a nanometre away. The tolerance is 5 nm, a step a few of its vibration
+    periods. One correction a stage brings it there, without a jump off the raceway and back."""
     scene = dict(speed=2 * 30.3e-3, gap=1e-9, heavy=0.0, h=4e-3, steps=10)
     corrections, _, overlap = resting(lib, newton=5e-9, **scene)
     assert corrections.tolist() == [2] * 10
@@ -379,7 +382,7 @@ def test_a_ball_that_rests_stays(lib):
 
 
 def test_a_light_ball_counts_a_tenth(lib):
-    """A ball without load beside one in an overlap of 0.1 um, and the same ball alone."""
+    """An unloaded ball next to one with an overlap of 0.1 um behaves like the same ball alone."""
     scene = dict(speed=30.0, gap=1e-6, newton=1e-9, h=1e-7)
     alone, beside = (resting(lib, heavy=heavy, **scene)[1][0] for heavy in (0.0, 1e-7))
     assert alone > 1e-11
@@ -390,7 +393,7 @@ def test_a_light_ball_counts_a_tenth(lib):
     "gap, speed, h", [(1e-8, 3e-4, 2e-4), (6e-8, 1e-3, 1e-3), (6.5e-8, 1e-2, 3e-5)]
 )
 def test_a_contact_that_opens_and_closes_in_turn_is_met_half_way(lib, gap, speed, h):
-    """A ball reaches a cage ball in a step. Whole corrections go round in circles between the open
+    """A ball reaches a cage ball within a step. Full corrections would cycle between the open
     and the closed contact."""
     corrections = np.zeros(1)
     lib.call("meeting", gap=gap, speed=speed, h=h, newton=1e-9, corrections=corrections)

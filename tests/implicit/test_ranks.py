@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/implicit: the same bits on any number of ranks, wherever they are cut, whoever else
-is in the box, and through a restart on another number of ranks.
+"""fix bearing/implicit: the same bits on any number of ranks, wherever the box is cut, with other
+bearings in the box, and through a restart on another number of ranks.
 
-The scene (in.ranks) is a transient under a growing load, refused steps included. The inner ring
-starts on the cuts through the middle of the box and leaves them, so the bearing's home changes
+The scene (in.ranks) is a transient under a growing load with refused steps. The inner ring
+starts on the cuts through the middle of the box and leaves them, so the bearing moves to another
 rank.
 """
 
@@ -18,7 +18,7 @@ LAST = 60  # steps
 
 
 def state(folder):
-    """Every bit that was written, step by step."""
+    """All written bits, step by step."""
     return [frames(folder / name) for name in ("balls.dump", "contacts.dump")] + [
         (folder / name).read_text()
         for name in ("ring.txt", "control.txt", "capacitance.txt", "between.txt", "events.txt")
@@ -26,7 +26,7 @@ def state(folder):
 
 
 def first_bearing(folder):
-    """Rows of its atoms, 1 to 20."""
+    """Rows of atoms 1 to 20."""
     return {
         step: [row for row in rows if int(row.split()[0]) <= 20]
         for step, rows in frames(folder / "balls.dump").items()
@@ -34,7 +34,7 @@ def first_bearing(folder):
 
 
 def last(folder):
-    """The last sample: atoms, contacts and ring."""
+    """Last sample of atoms, contacts and ring."""
     return [frames(folder / name)[LAST] for name in ("balls.dump", "contacts.dump")] + [
         (folder / "ring.txt").read_text().splitlines()[-1]
     ]
@@ -62,9 +62,10 @@ def test_scene_is_worth_comparing(whole):
     rings = [
         list(map(float, row.split())) for row in (whole / "ring.txt").read_text().splitlines()[1:]
     ]
-    assert all(r[2] < -1e-6 for r in rings)  # m, the ring has left the cut at y = 0
-    assert 1000 < rings[0][7] < 4500 < rings[-1][7]  # N, the load still grows at the first sample
-    assert abs(rings[0][8]) > 1e-4  # rad, the outer ring wobbles
+    assert all(r[2] < -1e-6 for r in rings)  # m, so that the ring has left the cut at y = 0
+    # N, so that the load still grows at the first sample
+    assert 1000 < rings[0][7] < 4500 < rings[-1][7]
+    assert abs(rings[0][8]) > 1e-4  # rad, so that the outer ring wobbles
     assert rings[-1][10] > 3  # discharges
     refused = float((whole / "control.txt").read_text().splitlines()[-1].split()[4])
     assert refused > 0
@@ -94,7 +95,7 @@ def test_cuts(whole, cuts, ranks, box, tmp_path):
 
 
 def test_a_cage_ball_between_strangers(tmp_path):
-    """Without rails a cage ball is joined to its bearing by balls alone, here by balls of other
+    """Without rails a cage ball is connected to its bearing only by balls, here by balls of other
     ranks."""
     succeed(DECK, out=tmp_path / "one", rails=0)
     succeed(DECK, ranks=8, out=tmp_path / "eight", rails=0, cuts_x=8, cuts_y=1)
@@ -108,7 +109,7 @@ def test_two_bearings(both, ranks, tmp_path):
 
 
 def test_another_bearing_changes_no_bits(whole, both):
-    """Though the other one needs finer steps and other neighbour lists."""
+    """Although the other bearing needs finer steps and other neighbour lists."""
     assert first_bearing(both) == frames(whole / "balls.dump")
     finest = [
         float((f / "control.txt").read_text().splitlines()[-1].split()[1]) for f in (whole, both)
@@ -146,9 +147,9 @@ def test_restart_on_other_ranks(whole, both, bearings, tmp_path):
 
 @pytest.mark.parametrize("scene", ["full", "flaw"])
 def test_models_full_or_flaws(scene, tmp_path):
-    """Film in the gap, its branch and tangential springs, which keep forces from step to step; or
-    flaws of a ring whose angle its ghosts must know, and of balls: two and four ranks, written in
-    the middle and resumed by four, give the bits of one."""
+    """With film in the gap, its branch and tangential springs, which keep forces from step to step;
+    or with flaws of balls and of a ring, whose angle its ghosts must carry: two and four ranks,
+    written in the middle and resumed by four, give the bits of one."""
     kept = {
         "full": {"control": "tolerance 1e-8 cage_tolerance 1e-6"},
         "flaw": {
@@ -176,7 +177,8 @@ def test_models_full_or_flaws(scene, tmp_path):
 
 
 def test_a_fixed_housing_is_the_ground(tmp_path):
-    """On the pitch circle, nearer to some cage balls than their ring is: the same bits."""
+    """A fixed housing on the pitch circle, nearer to some cage balls than their own ring, gives the
+    bits of the ground."""
     held = (ROOT / "tests/hosts/bits.housing.1").read_text().split("fix housing")[0]
     text = (ROOT / DECK).read_text()
     for name, words in (
@@ -193,8 +195,8 @@ def test_a_fixed_housing_is_the_ground(tmp_path):
 
 
 def test_only_dampers_implicit(tmp_path):
-    """`solve damping` on two ranks, written in the middle and resumed by four: the bits of one
-    rank."""
+    """`solve damping` on two ranks, written in the middle and resumed by four, gives the bits of
+    one rank."""
     words = dict(control="solve damping")
     succeed(DECK, out=tmp_path / "one", **words)
     succeed(DECK, ranks=2, out=tmp_path / "two", keep=22, first=22, second=38, **words)

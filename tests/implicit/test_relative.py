@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A tolerance relative to the largest overlap, in the main deck."""
+"""A tolerance relative to the largest overlap in the main deck."""
 
 import pytest
 from host import liggghts, succeed
@@ -19,7 +19,7 @@ def runs(tmp_path_factory):
 
 
 def test_fewer_evaluations_and_exact_loads(runs):
-    """Each step may be off by R over the largest overlap, so a load by 1.5 R."""
+    """Each step may have an error of R relative to the largest overlap, and a load one of 1.5 R."""
     exact = Run(runs / "fine").contacts["load"]
     evaluations = []
     for share in (0, 5e-4, 2e-3):
@@ -31,7 +31,7 @@ def test_fewer_evaluations_and_exact_loads(runs):
 
 
 def test_light_loads_keep_the_tolerance(tmp_path):
-    """5 N press the balls in by 0.2 um: 5e-4 of it is below 1 nm, so the bits are the same."""
+    """5 N cause an overlap of 0.2 um: 5e-4 of it is below 1 nm, so the bits are the same."""
     for share in (0, 5e-4):
         out = tmp_path / f"{share}"
         words = {**SCENE, "load": 5, "rpm": 100, "settle": 2, "lubricant": "dry"}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The law of any set of parts (core/contact/any_law.h) for the number types of tests.
+// The law of any set of parts (core/contact/any_law.h) for the number types used in tests.
 #ifndef RACEWAY_TESTS_ANY_PARTS_H
 #define RACEWAY_TESTS_ANY_PARTS_H
 
@@ -51,14 +51,14 @@ template <int n> struct PartsLaw {
   }
 };
 
-// Calls f(law) with the law of a set of parts.
+// Calls f(law) with the law for a set of parts.
 template <class F> void with_parts(unsigned parts, const F &f)
 {
   if (law_facts(parts).couples) f(PartsLaw<6>{parts});
   else f(PartsLaw<3>{parts});
 }
 
-// Motions of a contact whose place is known; whether there is none after all.
+// Motions of a contact with a given position; whether the contact is open.
 template <class L>
 bool approach(const L &law, const RacewayPhysics &p, const BallState &ball, const RingState &ring,
               ContactState &c)

@@ -38,7 +38,7 @@ RacewayPhysics with_gap(const RacewayPhysics &p, double share)
   return q;
 }
 
-// A contact at rest normally; returns whether there is one.
+// A contact at rest normal to its surfaces; returns whether it is closed.
 template <class T, class Mask = decltype(T() < T())>
 Mask meet(const RacewayPhysics &p, const T &overlap, const T &cos_angle, const T &speed,
           ContactStateT<T> &c)
@@ -68,7 +68,7 @@ template <class T> void put(const FilmCapacitorT<T> &c, T *out)
 }
 }    // namespace
 
-// near and far side, m, around an ellipse of that semi-axis (m)
+// near and far side, m, around an ellipse with that semi-axis (m)
 EXPORT(void, groove_reach,
        (const RacewayPhysics *p, double depth, double sine, double cosine, double semi_axis,
         double out[2]))
@@ -79,7 +79,7 @@ EXPORT(void, groove_reach,
   out[1] = semi_axis > 0.0 ? s.around(r.far, cosine, semi_axis) : r.far.reach;
 }
 
-// m, of a contact with that load (N); 0: no contact, at the gap h with that play (m)
+// m, of a contact with that load (N); for load 0, at the gap h with that play (m)
 EXPORT(double, outside_integral,
        (const RacewayPhysics *p, double cos_angle, double load, double h, double play,
         double reach))
@@ -96,7 +96,7 @@ EXPORT(double, outside_integral,
   return gap_integral(s, loaded.G, stretch, stretch);
 }
 
-// n balls on a raceway, one by one and four side by side; columns numbers each. n is a multiple of
+// n balls on a raceway, one by one and four at a time; columns numbers each. n is a multiple of
 // 4.
 EXPORT(void, capacitors,
        (const RacewayPhysics *raceway, const CapacitorInput *in, double n, const double *overlap,
@@ -142,7 +142,7 @@ RACEWAY_LANES double sum_of(const RacewayPhysics &p, const CapacitorModel &m,
   Lane sum = {};
   for (int i = 0; i < repeats; ++i) {
     ContactStateT<Lane> one = c;
-    one.entrainment = c.entrainment + 1e-9 * i;    // so that nothing can be kept
+    one.entrainment = c.entrainment + 1e-9 * i;    // so that nothing can be cached
     if (m.surrounded()) sum += s.capacitor(one, live, cage_speed).total();
     else sum += film_capacitor(p, one, m).capacitance;
   }
@@ -150,7 +150,7 @@ RACEWAY_LANES double sum_of(const RacewayPhysics &p, const CapacitorModel &m,
 }
 }    // namespace
 
-// s, of one of four contacts side by side; sum (F) is what they add up to
+// s, for one of four contacts evaluated together; sum (F) is their total
 EXPORT(double, capacitor_time,
        (const RacewayPhysics *p, const CapacitorInput *in, double overlap, double speed,
         double cage_speed, double repeats, double sum[1]))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The physics headers as a library, made by `make interfaces` (Makefile rule
+"""The physics headers as a library, built by `make interfaces` (Makefile rule
 build/libraceway_physics.so)."""
 
 import sys
@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-# the helpers of this folder, from wherever pytest starts
+# the helpers of this folder, wherever pytest starts
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from film_scene import Gap  # noqa: E402
@@ -36,5 +36,5 @@ def gap(physics, side):
 
 @pytest.fixture(scope="module")
 def inner(physics):
-    """The same of the inner raceway."""
+    """The same for the inner raceway."""
     return Gap(physics, INNER)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A ball and a ring as moving rigid bodies in 40-digit arithmetic: what contact.h is compared with.
+"""A ball and a ring as moving rigid bodies in 40-digit arithmetic: reference for contact.h.
 
-Nothing is taken from the header's derivation. Points of the bodies are followed along the motion
+It uses nothing of the header's derivation. Points of the bodies are followed along the motion
 (constant velocities, Rodrigues rotation) and differentiated in time; vectors are mpmath, so no step
 size enters.
 """
@@ -48,7 +48,7 @@ def turn(a, w):
 def derivative(f):
     """df/dt at t = 0 of a vector function: central differences, Richardson.
 
-    Motions here change over T = 1e-5 s and more: truncation (h/T)^4 = 1e-36, rounding 1e-40 m/h =
+    Motions here vary over T = 1e-5 s and more: truncation (h/T)^4 = 1e-36, rounding 1e-40 m/h =
     1e-26 m/s.
     """
     h = mpf(10) ** -14  # s
@@ -70,7 +70,7 @@ class Reference:
         self.circle, self.radius = mpf(circle), mpf(radius)
 
     def frame(self, t=0):
-        """Everything of the geometry at the time t: u, t, e, n, w, s, contact point."""
+        """All geometry at the time t: u, t, e, n, w, s, contact point."""
         t = mpf(t)
         x = add(self.ball[0], self.ball[1], t)
         centre = add(self.ring[0], self.ring[1], t)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A contact of a 6208 with its film: of a run, of the package and in 40 digits."""
+"""A contact of a 6208 with its film: from a run, from the package and in 40 digits."""
 
 import pytest
 from raceway import film_factors, film_gap
@@ -37,7 +37,7 @@ class Gap:
         assert exact["stiffness"] == pytest.approx(self.stiffness, rel=1e-13)
 
     def cpp(self, overlap, speed, share=1.0, starvation=1.0, **changes):
-        """(whether there is no contact, its numbers)."""
+        """(whether the contact is open, its numbers)."""
         return self.call(
             "film_contact",
             p=self.raceway._handle,

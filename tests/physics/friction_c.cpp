@@ -6,7 +6,7 @@
 
 using namespace raceway;
 
-// A contact by its motions, and what the laws of full models make of it.
+// A contact given by its motions, and its results from the laws of full models.
 RECORD(Rolled, double side, overlap, overlap_rate, cos_angle, entrainment, sliding_t, sliding_w,
        spin_n, roll_w, dt, least, mu, mu_boundary, mu_film, beta, starvation, alpha, density, oil,
        eyring, limit;)

@@ -7,8 +7,8 @@ using namespace raceway;
 
 RECORD(Collision, double normal, along, spin, lost, time;)
 
-// A sphere of mass m and radius R at a plane wall at rest. Velocities before: `normal` towards the
-// wall, `along` it, and the spin that moves its surface along as `along` does.
+// A sphere of mass m and radius R hits a plane wall at rest. Velocities before: `normal` towards
+// the wall, `along` it, and the spin that moves its surface in the direction of `along`.
 FORMULA(Collision, grain_collision,
         (double stiffness, double restitution, double friction, double m, double R, double normal,
          double along, double spin, double dt))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Every possible contact law behind a C interface, for test_physics_laws.py: its slopes in duals
-// and by differences, its values one by one and four side by side, part by part and as a whole.
+// Every possible contact law behind a C interface, for test_physics_laws.py: its slopes by duals
+// and by differences; its values one by one and four at a time, part by part and as a whole.
 #include "../../src-package/core/interface/exports.h"
 #include "../../src-package/core/numbers/instruction_set.h"
 
@@ -17,8 +17,8 @@ template <class T> const T *force_of(const ContactStateT<T> &c, int i)
   return forces[i];
 }
 
-// Local forces after the k-th motion has changed by `step` of its own size, held quantities as
-// before.
+// Local forces after the k-th motion has changed by `step` of its own size; held quantities do not
+// change.
 template <class L>
 void shifted_forces(const L &law, const Scene &s, const ContactState &c, int k, double step,
                     double *change, double &size)
@@ -73,7 +73,7 @@ template <class T> RACEWAY_INLINE Vec3T<T> spread(const Vec3 &v)
   return {T() + v.x, T() + v.y, T() + v.z};
 }
 
-// Number of doubles that differ in their bits, of the same struct of numbers.
+// Number of doubles with different bits in two equal structs of numbers.
 template <class A> int different_numbers(const A &a, const A &b)
 {
   const double *const x = reinterpret_cast<const double *>(&a),
@@ -102,7 +102,7 @@ template <class L> Found<L::motions> found_by(const L &law, const Scene &s, bool
   return f;
 }
 
-// The same with four contacts side by side, of which all are this one; one lane of them.
+// The same with four identical contacts at once; returns one lane.
 template <class L> Found<L::motions> found_in_lanes(const L &law, const Scene &s, bool with_slopes)
 {
   ContactStateT<Lane> four;
@@ -134,7 +134,7 @@ template <class L> Found<L::motions> found_in_lanes(const L &law, const Scene &s
   return f;
 }
 
-// Number of values that differ: doubles, lanes, duals of doubles, duals of lanes.
+// Number of differing values: doubles, lanes, duals of doubles, duals of lanes.
 template <class L> int bit_differences(const L &law, const Scene &s)
 {
   const auto one = found_by(law, s, false), dual = found_by(law, s, true);
@@ -157,7 +157,7 @@ template <class L> int bit_differences(const L &law, const Scene &s)
   return different;
 }
 
-// Number of values in which a law that is compiled as a whole differs from its parts one by one.
+// Number of values that differ between a law compiled as a whole and its parts one by one.
 template <class L> int fused_differences(const Scene &s)
 {
   const PartsLaw<L::motions> law = {L::parts};
@@ -174,11 +174,11 @@ template <class L> int fused_differences(const Scene &s)
 }
 
 // Four contacts of one raceway, the last of which may be open, at once and one by one: number of
-// values that differ in their bits.
+// values with different bits.
 int lane_differences(unsigned parts, int n)
 {
   const bool decides = law_facts(parts).decides;
-  const int each = 2, open = 3;    // every other scene is on the other raceway
+  const int each = 2, open = 3;    // every other scene uses the other raceway
   Scene s[lanes];
   ContactLanes four;
   ContactState states[2][lanes];
@@ -186,7 +186,7 @@ int lane_differences(unsigned parts, int n)
   double kept[2][lanes][most_states], x[lanes][3], v[lanes][3], w[lanes][3];
   for (int i = 0; i < lanes; ++i) {
     s[i] = scene(parts, n + each * i);
-    if (decides && i == open) {    // within reach, and no film is as thick
+    if (decides && i == open) {    // within reach, since no film is as thick
       const double away = n % 2 ? 50e-6 : -50e-6;
       s[i].ball.x = s[i].ball.x + s[i].ball.x * (away / norm(s[i].ball.x));
     }
@@ -256,7 +256,7 @@ EXPORT(int, law_slopes,
   return n;
 }
 
-// For a law that implicit steps can take.
+// For a law that implicit steps can use.
 EXPORT(int, law_bits, (int law, int sample))
 {
   const Scene s = scene(laws_of_parts()[law], sample);
@@ -281,7 +281,7 @@ EXPORT(int, law_fused, (int law, int sample))
   return different;
 }
 
-// Why keywords cannot make this set of parts, named one after the other; "" if they can.
+// Why keywords cannot form this set of parts, given one after the other; "" if they can.
 EXPORT(const char *, law_contradiction, (const char *names))
 {
   static std::string text;
@@ -300,7 +300,7 @@ EXPORT(int, has_avx2, ())
 #ifdef __x86_64__
   return __builtin_cpu_supports("avx2") != 0;
 #else
-  return 1;    // there is one compilation, which counts as that
+  return 1;    // a single compilation counts as that
 #endif
 }
 EXPORT(int, takes_avx2, ()) { return wide_lanes(); }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// All contact laws, loaded contacts of a 6208 to try them on, and numbers with a small change.
+// All contact laws, loaded contacts of a 6208 to try them on, and numbers with a small
+// perturbation.
 #ifndef RACEWAY_TESTS_LAW_SCENES_H
 #define RACEWAY_TESTS_LAW_SCENES_H
 
@@ -11,8 +12,8 @@
 
 namespace raceway {
 
-// A number and the same number after a small change of the motions. held() keeps the first: what a
-// law holds in its derivative does not change in the difference either.
+// A number, and the same number after a small change of the motions. held() returns the first:
+// whatever a law holds in its derivative must not change in the difference either.
 struct Shifted {
   double value = 0.0, moved = 0.0;
   Shifted() = default;
@@ -43,7 +44,7 @@ inline Shifted operator/(const Shifted &a, const Shifted &b)
   return {a.value / b.value, a.moved / b.moved};
 }
 inline Shifted operator-(const Shifted &a) { return {-a.value, -a.moved}; }
-// the branch that the number itself takes: a law is differentiated within its branches
+// the branch of the unperturbed number: a law is differentiated within its branches
 inline bool operator<(const Shifted &a, double b) { return a.value < b; }
 inline bool operator>(const Shifted &a, double b) { return a.value > b; }
 inline bool operator>(const Shifted &a, const Shifted &b) { return a.value > b.value; }
@@ -57,14 +58,14 @@ inline Shifted magnitude(const Shifted &a) { return a.value < 0.0 ? -a : a; }
 inline Shifted where(bool test, const Shifted &yes, const Shifted &no) { return test ? yes : no; }
 }    // namespace raceway
 
-// needs the number type above
+// after the number type above, which it needs
 #include "any_parts.h"
 
 using namespace raceway;
 
 namespace {
 
-// All sets of parts that keywords can make.
+// All sets of parts that keywords can form.
 const std::vector<unsigned> &laws_of_parts()
 {
   static const std::vector<unsigned> list = [] {
@@ -90,8 +91,8 @@ struct Scene {
   bool stage;
 };
 
-// Sets parameters of a part that are 0, so that each of its effects is present and a wrong slope
-// shows.
+// Sets parameters of a part that are 0, so that each of its effects is present and a wrong slope is
+// detected.
 template <class Part> void enliven(RacewayPhysics &p)
 {
   auto &own = p.of<Part>();
@@ -101,12 +102,13 @@ template <class Part> void enliven(RacewayPhysics &p)
       if (!parameter.number || parameter.open || parameter.least != 0.0) continue;
       double &value = parameter.number(p, own);
       const auto *const at = reinterpret_cast<const char *>(&value);
-      if (at < begin || at >= end || value != 0.0) continue;    // not the part's own, or live
+      // unless the parameter belongs to another part or is live
+      if (at < begin || at >= end || value != 0.0) continue;
       value = std::isfinite(parameter.most) ? 0.5 * parameter.most : 1.0;
     }
 }
 
-// A loaded contact of a 6208 under some angle, with some sliding, the n-th of its kind.
+// The n-th loaded contact of a 6208, with some contact angle and some sliding.
 Scene scene(unsigned parts, int n)
 {
   std::mt19937 random(n);
@@ -133,7 +135,7 @@ Scene scene(unsigned parts, int n)
   s.p.of<SlipSlicesPart>().share = 0.7;
   Parts::each([&s](auto tag) { enliven<typename decltype(tag)::type>(s.p); });
   s.p.prepare(30.3e-3, 8.17e-3, 0.05);
-  // a contact with little load must not open
+  // a lightly loaded contact must not open
   const bool light = s.p.has<FilmInGapPart>() && n % 5 == 0;
   const double overlap = light ? between(-3e-8, 3e-8) : between(1e-6, 30e-6);
   const double distance = s.p.slack + overlap, fastest = light ? 5e-5 : 5e-3;

@@ -16,7 +16,7 @@ using namespace raceway;
 
 EXPORTS
 
-// One raceway as the tests describe it.
+// One raceway in the form that the tests use.
 RECORD(RacewayInput, double side, raceway_radius, groove_radius, ball_radius, ball_young,
        ball_poisson, ring_young, ring_poisson, ellipse, film, viscosity, pressure_viscosity,
        damper_full_axis, damper_rolling_radius, friction, mu, mu_boundary, mu_full, lambda_1,
@@ -29,7 +29,7 @@ RECORD(Constants, double K, a, b, p, min_lnA, min_p, min_m, central_lnA, central
 RECORD(Derived, double centre_circle, slack, largest_overlap, roughness, inverse_roughness, floor,
        kt_ratio, ct_factor, modulus;)
 RECORD(Place, double u[3], t[3], r, z, s, nu, ne;)
-// lam is lambda, which is no name in Python
+// lam is lambda, which is reserved in Python
 RECORD(State, double u[3], t[3], r, z, nu, ne, overlap, root, cos_angle, overlap_rate, load,
        stiffness, damping, normal, entrainment, sliding_t, sliding_w, h_min, lam, mu, kt, ct,
        friction_t, friction_w;)
@@ -121,7 +121,7 @@ static void put(const ContactState &c, State *out)
   out->friction_w = c.friction_w;
 }
 
-// One of the functions of exp_log.h, of n numbers, one by one and four side by side.
+// One of the functions of exp_log.h, on n numbers, one by one and four at a time.
 template <class T> static T elementary_of(int which, const T &x)
 {
   return which == 0   ? exponential(x)
@@ -156,7 +156,7 @@ EXPORT(void, vec3_rotate, (const double a[3], const double w[3], double out[3]))
   rotate(Vec3::from(a), Vec3::from(w)).to(out);
 }
 
-// a + b, a - b, s a, a s, -a, a += b, a -= b, and b added to the numbers of a
+// a + b, a - b, s a, a s, -a, a += b, a -= b, and b added to the components of a
 EXPORT(void, vec3_algebra, (const double pa[3], const double pb[3], double s, double out[24]))
 {
   const Vec3 a = Vec3::from(pa), b = Vec3::from(pb);
@@ -321,7 +321,7 @@ EXPORT(void, raceway_radial, (const RacewayPhysics *p, Constants *out))
   put(p->law.radial(), out);
 }
 
-// Where there is no contact touch() leaves the frame unset; then it is filled in here, overlap <=
+// Without contact, touch() leaves the frame unset; it is filled in here, overlap <=
 // 0.
 EXPORT(double, contact_touch,
        (const RacewayPhysics *p, const double d[3], const double e[3], State *state))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The functions of src-package/core, callable from Python by names (physics_c.cpp)."""
+"""The functions of src-package/core, callable from Python by name (physics_c.cpp)."""
 
 import numpy as np
 from raceway.core import laws
@@ -48,19 +48,19 @@ RACEWAY = dict(
 )
 OIL = dict(viscosity=0.04, pressure_viscosity=15e-9, ring_roughness=40e-9, ball_roughness=30e-9)
 
-# of exp_log.h, in the order of physics_c.cpp
+# functions of exp_log.h, in the order of physics_c.cpp
 ELEMENTARY = ("exponential", "logarithm", "rough_exponential", "rough_logarithm")
 
 
 class Physics(Library):
-    """The library; what is called often has a method."""
+    """The library; functions that are often called have a method."""
 
     def __init__(self, path):
         super().__init__(path)
         self.record("RacewayInput", RACEWAY)  # the same names on both sides
 
     def elementary(self, name, x):
-        """A function of `ELEMENTARY` of an array: (one by one, four side by side)."""
+        """A function of `ELEMENTARY` on an array: (one by one, four at a time)."""
         one, four = np.full(len(x), np.nan), np.full(len(x), np.nan)
         self.call(
             "elementary",
@@ -108,7 +108,7 @@ class Physics(Library):
 
 
 class Raceway:
-    """A RacewayPhysics; `data` is what it was made of."""
+    """A RacewayPhysics; `data` is its input."""
 
     def __init__(self, physics, changes):
         assert not set(changes) - set(RACEWAY)

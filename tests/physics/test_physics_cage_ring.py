@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""cage_drag.h and cage_ring.h: laws against closed forms; a pocket and a land anywhere in space
-keep momentum, angular momentum and energy, and do not care how the lab is turned."""
+"""cage_drag.h and cage_ring.h: laws against closed forms; a pocket and a land at any place in space
+conserve momentum, angular momentum and energy, and do not depend on the orientation of the lab."""
 
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
 OIL = 0.04
-# bearing at its speed: ball diameter, pitch (m), cage speed, ball spin in the cage's frame (rad/s)
+# a running bearing: ball diameter, pitch (m), cage speed, ball spin in the cage's frame (rad/s)
 BEARINGS = {
     "6205": (7.940e-3, 39.04e-3, 74.954, 443.50),
     "MFPT": (5.969e-3, 31.62e-3, 63.076, 397.22),
@@ -43,7 +43,7 @@ def test_a_centred_land_is_petroffs_bearing(physics, name, outer, inner):
 
 
 def film(physics, e, angle=0.0, speed=74.954, whirl=0.0, v=(0.0, 0.0)):
-    """Force on the cage of a 6205, radially outwards and along the turn, with `e` towards
+    """Force on the cage of a 6205, radially outwards and along the rotation, with `e` towards
     `angle`."""
     ball, pitch, _, _ = BEARINGS["6205"]
     c = 0.2e-3
@@ -92,7 +92,7 @@ def test_a_disc_churns_as_in_the_tables(physics):
         assert found == pytest.approx(couple, rel=0.02)
         assert law(0.1, 870.0, OIL, pitch / 2 + 0.3 * ball, -cage) == -found
     assert law(0.1, 870.0, OIL, 0.02, 0.0) == 0
-    # turbulent: fifth root of the Reynolds number
+    # turbulent: the fifth root of the Reynolds number
     fast = law(1.0, 870.0, 1e-4, 0.05, np.array([400.0, 800.0]))
     assert fast[1] / fast[0] == pytest.approx(2**1.8, rel=1e-12)
 
@@ -124,8 +124,8 @@ CAGE = dict(
 
 
 def scene(pocket=3, push=(0.0, 0.0, 0.0), seed=0, tilt=0.0, **changes):
-    """A cage somewhere, a ball `push` (m, along circle, axis, radius) off the centre of a pocket,
-    and a ring, all in motion."""
+    """A cage at some place, a ball `push` (m, along circle, axis, radius) off the centre of a
+    pocket, and a ring, all in motion."""
     draw = np.random.default_rng(seed)
     lean = Rotation.from_rotvec([tilt * 0.6, -tilt * 0.8, 0.0])
     azimuth = CAGE["angle"] + CAGE["phase"] + 2 * np.pi * pocket / CAGE["pockets"]
@@ -157,7 +157,7 @@ def test_a_pocket_keeps_angular_momentum_and_power(physics, push, tilt, spherica
         assert c.pocket == 4 and c.overlap > 0
         about_cage = np.cross(s["ball_x"] - s["x"], c.force) + c.ball_torque + c.cage_moment
         assert about_cage == pytest.approx([0, 0, 0], abs=1e-13 * (1 + np.linalg.norm(c.force)))
-        # power taken from both bodies: a spring stores F d(overlap)/dt, the rest is lost
+        # power from both bodies: a spring stores F d(overlap)/dt, the rest is dissipated
         power = (
             np.dot(c.force, s["ball_v"] - s["v"])
             + np.dot(c.ball_torque, s["ball_w"])
@@ -250,7 +250,7 @@ def test_a_land_keeps_power_and_its_slopes_are_those_of_its_force(physics, guide
             for axis in range(2):
                 move = np.zeros(3)
                 move[axis] = step
-                # the ring does not spin here, so a displacement has no velocity
+                # the ring does not spin here, so its displacement causes no velocity
                 still = s | dict(ring_w=np.zeros(3), w=s["w"] + s["ring_w"])
                 ends = [
                     physics.call("cage_land", still | {name: still[name] + sign * move}).force[:2]
@@ -263,8 +263,8 @@ def test_a_land_keeps_power_and_its_slopes_are_those_of_its_force(physics, guide
 
 
 def test_a_dry_land_rubs_where_it_touches(physics):
-    """The brake is on the far side of an inner land, and moments about one point cancel by
-    construction: force at the cage's centre, couple beside it."""
+    """The drag acts on the far side of an inner land, and moments about one point cancel by
+    construction: a force at the cage's centre and a couple."""
     for guide, sign in ((2, 1), (1, -1)):
         zero = {n: np.zeros(3) for n in ("v", "ring_v", "ring_w")}
         s = scene(guide=guide, viscosity=0.0, w=np.array([0, 0, 80.0]), **zero)

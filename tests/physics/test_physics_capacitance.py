@@ -16,7 +16,7 @@ def test_clausius_mossotti_is_proportional_to_density(ambient, pressure):
     eps = laws.permittivity(ambient, pressure)
     density = (0.59e9 + 1.34 * pressure) / (0.59e9 + pressure)
     assert laws.density_ratio(pressure) == pytest.approx(density, rel=1e-15)
-    # inverse of the function tested; 1 - c >= 0.3 here magnifies roundings by a few
+    # inverse of the function tested; 1 - c >= 0.3 here, which magnifies roundings by a few
     assert (eps - 1) / (eps + 2) == pytest.approx(
         (ambient - 1) / (ambient + 2) * density, rel=1e-14, abs=1e-15
     )
@@ -31,7 +31,7 @@ def test_limits():
 
 
 def test_parallel_plates():
-    # epsilon_0 of CODATA moves by 1e-10 from one edition to the next
+    # epsilon_0 of CODATA changes by 1e-10 from one edition to the next
     assert laws.contact_capacitance(2.15, 2e-3, 2.2e-4, 3e-7) == pytest.approx(
         epsilon_0 * 2.15 * np.pi * 2e-3 * 2.2e-4 / 3e-7, rel=1e-9
     )
@@ -45,7 +45,7 @@ def test_series():
 
 
 def test_what_has_no_value_keeps_none():
-    """A contact that is open has no pressure; its row stays without a number."""
+    """An open contact has no pressure; its row is NaN."""
     given = np.array([np.nan, 1e9])
     for law in (
         lambda x: capacitance.permittivity(2.2, x),

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""circuit.h, film_network.h, film_breakdown.h and waveform.h: closed forms, and the same circuit as
-dense systems."""
+"""circuit.h, film_network.h, film_breakdown.h and waveform.h against closed forms and against the
+same circuit as dense systems."""
 
 import dataclasses
 from contextlib import nullcontext
@@ -33,8 +33,8 @@ ROW = "film_voltage bearing_voltage bearing_voltage_after film_energy energy".sp
 
 
 def with_edges(given, terms, breakdown):
-    """Points of the films, of their limits and of the outer circuit with two more for each edge of
-    the driving voltage, before and after it; the places of the films' own points."""
+    """Points of the films, of their limits and of the outer circuit, with two more for each edge of
+    the driving voltage, before and after it; and the positions of the films' own points."""
     n = len(given.time)
     arrays = [given.time, given.capacitance, given.conductance, given.thickness, terms.driving]
     rows, own = [[one[0] for one in arrays]], [0]
@@ -90,7 +90,7 @@ def test_against_dense_systems(name):
 
 
 def test_discharges_do_not_depend_on_the_step():
-    """Films fail at edges, from 8 points a period of the carrier on."""
+    """Films fail at edges if a period of the carrier has 8 points or more."""
     given = turning(n=11)
     runs = [circuit.run(given, MOTOR_OF_INVERTER, WEAK, points=points) for points in (16, 17, 320)]
     figures = [
@@ -108,7 +108,7 @@ def test_discharges_do_not_depend_on_the_step():
 
 @pytest.mark.parametrize("outer", [SOURCE_OF_INVERTER, SOURCE_OF_TABLE])
 def test_edges_between_points_keep_the_order(outer):
-    """The error of the second-order method falls fourfold where the step is halved."""
+    """The error of the second-order method falls fourfold at half the step."""
     given = turning(n=11, **LEAKY)
     ends = {
         points: circuit.run(given, outer, points=points).data.bearing_voltage[::points]
@@ -120,8 +120,8 @@ def test_edges_between_points_keep_the_order(outer):
 
 
 def test_one_leg_switches_at_a_time():
-    """Whatever the points: edges of an inverter are steps of a third, where scipy's triangle meets
-    the sine, and lead from each voltage to the next."""
+    """Whatever the points: inverter edges are steps of a third where scipy's triangle crosses
+    the sine, and connect each voltage to the next."""
     wave = CommonMode(560.0, 1950.0, 50.0, 0.8)
     fine, coarse = (wave.edges(np.linspace(0, 0.02, n)) for n in (100_001, 313))
     np.testing.assert_array_equal(fine, coarse)
@@ -139,7 +139,8 @@ def test_one_leg_switches_at_a_time():
 
 
 def test_a_full_discharge_leaves_other_charges():
-    """After many discharges at constant charge of a ring: energy is what was there."""
+    """After many discharges at constant charge of a ring, the dissipated energy equals the initial
+    one."""
     given = turning(thickness=(20e-9, 40e-9))
     data, events = circuit.run(given, Floating(7.0), WEAK)
     start, end = 0.5 * series(given.capacitance).bearing[0] * 49, data.isel(time=-1)
@@ -149,7 +150,7 @@ def test_a_full_discharge_leaves_other_charges():
 
 
 def test_a_charge_that_loses_its_films():
-    """Ball 1 gets a charge by the failure of one film; rounding does not count."""
+    """Ball 1 is charged by the failure of one film; rounding does not count."""
     thickness = np.array([[100e-9, 900e-9], [900e-9, 900e-9]])
     for left, lost in (([0.0, 0.0], True), ([40 * PICO, 0.0], False)):
         capacitance = np.full((5, 2, 2), 40 * PICO)
@@ -166,13 +167,13 @@ def test_limit():
 
 
 def in_series(admittance):
-    """S of films (Z, 2), those of a ball in series."""
+    """Conductances in S (Z, 2); the two films of a ball are in series."""
     return (admittance.prod(1) / admittance.sum(1)).sum()
 
 
 @pytest.mark.parametrize("frequency", [0.1, 1e3, 1e7])
 def test_t11_impedance_and_back(frequency):
-    """Films of a ball that leak alike; C and R come back to rounding."""
+    """The films of a ball leak equally; C and R are recovered to rounding."""
     random = np.random.default_rng(11)
     for c, tau in zip(random.uniform(1, 900, 20) * PICO, 10 ** random.uniform(-5, 1, 20)):
         both = np.array([[c], [2 * c]])
@@ -205,7 +206,7 @@ def test_t11_impedance_of_a_bearing():
 
 @pytest.mark.parametrize("roughness", [0.0, 25e-9, 60e-9])
 def test_threshold_is_that_of_statics(roughness):
-    """The same films by the function that `raceway electric` uses."""
+    """The same films from the function that `raceway electric` uses."""
     random = np.random.default_rng(5)
     thickness = random.uniform(90e-9, 900e-9, (2, 2, 9))
     capacitance = random.uniform(5, 90, (2, 2, 9)) * PICO
@@ -217,11 +218,11 @@ def test_threshold_is_that_of_statics(roughness):
 
 
 def test_waveforms():
-    at = np.linspace(0, 0.07, 3001) + 1e-7  # of no tie between sine and triangle
+    at = np.linspace(0, 0.07, 3001) + 1e-7  # away from crossings of sine and triangle
     near = dict(rtol=1e-12, atol=1e-11)
     sine = 20.0 * np.sin(2 * np.pi * 50.0 * at + 0.3)
     np.testing.assert_allclose(Sine(20.0, 50.0, 0.3)(at), sine, **near)
-    # each leg switches where its sine meets the triangle of scipy
+    # each leg switches where its sine crosses the triangle of scipy
     triangle = sawtooth(2 * np.pi * (1950.0 * at + 0.5), 0.5)
     legs = [0.8 * np.sin(2 * np.pi * (50.0 * at - leg / 3)) >= triangle for leg in range(3)]
     mean = 560.0 * (np.mean(legs, axis=0) - 0.5)
@@ -233,7 +234,8 @@ def test_waveforms():
 
 @pytest.mark.parametrize("name", ["rough", "leaking source"])
 def test_cases_have_discharges_of_all_kinds(name):
-    """One film and several break down, at either raceway: otherwise the comparison is weak."""
+    """One and several films break down, at either raceway: otherwise the comparison would be
+    weak."""
     given, outer, breakdown = CASES[name]
     events = circuit.run(given, outer, breakdown, points=1).events
     assert {1, 2} <= set(events.groupby("discharge").size())

@@ -2,9 +2,9 @@
 """contact.h: one ball on one raceway, against moving rigid bodies in 40-digit arithmetic and the
 conservation laws.
 
-Rounding: places are known to 1e-17 m (an ulp of 0.03 m) and the ball is s = 0.2 mm from its circle
-of groove centres, so directions are right to 1e-13 and speeds (100 m/s here at most, cancelling) to
-1e-12 of the largest one; the overlap (10 um) is right to 1e-12 of itself.
+Rounding: positions have errors of 1e-17 m (an ulp of 0.03 m), and the ball is s = 0.2 mm from its
+circle of groove centres, so directions are accurate to 1e-13 and speeds (at most 100 m/s here,
+cancelling) to 1e-12 of the largest one; the overlap (10 um) is accurate to 1e-12 of itself.
 """
 
 import mpmath
@@ -31,7 +31,7 @@ AXES = {
 
 
 def scene(side, axis="tilted", angle=0.4, overlap=1e-5, azimuth=0.7, ring_w=(20.0, -35.0, 150.0)):
-    """A ball at a contact angle with a given overlap, everything in motion: (ball, ring)."""
+    """A ball at a contact angle with a given overlap, with all bodies in motion: (ball, ring)."""
     e = AXES[axis]
     first = unit(np.cross(e, [0.3, 1.0, 0.1]))
     u = np.cos(azimuth) * first + np.sin(azimuth) * np.cross(e, first)
@@ -80,7 +80,7 @@ def test_speeds_are_those_of_the_bodies(physics, side, axis, angle, azimuth, rin
 @SIDES
 @pytest.mark.parametrize("turning", [(0.0, 0.0, 200.0), (150.0, -40.0, 60.0)])
 def test_turning_the_whole_world_changes_no_speed(physics, side, turning):
-    # the same rigid rotation added to both bodies: overlap, slip and entrainment do not know
+    # the same rigid rotation added to both bodies leaves overlap, slip and entrainment unchanged
     ball, ring = scene(side)
     spin, about = np.array(turning), np.array([0.01, 0.02, -0.01])
     moved = [(x, v + np.cross(spin, x - about), w + spin, *rest) for x, v, w, *rest in (ball, ring)]
@@ -106,7 +106,7 @@ def test_a_moving_observer_sees_the_same(physics, side):
 
 @SIDES
 def test_overlap_rate_along_the_motion(physics, side):
-    # by finite differences of the header's own overlap, ring tilting as it goes
+    # by finite differences of the header's own overlap, with a tilting ring
     ball, ring = scene(side)
     ring_model = make(physics, side)
 
@@ -124,7 +124,7 @@ def test_overlap_rate_along_the_motion(physics, side):
 
 @SIDES
 def test_tilting_ring_alone_closes_the_contact(physics, side):
-    # ball at rest, ring turning about a line across its axis: d(overlap)/dt = -n.(W x arm)
+    # ball at rest, ring rotating about a line across its axis: d(overlap)/dt = -n.(W x arm)
     ball, ring = scene(side)
     ball, ring = (
         (ball[0], np.zeros(3), np.zeros(3)),
@@ -157,7 +157,7 @@ def test_pure_rolling_does_not_slide(physics, side, inner, outer):
     )
     # the ball is 3e-14 m from the pitch circle, so that it touches at all
     assert state.sliding_t == pytest.approx(0, abs=1e-10)
-    # the textbook's (1 - gamma^2)/2 omega r_pitch of the speed difference of the rings
+    # the textbook's (1 - gamma^2)/2 omega r_pitch for the speed difference of the rings
     gamma = BALL / PITCH
     assert state.entrainment == pytest.approx(
         abs(inner - outer) * PITCH * (1 - gamma**2) / 2, abs=1e-10
@@ -179,7 +179,7 @@ def test_load_and_stiffness(physics, side, angle):
     exact = raceway.exact(np.cos(angle)).K
     assert state.load == pytest.approx(exact * 1e-5**1.5, rel=1e-9)  # the table's promise
     assert state.root**2 == pytest.approx(state.overlap, rel=1e-15)
-    # stiffness = dQ/d(overlap): the ball pushed along the normal, at one contact angle
+    # stiffness = dQ/d(overlap): the ball displaced along the normal, at one contact angle
     normal, h = state.nu * state.u + state.ne * ring[3], 2e-9
     loads = [raceway.contact((ball[0] + step * normal, *ball[1:]), ring).load for step in (h, -h)]
     # truncation (h/overlap)^2/24 of a 3/2 power, rounding 2e-17 m/h
@@ -195,8 +195,8 @@ def test_damping_is_the_slope_of_the_normal_force(physics, side):
     state = raceway.contact(ball, ring)
     normal, step = state.nu * state.u + state.ne * ring[3], 1e-3
     pushed = raceway.contact((ball[0], ball[1] + step * normal, ball[2]), ring)
-    # N is linear in the rate and a push along n leaves U_r alone; rounding: 1e-12 of forces of 1e3
-    # N over C step
+    # N is linear in the rate, and a motion along n changes only U_r; rounding: 1e-12 of forces of
+    # 1e3 N divided by C step
     found = (pushed.normal - state.normal) / step
     assert found == pytest.approx(state.damping, rel=1e-10 + 1e-9 / (state.damping * step))
     assert pushed.overlap_rate - state.overlap_rate == pytest.approx(step, abs=1e-12)
@@ -218,7 +218,8 @@ def test_damping_is_the_sum_of_both_laws(physics, side, angle):
         / np.sqrt(2)
         * (BALL / h_min) ** 1.5
     )
-    assert state.h_min == pytest.approx(h_min, rel=1e-8)  # the table's promise, times ln U and ln Q
+    # the accuracy of the table, times ln U and ln Q
+    assert state.h_min == pytest.approx(h_min, rel=1e-8)
     assert state.lam == pytest.approx(h_min / 50e-9, rel=1e-8)
     assert state.damping == pytest.approx(1.5 * 0.08 * state.load + fluid, rel=3e-8)  # h^-1.5
     dry = make(physics, side, viscosity=0.0).contact(ball, ring)
@@ -247,7 +248,8 @@ def test_no_adhesion(physics, side):
     ball, ring = scene(side)
     state = make(physics, side).contact(ball, ring)
     normal = state.nu * state.u + state.ne * ring[3]
-    critical = state.load / state.damping + state.overlap_rate  # added to the speed away, N is zero
+    # added to the separation speed, N is zero
+    critical = state.load / state.damping + state.overlap_rate
     for factor, sign in ((0.99, 1), (1.01, 0), (100.0, 0)):
         away = make(physics, side).contact(
             (ball[0], ball[1] - factor * critical * normal, ball[2]), ring
@@ -353,7 +355,7 @@ def test_force_and_torque_act_at_the_contact_point(physics, side, axis, angle, a
 @SIDES
 @SCENES
 def test_momentum_is_conserved(physics, side, axis, angle, azimuth):
-    # the force on the ring is minus that on the ball; moments of both about any one point cancel
+    # the force on the ring is minus that on the ball; moments of both about any point cancel
     ball, ring = scene(side, axis, angle, azimuth=azimuth)
     state = make(physics, side).contact(ball, ring, dt=1e-7)
     for about in (np.zeros(3), np.array([0.2, -0.1, 0.4])):
@@ -370,7 +372,8 @@ def test_momentum_is_conserved(physics, side, axis, angle, azimuth):
 @SIDES
 @SCENES
 def test_power_is_that_of_the_contact(physics, side, axis, angle, azimuth):
-    # what both bodies receive is what spring, damper and friction take: ties rates to forces
+    # the power both bodies receive is that of spring, damper and friction: this ties rates to
+    # forces
     ball, ring = scene(side, axis, angle, azimuth=azimuth)
     state = make(physics, side).contact(ball, ring, dt=1e-7)
     received = (
@@ -401,7 +404,7 @@ def test_direction_in_space_does_not_matter(physics, side):
         [turned(v) for v in ball], [turned(v) for v in ring], dt=1e-7
     )
     for name, lever in (("force", 1.0), ("ball_torque", BALL), ("ring_torque", PITCH)):
-        # turning moves the ball by an ulp of its place, 1e-12 of the overlap
+        # the rotation moves the ball by an ulp of its position, 1e-12 of the overlap
         assert getattr(other, name) == pytest.approx(
             turned(getattr(one, name)), abs=1e-10 * np.linalg.norm(one.force) * lever
         )

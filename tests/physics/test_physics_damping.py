@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""damping.h against equations 4 and 5, the floor and the options of the errata."""
+"""damping.h against equations 4 and 5, the lower bound and the options of the errata."""
 
 import numpy as np
 import pytest
@@ -26,7 +26,7 @@ def test_numbers_of_the_6208():
 
 
 def test_over_damped_below_a_quarter_of_a_micron():
-    # c > 2 sqrt(k m) of the ball between both raceways at 5 kN: k = 4.19e8 N/m, and two dampers;
+    # c > 2 sqrt(k m) for the ball between both raceways at 5 kN: k = 4.19e8 N/m, and two dampers;
     # "about 250 nm"
     mass, k = 4 / 3 * np.pi * BALL**3 * 7800, 4.19e8
     excess = [

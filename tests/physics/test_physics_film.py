@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""film.h against equations 6 and 9 as they stand in the paper, their limits and the errata."""
+"""film.h against equations 6 and 9 as printed in the paper, their limits and the errata."""
 
 import itertools
 
@@ -11,7 +11,7 @@ from raceway.core import laws
 STEEL = 210e9 / (1 - 0.09)
 OIL = (0.04, 15e-9)
 CASES = list(itertools.product([0.3, 1.0, 8.0], [1e-3, 0.7, 20.0], [1e-3, 50.0, 2436.0]))
-# ln h is a sum of some ten terms of at most 50, so each rounding costs 1e-14 of h at worst.
+# ln h is a sum of about ten terms of at most 50, so each rounding costs at most 1e-14 of h.
 ROUNDING = 1e-13
 
 
@@ -60,7 +60,7 @@ def test_no_film_at_rest(physics, model):
 
 @pytest.mark.parametrize("model", [MASJEDI, MASJEDI_PRINTED, HAMROCK_DOWSON])
 def test_dimensions_do_not_matter(physics, model):
-    # scaling lengths by L, forces by F and times by T leaves h/R_x as it is
+    # scaling lengths by L, forces by F and times by T leaves h/R_x unchanged
     length, force, time = 7.0, 3.0, 0.2
     stress = force / length**2
     one = physics.film(model, 8.0, *OIL, STEEL, 5e-3, 0.7, 500.0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The film's branch, a spring and a dashpot in series: its step, its damping and its step limit."""
+"""The film branch, a spring and a dashpot in series: its step, its damping and its step limit."""
 
 import mpmath
 import numpy as np
@@ -35,8 +35,8 @@ def test_branch_against_high_precision(speed, step, h_c):
 
 @pytest.mark.parametrize("step", [1e-6, 1e-4, 1e-2])
 def test_branch_in_a_stage_is_backward_euler(step):
-    """Its force solves f = f_0 + dt (k_m d(overlap)/dt - f/tau), the form that an implicit method
-    of second order needs of its stages."""
+    """Its force solves f = f_0 + dt (k_m d(overlap)/dt - f/tau), the form in which a second-order
+    implicit method needs it at its stages."""
     stiffness, decay = laws.film_branch(2e8, 160e-9, 17e-6, 150e-6, 0.7)
     left, slope = laws.film_branch_step(stiffness, decay, step, True)
     force = left * 3.0 + slope * 2e-4
@@ -45,7 +45,7 @@ def test_branch_in_a_stage_is_backward_euler(step):
 
 
 def test_dashpot_of_the_top_ball(inner):
-    """659, 331, 219, 135 N s/m (0.59 for 0.44 x 1.33, so 0.6 % more than the branch)."""
+    """659, 331, 219, 135 N s/m (0.59 instead of 0.44 x 1.33, so 0.6 % above the branch)."""
     for speed, expected in zip((0.072476, 0.724764, 2.899, 14.4946), (659, 331, 219, 135)):
         load = 2436.2
         elastic = (load / inner.stiffness) ** (2 / 3)
@@ -63,7 +63,8 @@ def test_dashpot_of_the_top_ball(inner):
 @pytest.mark.parametrize("time", [1e-7, 3e-6, 1e-5, 1e-4, 1e-2])
 @pytest.mark.parametrize("c", [0.0, 300.0])
 def test_step_limit_of_the_branch(physics, time, c):
-    """Stable at the limit: spectral radius of the scheme; unstable at 1.5 times it or twice it."""
+    """Stable at the limit by the spectral radius of the scheme; unstable at 1.5 or 2 times the
+    limit."""
     k, k_m, m = 2e8, 8e7, 8e-3
 
     def radius(h):
@@ -84,7 +85,7 @@ def test_step_limit_of_the_branch(physics, time, c):
 
 
 def test_branch_is_a_spring_and_a_dashpot_in_series():
-    """The exact step of the branch against the matrix exponential of its equation."""
+    """The exact step of the branch equals the matrix exponential of its equation."""
     branch = film_damping.Branch(3e7, 2e-4)
     rate = np.array([[-1 / branch.time, branch.stiffness], [0, 0]])
     for step in (1e-6, 1e-4, 1e-2):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Inlet shear and starvation thin the film: against numbers of TRIBOLOGY and 40 digits."""
+"""Inlet shear and starvation thin the film: against published numbers and 40 digits."""
 
 import pytest
 from film_scene import ROUNDING, SPEEDS, Gap

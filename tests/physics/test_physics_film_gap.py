@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The film in the gap by a power law: against TRIBOLOGY, 40 digits, and differences."""
+"""The film in the gap by a power law: against published numbers, 40 digits, and differences."""
 
 import itertools
 
@@ -39,7 +39,7 @@ def test_against_high_precision(gap, overlap, speed, share, starvation):
     assert open_ == (load == 0) == (package.load == 0)
     if open_:
         return
-    # near the edge the overlap cancels the film: its rounding is that of the film's exponents
+    # near the edge the overlap cancels the film: its rounding is that of the exponents of the film
     worst = ROUNDING * (1 + share * h_c / elastic)
     for compression, other in ((found.compression, found), (package.elastic, package)):
         assert compression == pytest.approx(elastic, rel=worst)
@@ -50,7 +50,8 @@ def test_against_high_precision(gap, overlap, speed, share, starvation):
 
 
 def test_the_equation_holds_everywhere(gap):
-    """delta_H = delta + zeta h_c(Q), Q = K delta_H^1.5: for any film and overlap, a rough grid."""
+    """delta_H = delta + zeta h_c(Q), Q = K delta_H^1.5, for any film and overlap on a rough
+    grid."""
     radial = gap.raceway.radial()
     for speed, share in itertools.product(np.geomspace(1e-4, 100, 25), (1e-3, 0.3, 1.0, 2.0)):
         edge = share * np.exp(radial.central_lnA + radial.central_p * np.log(speed))
@@ -81,7 +82,7 @@ def test_slope_is_the_difference(gap):
 
 
 def test_continuous_through_loss_of_contact(gap):
-    """From a gap wider than the film to a load: no jump in load or film thickness."""
+    """From a gap wider than the film to a load: neither load nor film thickness jumps."""
     for speed in SPEEDS:
         edge = float(gap.law(speed)(1.0))
         opens, _ = gap.cpp(-edge * (1 + 1e-9), speed)
@@ -91,7 +92,7 @@ def test_continuous_through_loss_of_contact(gap):
         overlaps = np.linspace(-edge * (1 - 1e-9), 2 * edge, 2001)
         loads = np.array([gap.cpp(d, speed)[1].load for d in overlaps])
         assert np.all(np.diff(loads) > 0)
-        # the largest slope is at the end: a load that jumps would be above it
+        # the largest slope is at the end: a jump of the load would exceed it
         steepest = gap.cpp(2 * edge, speed)[1].slope
         assert np.diff(loads).max() <= 1.01 * steepest * (overlaps[1] - overlaps[0])
 
@@ -105,7 +106,7 @@ def test_at_rest_it_is_hertz(gap):
 
 
 def test_a_film_beyond_the_reach_is_held_there(gap):
-    """1e9 m/s: contacts begin at the reach, with no load."""
+    """1e9 m/s: contacts begin at the reach, without load."""
     reach = gap.cpp(0.0, 1.0)[1].reach
     assert reach == pytest.approx(0.01 * 6.3e-3, rel=1e-14)
     assert gap.cpp(-reach * (1 + 1e-12), 1e9)[0]
@@ -114,7 +115,7 @@ def test_a_film_beyond_the_reach_is_held_there(gap):
 
 
 def test_energy_is_the_work(gap):
-    """From the edge of the film to an overlap, at a constant speed."""
+    """From the edge of the film to an overlap at constant speed."""
     for speed in SPEEDS:
         edge = float(gap.law(speed)(1.0))
         for end in (0.5e-6, 17e-6):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Films whose thickness is a root: all regimes, and Gupta's factor."""
+"""Films whose thickness is the root of an equation: all regimes, and Gupta's factor."""
 
 import itertools
 
@@ -9,7 +9,7 @@ from film_scene import OVERLAPS, SPEEDS, scene
 from references import film as reference
 from scipy.integrate import quad
 
-# films whose root is found by Newton's method on the film itself
+# films solved by Newton's method on the film itself
 LAWS = {
     "power": {},
     "moes": {"regimes": True},
@@ -37,7 +37,7 @@ def test_roots_against_high_precision(gap, law, speed, share, starvation):
         open_, found = gap.cpp(overlap, speed, share, starvation, **law)
         package = gap.python(law, speed, share, starvation, overlap)
         assert (load == 0) == (package.load == 0)
-        # a run takes no film wider than its reach
+        # a run uses no film wider than its reach
         within = share * h_c <= found.reach
         assert open_ == (load == 0) or not within
         worst = 1e-10 * (1 + share * h_c / elastic) if load > 0 else 0.0
@@ -53,14 +53,14 @@ def test_roots_against_high_precision(gap, law, speed, share, starvation):
 
 
 def test_digits_of_all_regimes(inner):
-    """At no overlap and 9549 rpm, with a film that needs no cut."""
+    """At zero overlap and 9549 rpm, with a film that needs no cut."""
     assert inner.cpp(0.0, 14.4946, regimes=True)[1].load == pytest.approx(81.56, abs=0.005)
 
 
 @pytest.mark.parametrize("law", ROOTS.values(), ids=ROOTS)
 def test_roots_everywhere(gap, law):
-    """delta_H = delta + zeta h, h at most as thick as the reach allows; from the edge of the film
-    to a heavy load, crawling to fast."""
+    """delta_H = delta + zeta h, with h at most the reach; from the edge of the film
+    to a heavy load, at low to high speed."""
     reach = gap.cpp(0.0, 1.0)[1].reach
     for speed, share in itertools.product(np.geomspace(1e-6, 60, 15), (1e-3, 0.3, 1.0, 2.0)):
         law_there = theory(gap, law, speed)
@@ -89,7 +89,7 @@ def test_roots_are_continuous_through_loss_of_contact(gap, law):
         slopes = np.array([gap.cpp(d, speed, **law)[1].slope for d in overlaps])
         rises = np.diff(loads)
         assert np.all(rises > 0)
-        # a load that jumps would rise by more than its slopes at both ends and the wall of the edge
+        # a jump of the load would exceed its slopes at both ends and the wall of the edge
         wall = 1.5 * gap.stiffness * np.sqrt(overlaps[1] - overlaps[0])
         steepest = np.maximum(np.maximum(slopes[1:], slopes[:-1]), 0) * 1.5
         within = rises <= np.maximum(steepest, wall) * (overlaps[1] - overlaps[0])
@@ -116,7 +116,7 @@ def test_slopes_of_roots_are_differences(gap, law):
 @pytest.mark.parametrize("law", ROOTS.values(), ids=ROOTS)
 @pytest.mark.parametrize("speed", [0.0725, 14.4946])
 def test_energy_of_roots_is_the_work(gap, law, speed):
-    """Between two overlaps, at a constant speed."""
+    """Between two overlaps at constant speed."""
     reach = gap.cpp(0.0, speed)[1].reach
     first = -0.3 * reach if "regimes" in law else -1e-8
     if gap.cpp(first, speed, **law)[0]:
@@ -133,7 +133,7 @@ def test_energy_of_roots_is_the_work(gap, law, speed):
 
 @pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
 def test_lanes_have_the_bits_of_a_double(gap, law):
-    """Lanes with contacts of all kinds side by side: none takes another's number of passes."""
+    """Lanes with contacts of all kinds: none takes another's number of iterations."""
     random = np.random.default_rng(1)
     for _ in range(200):
         speed = np.exp(random.uniform(np.log(1e-3), np.log(30), 4))

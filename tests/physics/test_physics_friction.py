@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""friction.h: the Stribeck passage and the capped tangential spring."""
+"""friction.h: the Stribeck transition and the capped tangential spring."""
 
 import numpy as np
 import pytest
@@ -20,7 +20,7 @@ def test_stribeck_ends():
 
 
 def test_stribeck_is_the_cubic():
-    # the only cubic with these ends and no slope there: s^2 (3 - 2 s)
+    # the only cubic with these ends and zero slope there: s^2 (3 - 2 s)
     for s in np.linspace(0.05, 0.95, 7):
         expected = 0.12 - 0.10 * (3 * s**2 - 2 * s**3)
         assert mu(0.8 + 2.1 * s) == pytest.approx(expected, rel=1e-14)
@@ -30,7 +30,8 @@ def test_stribeck_is_the_cubic():
 def test_stribeck_has_no_kink(end):
     h = 1e-4
     inside, outside = (abs(mu(end + side) - mu(end)) / h for side in (-h, h))
-    # one side is flat; on the other mu'' = 6 (mu_f - mu_b)/(l2 - l1)^2 makes the quotient mu'' h/2
+    # one side is constant; on the other mu'' = 6 (mu_f - mu_b)/(l2 - l1)^2 makes the quotient mu''
+    # h/2
     assert sorted([inside, outside]) == pytest.approx(
         [0, 0.5 * 6 * 0.10 / 2.1**2 * h], rel=1e-3, abs=1e-12
     )
@@ -63,7 +64,7 @@ def test_slip_keeps_the_direction_and_the_size_of_the_cap(physics):
     trial = np.array([1e7 * 3e-7 + 30 * 0.01, -1e7 * 2e-7 + 30 * 0.02])
     force, xi = spring(physics, (3e-7, -2e-7), (0.01, 0.02), cap=1.5)
     assert force == pytest.approx(1.5 * trial / np.linalg.norm(trial), rel=1e-14)
-    # the spring is set back so that, with the dashpot, it gives just this force
+    # the spring is reset so that, with the dashpot, it gives just this force
     again, same = spring(physics, xi, (0.01, 0.02), cap=1.5 * (1 + 1e-12))
     assert again == pytest.approx(force, rel=1e-12) and same == pytest.approx(xi, rel=1e-12)
 
@@ -84,7 +85,8 @@ def test_steady_sliding_reaches_coulomb(physics):
 
 
 def test_a_sticking_ball_swings_on_the_spring(physics):
-    # x'' = -k x/m from one side: after half a period the far side, and without damper no loss
+    # x'' = -k x/m from one side: after half a period it is on the far side, without loss if
+    # undamped
     k, m, steps = 1e7, 1e-3, 2000
     period = 2 * np.pi * np.sqrt(m / k)
     dt, xi, v = period / 2 / steps, np.array([1e-6, 0.0]), 0.0

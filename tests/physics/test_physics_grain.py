@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""grain_contact.h: a sphere strikes a wall."""
+"""grain_contact.h: a sphere hits a wall."""
 
 import numpy as np
 import pytest
@@ -38,9 +38,9 @@ def test_a_bounce_without_damping(physics):
 
 @pytest.mark.parametrize("restitution", [0.2, 0.5, 0.9])
 def test_damping_against_the_equation_of_motion(physics, restitution):
-    """m x'' = max(0, k x - c x') with an independent integrator and c from the decay of a free
-    vibration in half a period, which `restitution` gives."""
-    decay = -np.log(restitution) / TIME  # to first order; the exact one below
+    """m x'' = max(0, k x - c x') with an independent integrator, and c from the decay of a free
+    vibration over half a period, which `restitution` defines."""
+    decay = -np.log(restitution) / TIME  # to first order; the exact value is below
     decay = -np.log(restitution) * np.sqrt(K / M / (np.pi**2 + np.log(restitution) ** 2))
 
     def motion(_, y):
@@ -52,28 +52,30 @@ def test_damping_against_the_equation_of_motion(physics, restitution):
     apart.terminal, apart.direction = True, -1
     exact = solve_ivp(motion, (0, 1), (1e-14, V), events=apart, rtol=1e-10, atol=1e-16)
     after = collide(physics, restitution)
-    # one step late at the end: the force is small there; first order in the step by the damper
+    # one step late at the end, where the force is small; first order in the step because of the
+    # damper
     assert after.normal == pytest.approx(-exact.y[1][-1], rel=4 * STEP / TIME)
-    # without attraction a body leaves a little faster than by the free vibration
+    # without attraction a body leaves slightly faster than in the free vibration
     assert restitution <= after.normal / V < restitution + 0.2 * (1 - restitution)
 
 
 @pytest.mark.parametrize("restitution", [0.3, 1.0])
 def test_a_sliding_collision_in_closed_form(physics, restitution):
-    """Friction stays at its limit: its impulse is mu times that of the normal force."""
+    """Friction stays at its limit: its impulse is mu times the normal impulse."""
     mu, along = 0.2, 5 * V
     after = collide(physics, restitution, mu, along=along)
     impulse = M * (V + after.normal)
-    # short of the limit until the spring is stretched: mu F / (kt v) of the time, and its square
+    # below the limit until the spring is stretched: for the fraction mu F / (kt v) of the time, and
+    # its square
     assert after.along == pytest.approx(along - mu * impulse / M, rel=1e-3)
-    # the lever is the radius less the overlap
+    # the lever is the radius minus the overlap
     overlap = V * np.sqrt(M / K)
     expected = -mu * impulse * R / INERTIA
     assert after.spin == pytest.approx(expected, rel=overlap / R + 1e-2)
 
 
 def test_a_rolling_collision_reverses_the_surface(physics):
-    """Normal and tangential vibration of a solid sphere have one period, 2/7 being the ratio."""
+    """Normal and tangential vibration of a solid sphere have the same period at the ratio 2/7."""
     along = 0.01 * V
     after = collide(physics, friction=100.0, along=along)
     surface = after.along + after.spin * R
@@ -87,7 +89,8 @@ def test_the_loss_is_what_motion_has_lost(physics, restitution, friction):
     before = energy(V, 2 * V, 30.0)
     after = collide(physics, restitution, friction, along=2 * V, spin=30.0)
     left = energy(after.normal, after.along, after.spin)
-    # the lever changes by the overlap in a collision, and the loss takes it at the end of a step
+    # the lever changes by the overlap in a collision, and the loss uses its value at the end of a
+    # step
     change = V * np.sqrt(M / K) / R
     assert after.lost == pytest.approx(before - left, abs=change * STEP / TIME * before)
     coarse = collide(physics, restitution, friction, along=2 * V, spin=30.0, dt=10 * STEP)

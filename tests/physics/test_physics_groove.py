@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""groove.h: where a ball sits in a torus groove, against the surfaces themselves."""
+"""groove.h: the position of a ball in a torus groove, against the surfaces themselves."""
 
 import mpmath
 import numpy as np
@@ -15,7 +15,7 @@ TILTED = np.array([0.1, -0.05, 1.0]) / np.linalg.norm([0.1, -0.05, 1.0])
 
 
 def place(azimuth, radius, height, axis=TILTED):
-    """A point given in cylinder coordinates about `axis`."""
+    """A point from cylinder coordinates about `axis`."""
     first = np.cross(axis, [0.0, 1.0, 0.0])
     first /= np.linalg.norm(first)
     return (
@@ -70,7 +70,7 @@ def test_against_high_precision(physics, side, azimuth, radius, height):
 def test_overlap_is_the_depth_of_the_ball_in_the_ring(physics, side, azimuth, radius, height):
     d = place(azimuth, radius, height)
 
-    def depth(angles):  # how deep a point of the ball lies behind the groove, m
+    def depth(angles):  # depth of a point of the ball behind the groove, m
         theta, phi = angles
         point = d + BALL * np.array(
             [np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)]
@@ -93,7 +93,7 @@ def test_overlap_is_the_depth_of_the_ball_in_the_ring(physics, side, azimuth, ra
         method="Nelder-Mead",
         options=dict(xatol=1e-8, fatol=1e-13, maxiter=2000),
     )
-    # at the top of a smooth hill: the miss in angle (1e-7) squared times 30 mm
+    # at the top of a smooth hill: the angular error (1e-7) squared times 30 mm
     assert -1e-3 * found.fun == pytest.approx(state.overlap, abs=1e-14)
     assert touching == (state.overlap > 0)
 
@@ -118,6 +118,6 @@ def test_free_contact_angle_and_endplay(physics):
         assert [state.nu, state.ne] == pytest.approx(
             [sign * np.cos(angle), sign * np.sin(angle)], abs=1e-12
         )
-    # a hair further and the ball is squeezed
+    # slightly further, and the ball is compressed
     _, state = inner.touch(ball - [0, 0, endplay / 2 + 1e-7], [0.0, 0.0, 1.0])
     assert state.overlap > 0

@@ -10,7 +10,7 @@ from references import hertz as reference
 from scipy.integrate import quad
 
 STEEL = 210e9 / (1 - 0.09)
-# Some tens of roundings of 1e-16 and a root found to rounding.
+# Some tens of roundings of 1e-16, and a root found to rounding.
 ROUNDING = 1e-13
 
 
@@ -26,12 +26,12 @@ def approach_and_curvatures(a, b, pressure, modulus):
     """Displacement and curvatures of an elastic half-space pair under p sqrt(1 - x^2/a^2 -
     y^2/b^2).
 
-    Hertz's potential integrals (Johnson 3.39, 4.19) by quadrature, with no elliptic integral in
-    sight: the displacement is (p a b/E*)/2 int (1 - x^2/(a^2 + s) - y^2/(b^2 + s)) ds/sqrt((a^2 +
+    Hertz's potential integrals (Johnson 3.39, 4.19) by quadrature, without elliptic integrals:
+    the displacement is (p a b/E*)/2 int (1 - x^2/(a^2 + s) - y^2/(b^2 + s)) ds/sqrt((a^2 +
     s)(b^2 + s)s), E* = E'/2.
     """
 
-    def moment(power_a, power_b):  # s = b^2 t^2 takes the root at 0 away
+    def moment(power_a, power_b):  # s = b^2 t^2 removes the root at 0
         def f(t):
             s = (b * t) ** 2
             return (
@@ -64,7 +64,8 @@ def test_circle_is_the_sphere(physics, form):
     # two spheres have R_x = R_y = R* = r1 r2/(r1 + r2)
     h, r1, r2 = physics.hertz(2e-3, 2e-3, STEEL, form), 6e-3, 3e-3
     sphere = 4 / 3 * (STEEL / 2) * np.sqrt(2e-3)
-    # the exact root is bracketed to 1e-12 in ln kappa, where K is stationary; the semi-axes are not
+    # the exact root is bracketed to 1e-12 in ln kappa, where K is stationary but the semi-axes are
+    # not
     assert h.K == pytest.approx(sphere, rel=ROUNDING)
     assert laws.sphere_stiffness(r1, r2, STEEL) == pytest.approx(sphere, rel=1e-15)
     # a = sqrt(R overlap)
@@ -73,7 +74,7 @@ def test_circle_is_the_sphere(physics, form):
 
 @pytest.mark.parametrize("nearly", [1e-12, 1e-9, 1e-6, 1e-3])
 def test_the_sphere_is_approached_linearly(physics, nearly):
-    # K depends on both curvatures alike at the circle: K(R, R(1+d)) = K(R, R)(1 + d/4 + O(d^2))
+    # K is symmetric in both curvatures at the circle: K(R, R(1+d)) = K(R, R)(1 + d/4 + O(d^2))
     h = physics.hertz(2e-3, 2e-3 * (1 + nearly), STEEL)
     assert h.K == pytest.approx(
         2 / 3 * STEEL * np.sqrt(2e-3) * (1 + nearly / 4), rel=nearly**2 + ROUNDING
@@ -128,12 +129,12 @@ def test_errata_the_printed_integral_is_32_per_cent_too_stiff(physics, side):
     exact, fit, printed = (
         physics.hertz(*physics.radii(side), STEEL, form).K for form in (EXACT, HAMROCK, PRINTED)
     )
-    assert fit == pytest.approx(exact, rel=0.03)  # what Hamrock and Brewe claim
+    assert fit == pytest.approx(exact, rel=0.03)  # the accuracy that Hamrock and Brewe state
     assert printed / exact == pytest.approx(1.32, abs=0.02)
 
 
 def test_errata_equation_3_has_an_extra_factor():
-    # PA66 cage ball on steel, E* of eq 3; its printed 1/(1 - nu) is 1.43 for steel
+    # PA66 cage ball on steel, E* of eq 3; the printed 1/(1 - nu) is 1.43 for steel
     e_star = 1 / ((1 - 0.3**2) / 210e9 + (1 - 0.41**2) / 3.3e9)
     modulus = laws.reduced_modulus(210e9, 0.3, 3.3e9, 0.41)
     assert modulus == pytest.approx(2 * e_star, rel=1e-15)
@@ -147,7 +148,7 @@ def test_errata_equation_3_has_an_extra_factor():
 
 def test_like_bodies_have_the_plane_strain_modulus():
     assert laws.reduced_modulus(210e9, 0.3, 210e9, 0.3) == pytest.approx(STEEL, rel=1e-15)
-    # on a rigid body only the soft one gives
+    # on a rigid body only the soft one deforms
     assert laws.reduced_modulus(3.3e9, 0.41, 1e30, 0.3) == pytest.approx(
         2 * 3.3e9 / (1 - 0.41**2), rel=1e-15
     )
@@ -157,7 +158,7 @@ def test_like_bodies_have_the_plane_strain_modulus():
 @pytest.mark.parametrize("angle", [0.0, 0.5, 1.4, np.pi / 2])
 def test_effective_radii_are_the_curvatures_of_the_surfaces(physics, side, sign, angle):
     r_x, r_y = physics.radii(side, np.cos(angle))
-    # along rolling a raceway's normal curvature is that of its parallel by Meusnier:
+    # along rolling, a raceway's normal curvature is that of its parallel by Meusnier:
     # cos(angle)/radius of the contact point, convex inside and concave outside; the contact point
     # is R_b cos(angle) from the pitch circle
     contact = PITCH + sign * BALL * np.cos(angle)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every set of parts that makes a contact law: its derivative in duals against differences, its
-bits part by part, as a whole and in lanes, and the sets that contradict themselves.
+"""Every set of parts that forms a contact law: its derivative by duals against differences; equal
+bits part by part, as a whole and in lanes; and the contradictory sets.
 
-A law says in its text what its derivative holds fixed; the differences hold the same. Central
-differences of fourth order have a step of 1e-5 of the natural size of a motion, 0.1 m/s and
-10 rad/s. They are good to rounding, 2e-16/1e-5 of the force over that size, beside 1e-9 of the
-largest slope.
+A law states in its text what its derivative holds fixed; the differences hold the same. Central
+differences of fourth order use a step of 1e-5 of the natural size of a motion, 0.1 m/s and
+10 rad/s. They are accurate to rounding, 2e-16/1e-5 of the force over that size, well below 1e-9
+of the largest slope.
 """
 
 import ctypes
@@ -22,7 +22,7 @@ def laws(physics):
 
 
 def some(law):
-    """A few samples, others for each law: every part meets all of them in one set or another."""
+    """A few samples, different for each law: every part gets all of them in one set or another."""
     return [(7 * law + 5 * k) % SAMPLES for k in range(4)]
 
 
@@ -35,7 +35,7 @@ def test_duals_are_differences(physics):
             n, dual, difference, forces = physics.call("law_slopes", law, sample)
             dual, difference = dual[: n * n].reshape(n, n), difference[: n * n].reshape(n, n)
             assert forces[0] > 0, "the samples are loaded contacts"
-            # forces and couples have their own units, and so have speeds and rotations
+            # forces and couples have different units, and so have speeds and rotations
             for rows in (slice(0, 3), slice(3, n)):
                 for columns, size in ((slice(0, 3), 0.1), (slice(3, n), 10.0)):
                     block = dual[rows, columns]
@@ -51,7 +51,8 @@ def test_duals_are_differences(physics):
 
 
 def test_sets_that_nobody_listed_are_there(physics):
-    """Each part with a film and without, except those that need one; 2 and 4 models compiled."""
+    """Each part with and without a film, except those that need one; 2 and 4 models are
+    compiled."""
     names = laws(physics)
     assert len(names) == len(set(names)) > 600
     fused = [name for law, name in enumerate(names) if physics.call("law_fused", law, 0) >= 0]
@@ -66,7 +67,8 @@ def test_lanes_and_duals_have_the_bits_of_a_double(physics):
 
 
 def test_a_law_compiled_as_a_whole_has_the_bits_of_its_parts(physics):
-    """All figures of the contact, what it keeps and, where an implicit step takes it, slopes."""
+    """All figures of the contact, its stored states and, where an implicit step uses the law,
+    slopes."""
     for law, name in enumerate(laws(physics)):
         if physics.call("law_fused", law, 0) >= 0:
             different = [physics.call("law_fused", law, sample) for sample in range(SAMPLES)]
@@ -74,7 +76,7 @@ def test_a_law_compiled_as_a_whole_has_the_bits_of_its_parts(physics):
 
 
 def test_contacts_of_the_host_s_step_in_lanes(physics):
-    """Four contacts that differ, one of them open: what each has alone, to the bit."""
+    """Four different contacts, one of them open, give the bits of each alone."""
     for law, name in enumerate(laws(physics)):
         different = [physics.call("law_lanes", law, sample) for sample in some(law)]
         assert different == [0] * len(different), name

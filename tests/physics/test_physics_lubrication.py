@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Kinds of lubrication: the share of rolling resistance that a short inlet leaves, oil around the
-balls, and the asperity share that `full` has, against quadrature and scipy."""
+"""Types of lubrication: the share of rolling resistance that a short inlet leaves, oil around the
+balls, and the asperity share of `full`, against quadrature and scipy."""
 
 import numpy as np
 import pytest
@@ -15,7 +15,7 @@ THICKNESS = np.geomspace(1e-3, 20.0, 12)
 @pytest.mark.parametrize("length", [1.5, 3.0, 10.0, 50.0])
 def test_share_of_a_short_inlet(length):
     exact = np.array([reference.inlet_share(length, one) for one in THICKNESS])
-    # Simpson's steps of 0.1 in ln(X - 1), and the slopes cut off below e^-14
+    # Simpson's rule with steps of 0.1 in ln(X - 1), and the slopes cut off below e^-14
     assert laws.inlet_share(length, THICKNESS) == pytest.approx(exact, rel=1e-5)
     b, r_x = 0.2e-3, 5e-3
     fitted = rolling.inlet(length, THICKNESS * b**2 / (2 * r_x), b, r_x)
@@ -29,7 +29,7 @@ def test_ends_of_the_inlet():
 
 
 def test_the_shortest_inlet_that_feeds_the_film_leaves_half():
-    """Hamrock and Dowson's meniscus, over the range of bearings."""
+    """Hamrock and Dowson's meniscus over the range of bearings."""
     for thickness in (0.007, 0.07, 0.3, 1.0, 3.0, 18.0):
         length = 1 + 3.06 * (thickness / 2) ** 0.58
         assert 0.49 < reference.inlet_share(length, thickness) < 0.57
@@ -48,7 +48,7 @@ def test_the_inlet_of_a_point_contact(gap):
 
 @pytest.mark.parametrize("level", [0.1, 0.5, 1.0, 3.0, 5.5])
 def test_immersed_balls(level):
-    # 720 azimuths; the reference has slices of 1e-3
+    # 720 azimuths; the reference uses slices of 1e-3
     pitch = 30.3 / 6.3
     assert laws.immersed_share(level, pitch) == pytest.approx(
         reference.immersed(level, pitch), abs=1e-3

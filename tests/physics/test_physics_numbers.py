@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""docs/theory, Numbers to reproduce and Table 3 of the paper from the headers' constants: static
+"""docs/theory, Numbers to reproduce, and Table 3 of the paper from the headers' constants: static
 theory of a 6208 at 5 kN."""
 
 import numpy as np
@@ -20,8 +20,8 @@ def ball_loads(series, shift, clearance):
 
 
 def equilibrium(physics, load, clearance=0.0, form=EXACT):
-    """(shift, loads of the balls) of an inner ring pushed towards ball 0, balls in balance between
-    the raceways."""
+    """(shift, ball loads) for an inner ring pushed towards ball 0, with each ball in equilibrium
+    between the raceways."""
     series = np.sum(np.array(stiffness(physics, form)) ** (-2 / 3)) ** -1.5
     shift = brentq(
         lambda s: ball_loads(series, s, clearance) @ np.cos(PSI) - load, 1e-7, 2e-4, xtol=1e-15
@@ -104,8 +104,8 @@ def test_errata_of_table_3(physics):
 
 
 def test_the_contacts_themselves_balance_the_load(physics):
-    # geometry and all: each ball settles on its radius between the grooves, and the inner ring
-    # stays a circle, which the theory neglects off the load line (0.4 % of a ball 80 degrees away,
+    # including geometry: each ball settles on its radius between the grooves, and the inner ring
+    # remains a circle, which the theory neglects off the load line (0.4 % for a ball at 80 degrees,
     # raceway.static)
     shift, loads = equilibrium(physics, 5000.0)
     inner, outer = physics.raceway_6208(INNER), physics.raceway_6208(OUTER)

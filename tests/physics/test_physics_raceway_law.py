@@ -22,7 +22,7 @@ STEEL = 210e9 / (1 - 0.09)
 
 def compare(one, other, rel, ln_abs):
     for name in vars(one):
-        # ln A: its error is h's relative one
+        # ln A: its error is the relative error of h
         bound = dict(abs=ln_abs) if name.endswith("lnA") else dict(rel=rel)
         assert getattr(one, name) == pytest.approx(getattr(other, name), **bound), name
 
@@ -49,7 +49,7 @@ def test_table_against_the_exact_constants(physics, side, ellipse, film):
                 c[which + "_lnA"] + c[which + "_p"] * np.log(1e-3) + c[which + "_m"] * np.log(5e3)
                 for c in (vars(found), vars(exact))
             ]
-            assert h[0] == pytest.approx(h[1], abs=1e-8)  # of a film: ln u and ln Q magnify by ten
+            assert h[0] == pytest.approx(h[1], abs=1e-8)  # for a film: ln u and ln Q magnify by ten
 
 
 def test_nodes_are_exact(physics):
@@ -59,7 +59,7 @@ def test_nodes_are_exact(physics):
         16,
         32,
         63,
-    ):  # interpolation returns the node to rounding (ln A to that of numbers near 30)
+    ):  # interpolation returns the nodes to rounding (ln A to that of numbers near 30)
         compare(ring.table(node / 64), ring.exact(node / 64), rel=1e-14, ln_abs=1e-14 * 30)
 
 
@@ -140,7 +140,7 @@ def test_prepared_constants(physics):
         d.floor,
     ] == pytest.approx([30.552e-3, 0.252e-3, widest, sigma, 1 / sigma, sigma], rel=1e-13)
     assert d.kt_ratio == pytest.approx(2 * (1 - 0.3) / (2 - 0.3), rel=1e-15)
-    # a rolling solid sphere gives way as 1/m + R^2/(2/5 m R^2) = 7/(2 m)
+    # the compliance of a rolling solid sphere is 1/m + R^2/(2/5 m R^2) = 7/(2 m)
     mass = ring.data["ball_mass"]
     assert d.ct_factor == pytest.approx(
         2 * 0.3 * np.sqrt(1 / (1 / mass + 1 / (0.4 * mass))), rel=1e-14

@@ -15,13 +15,13 @@ def seat(physics, gap=0.0, sign=1.0, tube=TUBE):
 
 
 def clearance(rail, radius, height):
-    """From a ball's surface to the tube's, m; the ball's centre at (radius, height)."""
+    """From the ball's surface to the tube's, m; the ball's centre is at (radius, height)."""
     return np.hypot(radius - rail.circle, height - rail.offset) - BALL - rail.tube
 
 
 @pytest.mark.parametrize("margin", [0.0, 1e-9])
 def test_a_ball_that_touches_is_never_left_out(physics, margin):
-    """At overlaps of some ulps to some per cent of the distance, around the tube."""
+    """At overlaps from a few ulps to a few per cent of the distance, around the tube."""
     rail = seat(physics)
     reach = BALL + TUBE + margin
     for angle in np.linspace(0.1, 6.2, 50):
@@ -45,8 +45,8 @@ def test_a_centred_ball_is_a_gap_away(physics, gap, sign):
 
 
 def test_the_pair_of_rails_is_a_stable_seat(physics):
-    # energy of the springs of both rails along any push that goes outwards or sideways, and the
-    # neutral inward way
+    # energy of the springs of both rails for any displacement outwards or sideways, and the
+    # neutral inward direction
     rails = [seat(physics, 0.0, sign) for sign in (1.0, -1.0)]
 
     def squeeze(dr, dz):
@@ -54,21 +54,21 @@ def test_the_pair_of_rails_is_a_stable_seat(physics):
 
     step = 1e-6
     outwards = squeeze(step, 0.0)
-    # 45 degrees: a push p closes each rail by p/sqrt(2), less p^2 over twice the distance
+    # 45 degrees: a displacement p closes each rail by p/sqrt(2), less p^2 over twice the distance
     assert outwards == pytest.approx([step / np.sqrt(2)] * 2, abs=step**2 / (BALL + TUBE))
     for sign in (1, -1):
         up = squeeze(0.0, sign * step)
         assert up[::sign] == pytest.approx([step / np.sqrt(2), 0.0], abs=step**2 / (BALL + TUBE))
-    # inwards the ball leaves, and the balls push it back
+    # inwards the ball leaves the rails, and the balls push it back
     assert squeeze(-step, 0.0).tolist() == [0, 0]
 
 
 def curvature_along(rail, angle):
-    """Curvature of the tube's surface about the ring axis at a point seen at `angle` from the seat,
-    by differences.
+    """Curvature, by differences, of the tube's surface about the ring axis at a point seen at
+    `angle` from the seat.
 
-    The gap between the torus and the tangent plane at the point nearest to the ball, along the
-    parallel direction.
+    The gap between the torus and the tangent plane at the point nearest to the ball, in the
+    direction of the parallel.
     """
     direction = np.array([np.cos(angle), np.sin(angle)])  # from ball to rail in (r, z)
     foot = np.array([rail.circle, rail.offset]) - rail.tube * direction
@@ -76,7 +76,7 @@ def curvature_along(rail, angle):
 
     def height(
         y,
-    ):  # where the surface is, along the normal, at y along the circle: |q - circle| = tube
+    ):  # position of the surface along the normal, at y along the circle: |q - circle| = tube
         def outside(t):
             q = point + y * np.array([0, 1, 0]) + t * normal
             return np.hypot(np.hypot(q[0], q[1]) - rail.circle, q[2] - rail.offset) - rail.tube
@@ -84,23 +84,23 @@ def curvature_along(rail, angle):
         return brentq(outside, -0.2 * rail.tube, 0.2 * rail.tube, xtol=1e-18, rtol=1e-14)
 
     y = 2e-5
-    # height = c y^2/2 up to a relative y^2/(4 r tube), 7e-6 for the thinnest tube; rounding
-    # 1e-17/y^2 is less
+    # height = c y^2/2 to a relative y^2/(4 r tube), 7e-6 for the thinnest tube; rounding
+    # of 1e-17/y^2 is smaller
     return 2 * height(y) / y**2
 
 
 @pytest.mark.parametrize("tube", [0.5e-3, 1.0e-3, 3.0e-3])
 def test_stiffness_is_hertz_of_the_true_curvatures(physics, tube):
     rail = seat(physics, tube=tube)
-    # towards positive heights along the normal the surface bends away from the ball: negative is
-    # towards it
+    # towards positive heights along the normal the surface curves away from the ball: negative
+    # means towards it
     along = 1 / BALL + curvature_along(rail, np.pi / 4)
     across = 1 / BALL + 1 / tube
     expected = package.stiffness(package.exact(1 / along, 1 / across), MODULUS)
     assert 1 / BALL - along == pytest.approx(
         np.cos(np.pi / 4) / (PITCH + BALL * np.cos(np.pi / 4)), rel=2e-5
     )
-    # the curvature's 7e-6 is a share of a tenth of `along`
+    # the curvature's 7e-6 is relative to a tenth of `along`
     assert physics.call(
         "rail_spring", rail=rail, ball=BALL, pitch=PITCH, Eprime=MODULUS
     ) == pytest.approx(expected, rel=1e-5)
@@ -108,12 +108,12 @@ def test_stiffness_is_hertz_of_the_true_curvatures(physics, tube):
 
 def test_a_rail_straight_overhead_and_one_at_the_side(physics):
     for rail, curvature in (
-        # concave, by all of it
+        # concave, by its full curvature
         (
             dict(circle=PITCH + BALL + TUBE, tube=TUBE, offset=0.0),
             1 / BALL - 1 / (PITCH + BALL),
         ),
-        # above: the parallel does not bend
+        # above: the parallel has no curvature in this plane
         (dict(circle=PITCH, tube=TUBE, offset=BALL + TUBE), 1 / BALL),
     ):
         expected = package.stiffness(

@@ -20,7 +20,8 @@ def drift(physics, L, e, h, steps=1):
 
 
 def precessed(physics, L, e, time):
-    """Closed form of a free symmetric top: the axis goes round L at |L|/I_t (Goldstein 5.6)."""
+    """Closed form of a free symmetric top: the axis precesses about L at |L|/I_t (Goldstein
+    5.6)."""
     return physics.rotate(e, L * time / TRANSVERSE)
 
 
@@ -46,7 +47,7 @@ def test_free_precession_is_of_second_order(physics):
     errors = [
         np.linalg.norm(drift(physics, L, AXIS, time / n, n) - expected) for n in (200, 400, 800)
     ]
-    # ratios of 4 up to terms of the next orders, (w h)^2 = 1e-4
+    # ratios of 4 up to terms of higher order, (w h)^2 = 1e-4
     assert errors[0] / errors[1] == pytest.approx(4, rel=0.02)
     assert errors[1] / errors[2] == pytest.approx(4, rel=0.01)
     assert errors[2] > 0
@@ -65,7 +66,7 @@ def test_the_axis_stays_a_unit_vector_and_keeps_its_angle_to_the_momentum(physic
     L, steps = momentum(physics), 5000
     e = drift(physics, L, AXIS, 1e-5, steps)
     assert np.linalg.norm(e) == pytest.approx(1, abs=steps * 4e-16)  # a rounding a step
-    # nutation: L.e is constant in the closed form; second-order wobble, no drift
+    # nutation: L.e is constant in the closed form; second-order oscillation, no drift
     assert L @ e / np.linalg.norm(L) == pytest.approx(L @ AXIS / np.linalg.norm(L), abs=2e-5)
 
 

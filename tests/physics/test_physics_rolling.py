@@ -26,7 +26,7 @@ def test_both_rings_together_carry_the_balls_along(physics):
 
 def test_frequencies_of_the_6208(
     physics,
-):  # docs/theory, Numbers to reproduce, to the digits given there
+):  # docs/theory, Numbers to reproduce, to the digits printed there
     motion = physics.rolling(1.0)
     found = [
         motion.orbit,
@@ -42,7 +42,7 @@ def test_entrainment_of_the_errata(physics):  # 477.5 rpm gives 0.725 m/s, 0.41 
     for rpm, expected in ((477.5, 0.725), (270.0, 0.41)):
         omega = rpm * 2 * np.pi / 60
         motion = physics.rolling(omega)
-        # surfaces seen from the ball's centre move at spin - orbit; both rings' contact alike
+        # surfaces move at spin - orbit relative to the ball's centre, equally at both contacts
         inner = abs((omega - motion.orbit) * (PITCH - BALL))
         ball = abs((motion.spin - motion.orbit) * BALL)
         assert [inner, ball] == pytest.approx([expected] * 2, abs=5e-4)

@@ -56,7 +56,7 @@ def radii(side, cos_angle=1.0):
 
 
 def turning(side=INNER, speed=0.724764, **changes):
-    """A contact that rolls at `speed` in m/s."""
+    """A contact that rolls at `speed` (m/s)."""
     at = REST | dict(side=side, entrainment=abs(speed)) | changes
     return at | dict(roll_w=speed / radii(side, at["cos_angle"])[0])
 
@@ -86,7 +86,7 @@ def test_closed_form():
         assert found.couple == pytest.approx(couple, abs=1e-12)
         assert sliding.heathcote(slip, **unit) == pytest.approx((force, couple, power), abs=1e-12)
         assert sliding.secant(slip, **unit) == pytest.approx(found.secant, rel=1e-12)
-        # t0 goes as the root of what F lacks at its end: rounding there is 1e-8 of t0
+        # t0 is the root of the deficit of F at its end: its rounding is 1e-8
         root = laws.slip_root_of_force(found.force)
         assert root == pytest.approx(found.root, abs=1e-12 if slip < 0.9 else 1e-7)
     found = laws.differential_slip(0.0)
@@ -100,7 +100,8 @@ def test_closed_form():
     "side, edge, power", [(INNER, 0.047939, 0.94098), (OUTER, 0.029443, 0.57793)]
 )
 def test_free_rolling_loses_its_power(physics, side, edge, power):
-    """At 2436.2 N and mu 0.05: F = 0 at the slip 0.120615 s_e, and the couple takes the power."""
+    """At 2436.2 N and mu 0.05: F = 0 at the slip 0.120615 s_e, and the couple dissipates the
+    power."""
     r_x = radii(side)[0]
     k = hertz.exact(*radii(side))
     stiffness = physics.raceway_6208(side).radial().K
@@ -120,7 +121,8 @@ def test_free_rolling_loses_its_power(physics, side, edge, power):
 @pytest.mark.parametrize("speed", [0.0724764, 0.724764, -0.724764, 14.4946])
 @pytest.mark.parametrize("part", [-0.5, 0.0, 0.1, 0.120615, 0.5, 1.3])
 def test_slip_law_after_a_long_time(physics, side, speed, part):
-    """dt >> tau: force, couple and power of theory.sliding; mirrored where the ball rolls back."""
+    """dt >> tau: force, couple and power of theory.sliding; mirrored for a ball rolling
+    backwards."""
     contact = turning(side, speed)
     arguments = slip_arguments(of(physics, "slip_of", contact), side, abs(speed))
     edge = sliding.edge_slip(abs(speed), *arguments[3:])
@@ -130,7 +132,7 @@ def test_slip_law_after_a_long_time(physics, side, speed, part):
     theory = sliding.heathcote(slip, *arguments)
     limit = FRICTION * found.load
     assert back * found.friction_t == pytest.approx(theory.force, abs=1e-11 * limit)
-    # +C acts on the ball; couple_w is what acts against it
+    # +C acts on the ball; couple_w acts against it
     assert back * found.couple_w == pytest.approx(
         -theory.couple, abs=1e-11 * limit * found.a**2 / 0.0128
     )
@@ -139,7 +141,7 @@ def test_slip_law_after_a_long_time(physics, side, speed, part):
 
 
 def test_friction_has_one_circle(physics):
-    """Gross sliding at any angle: mu Q against the sliding, in its direction."""
+    """Gross sliding at any angle: a force mu Q opposite to the sliding velocity."""
     for angle in np.linspace(0, 2 * np.pi, 13):
         along, across = 50 * np.cos(angle), 50 * np.sin(angle)
         found = of(physics, "slip_of", turning(sliding_t=along, sliding_w=across))
@@ -148,7 +150,7 @@ def test_friction_has_one_circle(physics):
         np.testing.assert_allclose(
             force / np.hypot(*force), [np.cos(angle), np.sin(angle)], atol=2e-3
         )
-    # creep across meets the slope of free rolling
+    # sliding across rolling has the slope of free rolling
     found = of(physics, "slip_of", turning())
     arguments = slip_arguments(found)
     free = sliding.free_slip(*arguments[2:])
@@ -158,7 +160,7 @@ def test_friction_has_one_circle(physics):
 
 @pytest.mark.parametrize("step", [1e-9, 1e-6, 5e-5, 1e-2])
 def test_spring_in_series(physics, step):
-    """Force and couple of theory.sliding's series, from a force at the start."""
+    """Force and couple of theory.sliding's series, starting from a given force."""
     contact = turning(sliding_t=0.009, dt=step)
     before = np.array([15.0, 0.0])
     found = of(physics, "slip_of", contact, before)
@@ -168,7 +170,7 @@ def test_spring_in_series(physics, step):
     force, _ = sliding.in_series(15.0, distance, secant, found.kt, step)
     assert found.friction_t == pytest.approx(force, rel=1e-11)
     assert list(found.states) == [found.friction_t, found.friction_w]
-    # the couple is that of the slip which the spring leaves: the one that has this force
+    # the couple belongs to the slip that the spring leaves, which has this force
     edge = sliding.edge_slip(*arguments[2:])
     slip = brentq(
         lambda slip: sliding.heathcote(slip, *arguments).force - force, 0, edge, xtol=1e-16
@@ -184,7 +186,7 @@ def test_no_time_changes_nothing(physics):
 
 
 def test_spring_sticks_at_rest(physics):
-    """Without rolling a push below mu Q creeps, at 1e-4 m/s over 3.80 for the full force."""
+    """Without rolling, a push below mu Q creeps at 1e-4 m/s over 3.80 at full force."""
     found = of(physics, "slip_of", REST | dict(sliding_t=1e-3, dt=1e-6))
     assert found.friction_t == pytest.approx(found.kt * 1e-3 * 1e-6, rel=1e-3)  # a spring
     assert found.couple_w == 0
@@ -193,8 +195,8 @@ def test_spring_sticks_at_rest(physics):
 
 
 def test_force_falls_with_the_load(physics):
-    """A spring that holds more than mu Q after the ball has unloaded is cut to it; with the load
-    the force vanishes."""
+    """A spring with more than mu Q after the ball has unloaded is cut to mu Q; the force vanishes
+    with the load."""
     for overlap in (18e-6, 1e-6, 1e-8, 1e-12):
         found = of(physics, "slip_of", turning(overlap=overlap, dt=1e-7), [120.0, -50.0])
         assert np.hypot(found.friction_t, found.friction_w) <= FRICTION * found.load * (1 + 1e-14)
@@ -235,7 +237,7 @@ def test_mixed_friction(physics):
 
 @pytest.mark.parametrize("oil", [(0.04, 22e-9), (0.005, 15e-9), (0.1, 25e-9)])
 def test_film_coefficient(oil):
-    """Its eight Gauss points in 40 digits; the integral differs by less than 1 %."""
+    """Its eight Gauss points in 40 digits; the integral itself differs by less than 1 %."""
     lowest = []
     for pressure in (1e7, 1e9, 2.5e9, 4e9):
         for rate in np.geomspace(1e-3, 1e9, 13):
@@ -249,7 +251,7 @@ def test_film_coefficient(oil):
 
 
 def test_inverse_sinh_has_no_seam():
-    """A film so thin in stress that the coefficient is asinh alone: across x = 1e-3 and 1."""
+    """A film with such low stress that the coefficient is asinh alone, across x = 1e-3 and 1."""
     for x in (1e-6, 0.999e-3, 1.001e-3, 0.5, 30.0):
         found = traction.coefficient(1.0, 1e-30, 1e9, x, 1.0, 1.0)
         assert found == pytest.approx(1.5e-9 * np.arcsinh(x), rel=1e-12)
@@ -257,7 +259,7 @@ def test_inverse_sinh_has_no_seam():
 
 
 def test_mixed_friction_with_a_film_after_eyring(physics):
-    """The coefficient of the film at the speed of free rolling and of what slides beside it."""
+    """The coefficient of the film at the speed of free rolling, with additional sliding."""
     r_d = sliding.deformed_radius(GROOVE, BALL)
     found = []
     for speed, along, across in (
@@ -341,7 +343,7 @@ def test_pure_spin(physics, side, cos_angle):
 
 
 def test_slow_spin_at_rest_has_the_least_width_of_slip(physics):
-    """Where nothing rolls the couple is proportional to a slow spin, by S_LEAST of heathcote."""
+    """Without rolling the couple is proportional to a slow spin, by S_LEAST of heathcote."""
     couples = [
         of(physics, "dry_of", REST | dict(spin_n=1e-3, least=least)).couple_n
         for least in (1e-4, 2e-4, 1e-2)
@@ -379,7 +381,7 @@ def test_drag_of_a_ball(physics):
     for reynolds in (1e-3, 0.1, 0.5, 1, 33, 1e3, 4e4, 1e5, 3e6):
         expected = reference.drag_coefficient(reynolds)
         assert drag.coefficient(reynolds) == pytest.approx(expected, rel=1e-13)
-    # the ball's centre moves at -R_b roll_w where nothing slides
+    # the ball's centre moves at -R_b roll_w where there is no sliding
     for speed in (-7.0, -0.3, 1e-6, 0.3, 7.0):
         contact = REST | dict(side=OUTER, roll_w=-speed / BALL)
         found = of(physics, "all_of", contact)
@@ -390,14 +392,14 @@ def test_drag_of_a_ball(physics):
         assert found.drag_power == pytest.approx(found.drag * speed, rel=1e-12)
     assert of(physics, "all_of", REST | dict(side=OUTER)).drag == 0
     assert of(physics, "all_of", contact | dict(side=INNER)).drag == 0
-    # 0.3 N a ball of a 6208 at 9549 rpm, a tenth of oil
+    # 0.3 N a ball of a 6208 at 9549 rpm with a tenth of oil
     found = of(physics, "all_of", REST | dict(side=OUTER, roll_w=-12.0 / BALL))
     assert found.drag == pytest.approx(0.3, rel=0.25)
 
 
 # ---- energy --------------------------------------------------------------------------------------
 def test_losses_are_the_work_on_the_motions(physics):
-    """All forces and couples times their motions, except the spring of Hertz."""
+    """All forces and couples times their motions, except for the Hertzian spring."""
     contact = turning(
         OUTER, 2.9, sliding_t=0.01, sliding_w=-0.02, spin_n=20.0, overlap_rate=0.003, cos_angle=0.9
     )

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Slip and spin in slices of the ellipse: against fine Gauss points over it (python: theory/spin),
-the closed forms at their limits, and what the states of the part do in a time step."""
+"""Slip and spin in slices of the ellipse: against dense Gauss points over it (python: theory/spin),
+against the closed forms at their limits, and the states of the part over a time step."""
 
 import itertools
 
@@ -21,7 +21,7 @@ def sums(**motion):
 
 
 def fine(along, across, turned, aspect=1 / 8):
-    """Over mu Q and the semi-axis across the groove."""
+    """Divided by mu Q and the semi-axis across the groove."""
     return spin.with_slip(
         1.0, 1.0, 1.0, aspect, along, across, -turned, curve=1.0, width=1e-4, points=120
     )
@@ -43,7 +43,7 @@ def test_against_gauss_points(aspect, bounds):
         assert power == pytest.approx(theory.power, abs=3e-3 * (1 + along + across + turned))
     print(worst)
     assert np.all(worst < bounds)
-    assert np.all(worst > 0.1 * np.array(bounds)), "the bounds say how good the slices are"
+    assert np.all(worst > 0.1 * np.array(bounds)), "the bounds show the accuracy of the slices"
 
 
 @pytest.mark.parametrize("kappa, expected, bound", [(9.37359, 0.381695, 1e-3), (2, 0.454146, 0.02)])
@@ -56,7 +56,7 @@ def test_pure_spin(kappa, expected, bound):
 
 
 def test_free_rolling():
-    """Heathcote's: no force at 0.120615 s_e, 0.161142 mu Q s_e lost."""
+    """Heathcote's solution: no force at 0.120615 s_e, 0.161142 mu Q s_e lost."""
     found = sums(along=sliding.FREE**2)
     assert found.along == pytest.approx(0, abs=2e-3)
     power = found.couple + found.along * sliding.FREE**2
@@ -67,14 +67,14 @@ def test_free_rolling():
 
 
 def test_forces_have_no_steps():
-    """A point of the ellipse turns about at every slip from 0 to s_e."""
+    """At every slip from 0 to s_e the sliding reverses at some point of the ellipse."""
     slips = np.linspace(0, 1.2, 1201)
     forces = np.array([sums(along=slip, spin=0.2).along for slip in slips])
     assert 0 < np.diff(forces).min() and np.diff(forces).max() < 0.025
 
 
 def test_mirrored():
-    """Spin the other way turns the moment, rolling the other way the couple."""
+    """Reversed spin reverses the moment, reversed rolling the couple."""
     one = sums(along=0.3, across=0.1, spin=0.5)
     other = sums(along=0.3, across=0.1, spin=-0.5)
     assert (other.along, other.across) == pytest.approx((one.along, one.across), rel=1e-12)
@@ -85,7 +85,7 @@ def test_mirrored():
 
 # ---- the part ------------------------------------------------------------------------------------
 def steady(physics, part, **changes):
-    """After a second of the same motion; the spin `part` s_e, the slip that leaves no force."""
+    """After a second of the same motion, with the spin `part` s_e and the slip without force."""
     free = of(physics, "slices_of", turning(), np.zeros(4))
     r_d = sliding.deformed_radius(6.552e-3, 6.3e-3)
     edge = sliding.edge_slip(0.724764, free.a, r_d, radii(0)[0])
@@ -99,8 +99,8 @@ def steady(physics, part, **changes):
 
 @pytest.mark.parametrize("part", [0.0, 0.2, 0.7, 2.0, 10.0])
 def test_free_rolling_with_spin(physics, part):
-    """Moment and power of a contact that rolls freely: within 1 % of mu Q a and mu Q s_e, or of
-    the power, where the closed forms miss by up to 5 %."""
+    """Moment and power of a freely rolling contact: within 1 % of mu Q a and of mu Q s_e or
+    the power, where the closed forms deviate by up to 5 %."""
     free, edge, contact, gauss = steady(physics, part)
     lo, hi = 0.0, edge
     for _ in range(40):
@@ -116,7 +116,7 @@ def test_free_rolling_with_spin(physics, part):
 
 
 def test_a_spring_for_short_times(physics):
-    """From free rolling a contact that begins to slide follows k_t; after long it slips."""
+    """A rolling contact that begins to slide follows k_t first; in the end it slips."""
     contact = turning(spin_n=5.0)
     free = of(physics, "slices_of", contact, np.zeros(4))
     r_d = sliding.deformed_radius(6.552e-3, 6.3e-3)

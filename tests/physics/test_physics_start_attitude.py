@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The balls' rotation at the start (start_rotation.h) against its definition: the motion that rolls
-on both raceways with the least potential of the couples against spin, by vectors in 40 digits and a
-search for the minimum; contact angles and loads from the balance of a ball under thrust."""
+"""The balls' initial rotation (start_rotation.h) against its definition: the motion that rolls
+on both raceways with the least potential of the spin couples, by vectors in 40 digits and a
+search for the minimum; contact angles and loads from the equilibrium of a ball under thrust."""
 
 from types import SimpleNamespace
 
@@ -18,7 +18,7 @@ WIDTH = 0.78  # omega a over s_e (docs/tribology, Spin)
 
 
 def contact(side, cosine, load):
-    """Compression (m), spin couple over friction coefficient (N m), half width a (m)."""
+    """Compression (m), spin couple divided by the friction coefficient (N m), half width a (m)."""
     gamma = BALL / PITCH * cosine * (-1 if side == INNER else 1)
     r_x, r_y = BALL * (1 + gamma), BALL * GROOVE / (GROOVE - BALL)
     found = hertz.contact(r_x, r_y, YOUNG, load)
@@ -48,7 +48,7 @@ def under_thrust(thrust, centrifugal, clearance):
 
 
 def least(angles, contacts, path, speeds, orbit):
-    """(radial, axial, orbit) in rad/s of the motion of least potential, by golden section."""
+    """(radial, axial, orbit) in rad/s of the motion with the least potential, by golden section."""
     normals = [(-mpmath.cos(angles[0]), -mpmath.sin(angles[0]))]
     normals.append((mpmath.cos(angles[1]), mpmath.sin(angles[1])))
 
@@ -93,7 +93,7 @@ def start(physics, clearance, **words):
 @pytest.mark.parametrize(
     ("thrust", "speeds", "clearance"),
     [
-        (5.0, (1500.0, 0.0), 200e-6),  # centrifugal force opens the outer angle: outer control
+        (5.0, (1500.0, 0.0), 200e-6),  # centrifugal force reduces the outer angle: outer control
         (300.0, (50.0, 0.0), 100e-6),  # inner control
         (60.0, (600.0, 0.0), 300e-6),
         (100.0, (-400.0, 300.0), 50e-6),
@@ -116,7 +116,7 @@ def test_least_loss_under_thrust(physics, thrust, speeds, clearance):
 
 
 def test_without_contact_angle_about_the_axis(physics):
-    """Also under a thrust beyond what the grooves hold."""
+    """Also under a thrust beyond the capacity of the grooves."""
     rolling = laws.pure_rolling(BALL, PITCH, 90.0, -20.0)
     for thrust in (0.0, 1e12):
         found = start(
@@ -132,4 +132,5 @@ def test_without_contact_angle_about_the_axis(physics):
 def test_of_a_seated_ball_one_raceway_has_hardly_any_spin(physics, angle):
     found = start(physics, 0.0, inner_speed=100.0, orbit=40.0, angle=angle)
     assert min(abs(found.spin)) < 0.15 * max(abs(found.spin))
-    assert found.radial * angle * found.axial < 0  # the axis lies across the line of contact
+    # the axis is perpendicular to the line of contact
+    assert found.radial * angle * found.axial < 0

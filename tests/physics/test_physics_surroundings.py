@@ -25,7 +25,7 @@ MODEL = dict(
     surroundings=ALL,
     outlet=1.0,
     inner_shoulder=52.6e-3,
-    outer_shoulder=68.6e-3,  # 2.3 mm deep, as the inner one
+    outer_shoulder=68.6e-3,  # 2.3 mm deep, like the inner one
     gap=0.0,
 )
 SMALL = dict(
@@ -49,7 +49,7 @@ EXACT = [
 
 
 def integral(physics, raceway, load, height, reach, cos_angle=1.0, play=None):
-    """m; without load the play is the height unless given"""
+    """m; without load the play is the gap's height unless given"""
     return physics.call(
         "outside_integral",
         p=raceway._handle,
@@ -73,7 +73,8 @@ def reach(physics, raceway, depth, angle=0.0, semi_axis=0.0):
 
 
 def capacitors(physics, raceway, overlap, speed=1.5, cage_speed=62.0, cos_angle=1.0, **changes):
-    """h_c, capacitance, separation, outside by overlap; one by one is four side by side."""
+    """h_c, capacitance, separation, outside by overlap; checks that one by one equals four at a
+    time."""
     columns = np.broadcast_arrays(np.asarray(overlap, float), cos_angle, speed, cage_speed)
     n = columns[0].size
     padded = [np.pad(np.ravel(c), (0, -n % 4), mode="edge") for c in columns]
@@ -100,14 +101,14 @@ def test_t1_exact_integral(physics, changes, load, edge, exact):
 
 
 def quadrature(n):
-    """Nodes and weights from 0 to 1."""
+    """Nodes and weights on 0 to 1."""
     x, w = np.polynomial.legendre.leggauss(n)
     return (x + 1) / 2, w / 2
 
 
 def exact_integral(a, b, overlap, load, modulus, r_x, r_y, h, edge):
     """I outside the ellipse in the exact Hertz gap (Carlson's integrals), m: to +-edge across, x to
-    infinity. More nodes change 3e-8 of it."""
+    infinity. More nodes change it by 3e-8."""
     x, w = quadrature(16)
     beside = a * np.sin(x * np.pi / 2), b * np.cos(x * np.pi / 2), w * np.pi / 2 * a
     beside = beside[0], beside[1], beside[2] * np.cos(x * np.pi / 2)
@@ -163,7 +164,7 @@ def test_total_over_the_range_of_the_closed_form(physics, size, side, conformity
     ],
 )
 def test_t2_groove_as_an_arc(physics, side, edge, exact, closed):
-    """The arc integral of a loaded 6208, and what the closed form gives elsewhere."""
+    """The arc integral of a loaded 6208, and values of the closed form elsewhere."""
     raceway = physics.raceway_6208(side)
     near, far = reach(physics, raceway, 2.3e-3)
     assert near == far == pytest.approx(edge, abs=5e-7)
@@ -185,8 +186,8 @@ def test_t3_rigid_surfaces(physics, side, exact):
 @pytest.mark.parametrize("size", [{}, SMALL, TINY], ids=["12.6 mm", "7.9 mm", "4.0 mm"])
 @pytest.mark.parametrize("side", [INNER, OUTER])
 def test_closed_forms_in_40_digits(physics, size, side):
-    """Rigid at plays less and more than that of concentric circles, and there; loaded at films from
-    thin to thick."""
+    """Rigid at plays below, at and above that of concentric circles; loaded with thin to thick
+    films."""
     ball = size.get("ball_radius", BALL)
     raceway = physics.raceway(**(size | dict(side=side, groove_radius=1.01 * ball)))
     edge = reach(physics, raceway, 0.36 * ball)[0]
@@ -275,7 +276,7 @@ def test_t5_what_fills_the_gap(physics):
 @pytest.mark.parametrize("gap", [0.0, 0.5, 1.0, 1.5])
 @pytest.mark.parametrize("cage_speed", [0.0, 62.0, 250.0])
 def test_t7_through_loss_of_contact(physics, gap, cage_speed):
-    """Steps of 1 nm, and of 1e-12 m where contacts begin; with film in the gap too."""
+    """Steps of 1 nm, and of 1e-12 m where contacts begin; also with film in the gap."""
     raceway = physics.raceway(**OIL)
     overlap = np.arange(-1e-6, 1e-6, 1e-9)
     named = dict(cage_speed=cage_speed, gap=gap)
@@ -288,7 +289,7 @@ def test_t7_through_loss_of_contact(physics, gap, cage_speed):
     assert fine_plates[0] == 0 < fine_plates[-1]
     total = fine_plates + fine_outside
     assert np.abs(np.diff(fine_h)).max() < 1e-10
-    # film in the gap begins with the plates of an overlap of h/1000: Q^(2/3) under a film
+    # film in the gap begins with the plates at an overlap of h/1000: Q^(2/3) under a film
     assert np.abs(np.diff(total)).max() < 2e-4 * total.mean()
 
 
@@ -355,7 +356,7 @@ def test_t12_rough_films(physics):
 
 @pytest.mark.parametrize("side", [INNER, OUTER])
 def test_reach_of_a_groove(physics, side):
-    """With a contact angle the sides differ; half a turn of the ball is 4 tan."""
+    """With a contact angle the sides differ: 4 tan of a quarter of the angle to each shoulder."""
     raceway = physics.raceway_6208(side)
     gamma = 0.09 * (BALL / PITCH) * (1 if side == INNER else -1)
     cosine = 1 - 2.3e-3 / 6.552e-3
@@ -371,7 +372,8 @@ def test_reach_of_a_groove(physics, side):
 @pytest.mark.parametrize("side", [INNER, OUTER])
 @pytest.mark.parametrize("angle", [0.0, 0.3])
 def test_reach_around_an_ellipse(physics, side, angle):
-    """As Python has it: narrow ellipses take nothing off, wide ones what the arc adds within."""
+    """As in Python: narrow ellipses do not change the reach, wide ones reduce it by the arc
+    within."""
     raceway = physics.raceway_6208(side)
     bearing = Bearing(9, 2 * BALL, 24e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     plain = reach(physics, raceway, 2.3e-3, angle)
@@ -416,7 +418,7 @@ def test_t6_a_ball_of_a_6208(physics, load, plates, flooded, cavitated):
     "changes", [{}, dict(gap=1.0), dict(at=1, rough=1, surroundings=CAVITATED)]
 )
 def test_four_side_by_side_are_one_by_one(physics, side, changes):
-    """Contacts and gaps, radial and oblique, light and heavy in any mixture; compared to the bit
+    """Contacts and gaps, radial and oblique, light and heavy in any mixture; compared bit by bit
     in `capacitors`."""
     raceway = physics.raceway_6208(side, **OIL)
     random = np.random.default_rng(13)
@@ -435,8 +437,8 @@ def test_four_side_by_side_are_one_by_one(physics, side, changes):
 
 # ---- two grooves a ring
 def arch(physics, side, free, bottom):
-    """One groove of a 6208's ring with two: a ball in the middle is in contact at the angle `free`
-    (rad), as far out as with one groove of the radius `bottom` (m)."""
+    """One groove of a 6208's ring with two: a ball in the middle makes contact at the angle `free`
+    (rad), as far out as in a single groove of the radius `bottom` (m)."""
     gap, way = 6.552e-3 - BALL, -1 if side == INNER else 1
     radius = bottom + way * gap * (1 - np.cos(free))
     return physics.raceway(side=side, raceway_radius=radius, offset=gap * np.sin(free), **OIL)
@@ -447,7 +449,8 @@ def rigid_flank(side, free, bottom, play, shoulder):
     grooves to the shoulder of that radius (m). Planes through the bearing's axis, and a parabola
     along rolling in each direction from the ball's centre."""
     groove, gap = 6.552e-3, 6.552e-3 - BALL
-    centre = np.array([-gap * np.cos(free), gap * np.sin(free)])  # of the groove, from the ball
+    # coordinates of the groove relative to the ball
+    centre = np.array([-gap * np.cos(free), gap * np.sin(free)])
     if play:  # the ball moves away from the raceway by the play at its contact
         centre *= 1 - play / gap
     pitch = bottom + (BALL if side == INNER else -BALL)
@@ -455,8 +458,8 @@ def rigid_flank(side, free, bottom, play, shoulder):
     height = pitch - shoulder if side == INNER else shoulder - pitch
 
     def wall(angle):
-        """Distance of the groove from the ball's centre in a direction `angle` from straight down,
-        towards the flank."""
+        """Distance of the groove from the ball's centre in a direction at `angle` from straight
+        down, towards the flank."""
         line = np.array([np.cos(angle), -np.sin(angle)])
         along = line @ centre
         return along + np.sqrt(along**2 + groove**2 - centre @ centre)

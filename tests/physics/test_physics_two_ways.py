@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""One table of inputs through the laws as a run calls them and as Python does, and both against 40
+"""One table of inputs evaluated by the laws of a run and by Python, both compared with 40
 digits of mpmath.
 
 1e-12 relative: a film is the exponential of a sum of terms of at most 50, each rounded to 2e-16 of
-itself, so good to some 1e-14; ellipse and pressure carry the rounding of an iteration, a few 1e-15.
-The table's own rounding is in all three.
+itself, so accurate to about 1e-14; ellipse and pressure carry the rounding of an iteration, a few
+1e-15. The table's own rounding enters all three.
 """
 
 import itertools
@@ -36,7 +36,7 @@ EQUAL = 1e-12
 
 
 def films(model, kappa, oil, r_x, speed, load):
-    """(h_min, h_c) as the equations stand, in mpmath."""
+    """(h_min, h_c) of the equations in mpmath."""
     r_x = mpmath.mpf(r_x)
     groups = film_reference.groups(*oil, STEEL, r_x, mpmath.mpf(speed), load)
     if model == HAMROCK_DOWSON:
@@ -60,7 +60,7 @@ def electric(ambient, pressure, a, b, h):
 
 
 def agree(cpp, python, exact):
-    """Both equal to the reference, and so to each other."""
+    """Both equal the reference, and so each other."""
     exact = [float(value) for value in exact]
     np.testing.assert_allclose(cpp, exact, rtol=EQUAL)
     np.testing.assert_allclose(python, exact, rtol=EQUAL)
@@ -84,7 +84,7 @@ def test_hertz(physics, name, side, angle):
             * modulus
             * mpmath.sqrt(second * radius / (mpmath.mpf("4.5") * first**3))
         )
-        # not E and F themselves: for an ellipse that is longer along rolling the headers take those
+        # not E and F themselves: for an ellipse that is longer along rolling the headers use those
         # of the other modulus
         agree(
             [cpp.kappa, cpp.K], [python.kappa, hertz.stiffness(python, STEEL)], [kappa, stiffness]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Fixtures of the Python tests: a bearing and run folders of known content."""
+"""Fixtures of the Python tests: a bearing, and run folders with known content."""
 
 import pytest
 import synthetic
@@ -13,7 +13,7 @@ def bearing():
 
 @pytest.fixture(scope="session")
 def lubricated():
-    """A run with oil, as data."""
+    """A run with oil as data."""
     return synthetic.run(clearance=1e-5)
 
 
@@ -25,7 +25,7 @@ def dry():
 
 @pytest.fixture
 def folder(tmp_path, lubricated):
-    """The lubricated run on disk, free to be spoilt."""
+    """The lubricated run on disk, free to be modified."""
     return synthetic.write(tmp_path / "run", lubricated)
 
 
@@ -37,5 +37,5 @@ def dry_folder(tmp_path, dry):
 
 @pytest.fixture
 def small_blocks(monkeypatch):
-    """A record is read some samples at a time: nothing may depend on where the blocks end."""
+    """A record is read in blocks of a few samples: results must not depend on where blocks end."""
     monkeypatch.setattr("raceway.runs.record.BLOCK", 60_000)

@@ -11,8 +11,8 @@ LIBRARY = "libngspice.so.0"
 
 
 def run(netlist, folder, names):
-    """{name: values} of the vectors `names` and "time" after `netlist` (text) has run in
-    `folder`. Fails where ngspice reports an error."""
+    """{name: values} of the vectors `names` and "time" after a run of `netlist` (text) in
+    `folder`. Fails if ngspice reports an error."""
     circuit, found = folder / "net.cir", folder / "vectors.npz"
     circuit.write_text(netlist)
     done = subprocess.run(

@@ -27,7 +27,7 @@ MECHANICAL = (
 LUBRICATED = MECHANICAL + "h_min h_c lambda regime capacitance".split()
 BALL_COLUMNS = "id type x y z vx vy vz omegax omegay omegaz".split()
 RING_COLUMNS = "step time x y z vx vy vz spin fx fy fz mx my mz".split()
-LOSS = (1e-6, 2e-6)  # W of friction and damping per N of load, made up
+LOSS = (1e-6, 2e-6)  # arbitrary W of friction and damping per N of load
 OIL = {
     "viscosity_Pa_s": 0.04,
     "pressure_viscosity_per_Pa": 22e-9,
@@ -46,13 +46,13 @@ def run(
     samples_per_pass=24,
     bearing=DEEP_GROOVE,
 ):
-    """The run as plain data: `settings`, `contacts` and `balls` (a frame a sample), `rings` (a row
-    a sample)."""
+    """The run as plain data: `settings`, `contacts` and `balls` (one frame a sample), `rings` (one
+    row a sample)."""
     spin = rpm * np.pi / 30
     cage = spin * kinematics.frequencies(bearing).cage
     sample_s = 2 * np.pi / bearing.balls / cage / samples_per_pass
     z, inner_ring, outer_ring = bearing.balls, 2 * bearing.balls + 1, 2 * bearing.balls + 2
-    contacts, balls, rings = [], [], []  # mz: the shaft puts in what the contacts lose
+    contacts, balls, rings = [], [], []  # mz: the shaft supplies the losses of the contacts
     for sample in range(passes * samples_per_pass + 1):  # both ends of the window
         state = static.equilibrium(
             bearing,
@@ -157,7 +157,7 @@ def _atoms(bearing, state, cage, spin, inner_ring, outer_ring):
     for kind, offset in ((1, 0.0), (2, np.pi / z)):
         for i, azimuth in enumerate(state.azimuth + offset):
             x, y = radius * np.cos(azimuth), radius * np.sin(azimuth)
-            turn = cage * (1 if kind == 1 else 7)  # the cage balls' speed must not count
+            turn = cage * (1 if kind == 1 else 7)  # the cage balls' speed must not matter
             own = cage - spin * kinematics.frequencies(bearing).spin
             rows.append([i + 1 + (kind - 1) * z, kind, x, y, 0, -turn * y, turn * x, 0, 0, 0, own])
     rows.append([inner_ring, 3, *state.shift, 0, 0, 0, 0, 0, spin])
@@ -180,7 +180,7 @@ def spoil(folder, pattern, replacement):
 
 # ---- the record --------------------------------------------------------------------------------
 
-NUMBERS = (  # of the settings, as attributes of the file and in run.yaml
+NUMBERS = (  # settings that are attributes of the file and entries of run.yaml
     "load_N rpm passes samples_per_pass load_azimuth_rad balls ball_diameter_m inner_radius_m"
     " outer_radius_m inner_groove_m outer_groove_m clearance_m ball_young_Pa ball_poisson"
     " viscosity_Pa_s pressure_viscosity_per_Pa permittivity roughness_m inner_ring outer_ring"
@@ -193,9 +193,9 @@ MASS = 8.2e-3  # kg of a ball
 
 
 def write(folder, data, end=True):
-    """Write `data` as `run` returns it to `folder`: record.nc in the layout of fix bearing/record,
-    and run.yaml. A sample is a row of `rings`; contacts and balls begin again after their last.
-    Without `end` the run is still going."""
+    """Write `data` as returned by `run` to `folder`: record.nc in the layout of fix bearing/record,
+    and run.yaml. A sample is a row of `rings`; contacts and balls repeat after their last frame.
+    Without `end` the run is still active."""
     folder.mkdir(parents=True, exist_ok=True)
     settings = data["settings"]
     words = {"title": "ball bearing run", **{name: settings[name] for name in WORDS}, "axis": "z"}
@@ -203,7 +203,7 @@ def write(folder, data, end=True):
     last = {name: settings[name] for name in END} | {
         "simulated_s": len(data["rings"]) and data["rings"][-1][1]
     }
-    # a deck prints numbers as C does, 1e-06 and not 1.0e-06
+    # a deck prints numbers like C, 1e-06 and not 1.0e-06
     told = words | {k: f"{v:.17g}" for k, v in (numbers | (last if end else {})).items()}
     (folder / "run.yaml").write_text("".join(f"{k}: {v}\n" for k, v in told.items()))
     with netCDF4.Dataset(folder / "record.nc", "w", format="NETCDF3_64BIT_OFFSET") as file:
@@ -225,7 +225,7 @@ def _fill(file, data, end):
     for name, size in {**sizes, "letters": 5}.items():
         file.createDimension(name, size)
 
-    # values follow after the last definition, because a definition moves all values there are
+    # values follow after the last definition, because a definition moves all existing values
     pending = []
 
     def put(name, dimensions, values, column=None, kind="f8"):
@@ -288,7 +288,7 @@ _ATOM = {
 
 
 def _kind(settings, caged):
-    """Data of the bearing by the names of the file."""
+    """Data of the bearing by their names in the file."""
     of = {column["name"]: np.nan for column in TABLES["kind"]}
     known = {name.rsplit("_", 1)[0]: value for name, value in settings.items() if name in NUMBERS}
     of |= {name: value for name, value in known.items() if name in of}
@@ -333,7 +333,7 @@ def _places(data, count):
 
 
 def _rings(rings, places):
-    """{column: (time, inner and outer)}: the outer ring holds what the inner ring takes."""
+    """{column: (time, inner and outer)}: the outer ring holds the reaction of the inner ring."""
     found = {}
     for name, values in zip(RING_COLUMNS[2:], rings.T[2:]):
         found[name] = np.column_stack([values, -values if name[0] in "fm" else 0 * values])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Quantities around the ring: regimes, pressure, permittivity, losses, against sums over
+"""Quantities around the ring (regimes, pressure, permittivity, losses) against sums over
 the rows of the run."""
 
 import numpy as np
@@ -16,13 +16,13 @@ BINS = 12
 
 @pytest.fixture
 def run(folder, small_blocks):
-    """In blocks of a few samples: nothing may depend on where they end."""
+    """Read in blocks of a few samples: results must not depend on where they end."""
     return raceway.open(folder)
 
 
 def rows_of(data, side, part):
-    """Rows of the contacts whose azimuth from the load line (-90 degrees) is in the part of the
-    ring."""
+    """Rows of the contacts whose azimuth from the load line (-90 degrees) lies in the given part of
+    the ring."""
     for row in (row for frame in data["contacts"] for row in frame):
         psi = np.mod(row[COLUMN["azimuth"]] + np.pi / 2 + np.pi, 2 * np.pi) - np.pi
         if row[COLUMN["raceway"]] == side and part == int((psi + np.pi) / (2 * np.pi) * BINS):
@@ -80,7 +80,7 @@ def test_regime_shares(run, lubricated, limits):
 def test_pressure_and_permittivity_by_raceway(run, lubricated):
     result = electrical.by_raceway(run, BINS)
     for side, name in enumerate(("inner", "outer")):
-        rows = list(rows_of(lubricated, side, BINS // 2))  # just beside the load line
+        rows = list(rows_of(lubricated, side, BINS // 2))  # close to the load line
         one = result.sel(raceway=name).isel(from_load_line=BINS // 2)
         pressure = np.array([row["pressure"] for row in rows])
         assert float(one["pressure"]) == pytest.approx(pressure.mean(), rel=1e-13)
@@ -122,7 +122,7 @@ def test_losses(run, lubricated):
 
 
 def test_torque_of_a_ring_that_turns_the_other_way(tmp_path, lubricated):
-    """Seen in a mirror: spin and moment change sign, the torque that resists and the power do
+    """In a mirror image spin and moment change sign, the resisting torque and the power do
     not."""
     mirrored = [[*ring[:8], -ring[8], *ring[9:14], -ring[14]] for ring in lubricated["rings"]]
     one = losses.losses(raceway.open(synthetic.write(tmp_path / "a", lubricated)))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Shares of the asperities: published numbers, and integrals of a normal distribution."""
+"""Load shares of asperities: published numbers, and integrals of a normal distribution."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The motion of a ball on several grooves: closed forms, and its least power by linear
+"""The motion of a ball on several grooves: closed forms, and its minimum power by linear
 programming."""
 
 import numpy as np
@@ -16,8 +16,8 @@ R, PITCH = FOUR.ball_radius, FOUR.pitch_radius
 
 
 def test_contacts_alike_roll_and_spin():
-    """Four of one load: the ball turns about an axis along the bearing's, rolls at all and spins on
-    each by the speed of ball against ring times the sine of the angle."""
+    """Four equal contacts: the ball rotates about an axis parallel to the bearing's, rolls at all
+    and spins on each at the relative speed of ball and ring times the sine of the angle."""
     lines, goal, _ = ball_motion.rates(FOUR, SIDES, ANGLES, RING)
     motion = ball_motion.least(lines, goal, np.repeat([1.0, 1e-4], 4), R)
     gamma = R * np.cos(ANGLE) / PITCH
@@ -30,7 +30,7 @@ def test_contacts_alike_roll_and_spin():
 
 
 def test_least_power_of_linear_programming():
-    """min w |A m - g| as a linear programme, for loads and angles at random."""
+    """min w |A m - g| as a linear programme, for random loads and angles."""
     draw = np.random.default_rng(3)
     for _ in range(20):
         lines, goal, _ = ball_motion.rates(FOUR, SIDES, ANGLES + draw.normal(0, 0.05, 4), RING)
@@ -47,16 +47,18 @@ def test_least_power_of_linear_programming():
 
 
 def test_light_contacts_are_drawn_over_by_the_heavy_ones():
-    """Under a thrust the ball rolls on one inner and one outer groove. Seen from its cage it turns
-    about an axis across their line, as far as it does not spin, so on the others its surface goes
-    cos(2 alpha) as fast and the film draws in half of that and of the ring."""
+    """Under a thrust the ball rolls on one inner and one outer groove. Relative to its cage it
+    rotates about an axis across their line, apart from its spin, so on the other grooves its
+    surface moves cos(2 alpha) as fast, and the film is entrained by half of that and of the
+    ring."""
     state = static.equilibrium(FOUR, axial_load=2000.0, clearance=5e-6)
     entrained, rolling = ball_motion.speeds(FOUR, RING, state)
     heavy, alpha = [1, 2], state.inner.angle[1, 0]
     own = RING * PITCH * (1 - (R * np.cos(alpha) / PITCH) ** 2) / 2
     assert entrained[heavy] == pytest.approx(np.full((2, 9), own), rel=1e-9)
     assert rolling[heavy] == pytest.approx(entrained[heavy], rel=1e-9)
-    other = -state.outer.angle[1, 0]  # of the light outer contact, against the heavy line
+    # for the light outer contact, relative to the heavily loaded line
+    other = -state.outer.angle[1, 0]
     drawn = own * (1 + np.cos(alpha + other)) / 2
     # it spins on one raceway, by the ring's speed times the sine
     spun = RING * np.sin(alpha) * R * np.sin(alpha + other) / 2
@@ -66,8 +68,8 @@ def test_light_contacts_are_drawn_over_by_the_heavy_ones():
 
 @pytest.mark.parametrize("law", friction_torque.SPIN_LAWS)
 def test_four_points_lose_little_more_than_their_spin(law):
-    """Preload alone: four contacts alike, each of which spins as `test_contacts_alike` has it. Slip
-    and spin together lose less than one after the other, and not a fifth less."""
+    """Preload alone: four equal contacts, each of which spins as in `test_contacts_alike`. Combined
+    slip and spin lose less than slip and spin one after the other, but not a fifth less."""
     state = static.equilibrium(FOUR, clearance=-20e-6)
     path = catalogue.find("lubricants", "vg46")
     oil, fluid = inputs.oil(path), inputs.fluid(path)

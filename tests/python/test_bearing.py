@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Geometry against the curvature sums it stands for, and the errors of impossible bearings."""
+"""Geometry against its curvature sums, and the errors of impossible bearings."""
 
 import dataclasses
 

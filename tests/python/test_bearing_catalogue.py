@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearings by name: balls that follow from ratings, columns that belong together, a load on
+"""The bearings by name: balls derived from ratings, consistent columns, and one load on
 each."""
 
 import csv
@@ -21,9 +21,9 @@ DEEP, ANGULAR, FOUR_POINT = (
     [row for row in TABLE if row["kind"] == kind]
     for kind in ("deep groove", "angular contact", "four-point contact")
 )
-# C of the maker over C by ISO 281 of the balls. JTEKT's three contact angles of one size give the
-# same balls with 1. SKF's 6205 has 1.06 with the balls that CWRU measured. With 1 those of the QJ
-# have the diameters that GMN states for 7207, 7208, 7209 and 7210.
+# Ratio of the maker's C to C by ISO 281 of the balls. JTEKT's three contact angles of one size give
+# the same balls with 1. SKF's 6205 has 1.06 with the balls measured by CWRU. With 1, those of the
+# QJ have the diameters that GMN states for 7207, 7208, 7209 and 7210.
 DYNAMIC_FACTOR = {"SKF": 1.05, "SKF QJ": 1.0, "JTEKT": 1.0}
 
 
@@ -33,7 +33,7 @@ def numbers(row, *names):
 
 @pytest.mark.parametrize("row", TABLE, ids=lambda row: row["name"])
 def test_balls_follow_from_the_ratings(row):
-    """Balls that are an estimate are those of `load_rating.balls`; where the maker states the
+    """Estimated balls are those of `load_rating.balls`; where the maker states the
     diameter, the number follows from C0."""
     rated = numbers(row, "basic_dynamic_load", "basic_static_load")
     bore, outside, ball, pitch = numbers(
@@ -57,15 +57,15 @@ def test_balls_follow_from_the_ratings(row):
 
 
 def test_names_stand_once():
-    """A file beside the table comes before a row, and no row stands behind one."""
+    """A file next to the table takes precedence over a row, and no row duplicates a file."""
     files = {path.name for path in BEARINGS.iterdir()}
     assert not files & {row["name"] for row in TABLE}
     assert len(NAMES) == len(TABLE) + len(files) - 1 and len(TABLE) == 116
 
 
 def test_every_size_is_there():
-    """60, 62, 63 and 70, 72 with three contact angles, bores 10 to 50 mm: file and table name the
-    bore that the designation does."""
+    """60, 62, 63 and 70, 72 with three contact angles, bores 10 to 50 mm: file and table have the
+    bore of the designation."""
     bores = {"00": 10, "01": 12, "02": 15, "03": 17} | {f"{n:02}": 5 * n for n in range(4, 11)}
     for code, bore in bores.items():
         for series in ("60", "62", "63", "70", "72"):
@@ -76,9 +76,9 @@ def test_every_size_is_there():
 
 
 def test_columns_of_a_table_belong_together():
-    """A row that slipped in one column fails: shoulders on both sides of the pitch diameter, the
-    load centre at the nominal angle (two 72 in JTEKT's table are 0.45 mm off), a heavier bearing
-    rated higher, f_0 of the catalogue by ISO 76."""
+    """A misplaced column is found: shoulders lie on both sides of the pitch diameter, the
+    load centre matches the nominal angle (two 72 in JTEKT's table are 0.45 mm off), heavier
+    bearings have higher ratings, and f_0 of the catalogue matches ISO 76."""
     for row in DEEP:
         bore, outside, low, high = numbers(
             row,
@@ -132,8 +132,8 @@ def test_columns_of_a_table_belong_together():
 
 @pytest.mark.parametrize("name", RATED)
 def test_ratings_of_the_balls(name):
-    """C by ISO 281 within 10 % of the stated one, C0 by ISO 76 within 6 %. The 6208 of Farah et al.
-    and the 6306 of Jablonka et al. have larger balls than their catalogues' ratings."""
+    """C by ISO 281 is within 10 % of the stated value, C0 by ISO 76 within 6 %. The 6208 of Farah
+    et al. and the 6306 of Jablonka et al. have larger balls than the catalogue ratings imply."""
     one = listing.entry(BEARINGS / name)
     balls = (one.balls, one.ball_diameter_m, one.pitch_diameter_m)
     angle, rows = math.radians(one.contact_angle_deg), 2 if name.startswith("QJ") else 1
@@ -145,8 +145,8 @@ def test_ratings_of_the_balls(name):
 
 
 def test_contact_angles_of_a_size_have_the_same_balls():
-    """The rule sees the ratings of one contact angle only, and JTEKT states those of three: 22
-    sizes with the same balls. So the balls are the maker's, as far as ratings tell."""
+    """The rule uses the ratings of one contact angle only, and JTEKT states those of three: 22
+    sizes give the same balls, so these are the maker's as far as ratings can show."""
     for size in {row["name"][:4] for row in ANGULAR}:
         found = {
             (one.balls, one.ball_diameter_m)
@@ -158,7 +158,8 @@ def test_contact_angles_of_a_size_have_the_same_balls():
 
 def test_another_maker_has_the_same_number_of_balls():
     """JTEKT (catalogue pages 20 to 25, in jtekt_deep_groove.csv) rates by ISO 281, so the rule
-    needs no factor: C comes out within 1.2 %. Sizes have SKF's number of balls, except four."""
+    needs no factor: C agrees within 1.2 %. Sizes have SKF's number of balls, with four
+    exceptions."""
     text = Path(__file__).with_name("jtekt_deep_groove.csv").read_text()
     other = {}
     for row in csv.DictReader(text.splitlines()):
@@ -172,7 +173,7 @@ def test_another_maker_has_the_same_number_of_balls():
     assert other == {"6009": 13, "6010": 14, "6209": 9, "6305": 8}
 
 
-# mm; None where its text layer has lost the figure
+# mm; None where the text layer has lost the figure
 GMN = {
     "6201": (5.953, 22.0),
     "6202": (5.953, 25.3),
@@ -190,8 +191,8 @@ GMN = {
 
 @pytest.mark.parametrize("name", GMN)
 def test_balls_that_a_maker_states(name):
-    """GMN, High precision ball bearings (4000 0813 EN), states ball and pitch diameter of bearings
-    of these sizes. Makers need not agree, yet they do."""
+    """GMN, High precision ball bearings (4000 0813 EN), states ball and pitch diameters of bearings
+    of these sizes. Makers need not agree, but they do."""
     one = listing.entry(BEARINGS / name)
     ball, pitch = GMN[name]
     assert 1e3 * one.ball_diameter_m == pytest.approx(ball, rel=0.01)
@@ -201,7 +202,8 @@ def test_balls_that_a_maker_states(name):
 
 @pytest.mark.parametrize("size", [7, 8, 9, 10])
 def test_balls_of_four_points_are_those_of_angular_contact_bearings(size):
-    """SKF's ratings of the QJ 2 as two rows give the diameters that GMN states for the 72C."""
+    """SKF's ratings of the QJ 2 series, taken as two rows, give the diameters that GMN states for
+    the 72C."""
     one = listing.entry(BEARINGS / f"QJ2{size:02}")
     assert 1e3 * one.ball_diameter_m == pytest.approx(GMN[f"72{size:02}C"][0], abs=0.001)
 
@@ -215,8 +217,8 @@ def test_6305_of_another_program():
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_bearing_carries_a_load(name):
-    """0.1 C0 radially, and as much axially where the balls have a contact angle: its balls carry
-    the load below the pressure of C0."""
+    """Under 0.1 C0 radially, and the same axially where the balls have a contact angle, the balls
+    carry the load below the pressure of C0."""
     path = BEARINGS / name
     data, rated = inputs.bearing(path), inputs.ratings(path)
     inputs.shoulders(path), inputs.boundary(path)

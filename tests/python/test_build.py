@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What `make` plans to do: `make run` is LIGGGHTS alone, and host-bound sources share units."""
+"""The commands that `make` plans: `make run` builds LIGGGHTS alone, and host-bound sources share
+units."""
 
 import re
 import subprocess
@@ -11,7 +12,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def plan(*words):
-    """The commands of `make`, none of them carried out."""
+    """The commands of `make`, without running them."""
     return subprocess.run(
         ["make", "-n", *words], cwd=ROOT, text=True, capture_output=True, check=True
     ).stdout
@@ -19,12 +20,12 @@ def plan(*words):
 
 @pytest.fixture(scope="module")
 def everything():
-    """The commands of `make build` where nothing is there yet."""
+    """The commands of `make build` in an empty tree."""
     return plan("-B", "build")
 
 
 def compiled(commands):
-    """{object: source} of the C++ compilers that are called."""
+    """{object: source} of the C++ compiler calls."""
     return {
         made: source
         for source, made in re.findall(r" -c (\S+\.cpp) -o (\S+\.o)$", commands, re.MULTILINE)
@@ -38,7 +39,8 @@ def test_make_run_builds_liggghts_alone():
 
 
 def test_every_source_is_compiled_once_for_a_host(everything):
-    """By itself where it sees no host, and then for all hosts; else in one unit of the three."""
+    """A source without host headers is compiled alone for all hosts; others in one of three
+    units."""
     made = compiled(everything)
     rooms = ("core/*", "contacts", "deck", "ranks", "styles")
     sources = {
@@ -59,7 +61,7 @@ def test_every_source_is_compiled_once_for_a_host(everything):
 
 
 def test_an_edit_of_one_part_makes_few_objects_again(everything):
-    """All hosts together. The compiler listed the headers of each object when it was built."""
+    """All hosts together. The compiler lists the headers of each object during the build."""
     again = [
         made
         for made in compiled(everything)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The gap around a contact as a capacitor: integrals against each other and against printed digits,
-closed forms against the integrals."""
+"""The gap around a contact as a capacitor: integrals against each other and against published
+digits, closed forms against the integrals."""
 
 import sys
 from pathlib import Path
@@ -13,7 +13,7 @@ from raceway.theory.groove_width import HalfWidths
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests/bench"))
-import capacitance_error  # noqa: E402  it lies in no package
+import capacitance_error  # noqa: E402  it is in no package
 
 SEPARATIONS = np.array([30e-9, 70e-9, 300e-9, 1e-6])
 DEPTH = 2.3e-3  # m, of the 6208's grooves in the tables of values
@@ -34,7 +34,7 @@ def rigid(bearing, raceway, separation, widths, angle=0.0):
     return capacitance_outside.rigid(ellipse, r_x, bearing.ball_radius, groove, separation, widths)
 
 
-# I in mm of the parabola to ± width at the SEPARATIONS, from an independent integration
+# I in mm of the parabola to ± width at SEPARATIONS, from an independent integration
 @pytest.mark.parametrize(
     ("name", "raceway", "width", "load", "a", "b", "printed"),
     [
@@ -64,7 +64,7 @@ def test_printed_integrals(bearing, name, raceway, width, load, a, b, printed):
     assert form == pytest.approx(printed, rel=0.011)
 
 
-ARC = [  # I in mm at 900 N: the integral, the closed form
+ARC = [  # I in mm at 900 N: the integral and the closed form
     (INNER, 5.850, (3434, 2703, 1825, 1338), (3410.1, 2685.3, 1814.7, 1330.3)),
     (OUTER, 5.614, (4135, 3258, 2205, 1617), (4100.2, 3234.7, 2192.2, 1609.1)),
 ]
@@ -98,8 +98,8 @@ def test_rigid_gap(bearing, raceway, printed):
 
 
 def test_rigid_gap_of_concentric_circles(bearing):
-    """Where the groove's and the ball's circle have one centre the gap does not change across: the
-    form is smooth there, and the integral agrees."""
+    """Where the circles of groove and ball are concentric, the gap is constant across: the
+    closed form is smooth there and agrees with the integral."""
     one = capacitance_error.bearing("3.968 mm", 0.505)
     gap = one.groove_gap(OUTER)
     widths = groove_width.half_widths(one, OUTER, 0.18 * one.ball_diameter)
@@ -120,7 +120,8 @@ def test_beside_is_universal():
 
 
 def test_gap_is_hertz_s(bearing):
-    """Zero at the ellipse, the undeformed bodies' far away, and a line contact's between."""
+    """Limits: zero at the ellipse, the undeformed bodies' gap far away, a line contact's in
+    between."""
     r_x, r_y = bearing.effective_radii(INNER)
     one = capacitance_exact.contact(r_x, r_y, bearing.effective_modulus, 900.0)
     turn = np.linspace(0, np.pi / 2, 7)
@@ -139,7 +140,7 @@ def test_gap_is_hertz_s(bearing):
 def test_no_load_is_the_rigid_gap(bearing):
     widths = groove_width.half_widths(bearing, INNER, DEPTH)
     loaded = closed(bearing, INNER, 1e-9, SEPARATIONS, widths)
-    thin = SEPARATIONS / bearing.groove_gap(INNER)  # of which only the rigid form takes note
+    thin = SEPARATIONS / bearing.groove_gap(INNER)  # which only the rigid form takes into account
     assert loaded == pytest.approx(rigid(bearing, INNER, SEPARATIONS, widths), rel=thin.max())
     exact = capacitance_exact.arc(bearing, INNER, 1e-6, SEPARATIONS, DEPTH)
     still = capacitance_exact.rigid_arc(bearing, INNER, SEPARATIONS, DEPTH)
@@ -155,14 +156,15 @@ def test_it_falls_with_separation_and_grows_with_load(bearing):
 
 @pytest.mark.parametrize("angle", [-0.35, 0.17, 0.35, 0.52])
 def test_at_a_contact_angle(bearing, angle):
-    """The mean of both sides, up to 30 degrees: within 1.3 % of the integral to both shoulders."""
+    """The mean of both sides, up to 30 degrees, is within 1.3 % of the integral to both
+    shoulders."""
     for raceway in (INNER, OUTER):
         for load in (10.0, 900.0):
             widths = groove_width.half_widths(bearing, raceway, DEPTH, angle)
             form = closed(bearing, raceway, load, SEPARATIONS, widths, angle)
             exact = capacitance_exact.arc(bearing, raceway, load, SEPARATIONS, DEPTH, angle)
             assert form == pytest.approx(exact, rel=0.013)
-            # around the ellipse, as capacitors have it
+            # around the ellipse, as in the capacitors
             ellipse = hertz.exact(*bearing.effective_radii(raceway, angle))
             a, _ = hertz.semi_axes(ellipse, bearing.effective_modulus, load)
             widths = groove_width.half_widths(bearing, raceway, DEPTH, angle, semi_axis=a)
@@ -174,8 +176,8 @@ def test_at_a_contact_angle(bearing, angle):
 
 
 def test_a_wide_ellipse_beside_its_shoulder():
-    """The groove counts from the ellipse on: 3 kN on a tight groove fill 0.93 of it. With the whole
-    groove counted the form is 3 % high there."""
+    """The groove counts from the ellipse outwards: 3 kN on a tight groove fill 0.93 of it. With the
+    whole groove counted the closed form would be 3 % too high."""
     load, separation, depth = 3000.0, 2e-6, 0.18 * 7.938e-3
     bearing = capacitance_error.bearing("7.938 mm", 0.505)
     ellipse = hertz.exact(*bearing.effective_radii(INNER))
@@ -221,7 +223,7 @@ def test_depth_of_the_catalogue_s_shoulders(bearing):
 
 
 def test_ellipse_that_fills_the_groove(bearing):
-    """Nothing is left beyond its ends."""
+    """Nothing remains beyond its ends."""
     assert capacitance_outside.beyond(0.1, 9.0, np.array([0.0, 0.5, 1.0])) == pytest.approx(
         [0, 0, 0], abs=0.03
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The capacitors of a whole bearing: printed values, limits, and the passage through loss of
+"""The capacitors of a whole bearing: published values, limits, and the transition through loss of
 contact."""
 
 import numpy as np
@@ -27,7 +27,7 @@ def point(bearing, load, rpm, clearance, filling, **options):
 
 @pytest.fixture(scope="module")
 def heavy(bearing):
-    """A 6208 at 3 kN and 1500 rpm, by what fills its gaps."""
+    """A 6208 at 3 kN and 1500 rpm, by the filling of its gaps."""
     return {
         kind: point(bearing, 3000, 1500, 0.0, Filling(kind, shoulders=SHOULDERS))
         for kind in ("flooded", "cavitated", "dry")
@@ -51,7 +51,7 @@ def test_heavy_load(heavy, kind, balls, whole):
 
 @pytest.mark.parametrize(("kind", "whole"), [("flooded", 101), ("cavitated", 77)])
 def test_light_load_at_high_speed(bearing, kind, whole):
-    """Plates alone are wrong by ten. Balls without load have 7 to 13 pF flooded, 5 to 10
+    """Plates alone are wrong by a factor of ten. Unloaded balls have 7 to 13 pF flooded, 5 to 10
     cavitated."""
     quiet, found = point(bearing, 400, 6000, 12e-6, Filling(kind, shoulders=SHOULDERS))
     assert quiet == pytest.approx(15.4, abs=0.05)
@@ -77,7 +77,8 @@ def test_fills_are_exact_by_symmetry(heavy):
 
 
 def test_plates_are_the_paper_s(bearing, heavy):
-    """The same as `lubrication.lubricate` where both raceways carry; h -> 0: they dominate."""
+    """Equal to `lubrication.lubricate` where both raceways are loaded; for h -> 0 the films
+    dominate."""
     spin = 1500 * np.pi / 30
     state, _ = lubrication.turning(bearing, spin, 3000.0, ball_density=7850.0)
     films = lubrication.lubricate(bearing, state, OIL, spin)
@@ -88,8 +89,8 @@ def test_plates_are_the_paper_s(bearing, heavy):
 
 
 def test_through_loss_of_contact(bearing):
-    """One separation, and a capacitance without a step; without the load of the ball itself the
-    film would grow without end."""
+    """One separation, and a continuous capacitance; without the ball's own load the
+    film would grow without bound."""
     r_x, r_y = bearing.effective_radii(INNER)
     kappa, modulus = hertz.exact(r_x, r_y).kappa, bearing.effective_modulus
     speed = kinematics.entrainment(bearing, 50.0, 0.0)
@@ -106,8 +107,8 @@ def test_through_loss_of_contact(bearing):
     assert np.ptp(apart[(load < quiet) & (play < apart)]) < 1e-15
     total = capacitors.of_raceway(bearing, INNER, 2.2, load, apart, play=play).total
     steps = np.diff(total) / total[1:]
-    lost = 59  # between the last with a load and the first without
-    # what is left are the plates under an overlap of 1e-12 m
+    lost = 59  # between the last loaded and the first unloaded position
+    # only the plates under an overlap of 1e-12 m remain
     assert abs(steps[lost]) < 5e-6 and steps.max() < 1e-4
 
 

@@ -31,7 +31,7 @@ def names(capsys, *arguments):
 
 
 def test_one_bearing(capsys):
-    """6205: what SKF and CWRU state, in SI units."""
+    """6205: values stated by SKF and CWRU, in SI units."""
     [row] = found(capsys, "6205")
     assert row == {
         "name": "6205",
@@ -92,7 +92,7 @@ def test_table_and_csv(capsys):
 
 
 def test_clearances(capsys):
-    """ISO 5753: C3 of a 40 mm bore is 15 to 33 um. With a contact angle there is none to choose."""
+    """ISO 5753: C3 of a 40 mm bore is 15 to 33 um. Bearings with a contact angle have no class."""
     rows = found(capsys, "--bore", "40", "--clearances")
     deep, angular = (next(r for r in rows if r["name"] == name) for name in ("6208", "7208B"))
     assert (deep["clearance_C3_least_m"], deep["clearance_C3_largest_m"]) == (15e-6, 33e-6)
@@ -109,7 +109,7 @@ def test_clearance_classes():
         ends = list(clearance_classes.of_bore(bore).values())
         assert len(ends) == (3 if bore == 6e-3 else 5)
         assert all(0 <= least < largest < 2e-4 for least, largest in ends)
-        # the classes follow each other and overlap
+        # consecutive classes overlap
         assert all(one[0] <= two[0] <= one[1] < two[1] for one, two in zip(ends, ends[1:]))
     assert clearance_classes.of_bore(30e-3)["C5"] == (30e-6, 53e-6)
     assert clearance_classes.of_bore(30.01e-3)["C5"] == (40e-6, 64e-6)
@@ -142,7 +142,7 @@ def test_own_folder(capsys, tmp_path):
 
 @pytest.mark.parametrize("name", ["7205B", "6208"])
 def test_file_to_edit(capsys, tmp_path, name):
-    """A row or a file with its sources, not over a file that is there."""
+    """A row or a file with its sources, which does not overwrite an existing file."""
     path = tmp_path / "new" / "mine"
     assert main(["catalogue", name, "--file", str(path)]) == 0
     known = catalogue.find("bearings", name)
@@ -164,7 +164,7 @@ def test_message_of_many_names():
 
 
 def test_page_shows_what_is_printed(capsys, tmp_path):
-    """The table on docs/catalogue.rst, the balls of its last Python example, its table of one
+    """The table on docs/catalogue.rst, the balls of its last Python example, and its table with one
     row."""
     page = (ROOT / "docs" / "catalogue.rst").read_text()
     command, _, rest = page.partition("$ .venv/bin/raceway ")[2].partition("\n")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Distance of balls from the inner groove's circle: closed geometry, derivatives by finite
+"""Distance of balls from the inner groove's circle: closed-form geometry, derivatives by finite
 differences."""
 
 import numpy as np
@@ -14,13 +14,13 @@ PLACE = np.array([21e-6, -34e-6, 90e-6, 4e-3, -5.8e-3])
 
 
 def axis(tilt):
-    """e of tilts reported as arcsines of its components."""
+    """Axis e for tilts reported as arcsines of its components."""
     x, y = np.sin(tilt[1]), -np.sin(tilt[0])
     return np.array([x, y, np.sqrt(1 - x * x - y * y)])
 
 
 def test_exact_circle_is_the_nearest_of_its_points():
-    """Points of the circle turned by scipy, the nearest by a fine search and one parabola through
+    """Points of the circle rotated by scipy; the nearest by a fine search and a parabola through
     three of them."""
     e = axis(PLACE[3:])
     turn, _ = Rotation.align_vectors([e], [[0, 0, 1]])
@@ -35,7 +35,7 @@ def test_exact_circle_is_the_nearest_of_its_points():
         k = int(np.argmin(squared))
         low, mid, high = squared[[k - 1, k, k + 1]]
         least = mid - (high - low) ** 2 / (8 * (high - 2 * mid + low))
-        # the parabola leaves (step r)^4/s^2 of the square, 1e-9 of it here
+        # the parabola has an error of (step r)^4/s^2 of the square, 1e-9 of it here
         assert distance**2 == pytest.approx(least, rel=1e-7)
         assert line == pytest.approx(
             (centre - points[k]) / np.sqrt(mid), abs=2 * np.pi / 40000 * RADIUS / distance
@@ -83,7 +83,7 @@ def test_derivatives(reach):
 
 
 def test_conjugate_moment():
-    """The work of a fixed moment on a small turn of the axis, M . (e x de), for a step of one
+    """The work of a fixed moment in a small rotation of the axis, M . (e x de), for a step of one
     tilt."""
     moment, tilt = np.array([3.0, -7.0, 0.0]), PLACE[3:]
     for k in range(2):

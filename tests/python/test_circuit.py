@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearing in its circuit without breakdown: closed forms, points, leak."""
+"""The bearing in its circuit without breakdown: closed forms, points, leakage."""
 
 import numpy as np
 import pytest
@@ -42,7 +42,7 @@ def test_current_into_a_capacitance_that_changes():
     middle = 0.5 * (time[1:] + time[:-1])
     expected = -5.0 * mean * depth * speed * np.sin(speed * middle)
     largest = 5.0 * mean * depth * speed
-    # the mean over a step is sinc(W dt/2) of the value in its middle
+    # the mean over a step is sinc(W dt/2) times the value in its middle
     assert np.abs(data.data.current[1:] - expected).max() < largest * (speed * 2e-5) ** 2 / 20
     assert float(np.abs(data.data.current).max()) == pytest.approx(largest, rel=1e-5)
 
@@ -65,7 +65,7 @@ def test_without_breakdown_it_is_series_and_parallel(outer):
 
 
 def test_both_ways_to_solve_agree():
-    """A leak too small to matter takes the stages; the same points come out."""
+    """With negligible leakage the method with stages gives the same points."""
     plain = circuit.run(turning(), MOTOR, WEAK)
     staged = circuit.run(turning(conductance=1e-30), MOTOR, WEAK)
     assert len(plain.events) > 10 and (plain.events.ball == staged.events.ball).all()
@@ -94,7 +94,7 @@ def test_a_film_relaxes_with_its_resistivity_times_permittivity():
     given = steady([40 * PICO], [60 * PICO], n=401, time=np.linspace(0, 0.05, 401))
     leaky = films(given.capacitance, given.time, conductance=given.capacitance / tau)
     data = circuit.run(leaky, Floating(10.0)).data
-    z = -given.time[1] / tau  # the method's growth of a step, and the exponential that it is near
+    z = -given.time[1] / tau  # the method's growth over a step, and the exponential it approximates
     growth = (1 + (1 - 2 * STAGE) * z) / (1 - STAGE * z) ** 2
     np.testing.assert_allclose(data.bearing_voltage, 10 * growth ** np.arange(401), rtol=1e-12)
     np.testing.assert_allclose(data.bearing_voltage, 10 * np.exp(-given.time / tau), rtol=5e-6)
@@ -102,8 +102,8 @@ def test_a_film_relaxes_with_its_resistivity_times_permittivity():
 
 
 def exact(given, outer):
-    """Voltages of the inner ring (n,) from scipy's integrator, charges as unknowns; C and G linear
-    between points."""
+    """Voltages of the inner ring (n,) from scipy's integrator with charges as unknowns; C and G
+    linear between points."""
 
     def voltages(t, charge):
         at = [
@@ -135,7 +135,7 @@ def exact(given, outer):
 
 
 def test_leak_and_resistance_are_of_second_order():
-    """The error against an integrator of scipy falls fourfold where the step is halved."""
+    """The error relative to an integrator of scipy falls fourfold at half the step."""
     outer = Source(Sine(10.0, 150.0), 2e7, 20 * PICO)
     coarse = turning(n=41, z=2)
     tau = np.array([4e-3, 7e-3]).reshape(1, 2, 1)
@@ -146,7 +146,7 @@ def test_leak_and_resistance_are_of_second_order():
         data = circuit.run(coarse, outer, points=points).data
         errors.append(np.abs(data.bearing_voltage.to_numpy()[::points] - reference).max())
     assert errors[0] < 0.01 * np.abs(reference).max()
-    # the kinks of C(t) are points, so nothing spoils the order
+    # the kinks of C(t) are points, so they do not spoil the order
     assert [a / b for a, b in zip(errors, errors[1:])] == pytest.approx([4, 4], abs=0.6)
 
 
@@ -160,5 +160,5 @@ def test_a_metal_contact_shorts_its_film_without_ringing():
     shorted = np.abs(film[5:, 1, 0])
     assert (shorted < 1e-5).all()
     assert (np.diff(shorted) <= 1e-17).all()  # falls to the rounding of 10 V
-    # ball 2 keeps dividing by its capacitances
+    # ball 2 keeps the division by its capacitances
     np.testing.assert_allclose(film[:, 1, 1] / film[:, 0, 1], 50 / 80, rtol=1e-12)

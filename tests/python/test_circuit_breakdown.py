@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Breakdown of films in the circuit: charges that redistribute, thresholds, events."""
+"""Breakdown of films in the circuit: redistribution of charges, thresholds, events."""
 
 import dataclasses
 import warnings
@@ -20,7 +20,7 @@ WEAK = Breakdown(30e6)
 
 
 def redistribute(capacitance, outer, ball_charge, ring_charge, broken):
-    """(voltages of the balls, of the ring); `outer` is (beside, coupling, driving)."""
+    """(voltages of the balls, of the ring); `outer` is (parallel, coupling, driving)."""
     ball, ring = np.empty(len(ball_charge)), np.empty(1)
     core.library().call(
         "film_redistribution",
@@ -37,12 +37,12 @@ def redistribute(capacitance, outer, ball_charge, ring_charge, broken):
 
 
 def test_a_film_that_fails_by_hand():
-    """Two balls, 10 V. The inner film of ball 1 fails alone; its outer one holds."""
+    """Two balls at 10 V. The inner film of ball 1 fails alone; its outer one holds."""
     thickness = np.array([[100e-9, 400e-9], [500e-9, 400e-9]])
     given = steady([20 * PICO, 60 * PICO], [30 * PICO, 60 * PICO], thickness=thickness)
     result = circuit.run(given, Floating(10.0, 10 * PICO), Breakdown(50e6))
     (event,) = result.events.itertuples()
-    # in series 12 and 30 pF, with 10 pF beside: 520 pC on the ring
+    # 12 and 30 pF in series, 10 pF in parallel: 520 pC on the ring
     assert (event.ball, event.raceway, event.order) == (1, "inner", 1)
     assert event.film_voltage == pytest.approx(6.0)  # against 5 V
     assert event.bearing_voltage_after == pytest.approx(520 / (30 + 30 + 10))
@@ -66,7 +66,7 @@ def test_the_second_film_follows_and_discharges_the_bearing():
 
 
 def test_other_balls_keep_their_charge():
-    """A ball that an earlier discharge charged stays charged when another one shorts the rings."""
+    """A ball charged by an earlier discharge stays charged when another one shorts the rings."""
     capacitance = np.array([[20.0, 60.0], [30.0, 60.0]]) * PICO
     limit = np.array([[1.0, 99.0], [2.0, 99.0]])
     charge = np.array([0.0, 120 * PICO])
@@ -122,13 +122,13 @@ def test_charges_redistribute_as_a_network_of_conductors(seed):
 
 
 def test_threshold_is_where_it_fails():
-    """Just below the threshold voltage of the samples nothing fails, just above it something
+    """Just below the threshold voltage of the samples no film fails, just above it one
     does."""
     given = turning()
     least = circuit.run(given, Source(Constant(0.0), 1.0), WEAK).data.threshold_voltage
     share = series(given.capacitance).ball[:, None] / given.capacitance
     np.testing.assert_allclose(least, (30e6 * given.thickness / share).min(axis=(1, 2)), rtol=1e-12)
-    # at the first point the source has charged nothing yet
+    # at the first point the source has not charged anything yet
     for factor, failures in ((1 - 1e-9, 0), (1 + 1e-9, 1)):
         outer = Source(Constant(float(least[1:].min()) * factor), 1e-9)
         assert bool(len(circuit.run(given, outer, WEAK).events)) == bool(failures)
@@ -160,7 +160,7 @@ def test_events_have_units_and_places():
 
 
 def test_current_of_a_failure():
-    """The inner film of one ball: behind it lies its own capacitance beside that of the rest."""
+    """The inner film of one ball: its own capacitance is in parallel with that of the rest."""
     inner, outer, rest, arc = 60 * PICO, 40 * PICO, 25 * PICO, 3.0
     given = steady([inner], [outer], thickness=np.array([[[100e-9], [900e-9]]]))
     events = circuit.run(given, Floating(10.0, rest), Breakdown(35e6, "smooth", arc=arc)).events
@@ -183,7 +183,8 @@ def test_current_of_a_failure():
 
 
 def test_steps_too_long_for_the_voltage_have_a_warning():
-    """A source that charges the bearing within a step: films fail at its voltage, not their own."""
+    """A source that charges the bearing within a step: films fail at its voltage, not at their
+    own."""
     given = turning()
     limit = WEAK.limit(given).min()
     slow = Source(Constant(12 * limit), 1e7)

@@ -61,7 +61,7 @@ def test_figures(folder):
     assert found["bearing_voltage_max_V"] == events.bearing_voltage.max()
     assert found["field_max_V_m"] == events.field.max() > 30e6
     assert found["floor_share"] == 0
-    # films are thinnest where the load is
+    # films are thinnest under the load
     assert abs(found["place_rad"]) < 0.5
     assert found["bvr_mean"] is None
     text = circuit_figures.table(found)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearing in its circuit: charge is conserved, energy is balanced."""
+"""The bearing in its circuit: charge is conserved and energy balances."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ from raceway.electric.waveforms import Sine
 
 @pytest.mark.parametrize("name", [name for name in CASES if name != "open film"])
 def test_charge_is_conserved(name):
-    """Charges that currents carried are those of the voltages, to rounding."""
+    """Charges carried by currents equal those of the voltages to rounding."""
     given, outer, breakdown = CASES[name]
     result = circuit.run(given, outer, breakdown, points=1)
     assert breakdown is None or len(result.events)
@@ -38,7 +38,7 @@ def test_energy_is_balanced(name):
 
 
 def test_each_term_of_the_energy_is_of_second_order():
-    """Not by the balance, which is an identity: against a step 64 times as short."""
+    """Not from the balance, which is an identity, but against a step 64 times as short."""
     given = turning(n=41, z=3, conductance=2e-9)
     outer = Source(Sine(10.0, 150.0), 1e6)
     names = ["source_work", "mechanical_work", "leak_heat", "resistor_heat"]
@@ -52,7 +52,7 @@ def test_each_term_of_the_energy_is_of_second_order():
 
 
 def test_work_of_moving_plates():
-    """A charged ring, isolated: the energy Q^2/2C grows by the work of who moves the plates."""
+    """A charged, isolated ring: the energy Q^2/2C grows by the work of moving the plates."""
     given = turning()
     data = circuit.run(given, Floating(10.0)).data
     bearing = series(given.capacitance).bearing

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The command: what it prints, where, and its exit codes."""
+"""The command: its output, where it prints, and its exit codes."""
 
 import argparse
 import json
@@ -80,7 +80,7 @@ def test_a_wrong_word_names_the_nearest(arguments, said, capsys):
 
 
 def test_alone_it_prints_the_commands_by_group(capsys):
-    """Each command once, under one of the headings; no group has a name that is no command."""
+    """Each command appears once under one heading; every name in a group is a command."""
     assert main([]) == 0
     text = capsys.readouterr().out
     assert text == _parser().format_help()
@@ -102,7 +102,7 @@ def subcommands():
 
 @pytest.mark.parametrize("name", subcommands())
 def test_help_teaches(name):
-    """Every subcommand has examples that its parser takes, and tells its exit codes."""
+    """Every subcommand has examples that its parser accepts, and lists its exit codes."""
     text = subcommands()[name].format_help()
     examples = [
         re.split(r"  +|\|", line.strip())[0]
@@ -146,7 +146,7 @@ def test_as_a_program(folder, tmp_path):
 
 
 def test_nobody_listens(folder):
-    """`raceway summary DIR | head -0` is no reason for a traceback."""
+    """`raceway summary DIR | head -0` must not cause a traceback."""
     reading, writing = os.pipe()
     os.close(reading)
     environment = {**os.environ, "PYTHONPATH": str(Path(raceway.__file__).parents[1])}

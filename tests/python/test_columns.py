@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The columns that Python and the pages know are those of the C++ that was built."""
+"""The columns in Python and on the pages are those of the C++ that was built."""
 
 import json
 import math
@@ -14,7 +14,7 @@ KEPT = Path(columns.__file__).with_name("columns.json")
 
 
 def test_kept_is_what_the_build_prints():
-    """`make columns` has been run since a column changed."""
+    """`make columns` was run after the last change of a column."""
     done = subprocess.run([ROOT / "build" / "columns"], capture_output=True, text=True, check=True)
     assert done.stdout == KEPT.read_text(), "run: make columns"
 
@@ -41,7 +41,7 @@ def test_tables():
 
 
 def test_every_keyword_of_the_law_says_what_it_takes():
-    """A number has a meaning, a range and what holds without it; a word its choices."""
+    """A number has a meaning, a range and a default; a word has its choices."""
     contact = {row["name"] for row in json.loads(KEPT.read_text())["contact"]}
     parts = json.loads(KEPT.read_text())["law"]
     assert len({part["name"] for part in parts}) == len(parts) >= 9

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway decks`: what is listed can be copied, and nothing of the user's is overwritten."""
+"""`raceway decks`: every listed file can be copied, and no user file is overwritten."""
 
 from pathlib import Path
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The examples in docstrings give what they say."""
+"""The examples in docstrings give the results they show."""
 
 import doctest
 import importlib

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway electric` and what it stands on: figures agree with each other and with statics, the way
-back returns, pictures, messages and exit codes."""
+"""`raceway electric` and its functions: figures agree with each other and with statics, the inverse
+recovers the films, pictures, messages and exit codes."""
 
 import csv
 import json
@@ -65,7 +65,7 @@ def test_shoulders_are_the_file_s_unless_given(point):
 
 
 def test_threshold_is_where_the_field_is_the_strength(point):
-    """At the threshold the largest field is the strength, and a rough film fails earlier."""
+    """At the threshold the largest field equals the strength, and a rough film fails earlier."""
     found = electric_point.figures(point, Ask(strength=20e6))
     at = electric_point.figures(point, Ask(voltage=found["threshold_V"]))
     assert at["field_V_m"] == pytest.approx(20e6)
@@ -78,7 +78,7 @@ def test_threshold_is_where_the_field_is_the_strength(point):
 
 
 def test_warnings():
-    """An ellipse past the shoulder, surfaces that meet."""
+    """An ellipse beyond the shoulder; touching surfaces."""
     heavy = electric_point.solve("6208", "vg46", axial=20e3, clearance=20e-6, rpm=1500.0)
     assert any("reaches" in one for one in electric_point.figures(heavy)["warnings"])
     slow = electric_point.solve("6208", "vg46", load=3000.0, rpm=1.0)
@@ -89,7 +89,7 @@ def test_warnings():
 
 
 def test_impedance_and_leak(point):
-    """Fast: all capacitance; slow: the leak."""
+    """High frequency: all capacitance; low frequency: the leak."""
     capacitance = electric_point.figures(point)["capacitance_total_F"]
     fast = electric_point.figures(point, Ask(frequency=1e7, resistivity=1e9))
     assert fast["impedance_ohm"] == pytest.approx(1 / (2e7 * np.pi * capacitance), rel=1e-6)
@@ -106,7 +106,8 @@ def test_dry_gaps_without_load_leak_nothing():
 
 
 def test_measured_capacitance_gives_the_film_back(point):
-    """The model's capacitance at a film is read back as that film; the plates read too thin."""
+    """The model's capacitance at a film is read back as that film; plates alone give too thin a
+    film."""
     for scale in (0.3, 1.0, 2.5):
         measured = point.capacitors(scale).total
         found = electric_point.figures(point, Ask(measured=measured))

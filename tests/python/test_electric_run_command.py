@@ -39,7 +39,7 @@ def test_figures(folder, capsys):
     assert found["stored_energy_J"] == pytest.approx(
         film_voltage.stored_energy(hangs, found["threshold_V"])
     )
-    # films are thinnest where the load is
+    # films are thinnest under the load
     assert abs(found["threshold_azimuth_deg"]) < 45
     both = 2 * data["bearing"].to_numpy()
     assert found["bearing_voltage_ratio"] == pytest.approx(np.mean(50e-12 / (1050e-12 + both)))

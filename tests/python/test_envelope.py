@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Envelopes of made-up signals: blows at a known rate that ring at a known frequency, in noise."""
+"""Envelopes of synthetic signals: impacts at a known rate that excite a known frequency, in
+noise."""
 
 import json
 
@@ -17,7 +18,8 @@ TIME = np.arange(2 * int(RATE)) / RATE
 
 
 def blows(hertz, carrier=None, depth=0.0, loud=1.0):
-    """Decaying 7 kHz, `hertz` times a second, its loudness modulated at `carrier` Hz; (N,)."""
+    """Decaying 7 kHz bursts, `hertz` times a second, with amplitudes modulated at `carrier` Hz;
+    (N,)."""
     total = np.zeros(len(TIME))
     for when in np.arange(0.3 / hertz, TIME[-1], 1 / hertz):
         size = loud * (1 + depth * np.cos(2 * np.pi * carrier * when)) if carrier else loud
@@ -31,7 +33,7 @@ def blows(hertz, carrier=None, depth=0.0, loud=1.0):
 
 @pytest.fixture(scope="module")
 def noisy():
-    """Blows at 107.3 Hz, under a hum ten times as loud and noise half as loud."""
+    """Impacts at 107.3 Hz with a hum ten times as loud and noise half as loud."""
     noise = np.random.default_rng(3).normal(0, 0.5, len(TIME))
     return blows(107.3) + 10 * np.sin(2 * np.pi * 50 * TIME) + noise
 
@@ -43,7 +45,8 @@ def test_the_band_is_where_it_rings(noisy):
 
 
 def test_rate_of_the_blows(noisy):
-    """Known to a thousandth of the resolution of 0.5 Hz in quiet; noise adds some hundredths."""
+    """Accurate to a thousandth of the resolution of 0.5 Hz without noise; noise adds a few
+    hundredths."""
     band = envelope.best_band(noisy, 1 / RATE, narrowest=400)
     one = spectrum.spectrum(envelope.of_values(noisy, 1 / RATE, *band[:2]), 1 / RATE)
     found = spectrum.find(one, 107.3)
@@ -62,7 +65,7 @@ def test_sidebands_of_what_modulates():
 
 
 def test_noise_is_not_impulsive():
-    """The kurtosis of N values of noise scatters by 2/sqrt(N): five times that is never reached."""
+    """The kurtosis of N noise values scatters by 2/sqrt(N): five times that is never reached."""
     noise = np.random.default_rng(4).normal(size=len(TIME))
     for band in envelope.bands(noise, 1 / RATE):
         count = len(TIME) * (band.high - band.low) / RATE
@@ -78,8 +81,8 @@ def test_mistakes():
 
 @pytest.fixture(scope="module")
 def struck(tmp_path_factory, lubricated, bearing):
-    """A run whose ring rings at a third of the sampling rate, once a passage over the inner
-    raceway, as loud as the shaft's angle says."""
+    """A run whose ring vibrates at a third of the sampling rate, once a passage over the inner
+    raceway, with an amplitude that follows the shaft's angle."""
     settings = dict(lubricated["settings"], passes=60, samples_per_pass=96)
     step, shaft = settings["sample_s"] / 4, 477.5 / 60
     settings["sample_s"] = step

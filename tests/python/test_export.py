@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What `raceway export` writes, read back: VTK by meshio, extended XYZ by its rules."""
+"""Output of `raceway export`, read back: VTK by meshio, extended XYZ by its rules."""
 
 import re
 import xml.etree.ElementTree as ElementTree
@@ -23,7 +23,8 @@ def entries(pvd):
 
 
 def test_groove_lies_on_its_torus(bearing):
-    """Every point is a groove radius from the circle of centres, and every quad faces the balls."""
+    """Every point is a groove radius away from the circle of centres, and every quad faces the
+    balls."""
     for side, clearance in ((INNER, 0.0), (OUTER, 4e-5)):
         points, quads = groove.mesh(bearing, side, clearance)
         radius = np.hypot(points[:, 0], points[:, 1])
@@ -139,7 +140,7 @@ def test_ovito(folder, lubricated, tmp_path):
 def test_so_many_samples_by_default(folder, monkeypatch):
     monkeypatch.setattr(particles, "FRAMES", 20)
     frames = list(particles.frames(RunTables(folder)))
-    # 17, the most below 20 that are evenly spaced
+    # 17, the largest number below 20 with even spacing
     assert [frame.sample for frame in frames] == list(range(0, 49, 3))
     part = list(particles.frames(RunTables(folder, slice(6, 12)), 2))
     assert [frame.sample for frame in part] == [6, 8, 10] and part[0].ring_turned == 0

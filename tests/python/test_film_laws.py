@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Factors of the film, the film in all regimes and the film in the gap: numbers, limits, slopes."""
+"""Film factors, the film in all regimes and the film in the gap: numbers, limits, slopes."""
 
 import numpy as np
 import pytest

@@ -7,7 +7,7 @@ from raceway import capacitance, film_factors, film_voltage, impedance, rough_fi
 
 
 def test_division():
-    """The one of two films that has half the capacitance takes two thirds of the voltage."""
+    """Of two films in series, the one with half the capacitance takes two thirds of the voltage."""
     shares = film_voltage.divided(9.0, 2e-10, 1e-10)
     assert shares.inner == pytest.approx(3.0) and shares.outer == pytest.approx(6.0)
     with pytest.raises(ValueError, match="capacitance = 0.0 must be positive"):
@@ -35,7 +35,7 @@ def test_field_and_threshold():
 
 
 def test_open_films():
-    """All of the voltage is over the open one of two films; two open ones take none."""
+    """An open film takes all of the voltage; of two open ones none takes any."""
     inner, outer = np.array([1e-10, 0.0, 0.0]), np.array([0.0, 1e-10, 0.0])
     assert film_voltage.shares(inner, outer).outer.tolist() == [1, 0, 0]
     found = film_voltage.ring_voltages((3.0, 4.0), inner, outer)
@@ -101,7 +101,7 @@ def test_rough_films():
 
 def test_clipped_film():
     found = rough_film.clipped(np.array([0.0, 2.5, 30.0]), 0.05)
-    # a half of a film without a mean gap is closed, none of a thick one
+    # half of a film without a mean gap is closed, none of a thick one
     assert found.closed == pytest.approx([0.5199, 0.00714, 0.0], abs=6e-5)
     assert found.factor[2] == pytest.approx(rough_film.factor(30.0), rel=1e-4)
     z = (np.arange(400_000) + 0.5) / 400_000 * 12 + 0.05  # gaps in sigmas

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The first lines that somebody types: data by name, results that fit on a screen, a word about
+"""The first lines a user types: data by name, results that fit on a screen, a warning about
 millimetres."""
 
 import numpy as np
@@ -10,13 +10,13 @@ from raceway.theory.bearing import Bearing
 
 
 def test_data_by_name(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)  # where there are no inputs
+    monkeypatch.chdir(tmp_path)  # a folder without inputs
     shipped = inputs.bearing("6206")
     assert shipped.balls == 9 and inputs.bearing("7205B").balls == 12
     assert inputs.oil("vg46") == inputs.oil("vg46", 40)
     assert inputs.fluid("vg46", 80).viscosity < inputs.fluid("vg46").viscosity
     assert inputs.lubricant("vg46").at(40).viscosity == inputs.fluid("vg46", 40).viscosity
-    # a file here goes before a name of the catalogue
+    # a file here takes precedence over a name of the catalogue
     (tmp_path / "6206").write_text(inputs.text(inputs._named("bearings", "6208")))
     assert inputs.bearing("6206").ball_diameter > shipped.ball_diameter
     for read, name in ((inputs.bearing, "6299"), (inputs.oil, "vg47")):
@@ -25,7 +25,7 @@ def test_data_by_name(tmp_path, monkeypatch):
 
 
 def test_results_are_short():
-    """One line a field, whatever the number of balls."""
+    """One line for each field, whatever the number of balls."""
     body = inputs.bearing("6208")
     state = static.equilibrium(body, 2000.0, 500.0)
     films = lubrication.lubricate(body, state, inputs.oil("vg46"), 100.0)

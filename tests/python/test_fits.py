@@ -12,7 +12,7 @@ CAST_IRON, BRASS = Material(110e9, 0.25), Material(100e9, 0.34)
 
 
 def shrink_fit(radii, inner, outer, interference):
-    """Radial displacements at the first and the last of three radii, two tubes with a radial
+    """Radial displacements at the first and the last of three radii for two tubes with a radial
     `interference` at the middle one: u = A r + B/r in each, four conditions."""
     first, middle, last = radii
 
@@ -56,7 +56,7 @@ def test_housing(bearing, outside, material):
 
 
 def test_same_steel(bearing):
-    """One solid or endless steel: the ratio of diameters is all there is to it."""
+    """A solid shaft or endless steel: only the ratio of diameters matters."""
     ring = Material(bearing.young, bearing.poisson)
     same = {"shaft_material": ring, "housing_material": ring}
     both = fits.clearance_change(bearing, 40e-3, 80e-3, 8e-6, 5e-6, **same)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Equilibrium under moments and with held degrees of freedom: its equations written anew and solved
-by scipy, balance in space, derivatives, symmetries. Published figures are in
+"""Equilibrium under moments and with held degrees of freedom: its equations written independently
+and solved by scipy, balance in space, derivatives, symmetries. Published figures are in
 test_published_bearings.py."""
 
 import numpy as np
@@ -53,12 +53,12 @@ def harris(
     phase=0.0,
     orbital_speed=0.0,
 ):
-    """(place (5,), Q_i and Q_o (grooves, Z), angles likewise) of Harris's simultaneous equations
+    """(position (5,), Q_i and Q_o (grooves, Z), angles likewise) of Harris's simultaneous equations
     (ch. 7 and 9, no gyroscopic moment), by scipy; a term for each groove.
 
-    Unknown are the ring's place and each ball's X_1, X_2, the axial and radial distances of its
-    centre from that of an outer groove in the middle of its row. Lengths in units of 0.1 mm, forces
-    of 1 kN, so that `root` sees numbers near one.
+    The unknowns are the ring's position and each ball's X_1, X_2, the axial and radial distances of
+    its centre from that of an outer groove in the middle of its row. Lengths are in units of 0.1 mm
+    and forces in units of 1 kN, so that `root` works with numbers near one.
     """
     layout, count = bearing.layout, bearing.balls
     psi = np.tile(phase + 2 * np.pi * np.arange(count) / count, len(layout.rows))
@@ -112,10 +112,10 @@ def harris(
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("name", LOADS)
 def test_against_harris_equations(bearing, name, kind):
-    """They hold at our place. With one groove scipy's `root`, started a micrometre and 0.1 mrad
-    off, comes back to it."""
+    """They hold at our position. With one groove scipy's `root`, started a micrometre and 0.1 mrad
+    away, converges to it."""
     bearing, case = KINDS[kind](bearing), LOADS[name]
-    if kind != "one groove":  # balls with play between four grooves have no place
+    if kind != "one groove":  # balls with play between four grooves have no definite position
         case = case | {"orbital_speed": 900.0}
     state = static.equilibrium(bearing, **case)
     contacts, miss = harris(bearing, **case)
@@ -145,7 +145,7 @@ def test_against_harris_equations(bearing, name, kind):
     place, q_i, q_o, alpha_i, _ = contacts(solution)
     assert np.abs(miss(solution)).max() < 1e-9  # kN
     scale = state.outer.load.max()
-    # a soft tilt of 2e4 N m/rad and loads good to 1e-6 N
+    # a soft tilt of 2e4 N m/rad and loads accurate to 1e-6 N
     assert place[:3] == pytest.approx(state.shift, abs=1e-11)
     assert place[3:] == pytest.approx(state.tilt, abs=1e-9)
     assert q_i == pytest.approx(inner, abs=1e-6 * scale)
@@ -156,7 +156,7 @@ def test_against_harris_equations(bearing, name, kind):
 
 @pytest.mark.parametrize("name", LOADS)
 def test_exact_circle_balances_in_space(bearing, name):
-    """Contacts found anew from ball centres in the frame of the turned ring: overlaps, forces on
+    """Contacts recomputed from ball centres in the frame of the rotated ring: overlaps, forces on
     ball and ring, moments across the ring's axis."""
     case = LOADS[name]
     state = static.equilibrium(bearing, finite_shift=True, **case)
@@ -216,7 +216,7 @@ def test_exact_circle_balances_in_space(bearing, name):
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("finite_shift", [False, True])
 def test_gradient_and_hessian(bearing, finite_shift, kind):
-    """Central differences of the energy, the balls settled anew at every place: 10 nm steps of
+    """Central differences of the energy, with the balls settled at every position: 10 nm steps at
     overlaps near 20 um."""
     bearing = KINDS[kind](bearing)
     azimuth = np.tile(0.1 + 2 * np.pi * np.arange(9) / 9, len(bearing.layout.rows))
@@ -237,14 +237,14 @@ def test_gradient_and_hessian(bearing, finite_shift, kind):
         step = 1e-8 * np.eye(5)[k]
         ends = balance.at(place + step), balance.at(place - step)
         slope, curve = ((one - other) / 2e-8 for one, other in zip(ends[0][:2], ends[1][:2]))
-        # energy of 0.05 J known to 1e-15 J, and (1e-8/2e-5)^2 of the third derivative
+        # energy of 0.05 J with errors of 1e-15 J, and (1e-8/2e-5)^2 of the third derivative
         assert gradient[k] == pytest.approx(slope, abs=1e-6 * np.abs(gradient).max() + 1e-3)
         assert hessian[:, k] == pytest.approx(curve, rel=1e-5, abs=1e-5 * np.abs(hessian).max())
 
 
 def test_stiffness_is_load_per_displacement(bearing):
-    """One more newton, or newton metre, along each freedom moves the ring by the inverse of
-    `stiffness`, up to the change of contact stiffness with the angle, which it leaves out."""
+    """One additional newton, or newton metre, along each freedom moves the ring by the inverse of
+    `stiffness`, apart from the change of contact stiffness with the angle, which it neglects."""
     base = dict(radial_load=2000.0, axial_load=1000.0, moment=(10.0, -4.0), clearance=10e-6)
     state = static.equilibrium(bearing, **base)
     compliance = np.linalg.inv(state.stiffness)
@@ -270,7 +270,7 @@ def test_turning_and_mirroring(bearing):
     assert other.inner.load == pytest.approx(one.inner.load, rel=1e-7)
     assert other.shift == pytest.approx(turn.apply(one.shift), abs=1e-13)
     assert np.append(other.tilt, 0) == pytest.approx(turn.apply(np.append(one.tilt, 0)), abs=1e-11)
-    # in the bearing's plane: axial load, moments, tilts and angles change their signs
+    # in the bearing's plane: axial load, moments, tilts and angles change sign
     below = static.equilibrium(
         bearing, moment=(-10.0, 4.0), phase=0.1, **{**case, "axial_load": -1000.0}
     )
@@ -281,7 +281,7 @@ def test_turning_and_mirroring(bearing):
 
 
 def test_held_tilt_gives_back_its_moment(bearing):
-    """20 arc-minutes held need a moment; that moment, given, makes 20 arc-minutes."""
+    """A held tilt of 20 arc-minutes needs a moment; that moment, applied, gives 20 arc-minutes."""
     tilt = np.radians(20 / 60)
     for finite_shift in (False, True):
         held = static.equilibrium(
@@ -295,7 +295,7 @@ def test_held_tilt_gives_back_its_moment(bearing):
         assert held.tilt == pytest.approx([0.2 * tilt, tilt], rel=1e-12)
         e = np.array([np.sin(tilt), -np.sin(0.2 * tilt), 0])
         e[2] = np.sqrt(1 - e @ e)
-        # only the part across the axis works; a moment in the plane of x and y with that part
+        # only the part across the axis does work; a moment in the plane of x and y with that part
         needed = -held.moment
         needed = (needed - needed[2] / e[2] * e)[:2] if finite_shift else needed[:2]
         free = static.equilibrium(
@@ -306,8 +306,8 @@ def test_held_tilt_gives_back_its_moment(bearing):
 
 
 def test_imposed_displacement(bearing):
-    """Held everywhere: the loads are those of Hertz at the displacement, the ball on the load line
-    squeezed by 30 um."""
+    """Held in all directions: the loads are those of Hertz at the displacement, with the ball on
+    the load line compressed by 30 um."""
     state = static.equilibrium(bearing, held={"x": 30e-6, "y": 0, "z": 0, "rx": 0, "ry": 0})
     assert state.inner.overlap[0] + state.outer.overlap[0] == pytest.approx(30e-6, rel=1e-10)
     assert state.residual == 0
@@ -318,14 +318,15 @@ def test_imposed_displacement(bearing):
 def test_held_straight_is_the_default_and_needs_a_moment(bearing):
     straight = static.equilibrium(bearing, 2000.0, 1000.0, clearance=10e-6)
     assert np.all(straight.tilt == 0)
-    assert abs(straight.moment[1]) > 1  # radial and axial load together want to tilt the ring
+    assert abs(straight.moment[1]) > 1  # radial and axial load together tend to tilt the ring
     free = static.equilibrium(bearing, 2000.0, 1000.0, clearance=10e-6, moment=(0, 0))
     assert abs(free.tilt[1]) > 1e-4
     assert free.moment[:2] == pytest.approx([0, 0], abs=1e-8)
 
 
 def test_pure_rolling_speed(bearing):
-    """`turning` and a balance by hand: the orbit of the mean angle, the angles of that orbit."""
+    """`turning` and an equilibrium by hand: the orbit of the mean angle, the angles of that
+    orbit."""
     from raceway.theory.lubrication import orbit, turning
 
     state, speed = turning(bearing, 1000.0, 0.0, 2000.0, clearance=30e-6)
@@ -338,7 +339,7 @@ def test_pure_rolling_speed(bearing):
         / (state.inner.load[0] + state.outer.load[0])
     )
     assert speed == pytest.approx(1000.0 * kinematics.frequencies(bearing, mean).cage, rel=1e-8)
-    # thrown balls press the outer ring more squarely
+    # centrifugal loads press the outer ring more radially
     assert np.all(state.inner.angle > state.outer.angle)
 
 
@@ -399,7 +400,7 @@ def test_wrong_hold(bearing, held, said):
     ],
 )
 def test_light_loads(bearing, case):
-    """Under 1 N the last digits of distances are worth 1e-10 N: that ends the search, not the
+    """Under 1 N the last digits of distances correspond to 1e-10 N: that ends the search, not the
     tolerance of the force."""
     state = static.equilibrium(bearing, **case)
     assert state.residual < 1e-8

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every vector of a fix stands on the page of the fix, from the tables of the C++."""
+"""Every vector of a fix is on the page of the fix, from the tables of the C++."""
 
 import json
 from pathlib import Path
@@ -13,7 +13,7 @@ FIXES = sorted(name for name in TABLES if name.startswith("fix_"))
 
 
 def test_which_fixes_have_a_vector():
-    """A fix that sets size_vector to a number of its own would not be in the tables."""
+    """A fix that set size_vector to a literal number would not be in the tables."""
     sources = (ROOT / "src-package" / "styles").glob("fix_bearing_*.cpp")
     vectors = {s.stem.replace("fix_bearing_", "fix_") for s in sources if sizes(s)}
     assert vectors - {"fix_checkpoint"} == set(FIXES)  # its length is that of its command

@@ -30,7 +30,7 @@ OIL = inputs.oil(ROOT / "inputs/lubricants/mineral")
 
 
 def body():
-    """One groove of each ring of the four-point contact bearing."""
+    """One groove a ring of the four-point contact bearing."""
     return replace(OF_6208.four_point(ANGLE), layout=Layout())
 
 
@@ -45,7 +45,7 @@ def thrust():
 
 
 def figures(**options):
-    # of `thrust`, whose contacts have no film in the gap
+    # for `thrust`, whose contacts have no film in the gap
     common = {
         "models": "paper",
         "held": {"rx": 0.0, "ry": 0.0},
@@ -63,7 +63,8 @@ def grooves(found, key):
 
 @pytest.mark.parametrize("way", [1, -1])
 def test_thrust_is_that_of_an_angular_contact(way):
-    """It presses on one groove of each ring: all figures are those of a bearing with that one."""
+    """It loads one groove of each ring: all figures are those of a bearing with that groove
+    alone."""
     found = figures(axial=way * 1000.0, rpm=RPM)
     state, films = thrust()
     load = grooves(found, "q_N")
@@ -94,7 +95,7 @@ def test_radial_load_is_carried_by_four_points():
     azimuth = np.array([ball["azimuth_rad"] for ball in found["balls"]])
     carried = (load[0] * np.cos(angle[0]) * np.cos(azimuth)).sum()
     assert carried == pytest.approx(2000.0, rel=1e-9)
-    ring = electric.sum(1)  # grooves of a ring are beside each other
+    ring = electric.sum(1)  # the grooves of a ring are next to each other
     live = ring.min(0) > 0
     ball = np.where(live, ring.prod(0) / np.where(live, ring.sum(0), 1.0), 0.0)
     assert [one["capacitance_F"] for one in found["balls"]] == pytest.approx(ball, rel=1e-9)
@@ -104,7 +105,7 @@ def test_radial_load_is_carried_by_four_points():
 
 @pytest.fixture
 def stated(tmp_path):
-    """A bearing whose file says that it is one of four points, with its ratings."""
+    """A bearing whose file describes a four-point contact, with its ratings."""
     text = (ROOT / "inputs/bearings/6208").read_text()
     path = tmp_path / "QJ"
     path.write_text(text + "variable four_point index 35\n")
@@ -113,7 +114,8 @@ def stated(tmp_path):
 
 
 def test_life_of_a_bearing_that_its_file_rates(stated):
-    assert "life_reference_Mrev" not in figures(axial=1000.0)  # those of a deep groove bearing
+    # values of a deep groove ball bearing
+    assert "life_reference_Mrev" not in figures(axial=1000.0)
     found = operating_point.figures(
         stated, held={"rx": 0.0, "ry": 0.0}, clearance=PLAY, axial=1000.0, rpm=RPM
     )
@@ -122,7 +124,7 @@ def test_life_of_a_bearing_that_its_file_rates(stated):
     dynamic = rated.dynamic / 2**0.7  # of one row
     want = life.reference(body(), dynamic, state.inner.load, state.outer.load, ANGLE)
     assert found["life_reference_Mrev"] == pytest.approx(want, rel=1e-6)
-    # two grooves alike: twice the risk
+    # two equal grooves: twice the risk
     both = operating_point.figures(stated, held={"rx": 0.0, "ry": 0.0}, load=2000.0)
     load = grooves(both, "q_N")
     one = life.reference(body(), dynamic, load[0, 0], load[1, 0], ANGLE)
@@ -132,9 +134,9 @@ def test_life_of_a_bearing_that_its_file_rates(stated):
 @pytest.mark.parametrize("name", ["QJ205", "QJ208", "QJ310"])
 @pytest.mark.parametrize("loads, factor", [({"axial": 1.0}, 1.07), ({"load": 1.0}, 1.0)])
 def test_equivalent_load_of_the_maker(name, loads, factor):
-    """SKF (General Catalogue 6000, page 455): P = F_r, or 1.07 F_a under a thrust. Loads of balls
-    give the factors of angular contact bearings 4 to 9 % smaller, too. One row would be 1.6 times
-    off."""
+    """SKF (General Catalogue 6000, page 455): P = F_r, or 1.07 F_a under a thrust. The ball loads
+    give factors 4 to 9 % smaller, as for angular contact bearings. One row would be off by a
+    factor of 1.6."""
     rated = inputs.ratings(ROOT / "inputs/bearings" / name)
     given = {key: 0.02 * rated.static * value for key, value in loads.items()}
     found = operating_point.figures(name, None, ROOT / "inputs", held={"rx": 0, "ry": 0}, **given)
@@ -188,8 +190,9 @@ def test_bad_files(stated):
 
 
 def test_stiffness_of_two_rows_and_four_points():
-    """Rows far apart share a radial load and a thrust; tilts turn each about the other. Four points
-    under a thrust are one groove of each ring, also in a table for rotor programs."""
+    """Rows far apart share a radial load and a thrust; tilting loads each row opposite to the
+    other. Four points under a thrust act like one groove of each ring, also in a table for rotor
+    programs."""
     apart, oil = 0.2, {"lubricant": "vg46", "phases": 2}
     rows = DoubleRow(apart, 0.0, "back_to_back")
     (two,) = rotor.points("6208", 1000.0, 1000.0, double_row=rows, clearance=-5e-6, **oil)
@@ -201,7 +204,7 @@ def test_stiffness_of_two_rows_and_four_points():
     held = {"clearance": PLAY, "axial": 1000.0, **oil}
     (four,) = rotor.points("6208", 0.0, RPM, four_point=ANGLE, folder=ROOT / "inputs", **held)
     (single,) = rotor.points(body(), 0.0, RPM, **held)
-    beside = OF_6208.four_point(ANGLE).layout.inner[0][1]  # m, of the groove that carries
+    beside = OF_6208.four_point(ANGLE).layout.inner[0][1]  # m, of the loaded groove
     turn = np.eye(5)
     turn[0, 4], turn[1, 3] = beside, -beside
     for found, want in zip(four.over.mean, single.over.mean):
@@ -209,8 +212,8 @@ def test_stiffness_of_two_rows_and_four_points():
 
 
 def test_two_rows_live_as_the_standard_says():
-    """C of two rows is 2^0.7 times that of one (ISO 281). Twice the load on both: each row lives
-    as one does, and both together 2^-0.9 times as long."""
+    """C of two rows is 2^0.7 times that of one (ISO 281). Under twice the load each row has the
+    life of one, and both together 2^-0.9 times that."""
     options = {"held": {"rx": 0.0, "ry": 0.0}, "folder": ROOT / "inputs"}
     one = operating_point.figures("6208", load=1000.0, **options)
     two = operating_point.figures("6208", load=2000.0, double_row=DoubleRow(0.02), **options)
@@ -221,7 +224,7 @@ def test_two_rows_live_as_the_standard_says():
 
 
 def test_four_points_on_a_shaft():
-    """`raceway shaft` takes them by their file: a short stiff shaft on one is its statics."""
+    """`raceway shaft` accepts their file: a short stiff shaft on one gives its statics."""
     four = inputs.bearing(catalogue.find("bearings", "QJ208"))
     beam = shaft.Shaft([Section(0.02, 0.2)], Steel(young=2.1e14))
     loads = [shaft.Load(0.01, (500.0, 0.0, 1000.0), (2.0, 1.0))]
@@ -232,7 +235,7 @@ def test_four_points_on_a_shaft():
 
 
 def test_heat_command(capsys, monkeypatch):
-    """Statics at the steady temperature makes the heat that is carried away, at both rings."""
+    """Statics at the steady temperature generates the heat that is carried away, for both rings."""
     monkeypatch.chdir(ROOT)
     arguments = ["--bearing", "7208", "--double-row", "0.018", "--preload", "5e-6", "--load", "500"]
     cooling = ["--nodes", "1", "1", "1", "--rpm", "1000", "--json"]

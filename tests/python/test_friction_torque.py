@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Friction torque of the 6208 from statics: the parts against section by section figures, spin in
-closed form, limits. Statics with the film in the gap."""
+"""Friction torque of the 6208 from statics: the parts against the figures of the theory section by
+section, spin in closed form, limits. Statics with the film in the gap."""
 
 from pathlib import Path
 
@@ -32,7 +32,7 @@ def found(bearing, rpm, load=5000.0, axial=0.0, fluid=FLUID, surfaces=None, **op
 
 @pytest.fixture(scope="module")
 def none_skids():
-    """Unloaded balls roll, as in the figures of sections."""
+    """Unloaded balls roll, as in the figures of those sections."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(skidding, "rotation", lambda slowing, rate, time: 1.0)
         yield
@@ -54,7 +54,7 @@ def table(bearing, none_skids):
 def test_rolling(table):
     # at 477.5 rpm the four unloaded balls on the outer raceway add 3 %
     assert table["rolling"] == pytest.approx([5.9, 33, 94, 201], rel=0.04)
-    # the figures of eq 32, which the powers meet within 0.6 %
+    # the figures of eq 32, which the powers match within 0.6 %
     want = np.array([94, 201])
     assert np.all(np.abs(table["rolling"][2:] - want) < 0.5 + 6e-3 * want)
 
@@ -70,14 +70,14 @@ def test_coulomb_slip(bearing, none_skids):
 
 
 def test_mixed_slip(table):
-    """Eyring with its limit is 5 to 20 % below Coulomb's 0.05 in full film; asperities lift it at
-    48 rpm. Other laws of their share spread that figure from 75 to 114."""
+    """Eyring with its limit is 5 to 20 % below Coulomb's 0.05 in full film; asperities raise it at
+    48 rpm. With other laws for their share that figure varies from 75 to 114."""
     assert table["slip"][1:] == pytest.approx([56, 55, 58], rel=0.04)
     assert table["slip"][0] == pytest.approx(114, rel=0.04)
 
 
 def test_torque_near_skf_s(bearing):
-    """5 kN, 0.04 Pa s, nothing fitted: within 35 % at 48 to 9549 rpm."""
+    """5 kN, 0.04 Pa s, without fitting: within 35 % at 48 to 9549 rpm."""
     for rpm in (191.0, *SPEEDS):
         one = figures("6208", "mineral", ROOT / "inputs", load=5000.0, rpm=rpm, models="full")
         assert one["friction_torque_N_m"] == pytest.approx(one["torque_skf_N_m"], rel=0.35)
@@ -88,8 +88,8 @@ def test_torque_near_skf_s(bearing):
 
 def test_spin_shears_the_film():
     """7205B, 300 N of thrust, 8000 rpm, 70 C: power of pure spin under Eyring's stress integrated
-    over the ellipse, which both raceways share. A run with Eyring's
-    stress spins and slides more, since its balls turn under their gyroscopic moment."""
+    over the ellipse, with the spin shared by both raceways. A run with Eyring's
+    stress spins and slides more, since its balls rotate under their gyroscopic moment."""
     path, ring = ROOT / "inputs/bearings/7205B", 8000 * np.pi / 30
     body, fluid = inputs.bearing(path), inputs.fluid(ROOT / "inputs/lubricants/vg46", 70.0)
     oil = inputs.oil(ROOT / "inputs/lubricants/vg46", 70.0)
@@ -138,7 +138,7 @@ def test_reversed_and_hot(bearing):
      (9549.0, -10, -3.0, 73)],
 )  # fmt: skip
 def test_film_in_the_gap(bearing, rpm, shift, top, third):
-    """Percent of change of radial displacement, top and third ball; no centrifugal load."""
+    """Change in per cent of radial displacement, top and third ball; no centrifugal load."""
     dry = equilibrium(bearing, 5000.0)
     wet = equilibrium(bearing, 5000.0, film=FilmInGap(ISOTHERMAL, rpm * np.pi / 30))
     change = [

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cooling, heat balance, clearance and flash temperature: worked numbers and closed forms."""
+"""Cooling, heat balance, clearance and flash temperature: published numbers and closed forms."""
 
 import numpy as np
 import pytest
@@ -52,9 +52,9 @@ def test_balance():
 def test_three_nodes():
     found = heat.three_nodes(20.0, 10.0, shaft=1.0, housing=2.0, contact=0.7, ambient=25.0)
     assert (found.inner - 25) + 2 * (found.outer - 25) == pytest.approx(30, rel=1e-12)
-    # what flows from the balls into the outer ring, plus its own half, leaves by the housing
+    # the heat flow from the balls into the outer ring plus its own half leaves through the housing
     assert 0.7 * (found.balls - found.outer) + 5 == pytest.approx(2 * (found.outer - 25))
-    # perfect contact: all at one temperature, the one node's
+    # perfect contact: a single temperature, that of the one-node model
     tight = heat.three_nodes(20.0, 10.0, shaft=1.0, housing=2.0, contact=1e9)
     assert list(tight) == pytest.approx([30.0] * 3, abs=1e-6)
 
@@ -62,7 +62,7 @@ def test_three_nodes():
 def test_clearance_by_temperature(bearing):
     assert 1e6 * heat.clearance_change(bearing, 10.0, 5.0, 0.0) == pytest.approx(-7.3, abs=0.05)
     change = heat.clearance_change(bearing, 10.0, 10.0, 10.0)
-    # all parts alike: none but that of the clearance itself, here zero
+    # equal temperatures: only the clearance itself expands, which is zero here
     assert change == pytest.approx(0, abs=1e-12)
 
 

@@ -25,7 +25,7 @@ HEAT = np.array([6.0, 12.0, 6.0, 0.5])
 
 
 def matrix(net):
-    """Conductances of the nodes with a capacity, and those to ambient (W/K)."""
+    """Conductances between the nodes with a capacity, and to ambient (W/K)."""
     n = 4 if net["capacity"][3] else 3
     seat, housing = net["seat"], net["housing"]
     outside = np.zeros(4)
@@ -41,14 +41,14 @@ def matrix(net):
 
 
 def into(n):
-    """Heat of a housing that keeps none goes into the outer ring."""
+    """Heat of a housing without capacity goes into the outer ring."""
     return HEAT if n == 4 else HEAT[:3] + [0, 0, HEAT[3]]
 
 
 def test_conductance_of_a_contact():
     steel = laws.steel_of_bearings()
     a, b, u = 1.102e-3, 0.1241e-3, 1.203
-    # heat through each point: two half-spaces in contact for 2 b sqrt(1 - z^2)/u
+    # heat through each point: two half-spaces in contact for the time 2 b sqrt(1 - z^2)/u
     along = integrate.quad(lambda z: (1 - z * z) ** 0.25, 0, 1, epsabs=1e-13)[0]
     assert along == pytest.approx(0.87402, abs=5e-6)
     property = float(steel.conductivity * steel.density * steel.heat)
@@ -124,7 +124,7 @@ def test_heat_that_grows_evenly(net):
 
 
 def jump(net, losses, start, **control):
-    """Temperatures of jumps (time in s and C of the nodes) whose passes lose `losses`(T) in W, and
+    """Temperatures from jumps (time in s and C of the nodes) with losses `losses`(T) in W, and
     the last state."""
     state = library().records["HeatStateOf"]()
     for k in range(4):
@@ -145,7 +145,7 @@ def jump(net, losses, start, **control):
 
 
 def integrated(net, losses, start, times):
-    """The same by scipy, without jumping."""
+    """The same by scipy, without jumps."""
     n, g, _ = matrix(net)
     capacity = np.array(net["capacity"][:n])
 
@@ -159,13 +159,13 @@ def integrated(net, losses, start, times):
 
 
 def fall(t):
-    """A loss as that of an oil: it falls, then grows by mixed friction."""
+    """A loss like that of an oil: it falls, then grows by mixed friction."""
     return 30 * np.exp(-(t - 20) / 40) + 0.08 * t
 
 
 @pytest.mark.parametrize("net", NETS.values(), ids=NETS)
 def test_jumps_against_no_jumping(net):
-    """The error of a start from cold falls with the square of the largest change."""
+    """The error of a cold start falls with the square of the largest change."""
     worst = []
     for change in (4.0, 2.0, 1.0):
         rows, state = jump(net, fall, 20.0, change=change, error=1e9, until=3600.0)
@@ -193,7 +193,7 @@ def test_jumps_to_the_steady_state():
 
 @pytest.mark.parametrize(("share", "end"), [(0.9, 2), (1.1, 3)])
 def test_run_away(share, end):
-    """Losses that grow linearly, by 0.9 and 1.1 of the conductance of the whole."""
+    """Losses that grow linearly, at 0.9 and 1.1 of the total conductance."""
     net = NETS["none"]
     _, hot = heat.steady(net, heat.into_nodes(0.6, 0.4))
     slope = share / (hot[:3].mean() - 20)  # W/K

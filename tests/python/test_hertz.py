@@ -23,14 +23,14 @@ def test_ellipse_against_high_precision(ratio):
             for value in (kappa, mpmath.ellipk(1 - kappa**-2), mpmath.ellipe(1 - kappa**-2))
         ]
     ellipse = hertz.exact(1.0, ratio)
-    # some tens of roundings, each of 1e-16
+    # some tens of roundings of 1e-16 each
     assert ellipse[:3] == pytest.approx(expected, rel=1e-13)
 
 
 @pytest.mark.parametrize("nearly", [0.0, 1e-12, 1e-6])
 def test_circle_is_the_sphere(nearly):
     ellipse = hertz.exact(5e-3, 5e-3 * (1 + nearly))
-    # E' = 2 E*, and the sphere's R* is both effective radii; the limit is approached linearly
+    # E' = 2 E*, and both effective radii equal the sphere's R*; the limit is approached linearly
     assert hertz.stiffness(ellipse, 2e11) == pytest.approx(
         hertz.sphere_stiffness(1e11, 5e-3), rel=nearly + 1e-13
     )
@@ -51,7 +51,7 @@ def test_arrays_equal_numbers():
 
 def test_numbers_of_the_6208(
     bearing,
-):  # docs/theory, Numbers to reproduce, to the digits given there
+):  # docs/theory, Numbers to reproduce, to the digits printed there
     modulus = bearing.effective_modulus
     for side, load, k, a, b, p in (
         (INNER, 2436.2, 3.2497e10, 2.059e-3, 0.2197e-3, 2571e6),

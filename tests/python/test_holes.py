@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Files that were read without a word, or ended with a traceback: each is refused, or warned of."""
+"""Files that used to be read silently, or ended with a traceback: each is refused or causes a
+warning."""
 
 import json
 import re
@@ -24,7 +25,7 @@ from test_run import spoil
 
 @pytest.fixture
 def points(tmp_path):
-    """A sweep of three points, one finished, one failed, one to be spoilt."""
+    """A sweep of three points: one finished, one failed, one to be damaged."""
     for name, load in (("a", "1"), ("b", "2"), ("c", "3")):
         (tmp_path / name).mkdir()
         (tmp_path / name / "point.yaml").write_text(f"load: '{load}'\n")
@@ -54,7 +55,7 @@ def test_a_broken_point(points, content):
 @pytest.mark.parametrize("content", [b"[1]", b"text", b'"text"', b"3", b"\xff", 9000 * b"["])
 @pytest.mark.parametrize("name", ["summary.json", "failed.json"])
 def test_broken_figures(points, name, content):
-    """No figures: the point is run again."""
+    """Without figures the point is run again."""
     (points / "c" / name).write_bytes(content)
     assert state(points / "c", {"load": "3"}) == ("pending", "")
     assert gather(points).set_index("point").loc["c", "status"] == "pending"
@@ -67,12 +68,13 @@ def test_a_failure_without_a_message(points):
 
 @pytest.mark.parametrize("finished", [True, False])
 def test_a_point_that_was_stopped_in_its_measurement(folder, finished):
-    """Its run.yaml says all but the end: it was taken for finished, and so failed for good."""
+    """Its run.yaml is complete except for the end: such a point counted as finished, and failed for
+    good."""
     (folder / "point.yaml").write_text("load: '5000'\n")
     if not finished:
         spoil(folder, "^step_s: .*\n", "")
     run_point(folder, {"load": "5000"}, ["true"])
-    assert (folder / "log.txt").exists() != finished  # of the program that was started
+    assert (folder / "log.txt").exists() != finished  # words of the program that was started
 
 
 @pytest.fixture
@@ -118,7 +120,7 @@ def test_many_unknown_columns_in_one_message(tmp_path):
 
 
 def test_the_page_of_points_with_other_variables(points):
-    """As `raceway needs` leaves them: a table of each kind, and no cell says nan."""
+    """Sweeps in the form that `raceway needs` leaves: a table of each kind, and no cell is nan."""
     (points / "d").mkdir()
     (points / "d" / "point.yaml").write_text("models: full\nwithout: gap+drag\n")
     text = page(points).write(points / "page.html").read_text()
@@ -127,7 +129,7 @@ def test_the_page_of_points_with_other_variables(points):
 
 
 def test_a_record_that_lost_a_variable(folder):
-    """Either the films are the same, or a message names the difference."""
+    """Either the films agree, or a message names the difference."""
     path = folder / "record.nc"
     variables, content = Record(folder).variables, path.read_bytes()
     names = [n for n, d in variables.items() if "raceway" not in d and not n.startswith("bearing_")]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A command loads the large packages that it needs, and no others."""
+"""A command imports the large packages that it needs, and no others."""
 
 import subprocess
 import sys
@@ -21,7 +21,7 @@ sys.exit(code)
 
 
 def loaded(*arguments):
-    """The large packages that `raceway` with these arguments loads."""
+    """The large packages that `raceway` imports with these arguments."""
     done = subprocess.run(
         [sys.executable, "-c", SCRIPT, *map(str, arguments)],
         text=True,
@@ -37,7 +37,7 @@ def test_help_loads_none(command):
 
 
 def test_summary(folder):
-    # scipy: elliptic integrals, for the range of the model beside the film
+    # scipy: elliptic integrals, for the range of the film by the model
     assert loaded("summary", folder) <= {"numpy", "pandas", "scipy", "yaml"}
 
 
@@ -46,5 +46,5 @@ def test_static():
 
 
 def test_plot(folder, tmp_path):
-    """The other way round: what a picture needs is noticed here."""
+    """The check does notice the packages that a picture needs."""
     assert "matplotlib" in loaded("plot", folder, "--out", tmp_path / "picture.png")

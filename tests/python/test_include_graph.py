@@ -8,7 +8,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))
-import include_graph  # noqa: E402  it lies beside the tests, in no package
+import include_graph  # noqa: E402  it is next to the tests, in no package
 
 
 def tree(folder, files):
@@ -27,7 +27,7 @@ def test_the_package_keeps_its_rules():
 
 
 def test_a_private_member_of_the_solver_recompiles_the_implicit_fix_alone():
-    """Only the sources of fix bearing/implicit see the class of the solver."""
+    """Only the sources of fix bearing/implicit include the solver's class."""
     graph = include_graph.read(ROOT / "src-package")
 
     def sees(file):

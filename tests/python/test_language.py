@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The glossary of docs/design.rst and the layout in README.md keep up with the tree."""
+"""The glossary of docs/design.rst and the layout in README.md match the tree."""
 
 import re
 import subprocess

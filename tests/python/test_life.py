@@ -29,8 +29,8 @@ def test_basic_life_as_published(load, rpm, hours):
     [((3000, 0), 0.0, 1255.9), ((3000, 0), 10e-6, 1161.8), ((1500, 2500), 20e-6, 859.1)],
 )
 def test_reference_life(loads, clearance, want):
-    """Computed apart from this package, with contact stiffness held at angle 0: 5e-4 where the ring
-    moves along its axis, the last digit elsewhere."""
+    """Computed independently of this package, with contact stiffness held at angle 0: 5e-4 where
+    the ring moves along its axis, the last digit elsewhere."""
     rest = static.equilibrium(B6208, *loads, clearance=clearance)
     found = life.reference(B6208, C, rest.inner.load, rest.outer.load)
     assert found == pytest.approx(want, abs=5e-4 * want if loads[1] else 0.06)
@@ -38,9 +38,9 @@ def test_reference_life(loads, clearance, want):
 
 @pytest.mark.parametrize("side", ["inner_groove", "outer_groove"])
 def test_life_falls_where_pressure_rises(side):
-    """Grooves from 0.505 of the ball to 0.6, radial and combined load: a wider one never lasts
-    longer, and above 0.53 each step of 4 % takes at least 1 % off. Those of the catalogue are no
-    wider than ISO 281 rates them."""
+    """Grooves with radii from 0.505 to 0.6 ball diameters, radial and combined load: a wider groove
+    never gives a longer life, and above 0.53 each step of 4 % shortens it by at least 1 %. The
+    grooves of the catalogue are no wider than ISO 281 assumes."""
     for loads in ((3000.0,), (1500.0, 2500.0)):
         lives = []
         for groove in 12.6e-3 * np.array([0.505, 0.52, 0.53, 0.55, 0.575, 0.6]):
@@ -59,7 +59,7 @@ def test_ratings_of_the_catalogue_are_kept():
 
 def test_reference_life_is_that_of_the_rating_under_its_own_load():
     """Under a radial load that half the balls carry, at zero clearance, ISO/TS 16281 gives
-    (C/P)^3: C is defined by this distribution. The standard's constants hold it to 2 %."""
+    (C/P)^3: C is defined by this distribution. The standard's constants satisfy it to 2 %."""
     rest = static.equilibrium(B6208, 3000.0)
     found = life.reference(B6208, C, rest.inner.load, rest.outer.load)
     assert found == pytest.approx(float(life.basic(C, 3000.0)), rel=0.02)
@@ -77,13 +77,14 @@ def test_reference_life_is_that_of_the_rating_under_its_own_load():
     ],
 )
 def test_factor(kappa, dirt, want):
-    """To half a unit of the last of four digits."""
+    """To half a unit in the last of four digits."""
     assert life.factor(kappa, dirt) == pytest.approx(want, rel=2.7e-4)
 
 
 @pytest.mark.parametrize("kappa", [0.4, 1.0])
 def test_factor_is_continuous(kappa):
-    """The constants have five digits: half a unit of the last moves a_ISO by 2e-4 on each side."""
+    """The constants have five digits: half a unit in the last moves a_ISO by 2e-4 in each
+    direction."""
     below, above = (life.factor(kappa * (1 + s), 0.1) for s in (-1e-9, 1e-9))
     assert above == pytest.approx(below, rel=4e-4)
 
@@ -116,7 +117,7 @@ def test_whole_life():
 
 
 def test_duties():
-    """One duty is itself; ten per cent at a tenth of the life take half of it."""
+    """One duty gives its own life; ten per cent at a tenth of the life use half of it."""
     assert life.of_duties([123.0], [1.0]) == pytest.approx(123.0)
     assert life.of_duties([900.0, 100.0], [0.9, 0.1]) == pytest.approx(500.0)
     with pytest.raises(ValueError, match="add up to 1"):
@@ -131,13 +132,13 @@ def test_mistakes():
 
 
 def test_static_safety():
-    """Ten percent more pressure is a third more load."""
+    """Ten per cent more pressure corresponds to a third more load."""
     assert life.static_safety(4.2e9) == 1.0
     assert life.static_safety(4.2e9 / 1.1) == pytest.approx(1.331)
 
 
 def test_command(capsys):
-    """Figures of `raceway static` for a bearing that states its ratings; none without."""
+    """`raceway static` prints life figures for a bearing with ratings, and none without."""
     words = "static --bearing {} --load 3000 --rpm 1500 --lubricant vg46 --json".format
     assert cli.main(words("6208").split()) == 0
     found = json.loads(capsys.readouterr().out)
@@ -161,8 +162,9 @@ def rated(capsys, words):
 
 
 def test_a_rating_on_the_command_line(capsys):
-    """--C stands in for the file's: both lives grow by its cube, and a bearing without ratings has
-    them. Under a radial load without clearance ISO/TS 16281 has the basic life within 2 %."""
+    """--C replaces the file's value: both lives grow with its cube, and a bearing without ratings
+    gets a life. Under a radial load without clearance ISO/TS 16281 agrees with the basic life
+    within 2 %."""
     one, two = (rated(capsys, f"--load 3kN --rpm 1500 --C {c}") for c in ("16kN", "32000"))
     for key in ("life_L10_Mrev", "life_reference_Mrev", "life_L10_h"):
         assert two[key] == pytest.approx(8 * one[key], rel=1e-12)
@@ -173,8 +175,8 @@ def test_a_rating_on_the_command_line(capsys):
 
 
 def test_load_spectrum(capsys, tmp_path):
-    """One duty in two parts is that duty; the equivalent load of several is the cubic mean by
-    revolutions, and the steady load of that size has the same life."""
+    """One duty in two parts equals that duty; the equivalent load of several is the cubic mean
+    weighted by revolutions, and a steady load of that size gives the same life."""
     path = tmp_path / "duties.csv"
     common = ["static", "--C", "32.5kN", "--spectrum", str(path)]
 
@@ -222,7 +224,8 @@ def test_a_spectrum_that_is_none(capsys, tmp_path, text, said):
 
 
 def test_equivalent_load_of_a_thrust():
-    """P has the sign of neither load and grows with both, except the step at e."""
+    """P does not depend on the sign of either load and grows with both, except for the step at
+    e."""
     deep = dict(angle=0.0, balls=9, ball_diameter=12.6e-3)
     steep = dict(deep, angle=np.radians(40))
     assert equivalent(2000.0, 0.0, **deep) == 2000 == equivalent(-2000.0, 50.0, **deep)
@@ -257,8 +260,8 @@ def test_ratings_that_are_none(tmp_path, line, says):
 
 
 def test_minimum_load(tmp_path, capsys):
-    """k_r of the file; it grows with the 2/3 power of viscosity and speed. A file without has
-    none."""
+    """k_r of the file; the minimum load grows with the 2/3 power of viscosity and speed. A file
+    without k_r gives none."""
     once = life.minimum_load(0.025, 46.0, 1500.0, 0.06)
     assert life.minimum_load(0.025, 92.0, 6000.0, 0.06) == pytest.approx(4 * once, rel=1e-12)
     assert life.minimum_load(0.025, 1000.0, 1.0, 0.1) == pytest.approx(25.0, rel=1e-12)

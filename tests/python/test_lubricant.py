@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Oils by temperature and pressure: published values, slopes, and the deck's own arithmetic."""
+"""Oils over temperature and pressure: published values, slopes, and the deck's own arithmetic."""
 
 from pathlib import Path
 
@@ -62,7 +62,7 @@ def test_grades_at_forty(name, cold, density):
 
 
 @pytest.mark.parametrize("name", PHYSICAL)
-def test_grade_limits(name):  # ISO 3448: 10 % about the number at 40 C
+def test_grade_limits(name):  # ISO 3448: 10 % around the number at 40 C
     number = {"pao8": 46, "grease110": 100}.get(name) or float(name[2:])
     assert inputs.fluid(OILS / name).kinematic == pytest.approx(number, rel=0.1001)
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film and capacitance on statics: contact by contact against the formulas, and what the whole must
-do."""
+"""Film and capacitance on statics: contact by contact against the formulas, and properties of the
+whole."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ OIL = Oil(viscosity=0.04, pressure_viscosity=22e-9, permittivity=2.25, roughness
 
 
 def test_each_contact(bearing):
-    """Each ball by itself: a scalar call of every formula at its load and contact angle."""
+    """Each ball alone: a scalar call of every formula at its load and contact angle."""
     state = equilibrium(bearing, 2000.0, 1000.0, moment=(10.0, 0.0), clearance=10e-6)
     films = lubricate(bearing, state, OIL, 50.0, 10e-6)
     assert films.inner.entrainment[0] != films.inner.entrainment[4]  # the contact angle counts
@@ -66,8 +66,8 @@ def test_unloaded_balls_add_nothing(bearing):
 
 
 def test_thrown_ball_touches_the_outer_raceway_only(bearing):
-    """At 1000 rad/s an unloaded ball has an outer film and no capacitance: the chain is open at the
-    inner raceway."""
+    """At 1000 rad/s an unloaded ball has an outer film and no capacitance: the series is open at
+    the inner raceway."""
     state, _ = turning(bearing, 1000.0, 1000.0, clearance=20e-6)
     films = lubricate(bearing, state, OIL, 1000.0, 20e-6)
     idle = (state.inner.load == 0) & (state.outer.load > 0)

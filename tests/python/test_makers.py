@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Makers' friction torque: worked numbers, limits, continuity."""
+"""Makers' friction torque: published numbers, limits, continuity."""
 
 import numpy as np
 import pytest
@@ -23,7 +23,7 @@ def test_skf():
 
 
 def test_sums_with_a_bath_to_mid_ball():
-    """Section 1's row: oil to mid-ball, half a ball above the lowest raceway."""
+    """Row of section 1: oil to mid-ball, half a ball above the lowest raceway."""
     found = makers.skf(B6208, 5000.0, 0.0, SPEEDS, 46.0, level=6.3)
     assert found.total == pytest.approx([199, 147, 181, 246], abs=0.5)
 
@@ -34,7 +34,7 @@ def test_palmgren():
     assert speed + load == pytest.approx([65, 92, 143, 308], rel=0.006)
     slow, _ = makers.palmgren(B6208, 5000.0, np.array([1.0, 2000 / 46 * 0.999]), 46.0)
     assert slow == pytest.approx(160e-7 * 2 * 60**3, rel=1e-14)
-    # at nu n = 2000 the two forms meet within their rounding
+    # at nu n = 2000 the two forms agree within their rounding
     assert 2000 ** (2 / 3) == pytest.approx(160, rel=0.01)
 
 
@@ -56,7 +56,7 @@ def test_drag():
     levels = np.linspace(0.5, 72.0, 60)
     found = [makers.drag(B6208, 5000.0, 46.0, level) for level in levels]
     assert np.all(np.diff(found) > 0)
-    # continuous where the whole lower half is wetted, t = pi
+    # continuous at t = pi, where the whole lower half is wetted
     ends = [makers.drag(B6208, 5000.0, 46.0, 36.0 + side) for side in (-1e-6, 1e-6)]
     assert ends[0] == pytest.approx(ends[1], rel=1e-6)
     with pytest.raises(ValueError, match="oil level 73.0 mm must lie between 0 and 72 mm"):

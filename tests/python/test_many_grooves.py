@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Double row and four-point contact bearings against bearings of one row with one groove a ring."""
+"""Double row and four-point contact bearings against single-row bearings with one groove a ring."""
 
 from dataclasses import replace
 
@@ -20,7 +20,8 @@ STRAIGHT = dict.fromkeys(("x", "y", "rx", "ry"), 0.0)
 @pytest.mark.parametrize("finite_shift", [False, True])
 @pytest.mark.parametrize("arrangement, way", [("back_to_back", 1.0), ("face_to_face", -1.0)])
 def test_double_row_is_two_rows(arrangement, way, finite_shift):
-    """Each row has its own place on the ring; forces and moments add up, and so does stiffness."""
+    """Each row has its own position on the ring; forces and moments add up, and so do
+    stiffnesses."""
     spacing, preload = 0.02, 4e-6
     two = ANGULAR.double_row(DoubleRow(spacing, preload, arrangement), ANGLE)
     place = np.array([6e-6, -3e-6, 2e-6, 1e-4, 2e-4])
@@ -30,14 +31,14 @@ def test_double_row_is_two_rows(arrangement, way, finite_shift):
     force, stiffness = np.zeros(5), np.zeros((5, 5))
     for side in (1.0, -1.0):
         at = -way * side * spacing / 2
-        # loads of circles of groove centres, which sit a little beside the balls' plane
+        # loads from circles of groove centres, which are slightly off the balls' plane
         turn = np.eye(5)
         turn[0, 4], turn[1, 3] = at + side * reach, -(at + side * reach)
         own = turn @ place + [0, 0, side * reach, 0, 0]
         one = static.equilibrium(ANGULAR, held=dict(zip(static.FREEDOMS, own)), **options)
         force += turn.T @ [*one.force, *one.moment[:2]]
         stiffness += turn.T @ one.stiffness @ turn
-    # as circles the two planes are not quite `turn`
+    # for circles the two planes are not exactly `turn`
     within = 1e-3 if finite_shift else 1e-7
     got = np.array([*found.force, *found.moment[:2]])
     assert got == pytest.approx(force, rel=within, abs=1e-6 + within * np.abs(force).max())
@@ -65,7 +66,7 @@ def test_preload_needs_no_load():
 
 # ---- four points
 def test_two_points_are_an_angular_contact():
-    """A thrust presses on one groove of each ring: that of a bearing with one groove a ring."""
+    """A thrust loads one groove of each ring, like that of a bearing with one groove a ring."""
     row = static.equilibrium(FOUR, axial_load=3000.0)
     one = static.equilibrium(ANGULAR, axial_load=3000.0, held=STRAIGHT)
     start = (ANGULAR.groove_gap(INNER) + ANGULAR.groove_gap(OUTER)) * np.sin(ANGLE)
@@ -83,7 +84,8 @@ def share(found, groove):
 
 
 def test_reversal_switches_grooves_without_a_jump():
-    """Under preload, from one side to the other: place and loads follow the stiffness all along."""
+    """Under preload, from one side to the other: position and loads follow the stiffness
+    throughout."""
     thrust = np.linspace(-800.0, 800.0, 65)
     options = {"clearance": -4e-6, "held": STRAIGHT}
     rests = [static.equilibrium(FOUR, axial_load=one, **options) for one in thrust]
@@ -99,8 +101,8 @@ def test_reversal_switches_grooves_without_a_jump():
 
 
 def test_balls_switch_one_by_one_under_radial_load():
-    """Loaded balls leave their second grooves at different thrusts. Half the step in the thrust is
-    half the change of any load: nothing jumps."""
+    """Loaded balls leave their second grooves at different thrusts. Half the step in the thrust
+    halves the change of any load: nothing jumps."""
     thrusts = np.linspace(-2400, 2400, 25)
     rests = [static.equilibrium(FOUR, 2000.0, one) for one in thrusts]
     loads = np.array([one.inner.load for one in rests])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Memory does not grow with the run: every way of reading that says so, on a run and on one nine
+"""Memory does not grow with the run for every reader that promises so, on a run and on one nine
 times as long.
 
 tests/bench/large_runs.py does the same with 2 GB.
@@ -14,8 +14,8 @@ import pytest
 import raceway
 import synthetic
 
-SHORT, LONG = 20, 180  # times the 49 samples of the synthetic run
-# bytes read at once, as much smaller than usual as the runs are: the short one has several
+SHORT, LONG = 20, 180  # multiplies the 49 samples of the synthetic run
+# bytes read at once, reduced in proportion to the runs: even the short one has several
 BLOCK = 1 << 18
 TASKS = """
 from raceway import electrical, losses, regimes, spectrum
@@ -38,7 +38,7 @@ WHOLE = "raceway.open(folder).contacts.load()"  # not one of them
 
 @pytest.fixture(scope="module")
 def folders(tmp_path_factory, lubricated):
-    """The run written out, its samples over and over."""
+    """The run with its samples repeated."""
     made = {}
     for times in (SHORT, LONG):
         rings = np.tile(np.array(lubricated["rings"], dtype=float), (times, 1))
@@ -50,8 +50,8 @@ def folders(tmp_path_factory, lubricated):
 
 
 def peak(folder, task):
-    """Largest resident memory in MB of a process that does `task`."""
-    # VmHWM and not ru_maxrss, which a process inherits from the one that started it
+    """Largest resident memory in MB of a process that runs `task`."""
+    # VmHWM and not ru_maxrss, which a process inherits from its parent
     code = (
         f"import sys, raceway, raceway.runs.record; raceway.runs.record.BLOCK = {BLOCK}; folder ="
         f" sys.argv[1]\n{task}\nprint(next(line.split()[1] for line in open('/proc/self/status') if"
@@ -75,13 +75,14 @@ def peak(folder, task):
 
 
 def growth(folders, task):
-    """MB that the long run needs more than the short one, over the MB that its record is longer."""
+    """MB that the long run needs in addition to the short one, divided by the MB of additional
+    record."""
     sizes = [(folders[times] / "record.nc").stat().st_size / 2**20 for times in (SHORT, LONG)]
     return (peak(folders[LONG], task) - peak(folders[SHORT], task)) / (sizes[1] - sizes[0])
 
 
 def test_bounded(folders):
-    """A row a sample of totals, ring and spectrum stays: up to 1 KB of 4.6 KB."""
+    """One row a sample of totals, ring and spectrum stays in memory: up to 1 KB of 4.6 KB."""
     assert growth(folders, TASKS) < 0.3
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The range of a figure, as far as the uncertainty of the model is known."""
+"""The range of a figure where the uncertainty of the model is known."""
 
 import pytest
 from raceway import asperity, film, film_factors, hertz
@@ -27,7 +27,8 @@ def test_the_figure_lies_inside(folder):
 
 @pytest.mark.parametrize("given, ends", [(1.5e-7, (1.5e-7, 1.5e-7)), (1e-7, (0.5e-7, 3e-7))])
 def test_film_parameter(tmp_path, lubricated, given, ends):
-    """0.5 to 3 times the roughness of the file, 0.1 um; another one is the user's own."""
+    """0.5 to 3 times the roughness in the file, 0.1 um; a roughness set by the user has its own
+    range."""
     folder = write(tmp_path, changed(lubricated, roughness_m=given))
     ranges = summary(RunTables(folder))["model_ranges"]
     film_range, ratio = ranges["h_min_m"], ranges["lambda"]
@@ -36,7 +37,7 @@ def test_film_parameter(tmp_path, lubricated, given, ends):
 
 
 def test_values_given_outright_have_no_range(tmp_path, lubricated):
-    """Then the film's is that of the laws alone: worked out here for the top contact."""
+    """The film's range is then that of the laws alone, computed here for the top contact."""
     own = changed(lubricated, viscosity_Pa_s=0.05, pressure_viscosity_per_Pa=2e-8)
     tables = RunTables(write(tmp_path, own))
     figures = summary(tables)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The picture of the ring's motion, and what titles say of a run: what was measured."""
+"""The picture of the ring's motion, and titles that describe the measured run."""
 
 import numpy as np
 import pytest

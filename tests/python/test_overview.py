@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The overview: drawn for every kind of run, and drawn from the right numbers."""
+"""The overview: drawn for every kind of run, and from the right numbers."""
 
 import matplotlib.image
 import numpy as np
@@ -13,7 +13,7 @@ from raceway.runs.tables import RunTables
 
 @pytest.fixture
 def axes(monkeypatch):
-    """The panels of the last picture, kept from being closed away."""
+    """The panels of the last picture, protected from being closed."""
     kept = []
     monkeypatch.setattr(plot.plt, "close", kept.append)
     yield lambda: {panel.get_title(loc="left"): panel for panel in kept[-1].axes}
@@ -56,14 +56,14 @@ def test_lubricated(folder, lubricated, tmp_path, axes):
 
 
 def test_lost_contact_breaks_the_line(tmp_path, axes):
-    """Twelve passes bring balls back into the loaded zone: no line leads across the zone without
-    load."""
+    """Twelve passes bring balls back into the load zone: no line is drawn across the unloaded
+    zone."""
     data = synthetic.run(clearance=1e-5, passes=12, samples_per_pass=8)
     plot.overview(RunTables(synthetic.write(tmp_path / "long", data)), tmp_path / "long.png")
     panel = axes()["Contact load around the ring"]
     steps = np.concatenate([np.diff(line.get_xdata()) for line in panel.lines])
     assert np.isnan(steps).any()
-    # what a ball goes in one sample
+    # the path of a ball in one sample
     assert np.nanmax(np.abs(steps)) == pytest.approx(2 * np.pi / 9 / 8, rel=1e-6)
 
 

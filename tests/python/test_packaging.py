@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The Python package as others install it: what it asks for, what it brings, where it works."""
+"""The Python package as installed by others: its requirements, its contents, and where it works."""
 
 import re
 import shutil
@@ -26,13 +26,13 @@ def numbers(version):
 
 @pytest.mark.parametrize("needed", PROJECT["dependencies"])
 def test_what_is_installed_already_stays(needed):
-    """A lower bound and nothing more: `pip install raceway` changes no newer version."""
+    """Only lower bounds: `pip install raceway` must not change a newer version."""
     name, least = re.fullmatch(r"([a-z]+)>=([\d.]+)", needed).groups()
     assert numbers(LOCK[name]) >= numbers(least)
 
 
 def test_lock_has_everything():
-    """Also what is only for tests, docs and bench; exact versions stand in both alike."""
+    """Also packages for tests, docs and bench; exact versions agree in both places."""
     asked = [need for extra in PROJECT["optional-dependencies"].values() for need in extra]
     for need in asked:
         name, bound, version = re.fullmatch(
@@ -46,7 +46,7 @@ def test_lock_has_everything():
 
 
 def copy_sources(folder):
-    """Files of the package in a checkout before `make` or `pip` built anything."""
+    """Files of the package in a checkout before `make` or `pip` has built anything."""
     built = shutil.ignore_patterns("libraceway_core.so", "build", "*.egg-info")
     for name in ("python", "inputs", "src-package/core"):
         shutil.copytree(ROOT / name, folder / name, symlinks=True, ignore=built)
@@ -97,7 +97,7 @@ def test_wheel_has_the_data_files(wheel):
 
 
 def test_installed_from_a_wheel(wheel, tmp_path):
-    """`raceway static` finds its bearings where no source tree is near."""
+    """`raceway static` finds its bearings without a source tree nearby."""
     done = subprocess.run(
         [
             sys.executable,
@@ -120,7 +120,8 @@ def test_installed_from_a_wheel(wheel, tmp_path):
 
 
 def test_folder_that_was_moved(tmp_path):
-    """A .venv names its folder: `make` notices that it was made elsewhere and makes it anew."""
+    """A .venv contains the path of its folder: `make` detects that it was made elsewhere and makes
+    a new one."""
     (tmp_path / "Makefile").write_text((ROOT / "Makefile").read_text())
     settings = "src-package/core/settings/raceway_version.h"
     for name in ("python/pyproject.toml", "python/requirements.lock", settings):

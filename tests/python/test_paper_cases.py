@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The cases of `raceway paper` and the program that runs them, which here is a script."""
+"""The cases of `raceway paper` and the program that runs them, here a script."""
 
 import shutil
 from pathlib import Path
@@ -18,7 +18,7 @@ cases:
   free: {deck: inputs/in.axial, with: {total_curvature: 0.08, clearance_ratio: 0.0035}}
 products: {8a: [few], 9: [few, same], A.4: [free]}
 """
-# writes down that it ran, and fails for the load in the file `bad`
+# logs that it ran, and fails for the load in the file `bad`
 PROGRAM = """#!/bin/sh
 echo "$@" >> runs.txt
 bad=$(cat bad 2>/dev/null || echo none)
@@ -29,7 +29,7 @@ echo done
 
 @pytest.fixture
 def tree(tmp_path, monkeypatch):
-    """A source tree with a plan of three cases and a program that is a script."""
+    """A source tree with a plan of three cases and a script as the program."""
     for folder in ("bearings", "lubricants"):
         shutil.copytree(ROOT / "inputs" / folder, tmp_path / "inputs" / folder)
     for deck in ("in.6208", "in.axial"):

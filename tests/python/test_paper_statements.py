@@ -59,8 +59,8 @@ def test_judge():
 
 
 def test_judged_with_all_of_the_capacitance():
-    """Own rules where the statement has them, else the same with other numbers; untouched without
-    any."""
+    """Own rules where the statement has them, otherwise the same rules with other numbers;
+    unchanged without any."""
     corrected = {"a": Quantity(1.0, "F", "plates"), "b": Quantity(5.0, "", "number")}
     whole = {"a": Quantity(3.0, "F", "all"), "c": Quantity(2.0, "F", "around")}
     same = Statement("1", "...", "", ("a < 2",), ("a",), "")
@@ -80,7 +80,7 @@ def test_judged_with_all_of_the_capacitance():
 
 
 def test_verdicts_that_are_stated():
-    """Every statement has one of each column; without a rule it cannot be known."""
+    """Every statement has an entry in each column; without a rule the verdict is unknown."""
     verdicts = {AGREE, DIFFER, UNKNOWN}
     for one in statements.read():
         assert one.found[0] in verdicts and set(one.found[1:]) <= verdicts | {SAME}
@@ -88,7 +88,7 @@ def test_verdicts_that_are_stated():
 
 
 def test_known_formulas():
-    """The printed formulas of stiffness, by the bearing's data alone (docs/errata)."""
+    """The printed formulas of stiffness, from the bearing's data alone (docs/errata)."""
     book = SimpleNamespace(
         bearing=inputs.bearing(ROOT / "inputs/bearings/6208"),
         oils={name: inputs.oil(ROOT / "inputs/lubricants" / name) for name in ("mineral", "pao48")},

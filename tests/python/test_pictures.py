@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Pictures beyond the overview: drawn from the right numbers, for every kind of run."""
+"""Pictures other than the overview: drawn from the right numbers, for every kind of run."""
 
 import shutil
 
@@ -19,8 +19,8 @@ from raceway.theory.bearing import INNER, OUTER
 
 
 def test_polar_theory_is_the_static_solution(folder, lubricated, bearing):
-    """The run is made of static solutions, so the dots lie on its curves. The balls' centrifugal
-    load, which it lacks, is 0.1 N."""
+    """The run consists of static solutions, so the dots lie on the curves. The balls' centrifugal
+    load, which the run lacks, is 0.1 N."""
     dots = polar.theory(RunTables(folder))
     for side in (INNER, OUTER):
         loads = static.equilibrium(bearing, 5000.0, clearance=1e-5, phase=dots[side]["psi"][0])
@@ -96,7 +96,7 @@ def test_bands_of_a_long_run_are_thinned(folder, monkeypatch):
 
 
 def test_scene(folder, lubricated, bearing):
-    """Bodies that touch with overlap d are drawn with overlap factor * d; colours are the contacts'
+    """Touching bodies with overlap d are drawn with overlap factor * d; colours are the contacts'
     values."""
     run, samples, factor = RunTables(folder), np.array([3, 10, 20]), 20.0
     what = scene(run, samples, "load", factor)
@@ -182,7 +182,8 @@ def test_gif(folder, tmp_path, capsys):
 
 
 def test_balls_of_a_gif_are_where_they_are(folder, tmp_path):
-    """The yellow of the most loaded ball sits, in every frame, where its sample has that ball."""
+    """In every frame the yellow of the most loaded ball is at the position of that ball in the
+    sample."""
     run, rgb = RunTables(folder), np.rint(255 * np.array(plt.get_cmap("cividis")(1.0)[:3]))
     sheet = still.Sheet(run, scene(run, np.array([0, 12])), "load")
     for k, sample in enumerate((0, 12)):
@@ -241,7 +242,7 @@ def test_without_ffmpeg(folder, tmp_path, monkeypatch):
 
 
 def test_ffmpeg_gets_every_picture(folder, tmp_path, monkeypatch):
-    """A stand-in counts what it is fed: raw pictures of the size it was told, all different."""
+    """A stand-in counts its input: raw pictures of the expected size, all different."""
     program = tmp_path / "ffmpeg"
     program.write_text(
         '#!/bin/sh\necho "$@" > said\ncat > fed\nfor last; do :; done\ncp fed "$last"\n'

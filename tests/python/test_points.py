@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The table of a sweep: what is accepted, and that every mistake is named before anything runs."""
+"""The table of a sweep: accepted forms, and messages for every mistake before anything runs."""
 
 from pathlib import Path
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The public names are there; what is public says what it takes and gives."""
+"""The public names exist; every public function has annotations of its arguments and result."""
 
 import importlib
 import inspect
@@ -20,8 +20,8 @@ MODULES = [
 
 
 def public(module):
-    """(name, function) of every public function and method that `module` defines, constructors
-    too."""
+    """(name, function) of every public function and method that `module` defines, including
+    constructors."""
     for name, thing in vars(module).items():
         if name.startswith("_") or getattr(thing, "__module__", None) != module.__name__:
             continue
@@ -38,7 +38,7 @@ def public(module):
 
 
 def plain(member):
-    """The function behind a method, property or cached property of a class; None of another
+    """The function behind a method, property or cached property of a class; None for another
     member."""
     for wrapped in ("__func__", "fget", "func", "__wrapped__"):
         member = getattr(member, wrapped, member)
@@ -66,13 +66,13 @@ def test_hints(name):
 def test_docstrings(name):
     module = importlib.import_module(name)
     assert module.__doc__
-    # of a constructor the class tells
+    # documented by the class for a constructor
     bare = [key for key, one in public(module) if not (one.__doc__ or key.endswith("__init__"))]
     assert bare == []
 
 
 def test_hints_name_types_that_are():
-    """Every hint can be evaluated, those in quotes too."""
+    """Every hint can be evaluated, including those in quotes."""
     from MDAnalysis import Universe
     from raceway.recordings.compare import Comparison
     from raceway.recordings.identify import Found
@@ -116,7 +116,7 @@ def test_name(name):
 
 
 def test_a_name_has_one_home():
-    """No module of one room hides one of another, nor a class a module."""
+    """No module of one folder hides one of another, and no class hides a module."""
     homes = [found.name for room in ("", *raceway.ROOMS) for found in modules(room)]
     assert len(homes) == len(set(homes))
     assert set(raceway.NAMES) == {*homes, *raceway.CLASSES} - {"__main__"}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The theory against figures others have published. docs/validation.rst lists them with our
+"""The theory against published figures. docs/validation.rst lists them with our
 values."""
 
 from pathlib import Path
@@ -13,7 +13,7 @@ BEARINGS = Path(__file__).resolve().parents[2] / "inputs/bearings"
 
 
 def test_harris_209():
-    """Harris & Kotzalas 2006, worked examples of the 209 under 8.9 kN with P_d = 15 um. Two routes
+    """Harris & Kotzalas 2006, worked examples of the 209 under 8.9 kN with P_d = 15 um. Two ways
     there give 4527 and 4536 N for the ball on the load line; the others are printed to a newton."""
     bearing = inputs.bearing(BEARINGS / "harris209")
     state = static.equilibrium(bearing, 8900.0, clearance=15e-6)
@@ -25,7 +25,7 @@ def test_harris_209():
 
 def test_harris_209_geometry():
     """Endplay 0.174 mm: the exact 0.1726 mm is 0.8 % less, 2 C sin(10 degrees) is 0.1736 mm, so the
-    book's free angle (9.94 degrees) seems rounded. Curvature sums 0.202 and 0.138 1/mm to the
+    book's free angle (9.94 degrees) seems to be rounded. Curvature sums 0.202 and 0.138 1/mm to the
     digits printed."""
     bearing = inputs.bearing(BEARINGS / "harris209")
     assert clearance.free_endplay(bearing, 15e-6) == pytest.approx(0.174e-3, rel=1e-2)
@@ -38,8 +38,8 @@ def test_harris_209_geometry():
 
 def test_6205_frequencies():
     """Case Western Reserve University Bearing Data Center, drive end 6205-2RS JEM: 9 balls of
-    0.3126 in on a 1.537 in pitch. Its 4.7135 for the ball counts both raceways, twice our turns of
-    the ball."""
+    0.3126 in on a 1.537 in pitch. Its 4.7135 for the ball counts both raceways and is twice our
+    ball spin frequency."""
     inch = 25.4e-3
     ball, pitch = 0.3126 * inch, 1.537 * inch
     bearing = Bearing(9, ball, (pitch - ball) / 2, (pitch + ball) / 2, 0.52 * ball, 0.52 * ball)
@@ -65,18 +65,17 @@ ISO = {  # um, um, mrad: radial shift, axial shift, tilt; of loads N, N, N m and
 @pytest.mark.parametrize("name", ISO)
 def test_iso_16281(name):
     """Reference figures in a test of github.com/minzhun/ISO16281 (Test_BallBearing.py), a program
-    of ISO/TS 16281 held against a commercial one: 7 balls of 11.5 mm on 43.5 mm, grooves 0.52 and
-    0.53, E 210 GPa, a ball on the load line, moment about the load's line. Its lever of tilt and
-    moment is half the pitch diameter; the groove's centres are at 21.98 mm. Both are taken out
-    here: our moment is the larger by that ratio, and our tilt the smaller. 1e-4: ISO/TS 16281
-    rounds the constant of the contact stiffness to 1.48 (5e-5 in deflection); figures of five
-    digits.
+    of ISO/TS 16281 checked against a commercial one: 7 balls of 11.5 mm on 43.5 mm, grooves 0.52
+    and 0.53, E 210 GPa, a ball on the load line, moment about the load's line. Its lever of tilt
+    and moment is half the pitch diameter; the groove's centres are at 21.98 mm. The test corrects
+    for both: our moment is larger by that ratio, and our tilt smaller. 1e-4: ISO/TS 16281 rounds
+    the constant of the contact stiffness to 1.48 (5e-5 in deflection); figures of five digits.
     """
     (radial, axial, moment, pd), (shift, along, tilt) = ISO[name]
     ball, pitch = 11.5e-3, 43.5e-3
     bearing = Bearing(7, ball, (pitch - ball) / 2, (pitch + ball) / 2, 0.52 * ball, 0.53 * ball)
     lever = bearing.groove_circle(INNER) / bearing.pitch_radius
-    # centres of the groove lie on 16.0 + 5.98 = 21.98 mm
+    # the groove's centres are at 16.0 + 5.98 = 21.98 mm
     assert lever == pytest.approx(21.98 / 21.75)
     moment = None if moment is None else np.multiply(lever, moment)
     state = static.equilibrium(bearing, radial, axial, moment=moment, clearance=pd)

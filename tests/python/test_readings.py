@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Files of readings: what is refused and why; lines of recordings in them; the command."""
+"""Files of readings: refused files and their messages; lines of recordings; the command."""
 
 import json
 import math
@@ -70,7 +70,7 @@ def test_an_angle_gives_its_line(name):
 
 
 def test_a_line_of_a_recording(tmp_path):
-    """Its order and uncertainty come from the signal, the speed too."""
+    """Order and uncertainty of a line come from the signal, and so does the speed."""
     rate, shaft, order = 24000.0, 29.93, 3.5972
     time = np.arange(int(4 * rate)) / rate
     since = (order * shaft * time) % 1 / (order * shaft)
@@ -88,7 +88,7 @@ def test_a_line_of_a_recording(tmp_path):
 
 
 def test_command(tmp_path, capsys):
-    """Words of a deck, and a reading that no clearance explains is named."""
+    """Settings of a deck; a reading that no clearance explains is reported."""
     path = str(write(tmp_path))
     assert main(["identify", path]) == 0
     said = capsys.readouterr().out

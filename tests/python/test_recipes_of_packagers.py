@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""docs/packaging: the Spack package and the conda recipe ask for what pyproject.toml asks for."""
+"""docs/packaging: the Spack package and the conda recipe require the same as pyproject.toml."""
 
 import re
 import sys
@@ -23,7 +23,7 @@ VERSION = re.search(r'"(.+)"', (ROOT / "src-package/core/settings/raceway_versio
 
 @pytest.fixture
 def spack(monkeypatch):
-    """Directives of the Spack package: (name of the directive, arguments), and its class."""
+    """Directives of the Spack package, (name, arguments), and its class."""
     asked = []
     stub = types.ModuleType("spack.package")
     for name in ("license", "version", "extends", "depends_on"):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Recordings in the formats of public data sets, made here: what is read, and its lines."""
+"""Recordings in the formats of public data sets, generated here: values read, and their lines."""
 
 import json
 
@@ -14,7 +14,8 @@ from raceway.recordings.contents import GRAVITY, POUND
 from scipy import io
 from scipy.io import wavfile
 
-RATE, SHAFT, ORDER = 48000.0, 29.87, 3.5972  # Hz, Hz, BPFO over it: that of an angle, not nominal
+# Hz, Hz, BPFO divided by it: that of a contact angle, not nominal
+RATE, SHAFT, ORDER = 48000.0, 29.87, 3.5972
 SECONDS = 4.0
 
 
@@ -24,7 +25,7 @@ def bearing():
 
 
 def struck(rate=RATE, order=ORDER, seconds=SECONDS):
-    """Impacts at `order` that ring at 4 kHz, a shaft with harmonics, mains and noise, m/s^2."""
+    """Impacts at `order` that excite 4 kHz, a shaft with harmonics, mains and noise, m/s^2."""
     time = np.arange(int(seconds * rate)) / rate
     since = (order * SHAFT * time) % 1 / (order * SHAFT)
     shaft = sum(np.sin(2 * np.pi * n * SHAFT * time + n) / n for n in (1, 2, 3))
@@ -51,7 +52,7 @@ def mfpt(path, values):
 
 
 def paderborn(path, values):
-    """Bases of time and channels as arrays of structures; a speed at 4 kHz."""
+    """Time bases and channels as arrays of structures; a speed at 4 kHz."""
     slow = np.arange(int(SECONDS * 4000)) / 4000
     bases = [("HostService", np.arange(len(values)) / RATE), ("Mech_4kHz", slow)]
     x = np.array([(name, time) for name, time in bases], [("Raster", "O"), ("Data", "O")])
@@ -62,7 +63,7 @@ def paderborn(path, values):
 
 
 def femto(path, values):
-    """Semicolons, as some of its folders have."""
+    """Semicolons, as in some of its folders."""
     rows = [f"9;39;39;{k};{v / GRAVITY:.9g};0.0" for k, v in enumerate(values)]
     path.write_text("\n".join(rows))
     return {"rpm": 60 * SHAFT}
@@ -93,7 +94,8 @@ LOAD = {"OuterRaceFault_vload_4.mat": 100 * POUND, "N18_M07_F10_KA01_1.mat": 100
 
 @pytest.mark.parametrize("name", FORMATS)
 def test_a_format(name, tmp_path, bearing):
-    """Values in SI units, rate, load, the true speed where the file has a nominal one, the line."""
+    """Values in SI units, rate, load, the true speed where the file has a nominal one, and the
+    line."""
     rate = 25600.0 if name.startswith("acc") else RATE
     values = struck(rate)
     words = FORMATS[name](tmp_path / name, values)
@@ -114,8 +116,8 @@ def test_a_format(name, tmp_path, bearing):
 
 
 def test_a_run_and_its_recording_are_one(tmp_path, lubricated):
-    """A column of a run, written to a file and read: the same spectrum to the last bit, the same
-    lines."""
+    """A column of a run, written to a file and read back: the same spectrum to the last bit, the
+    same lines."""
     run = raceway.open(synthetic.write(tmp_path / "run", lubricated))
     values = spectrum.signal_of(run, "shift")
     sample_s = run.settings["sample_s"]
@@ -130,7 +132,7 @@ def test_a_run_and_its_recording_are_one(tmp_path, lubricated):
 
 
 def test_length_of_a_spall_in_a_recording(tmp_path, bearing):
-    """A ball over two edges, entry to blow 2 ms, as `passages.find` has it."""
+    """A ball over two edges, entry to impact 2 ms, as found by `passages.find`."""
     rpm, rate = 300.0, 1e5
     np.savez(tmp_path / "quiet.npz", a=np.zeros(64))
     period = (
@@ -147,7 +149,7 @@ def test_length_of_a_spall_in_a_recording(tmp_path, bearing):
 
 
 def test_no_speed_from_what_is_no_shaft(bearing):
-    """Mains beside the second harmonic, and noise."""
+    """Mains hum near the second harmonic, and noise."""
     time = np.arange(48000) / RATE
     noise = np.random.default_rng(5).normal(size=len(time))
     assert shaft_speed.find(np.sin(2 * np.pi * 60 * time) + 0.1 * noise, 1 / RATE, 29.9) is None

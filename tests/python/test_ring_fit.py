@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Stiffness and damping from motions and forces that are known."""
+"""Stiffness and damping from known motions and forces."""
 
 import types
 
@@ -19,7 +19,7 @@ FORCE = 300.0 - PLACE @ STIFFNESS.T - SPEED @ DAMPING.T
 
 
 def of_rings(force, time=TIME):
-    """What `of_run` reads of a run."""
+    """The data that `of_run` reads from a run."""
     names = dict(x=PLACE[:, 0], y=PLACE[:, 1], z=PLACE[:, 2])
     names |= dict(zip(("fx", "fy", "fz"), force.T))
     data = {name: ("time", values) for name, values in names.items()}
@@ -34,7 +34,7 @@ def test_exact_data():
 
 
 def test_errors_are_those_of_the_noise():
-    """Most of the deviations under noise are within three standard errors, and of that size."""
+    """Most deviations due to noise are within three standard errors, and of that size."""
     force = FORCE + np.random.default_rng(1).normal(size=FORCE.shape)
     found = ring_fit.fitted(PLACE, SPEED, force)
     off = np.abs(found.damping - DAMPING) / found.damping_error
@@ -45,7 +45,7 @@ def test_errors_are_those_of_the_noise():
 
 
 def test_of_a_run():
-    """Velocities from the places; a force of the ball pass is fitted beside."""
+    """Velocities from the positions; a ball-pass force is fitted as well."""
     passing = 2 * np.pi * 178.2
     force = FORCE + 20.0 * np.cos(passing * TIME + 0.3)[:, None]
     found = ring_fit.of_run(of_rings(force), ("x", "y", "z"), since=1e-4, lines=[passing])

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A rotor of ROSS becomes the file of a shaft that bends.
+"""A rotor of ROSS becomes the file of a flexible shaft.
 
-`ross_rotor.csv` has what ROSS 2.3.0 wrote: numbers that are not 0 of M0, K0 and G0, the upper half,
-of a steel shaft of eight elements of 50 mm, 40 mm thick, with DiskElement.from_geometry(4, steel,
+`ross_rotor.csv` was written by ROSS 2.3.0: nonzero entries of M0, K0 and G0, upper half,
+for a steel shaft of eight elements of 50 mm, 40 mm thick, with DiskElement.from_geometry(4, steel,
 0.02, 0.04, 0.2), and bearings of kxx 2e8 and kyy 3e8 at both ends.
 """
 
@@ -59,7 +59,7 @@ def springs(count, ends, sizes=SPRINGS):
 
 @pytest.mark.parametrize("spin", FREQUENCIES)
 def test_its_matrices_are_ours(found, spin):
-    """Frequencies of ROSS, to its digits: also the sign of the spin's terms."""
+    """Frequencies of ROSS to its digits, which also check the sign of the spin's terms."""
     held = springs(45, (0, 40), (*SPRINGS, 1e7))
     ours = beam_motion.frequencies(found.whole, held, spin) / (2 * np.pi)
     for want in FREQUENCIES[spin]:
@@ -68,7 +68,8 @@ def test_its_matrices_are_ours(found, spin):
 
 @pytest.mark.parametrize("spin", FREQUENCIES)
 def test_bending_pairs(found, spin):
-    """Frequencies of the reduced rotor on its bearings: 1e-3 for the first, 5e-3 for the second."""
+    """Frequencies of the reduced rotor on its bearings: within 1e-3 for the first, 5e-3 for the
+    second."""
     few = rotor_matrices.bending(found, (0.0, 0.4), modes=4)
     n, ends = len(few.mass) + 2, [int(np.argmin(np.abs(few.z - at))) for at in (0.0, 0.4)]
     mass = np.diag(np.tile([few.body.mass, few.body.transverse, *few.mass], 2))
@@ -87,7 +88,7 @@ def test_bending_pairs(found, spin):
 
 
 def test_four_degrees_of_freedom(found, given):
-    """Older matrices, of x, y, rx and ry, are the same rotor across its axis."""
+    """Older matrices, in x, y, rx and ry, give the same rotor across its axis."""
     four = np.sort(np.concatenate([6 * np.arange(9) + k for k in (0, 1, 3, 4)]))
     for name in ("mass", "stiffness", "gyroscopic"):
         given[name] = given[name][np.ix_(four, four)]
@@ -98,8 +99,8 @@ def test_four_degrees_of_freedom(found, given):
 
 
 def test_a_station_between_nodes(given):
-    """Displacement and tilt there are those of a beam that has a node there: of an element that
-    bends and shears."""
+    """Displacement and tilt there are those of a beam with a node there, that is of an element with
+    bending and shear."""
     place, ends = 0.17, (0.0, 0.4)
     z, pieces = beam.divided([Section(0.4, 0.1)], Z)
     thick = beam_motion.matrices(z, pieces)
@@ -125,7 +126,7 @@ def test_a_station_between_nodes(given):
 
 
 def test_its_own_damping(given):
-    """A share of the stiffness damps every mode by that share."""
+    """Damping proportional to the stiffness damps every mode by that share."""
     rotor = rotor_matrices.rotor(**given, damping=2e-6 * given["stiffness"])
     few = rotor_matrices.bending(rotor, (0.0, 0.4), damping=0.01)
     want = 2e-6 * few.stiffness + 0.02 * np.sqrt(few.mass * few.stiffness)
@@ -134,7 +135,7 @@ def test_its_own_damping(given):
 
 # ---- refused
 def put(name, *entries):
-    """A change of the entries (row, column, value), both ways."""
+    """A change of the entries (row, column, value), symmetric."""
 
     def change(given):
         for i, j, value in entries:
@@ -177,7 +178,7 @@ def test_refused(given, change, says):
 
 
 def test_damping_that_couples_modes(given):
-    """A damper between two nodes, that leaves motions as a rigid body alone."""
+    """A damper between two nodes that does not affect rigid-body motions."""
     second = np.zeros(54)
     second[[0, 24, 48]] = 1.0, -2.0, 1.0
     other = np.zeros(54)
@@ -204,7 +205,7 @@ def test_places_refused(found, kept, places, says):
 # ---- files
 @pytest.fixture(scope="module")
 def npz(tmp_path_factory):
-    """The file that the page tells to write."""
+    """The file that the page describes."""
     path, ross = tmp_path_factory.mktemp("ross") / "rotor.npz", of_ross()
     np.savez(path, M=ross["mass"], K=ross["stiffness"], G=ross["gyroscopic"], z=ross["z"])
     return path
@@ -230,7 +231,7 @@ def test_npz(npz, found, tmp_path, capsys):
 
 
 def test_toml(monkeypatch, tmp_path, given, capsys):
-    """A saved rotor, by ROSS: its bearings are left out, and their nodes are kept."""
+    """A saved rotor by ROSS: its bearings are removed, and their nodes are kept."""
     rotor = types.SimpleNamespace(
         M0=given["mass"],
         K0=given["stiffness"],

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Stiffness and damping for rotor programs: axes, names, units, files, and what ROSS gets of
-them."""
+"""Stiffness and damping for rotor programs: axes, names, units, files, and their use in
+ROSS."""
 
 import csv
 import json
@@ -23,7 +23,7 @@ B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 CASE = dict(axial=2500.0, clearance=20e-6, phases=1)
 OILED = dict(lubricant="vg46", temperature=70.0, models="paper", **CASE)
 # Hz, the first six of the rotor below at 6000 rpm, from a run of ROSS 2.3.0 with these arguments:
-# its BearingElement alone, and with the rest added to K0
+# with its BearingElement alone, and with the remaining terms added to K0
 ROSS_HELD = (267.5332352, 267.852525, 677.395444, 1008.881426, 1152.218606, 2721.708329)
 ROSS_WHOLE = (273.4117005, 273.8277096, 675.3206635, 1012.398655, 1155.409870, 2639.294152)
 
@@ -50,14 +50,14 @@ def shaft():
 
 
 def whirl(shaft, five):
-    """Hz at 6000 rpm on the (5, 5) springs `five` at both ends."""
+    """Hz at 6000 rpm with the (5, 5) springs `five` at both ends."""
     springs = np.zeros_like(shaft.stiffness)
     springs[:5, :5], springs[-5:, -5:] = five, five
     return beam_motion.frequencies(shaft, springs, 200 * np.pi)[:6] / (2 * np.pi)
 
 
 def test_as_ross(shaft, point):
-    """The arguments by name, and with the rest: whirl of ROSS 2.3.0 and of our beam."""
+    """The arguments by name, and with the remaining terms: whirl of ROSS 2.3.0 and of our beam."""
     named, five = rotor.ross_of([point]), np.zeros((5, 5))
     for name in ("xx", "xy", "yx", "yy", "zz"):
         five["xyz".index(name[0]), "xyz".index(name[1])] = named["k" + name]
@@ -68,7 +68,8 @@ def test_as_ross(shaft, point):
 
 
 def test_arguments(point, oiled):
-    """One speed: plain floats without frequency. Several: lists, and frequency in rad/s."""
+    """One speed gives plain floats without frequency; several give lists, with frequency in
+    rad/s."""
     one, many = rotor.ross_of([point]), rotor.ross_of(oiled)
     assert all(type(value) is float for value in one.values()) and "frequency" not in one
     assert set(many) == {*one, "frequency"}
@@ -82,7 +83,7 @@ def test_arguments(point, oiled):
 
 
 def test_free_tilts():
-    """Without moments the ring gives way as one whose tilts are free."""
+    """Without moments the ring has the compliance of one with free tilts."""
     here = rotor.points("6208", 1500.0, 0.0, axial=2500.0, phases=1, moment=(0.0, 0.0))[0]
     found, _ = rotor.translations(here, "free")
     step, loads = 10.0, np.eye(3) * 10.0
@@ -106,7 +107,7 @@ def test_free_tilts():
 
 
 def test_add_rest(point):
-    """Into the node's rows of K0 and C0, beside what is there."""
+    """Added to the node's rows of K0 and C0."""
     there = types.SimpleNamespace(number_dof=6, K0=np.ones((24, 24)), C0=np.zeros((24, 24)))
     rotor.add_rest(there, 2, point)
     added, mean = there.K0 - 1, point.over.mean
@@ -119,7 +120,8 @@ def test_add_rest(point):
 
 
 def test_element(monkeypatch, point):
-    """The element is made of the arguments; without ROSS the message has the command."""
+    """The element is made from the arguments; without ROSS the message has the installation
+    command."""
     fake = types.ModuleType("ross")
     fake.BearingElement = lambda node, **named: (node, named)
     monkeypatch.setitem(sys.modules, "ross", fake)
@@ -195,7 +197,7 @@ def test_incomplete_lubricant(tmp_path, capsys):
 
 
 def test_smoothing_warns():
-    """A damping that falls fast, as a table of six speeds: ROSS would alter it."""
+    """A damping that falls fast in a table of six speeds, which ROSS would alter."""
     mean = static.equilibrium(B6208, 1500.0, 2500.0).stiffness
     both = [Response(mean, np.eye(5) * damping) for damping in (9.0, 4.0, 1.0, 0.5, 0.3, 0.2)]
     table = [

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The run folder: settings as text and numbers, its samples as tables, and what a spoilt one
-says."""
+"""The run folder: settings as text and numbers, its samples as tables, and messages for a damaged
+one."""
 
 import numpy as np
 import pandas as pd
@@ -130,7 +130,7 @@ def test_contacts(folder, lubricated):
 
 
 def test_balls(folder, lubricated):
-    """Places and velocities of balls, cage balls and rings, to the bit."""
+    """Positions and velocities of balls, cage balls and rings, to the bit."""
     rows = RunTables(folder).balls.sort_values(["sample", "id"])
     expected = [sorted(frame) for frame in lubricated["balls"]]
     assert np.array_equal(rows[synthetic.BALL_COLUMNS].to_numpy(), np.concatenate(expected))
@@ -156,7 +156,7 @@ def test_pair_needs_both_raceways(tmp_path, lubricated):
 
 
 def test_pairs_are_in_series(folder):
-    """Their sum is the bearing's capacitance of the record."""
+    """Their sum is the record's capacitance of the bearing."""
     run = RunTables(folder)
     total = run.pairs.groupby("sample")["capacitance"].sum()
     np.testing.assert_allclose(total, run.bearing_capacitance, rtol=1e-13)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Rates and filter of a sensor, on signals whose answer is known."""
+"""Rates and filter of a sensor, on signals with a known answer."""
 
 import numpy as np
 import pytest
@@ -13,7 +13,7 @@ TIME = np.arange(38400) / RATE
 
 @pytest.mark.parametrize("rate", [12e3, 25.6e3, 48e3, 96e3])
 def test_passes_what_the_rate_holds(rate):
-    """Amplitude and phase, to 1e-4; 80 dB less of what would fold back."""
+    """Amplitude and phase to 1e-4; components that would alias are 80 dB lower."""
     inside = slice(60, -60)
     for share in (0.02, 0.2, 0.4):
         kept = sensor.decimated(np.sin(2 * np.pi * share * rate * TIME), 1 / RATE, rate)

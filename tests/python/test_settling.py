@@ -7,7 +7,7 @@ from raceway.core import library
 
 
 def scene(halves=3, half=40, balls=7, drift=0.0, turn=0.0, seed=1):
-    """Samples of `halves` ball passes: a ripple of the ball pass, torque and loads that grow by
+    """Samples of `halves` ball passes: a ripple at the ball pass, torque and loads that grow by
     `drift` from each pass to the next, spin axes that pitch by `turn` (rad)."""
     numbers = np.random.default_rng(seed)
     n = np.arange(halves * half)

@@ -21,14 +21,14 @@ MOTOR = ROOT / "inputs/shafts/motor"
 
 
 def clamped(pieces, loads):
-    """Places (N, 5) of a beam whose first node is held."""
+    """Positions (N, 5) of a beam whose first node is held."""
     whole = beam.stiffness(pieces)[5:, 5:]
     return np.linalg.solve(whole, loads[5:]).reshape(-1, 5)
 
 
 @pytest.mark.parametrize("number", [1, 3])
 def test_cantilever(number):
-    """F L^3/3EI + F L/kAG and slope F L^2/2EI, in both planes, whatever the number of pieces."""
+    """F L^3/3EI + F L/kAG and slope F L^2/2EI, in both planes, for any number of elements."""
     pieces = [THIN._replace(length=0.3 / number)] * number
     loads = np.zeros(5 * (number + 1))
     loads[-5:-2] = 700.0, -300.0, 5000.0
@@ -41,7 +41,7 @@ def test_cantilever(number):
 
 
 def test_own_weight():
-    """w L^4/8EI + w L^2/2kAG: exact at the nodes with the ends' moments of an even load."""
+    """w L^4/8EI + w L^2/2kAG: exact at the nodes with the end moments of a uniform load."""
     pieces = [THIN._replace(length=0.15)] * 2
     end = clamped(pieces, beam.weight(pieces, [0.0, -9.81, 0.0]))[-1]
     w = 9.81 * STEEL.density * beam.area(THIN)
@@ -50,7 +50,7 @@ def test_own_weight():
 
 
 def test_rigid_motions_cost_nothing():
-    """Energy of a shift and of a small turn about x and y, against that of a bend."""
+    """Energy of a shift and of a small rotation about x and y, compared with that of bending."""
     z, pieces = beam.divided([THIN, Section(0.1, 0.02, 0.01)], [0.05])
     whole = beam.stiffness(pieces)
     moves = np.zeros((5, len(z), 5))
@@ -64,7 +64,7 @@ def test_rigid_motions_cost_nothing():
 
 @pytest.mark.parametrize("clearance", [-10e-6, 0.0, 10e-6])
 def test_lever_rule(clearance):
-    """A shaft 0.2 m thick is rigid beside its bearings."""
+    """A shaft 0.2 m thick is rigid compared with its bearings."""
     seats = [Seat(0.1, B6208, clearance), Seat(0.4, B6208, clearance, floating=True)]
     found = shaft.rest(Shaft([Section(0.5, 0.2)]), seats, [Load(0.2, (600.0, -3000.0, 0.0))])
     shares = np.array([one.load[:2] for one in found.bearings])
@@ -72,16 +72,16 @@ def test_lever_rule(clearance):
 
 
 def test_simply_supported():
-    """With soft tilts of the bearings: F L^3/48EI + F L/4kAG between them, slope F L^2/16EI."""
+    """With bearings that tilt freely: F L^3/48EI + F L/4kAG between them, slope F L^2/16EI."""
     seats = [Seat(0.0, B6208, 20e-6), Seat(0.3, B6208, 20e-6, floating=True)]
     found = shaft.rest(Shaft([THIN]), seats, [Load(0.15, (0.0, -3000.0, 0.0))])
     assert found.z == pytest.approx([0, 0.15, 0.3])
     down = found.place[:, 1]
     bend = 3000 * 0.3**3 / (48 * BENDING) + 3000 * 0.3 / (4 * SHEAR)
-    held = abs(found.bearings[0].load[3]) / (3000 * 0.3 / 8)  # of the moment of clamped ends
+    held = abs(found.bearings[0].load[3]) / (3000 * 0.3 / 8)  # of the clamped-end moment
     assert held < 2e-3
     assert (down[0] + down[2]) / 2 - down[1] == pytest.approx(bend, rel=1e-3 + held)
-    # clamped ends would take all of the slope
+    # clamped ends would suppress the slope entirely
     assert found.place[0, 3] == pytest.approx(3000 * 0.3**2 / (16 * BENDING), rel=1e-3 + 2 * held)
 
 
@@ -92,7 +92,7 @@ def test_a_bearing_stiffens_its_own_slope():
         found = shaft.rest(Shaft([THIN]), seats, [Load(0.15, (0.0, -3000.0, 0.0))])
         slope.append(abs(found.place[0, 3]))
         turned = found.bearings[0].load[3] * found.place[0, 3]
-        assert turned > 0  # the shaft turns the bearing: work is done on it
+        assert turned > 0  # the shaft tilts the bearing: work is done on it
     assert slope[1] < slope[0]
 
 
@@ -124,7 +124,7 @@ def test_everything_balances():
 
 
 def test_one_bearing_is_its_statics():
-    """A short stiff shaft with everything at the ball plane, and a tilted seat."""
+    """A short stiff shaft with all loads at the ball plane, and a tilted seat."""
     tilt = 5e-4
     seat = Seat(0.05, B6208, 10e-6, offset=(0.0, 0.0, 0.0, tilt, 0.0))
     short = Shaft([Section(0.1, 0.3)])
@@ -137,7 +137,8 @@ def test_one_bearing_is_its_statics():
 
 
 def test_preload_by_a_spacer():
-    """Two bearings pushed apart by their outer rings carry each other's axial load."""
+    """Two bearings preloaded against each other through their outer rings carry each other's axial
+    load."""
     seats = [
         Seat(0.1, B6208, 20e-6, offset=(0, 0, -120e-6, 0, 0)),
         Seat(0.3, B6208, 20e-6, offset=(0, 0, 120e-6, 0, 0)),
@@ -149,7 +150,8 @@ def test_preload_by_a_spacer():
 
 @pytest.mark.parametrize("push", [-300.0, 300.0])
 def test_preload_by_a_spring(push):
-    """The spring's force goes through both bearings; the sliding one has the state of its load."""
+    """The spring's force goes through both bearings; the sliding bearing has the state of its
+    load."""
     seats = [Seat(0.1, B6208, 20e-6), Seat(0.3, B6208, 20e-6, spring=push)]
     found = shaft.rest(Shaft([Section(0.4, 0.2)]), seats, [Load(0.2, (0.0, -1.0, 0.0))])
     assert [one.load[2] for one in found.bearings] == pytest.approx([push, -push], rel=1e-6)
@@ -179,7 +181,7 @@ def test_command(capsys, tmp_path):
     found = json.loads(capsys.readouterr().out)
     first, second = found["bearings"]
     assert first["load_z"] == 0.0 and second["load_z"] == pytest.approx(400.0, rel=1e-6)
-    # about the second bearing: the belt's lever is 0.06 m, the shaft's 0.3 m; its tilts hold 9 N m
+    # about the second bearing: the belt's lever is 0.06 m, the shaft's 0.3 m; its tilts take 9 N m
     held = first["load_ry"] + second["load_ry"]
     assert first["load_x"] == pytest.approx((held - 1500 * 0.06) / 0.3, rel=1e-6)
     assert second["life_reference_h"] > 0 and second["tilt_rad"] < 1e-3

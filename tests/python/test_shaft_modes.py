@@ -16,7 +16,7 @@ B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 
 @pytest.fixture(scope="module")
 def rotor():
-    """A heavy disc at the overhung end, preloaded bearings alike in both planes."""
+    """A heavy disc at the overhung end, on preloaded bearings that are equal in both planes."""
     whole = Shaft([Section(0.5, 0.04)], discs=[Disc(0.5, 4.0, 0.04, 0.02)])
     seats = [Seat(0.0, B6208), Seat(0.3, B6208, spring=-800.0)]
     return whole, shaft.rest(whole, seats, [Load(0.1, (0.0, 0.0, 1.0))])
@@ -33,7 +33,7 @@ def test_a_critical_speed_is_a_natural_frequency_at_that_speed(rotor):
 @pytest.mark.parametrize("speed", [0.0, 1000.0])
 def test_modes_have_the_natural_frequencies(rotor, speed):
     found = [one.speed for one in shaft_modes.modes(*rotor, speed)]
-    # of an axial motion without a spring rate only rounding is left
+    # for an axial motion without a spring rate only rounding is left
     assert found == pytest.approx(shaft_motion.frequencies(*rotor, speed), rel=1e-6, abs=1.0)
 
 
@@ -48,7 +48,7 @@ def test_forward_whirl_rises_with_the_speed_and_backward_whirl_falls(rotor):
 
 
 def test_shapes():
-    """A stiff shaft moves as a rigid body first, along its axis too; then it bends."""
+    """A stiff shaft moves as a rigid body first, also along its axis; then it bends."""
     whole = Shaft([Section(0.4, 0.06)])
     seats = [Seat(0.05, B6208), Seat(0.35, B6208, spring=-300.0)]
     names = [one.shape for one in shaft_modes.modes(whole, shaft.rest(whole, seats, []), 0.0)]
