@@ -8,7 +8,7 @@ MAIN = {"deck": "inputs/in.6208", "samples": 40, "passes": 1, "record": "all", "
 
 
 def small(folder, options="", more="", deck=SMALL):
-    """in.smallest with a record of `folder / run`, as a file."""
+    """in.smallest with a record in `folder / run`, written to a file."""
     line = f"fix rec all bearing/record 100 {folder / 'run'} {options}\n{more}"
     text = deck.replace("compute total", line + "compute total")
     path = folder / "in.recorded"

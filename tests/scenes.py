@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Short runs of decks of docs/decks and of the main deck: scenes that a reader must do with."""
+"""Short runs of decks of docs/decks and of the main deck: scenes that every reader must handle."""
 
 from host import ROOT, succeed
 
@@ -15,11 +15,11 @@ TURNING = [
 
 
 def _turning(inner, outer):
-    """in.spall with other speeds of its rings in rad/s."""
+    """in.spall with other ring speeds, in rad/s."""
     return [(old, new.format(inner, outer) if "{0}" in new else new) for old, new in TURNING]
 
 
-SCENES = {  # deck: what to change in it
+SCENES = {  # deck: changes of its text
     "radial": ("in.6208", {"passes": 3, "samples": 60, "load": 3000, "record": "all"}),
     "combined": ("in.combined", [("run 2000", "run 600")]),
     "whirl": ("in.unbalance", [("run 2000", "run 500")]),
@@ -33,7 +33,7 @@ SCENES = {  # deck: what to change in it
 
 
 def run(name, folder):
-    """Run the scene `name` into `folder`, once; return it."""
+    """Run the scene `name` in `folder`, once; return the folder."""
     deck, changes = SCENES[name]
     if isinstance(changes, dict):
         succeed(f"inputs/{deck}", out=folder, **changes)
@@ -45,7 +45,7 @@ def run(name, folder):
 
 
 def changed(deck, changes):
-    """The text of a deck of docs/decks with every change (old, new) in it."""
+    """The text of a deck of docs/decks with all changes (old, new)."""
     text = (ROOT / "docs" / "decks" / deck).read_text()
     for old, new in changes:
         assert old in text, (deck, old)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs of `in.shaft`, a shaft on two 6208s, and what their tests share.
+"""Runs of `in.shaft`, a shaft on two 6208s, and functions shared by their tests.
 
 The shaft lies along z, its bearings at 0 and 0.2 m. `data` of a run are columns of the shaft (x, rx
 ...) and of its rings (x1, f2y ...).
@@ -32,7 +32,7 @@ def swing(folder, **variables):
 
 
 def numbers_of(text, word="END"):
-    """The numbers that a run prints after a `word`."""
+    """Numbers that a run prints after a `word`."""
     return [float(one) for one in re.search(rf"^{word} (.*)$", text, re.M)[1].split()]
 
 
@@ -42,9 +42,9 @@ def rows_of(folder):
 
 
 def frequencies_of(signals, step, count):
-    """Hz, rising, of `count` free vibrations in signals (channels, samples): a linear map from each
-    instant to the next, from delayed copies. A real vibration has two, one of them below 0; of
-    x + i y those below 0 whirl backward."""
+    """Frequencies in Hz, rising, of `count` free vibrations in signals (channels, samples): a
+    linear map from each instant to the next, from delayed copies. A real vibration has two
+    frequencies, one of them negative; for x + i y the negative ones whirl backward."""
     copies, length = 12, signals.shape[1]
     signals = signals - signals.mean(axis=1, keepdims=True)
     delayed = np.vstack([signals[:, k : length - copies + k] for k in range(copies)])
@@ -54,8 +54,8 @@ def frequencies_of(signals, step, count):
 
 
 def rings_follow(folder):
-    """Accelerations of the inner rings of a record are those of their velocities. Returns columns
-    of both rings (samples, 2) by name."""
+    """Check that accelerations of the inner rings of a record are derivatives of their velocities.
+    Returns columns of both rings (samples, 2) by name."""
     with xarray.open_dataset(folder / "record.nc") as record:
         inner = record["ring_raceway"].values == 0
         names = ("x", "y", "tilt_2", "vx", "ax")
@@ -68,7 +68,7 @@ def rings_follow(folder):
     return ring
 
 
-# what runs on several ranks and hosts have alike: everything moves
+# words common to runs on several ranks and hosts: everything moves
 BITS = dict(
     cage=1,
     speed=200,
@@ -79,7 +79,7 @@ BITS = dict(
     skin=4e-4,
     control="tolerance 1e-8",
 )
-# of an account of the energy
+# labels of the energy balance
 ENERGY = dict(
     control="tolerance 1e-10 largest 2e-6 energy yes",
     clearance=1e-5,
@@ -93,7 +93,7 @@ WITHIN = dict(
 )
 
 
-# a box with two bearings along x and nothing that moves them
+# a box with two bearings along x, and no fix that moves them
 SMALL = """
 units si
 atom_style sphere

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The record of a run as the same scene would leave it elsewhere in the lab."""
+"""The record of a run as the same scene would produce it at another pose in the lab."""
 
 import re
 import shutil

@@ -28,7 +28,7 @@ def test_free_rolling(bearing):
         assert sliding.free_power(LOAD, FRICTION, SPEED, a, r_d, r_x) == pytest.approx(
             power, abs=5e-6
         )
-        # the printed numbers take the rounded slope 3.80, the formula the exact one
+        # the printed numbers use the rounded slope 3.80, the formula the exact one
         assert a**2 / (7.60 * r_d * r_x) == pytest.approx(creep, abs=5e-6)
         assert sliding.creep(a, r_d, r_x) == pytest.approx(creep, rel=6e-4)
         free = sliding.free_slip(SPEED, a, r_d, r_x)
@@ -91,7 +91,7 @@ def test_limits(bearing):
     slip = np.linspace(-edge, 2 * edge, 1001)
     found = sliding.heathcote(slip, *arguments)
     assert np.all(np.diff(found.force) >= 0) and np.all(found.power > 0)
-    # the width is that of the groove at rest: no step in the force
+    # the width is that of the groove at rest: the force is continuous
     rest = sliding.heathcote(np.array([-1e-9, 0.0, 1e-9]), LOAD, FRICTION, 0.0, a, r_d, r_x)
     assert np.abs(np.diff(rest.force)).max() < 0.02 * FRICTION * LOAD
 
@@ -101,7 +101,7 @@ def test_spring_in_series():
     tau = secant / spring
     steady = secant * distance
     assert tau == pytest.approx(6e-5, rel=0.02)
-    # a short step is the spring, a long one the slip law, two halves are a whole
+    # a short step is the spring, a long one the slip law, and two half steps equal one
     force, slope = sliding.in_series(0.0, distance, secant, spring, 1e-9)
     assert force == pytest.approx(spring * distance * 1e-9, rel=1e-4)
     assert slope == pytest.approx(spring * 1e-9, rel=1e-4)
@@ -185,8 +185,9 @@ def test_mixed():
 
 @pytest.mark.parametrize("speed", [0.0724764, 0.724764, 2.899, 14.4946])
 def test_one_speed_for_the_film(bearing, speed):
-    """The power of free rolling under Eyring's law, by one coefficient at the mean speed: within
-    3 % of the quadrature at 0.04 Pa s, 10 % in a hot oil that is far from its limit."""
+    """The power of free rolling under Eyring's law, from one coefficient at the mean speed, is
+    within 3 % of the quadrature at 0.04 Pa s, and within 10 % in a hot oil that is far from its
+    limit."""
     a, b, r_d, r_x = contact(bearing)
     edge = sliding.edge_slip(speed, a, r_d, r_x)
     peak = 1.5 * LOAD / (np.pi * a * b)

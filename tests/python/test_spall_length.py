@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Lengths of spalls: closed forms of the ball's flight, and entry and blow in synthetic signals of
+"""Spall lengths: closed forms of the ball's flight, and entry and impact in synthetic signals for
 a known length."""
 
 import numpy as np
@@ -13,7 +13,7 @@ from raceway.theory.bearing import INNER, OUTER
 SPIN, LOAD = 1500 * np.pi / 30, 2000.0
 SAMPLE, PERIOD = 5e-6, 11.2e-3  # s
 ROLLING = 7.6e-3  # m
-HEAVY = 1e6  # kg: a ring that does not follow the ball
+HEAVY = 1e6  # kg, so heavy that the ring does not follow the ball
 
 
 @pytest.mark.parametrize("raceway", [INNER, OUTER])
@@ -25,8 +25,8 @@ def test_a_ball_that_keeps_its_load_strikes_half_way(bearing, raceway):
 
 @pytest.mark.parametrize("raceway", [INNER, OUTER])
 def test_a_rounded_edge_is_heard_sooner(bearing, raceway):
-    """A ball that keeps its load rises from the edge's radius before the middle on; one that has
-    lost it flies to the far flank, which a rounding leaves where it was."""
+    """A ball that keeps its load rises from half-way minus the edge's radius; one that has
+    lost it flies to the far flank, whose position does not depend on the rounding."""
     edge, both = 5e-5, np.array([0.5e-3, 2.5e-3])
     sharp, rounded = (
         spall.seconds_to_blow(bearing, raceway, both, SPIN, LOAD, 0.2, edge=one)
@@ -41,8 +41,8 @@ def test_a_rounded_edge_is_heard_sooner(bearing, raceway):
 
 @pytest.mark.parametrize("raceway", [INNER, OUTER])
 def test_flight_of_a_ball_that_loses_its_load(bearing, raceway):
-    """A ring that does not follow, and a ball light enough to be in balance until then: it leaves
-    at its share of the drop's rate, and the centrifugal load bends its path."""
+    """A ring that does not follow, and a ball light enough to be in equilibrium until then: it
+    leaves at its share of the drop's rate, and the centrifugal load curves its path."""
     orbit = SPIN * kinematics.frequencies(bearing).cage
     rest = static.equilibrium(bearing, LOAD, orbital_speed=orbit)
     approach = rest.inner.overlap[0] + rest.outer.overlap[0]
@@ -50,7 +50,7 @@ def test_flight_of_a_ball_that_loses_its_load(bearing, raceway):
     soft = [
         hertz.stiffness(hertz.exact(*one), bearing.effective_modulus) ** (-2 / 3) for one in radii
     ]
-    share = soft[1 - raceway] / sum(soft)  # of the drop that the other contact gives back
+    share = soft[1 - raceway] / sum(soft)  # of the drop, returned by the other contact
     rolling, speed = radii[raceway][0], kinematics.entrainment(bearing, SPIN)
     lost = np.sqrt(2 * rolling * approach)  # m from the entry
     on = np.linspace(1.3, 2.5, 5) * lost
@@ -94,7 +94,8 @@ def test_times_of_no_spall(bearing):
 
 
 def path(length, speed=2.3, periods=6):
-    """(seconds, drop of a rigid ball's centre in m) over a spall with sharp edges, every period."""
+    """(seconds, drop of a rigid ball's centre in m) over a spall with sharp edges, once a
+    period."""
     time = np.arange(int(periods * PERIOD / SAMPLE)) * SAMPLE
     way = speed * ((time - 0.123 * PERIOD) % PERIOD - 0.5 * PERIOD)
     return time, np.maximum(0.5 * length - np.abs(way), 0.0) ** 2 / (2 * ROLLING)
@@ -103,7 +104,7 @@ def path(length, speed=2.3, periods=6):
 @pytest.mark.parametrize("length", [0.5e-3, 1e-3, 2e-3])
 @pytest.mark.parametrize("noise", [0.0, 2e-4])
 def test_known_length(length, noise):
-    """Sharp edges, noise of 2e-4 of the drop: 1 %, and half a sample of the blow."""
+    """Sharp edges, noise of 2e-4 of the drop: within 1 % plus half a sample at the impact."""
     _, drop = path(length)
     random = np.random.default_rng(1)
     values = 3.0 - drop / drop.max() + noise * random.normal(size=len(drop))
@@ -116,7 +117,8 @@ def test_known_length(length, noise):
 
 @pytest.mark.parametrize("share, error", [(0.5, 0.04), (0.2, 0.02)])
 def test_a_housing_that_rings(share, error):
-    """The drop as the force on a mass on a spring, 4 kHz, 4 % damped, which bends the square."""
+    """The drop as the force on a mass on a spring, 4 kHz, 4 % damped, which distorts the square
+    root."""
     from scipy import signal
 
     _, drop = path(1e-3)

@@ -15,7 +15,7 @@ from raceway.electric.waveforms import CommonMode, Sine, Table
 
 OPTIONS = ".options reltol=1e-6 abstol=1e-19 vntol=1e-9 chgtol=1e-19\n"
 WITHIN = 1e-3
-TAU = np.array([4e-3, 7e-3]).reshape(1, 2, 1)  # s, of inner and outer films: balls get charges
+TAU = np.array([4e-3, 7e-3]).reshape(1, 2, 1)  # s, of inner and outer films: balls are charged
 
 
 @pytest.fixture(scope="module")
@@ -25,8 +25,8 @@ def leaky():
 
 
 def compare(given, outer, lines, tmp_path, wanted, step=4e-6):
-    """Run the netlist `lines` with the element of `given`, and hold the vectors `wanted`, by
-    ngspice's name, against the circuit's dataset."""
+    """Run the netlist `lines` with the element of `given`, and compare the vectors `wanted`, by
+    ngspice's name, with the circuit's dataset."""
     tran = f".tran {step:g} {given.time[-1]:g} 0 {step:g} uic\n"
     found = ngspice.run(
         f"test\n{spice.element(given)}\n{lines}\n{OPTIONS}{tran}.end\n", tmp_path, list(wanted)
@@ -53,7 +53,7 @@ def test_motor(leaky, tmp_path):
 
 
 def test_inverter(leaky, tmp_path):
-    """The edges of the legs in 5 ns."""
+    """Edges of the legs take 5 ns."""
     wave = CommonMode(560.0, 1530.0, 47.0, 0.9)
     edges = wave.edges(leaky.time)
     corners = [f"{t:.12g} {before:.9g} {t + 5e-9:.12g} {after:.9g}" for t, before, after in edges]
@@ -71,7 +71,7 @@ def test_inverter(leaky, tmp_path):
 
 
 def test_source_with_a_resistance(tmp_path):
-    """Without leak the bearing as one is the same: balls stay without charge."""
+    """Without leakage the bearing as one element is equivalent: balls stay uncharged."""
     outer = Source(Table([0, 1e-3, 2e-3, 6e-3], [0, 10, -10, 5]), 2e6)
     for element in ("bearing", "bearing_total"):
         compare(
@@ -84,9 +84,11 @@ def test_source_with_a_resistance(tmp_path):
 
 
 def test_current_of_moving_plates(tmp_path):
-    """At constant voltage: i = V dC/dt, which a capacitor by its capacitance would leave out."""
+    """At constant voltage i = V dC/dt, which a capacitor given by its capacitance alone would
+    omit."""
     given = turning(n=41, z=5)
-    tran = ".options method=gear\n.tran 2e-6 0.01 0 2e-6 uic\n"  # trapezoids ring after a start
+    # the trapezoidal rule oscillates after a start
+    tran = ".options method=gear\n.tran 2e-6 0.01 0 2e-6 uic\n"
     lines = "Vs ring 0 PWL(0 0 1m 6)\nX1 ring 0 bearing"
     found = ngspice.run(
         f"test\n{spice.element(given)}\n{lines}\n{OPTIONS}{tran}.end\n",
@@ -113,7 +115,7 @@ def test_files_of_a_run(folder, tmp_path, capsys):
     time, capacitance, leak = np.loadtxt(lines.splitlines()).T
     np.testing.assert_array_equal(time, raceway.open(folder).contacts.time[::2])
     np.testing.assert_array_equal(capacitance, series(given.capacitance).bearing)
-    # a uniform lubricant: R C is the same for every film and for all of them
+    # a uniform lubricant: every film and all of them together have the same R C
     np.testing.assert_allclose(leak * capacitance, 1e9 * 8.8541878128e-12 * 2.2, rtol=1e-12)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Slip and spin together in statics: limits, beside the closed forms, mistakes."""
+"""Combined slip and spin in statics: limits, comparison with the closed forms, mistakes."""
 
 from pathlib import Path
 
@@ -27,7 +27,7 @@ def test_radial_load_has_no_spin(bearing):
 
 
 def test_as_the_closed_forms(bearing):
-    """Combined load: both raceways share the spin, and slip costs less beside it. The closed forms
+    """Combined load: both raceways share the spin, which makes slip cheaper. The closed forms
     are fits and agree within 5 %."""
     closed, slices = (losses(bearing, 2000.0, 10000.0, law) for law in friction_torque.SPIN_LAWS)
     for part in ("rolling", "hysteresis", "drag"):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearing's equilibrium against the figures of docs/theory, closed forms, and its own equations
-written anew."""
+"""The bearing's equilibrium against the values of docs/theory, closed forms, and its own equations
+written independently."""
 
 import numpy as np
 import pytest
@@ -51,8 +51,8 @@ def test_load_parameter_of_any_ball_phase(bearing, relative, low, high):  # docs
 @pytest.mark.parametrize("axial", [50.0, -3000.0])
 @pytest.mark.parametrize("pd", [0.0, 30e-6])
 def test_thrust(bearing, axial, pd):
-    """All balls alike: F_a = Z Q sin(alpha), groove centres C (cos(alpha_0)/cos(alpha)) apart
-    (Harris 7.33)."""
+    """All balls carry the same load: F_a = Z Q sin(alpha), groove centres C
+    (cos(alpha_0)/cos(alpha)) apart (Harris 7.33)."""
     free, c = clearance.free_contact_angle(bearing, pd), clearance.groove_distance(bearing)
 
     def load(angle):
@@ -68,7 +68,7 @@ def test_thrust(bearing, axial, pd):
 
     angle = brentq(lambda a: 9 * load(a) * np.sin(a) - abs(axial), free + 1e-9, 1.2, xtol=1e-14)
     state = equilibrium(bearing, 0.0, axial, clearance=pd)
-    # overlaps are differences of lengths a thousand times larger: 1e-13 of rounding becomes 1e-9
+    # overlaps are differences of lengths a thousand times larger: a rounding of 1e-13 becomes 1e-9
     assert state.inner.load == pytest.approx(np.full(9, load(angle)), rel=1e-8)
     assert state.inner.angle == pytest.approx(np.full(9, np.sign(axial) * angle), rel=1e-8)
     assert state.shift[:2] == pytest.approx([0, 0], abs=1e-12)
@@ -87,8 +87,8 @@ def test_thrust(bearing, axial, pd):
     ],
 )
 def test_every_equation_holds(bearing, radial, axial, pd, orbit, finite_shift):
-    """Ball places from both sides coincide, loads follow Hertz, each ball and the ring are in
-    balance."""
+    """Ball positions from both sides coincide, loads follow Hertz, each ball and the ring are in
+    equilibrium."""
     state = equilibrium(
         bearing,
         radial,
@@ -135,7 +135,7 @@ def test_every_equation_holds(bearing, radial, axial, pd, orbit, finite_shift):
     into = -np.cos(state.inner.angle)[:, None] * u_ring - np.sin(state.inner.angle)[:, None] * e
     scale = max(radial, abs(axial), thrown)
     balance = -state.outer.load[:, None] * out - state.inner.load[:, None] * into + thrown * u
-    # the cage takes what is across
+    # the cage takes the transverse component
     in_plane = np.stack([(balance * u).sum(1), balance @ e], 1)[live]
     assert in_plane == pytest.approx(np.zeros_like(in_plane), abs=1e-7 * scale)
 
@@ -168,7 +168,7 @@ def test_preload_without_load_is_centred(bearing):
 
 
 def test_circle_keeps_its_shape_under_a_finite_shift(bearing):
-    """A ball x_t off the ring's diameter is x_t^2/(2 r) further from its axis: that takes load off
+    """A ball x_t off the ring's diameter is x_t^2/(2 r) further from its axis, which relieves
     the ball at 80 degrees."""
     straight, circle = equilibrium(bearing, 5000.0), equilibrium(bearing, 5000.0, finite_shift=True)
     sideways = circle.shift[0] * np.sin(np.radians(80))

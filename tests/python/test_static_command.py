@@ -89,8 +89,8 @@ ANGULAR = ("--bearing", "7205B", "--load", "1000", "--rpm", "3000")
 
 
 def test_ring_held_along_its_axis(capsys):
-    """Without an axial load an angular contact bearing is held where its balls are in contact, as
-    in a deck. The load that holds it there, as an axial load, gives the same figures."""
+    """Without an axial load an angular contact bearing is held where its balls make contact, as
+    in a deck. The load that holds it there gives the same figures when applied as an axial load."""
     held = figures(capsys, *ANGULAR)
     assert held["clearance_m"] == pytest.approx(2 * 0.05 * 7.938e-3 * (1 - np.cos(np.radians(40))))
     assert held["load_parameter"] is None and held["loaded_balls"] == 12
@@ -112,7 +112,7 @@ def test_balls_that_stand_still_on_the_outer_ring_have_no_film_and_no_capacitanc
 
 def test_balls_that_slide_under_their_gyroscopic_moment(capsys):
     """In runs with a film of 0.05 the balls of a 7205B at 8000 rpm slide under 100 N of thrust and
-    roll under 150 N. Without a contact angle there is no such moment."""
+    roll under 150 N. Without a contact angle there is no gyroscopic moment."""
     words = ["--bearing", "7205B", "--rpm", "8000", "--lubricant", "vg46", "--temperature", "70"]
     words += ["--models", "full", "--axial"]
     below, above = figures(capsys, *words, "150"), figures(capsys, *words, "100")
@@ -125,8 +125,8 @@ def test_balls_that_slide_under_their_gyroscopic_moment(capsys):
 
 @pytest.mark.parametrize("axial", [300, 500, 600])
 def test_balls_without_load_have_no_contact_angle(capsys, axial):
-    """Balls that hardly reach the inner ring lie at its edge, at more than 60 degrees; all that
-    carry more than 1 % of the largest load are below the nominal contact angle."""
+    """Balls that barely touch the inner ring lie at its edge, at more than 60 degrees; all balls
+    with more than 1 % of the largest load are below the nominal contact angle."""
     found = figures(capsys, *ANGULAR, "--axial", str(axial))
     angles = [(ball["angle_inner_rad"], ball["q_inner_N"]) for ball in found["balls"]]
     loaded = [angle for angle, load in angles if load > 0.01 * found["q_inner_max_N"]]
@@ -162,7 +162,8 @@ def test_own_bearing_from_elsewhere(capsys, tmp_path, monkeypatch):
     )
     monkeypatch.chdir(tmp_path)
     assert len(figures(capsys, "--load", "5000", "--bearing", "./mine")["balls"]) == 8
-    # names are found in the source tree this package is installed from, or where --inputs says
+    # names are found in the source tree from which this package is installed, or in the folder of
+    # --inputs
     assert len(figures(capsys, "--load", "5000")["balls"]) == 9
     assert (
         len(

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Stiffness of a 6208 against values computed apart from this package.
+"""Stiffness of a 6208 against values computed independently of this package.
 
-The book takes each contact's stiffness at angle 0, we take it at its angle: 5e-4.
-Digits as given are half a unit of the last.
+The book takes each contact's stiffness at zero angle, the package at its actual angle: 5e-4.
+Printed digits are accurate to half a unit in the last.
 """
 
 import numpy as np
@@ -33,13 +33,13 @@ def test_matrix(loads, clearance, shift, entries):
     assert rest.stiffness == pytest.approx(rest.stiffness.T, rel=1e-6, abs=1e-3)
     for (row, column), want in entries.items():
         found = rest.stiffness[row, column]
-        # what couples is a small difference of large sums
+        # coupling is a small difference of large sums
         within = 5e-4 if row == column else 2e-3
         assert found == pytest.approx(want, rel=within), (row, column)
 
 
 def test_over_a_ball_pass():
-    """Least, mean and most along and across the load, over 16 phases of the ball pass."""
+    """Least, mean and greatest along and across the load, over 16 phases of the ball pass."""
     phases = np.arange(16) / 16 * 2 * np.pi / 9
     found = np.array(
         [np.diag(static.equilibrium(B6208, 3000.0, phase=p).stiffness)[:2] for p in phases]

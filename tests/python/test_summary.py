@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every figure of the summary against the run it was made from, worked out row by row."""
+"""Every figure of the summary against the run, recomputed row by row."""
 
 import json
 import re
@@ -12,7 +12,7 @@ from raceway.errors import RunError
 from raceway.runs.summary import summary, table
 from raceway.runs.tables import RunTables
 
-# the table of INTERFACE.md, in its order: a promise, so written out here a second time
+# the table of INTERFACE.md in its order, repeated here because it is a promise
 PROMISED = """bearing lubricant host integrator models load_N rpm clearance_m step_s passes
 viscosity_Pa_s pressure_viscosity_per_Pa permittivity roughness_m ring_shift_m load_parameter
 q_max_N q_inner_max_N q_outer_max_N p_max_inner_Pa p_max_outer_Pa loaded_balls_mean
@@ -90,7 +90,7 @@ def test_figures(folder, lubricated, bearing):
         top[0]["lambda"],
     )
 
-    # the load points to -y; the start is not of the window
+    # the load points to -y; the start does not belong to the window
     shift = np.mean([-ring[3] for ring in lubricated["rings"][1:]])
     assert figures["ring_shift_m"] == pytest.approx(shift, rel=1e-12)
     assert figures["load_parameter"] == pytest.approx(
@@ -118,15 +118,15 @@ def test_figures(folder, lubricated, bearing):
 
 
 def full(folder, data):
-    """Figures of the run `data` with models full, which have friction."""
+    """Figures of the run `data` with models full, which have friction torque."""
     own = synthetic.changed(data, models="full")
     return summary(RunTables(synthetic.write(folder, own)))
 
 
 @pytest.mark.parametrize("models, lost", [("paper", LOST), ("film", LOST), ("mine", set())])
 def test_what_a_model_leaves_out(folder, lubricated, models, lost):
-    """The publication's friction is no friction torque: no number, and the reason in its place. The
-    model of a user has what its contacts have."""
+    """The friction of the publication is not a friction torque: no number, but the reason instead.
+    A user's model reports what its contacts have."""
     own = synthetic.changed(lubricated, models=models)
     figures = summary(RunTables(synthetic.write(folder, own)))
     assert figures["absent"] == dict.fromkeys(figures["absent"], f"not in models {models}")
@@ -140,7 +140,7 @@ def test_what_a_model_leaves_out(folder, lubricated, models, lost):
 
 
 def test_friction(folder, lubricated):
-    """The torque of the shaft, the losses by part, and the makers' figures at the same forces."""
+    """The torque of the shaft, the losses by part, and the makers' torques at the same forces."""
     figures = full(folder, lubricated)
     column = synthetic.LUBRICATED.index("load")
     loads = [sum(row[column] for row in frame) for frame in lubricated["contacts"][1:]]
@@ -173,7 +173,7 @@ def test_rings_that_stand_still_have_no_torque(folder, lubricated, speed, has_on
 
 
 def test_makers_see_a_load_that_turns(folder, lubricated):
-    """Its mean vector is next to nothing, its size is not."""
+    """Its mean vector is almost zero, its magnitude is not."""
     turning = forced(
         folder, lubricated, lambda k: (3e3 * np.sin(0.3 * k), 3e3 * np.cos(0.3 * k), 0)
     )
@@ -196,7 +196,8 @@ def test_unmoved_ring_has_no_load_parameter(folder, lubricated):
 
 
 def forced(folder, data, force):
-    """The run `data` with `force(sample)` (3 numbers) of the balls on the inner ring."""
+    """The run `data` with `force(sample)` (3 numbers) as the force of the balls on the inner
+    ring."""
     rings = [[*ring[:9], *force(k), *ring[12:]] for k, ring in enumerate(data["rings"])]
     return summary(RunTables(synthetic.write(folder, dict(data, rings=rings))))
 

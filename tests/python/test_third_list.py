@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every row of tests/third_list.yaml is held by tests that exist, or is named in docs/scope."""
+"""Every row of tests/third_list.yaml has tests that exist, or is listed in docs/scope."""
 
 import ast
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Amplitude over time and frequency, and over orders where the shaft runs up: sines of known place
-and height."""
+"""Amplitude over time and frequency, and over orders during a run-up: sines of known frequency
+and amplitude."""
 
 import numpy as np
 import pytest
@@ -81,7 +81,7 @@ def test_orders_of_a_run_up(run_up):
     found = time_frequency.of_run(run, "x", "inner")
     assert found.attrs["orders"] and found.attrs["units"] == "m"
     middle = found.sel(time=slice(0.3, 1.7))
-    # windows of a quarter of a ball pass, which few orders tell apart
+    # windows of a quarter of a ball pass, which resolve few orders
     peaks = middle["order"][middle.argmax("order")]
     assert np.abs(peaks - ORDER).max() < 0.5 * found.attrs["resolution"]
     hertz = time_frequency.of_run(run, "x", "inner", orders=False)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A state that drifts, from readings made of it by statics."""
+"""A drifting state, tracked from readings that statics generated."""
 
 import shutil
 
@@ -25,7 +25,7 @@ ROWS = 12
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory):
-    """Oil that warms while the clearance falls; noise of its stated size, one gap."""
+    """Oil that warms up while the clearance shrinks; noise of its stated size, one gap."""
     folder = tmp_path_factory.mktemp("track")
     random = np.random.default_rng(4)
     time = 600.0 * np.arange(ROWS)
@@ -50,7 +50,7 @@ def made(tmp_path_factory):
 
 @pytest.fixture
 def folder(made, tmp_path):
-    """A copy, free to be spoilt, and the truth."""
+    """A copy, free to be modified, and the truth."""
     return shutil.copytree(made[0], tmp_path / "track"), made[1]
 
 
@@ -97,7 +97,7 @@ def test_times_must_rise(folder, capsys):
 
 
 def test_a_linear_reading_is_kalmans():
-    """Mean and covariance, several readings at once."""
+    """Mean and covariance for several readings at once."""
     random = np.random.default_rng(1)
     mean, root, shows = (random.normal(size=one) for one in (3, (3, 3), (2, 3)))
     covariance, noise, read = root @ root.T, np.array([0.3, 0.7]), random.normal(size=2)

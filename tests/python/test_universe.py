@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The run in MDAnalysis: every column with every frame in double precision, and what single
-precision would lose."""
+"""The run in MDAnalysis: every column of every frame in double precision, and what single
+precision loses."""
 
 import pickle
 
@@ -14,7 +14,7 @@ from raceway.runs import universe as module
 
 @pytest.fixture
 def run(folder, monkeypatch):
-    # 7 frames at once: 49 are several readings and a rest
+    # 7 frames at once: 49 take several readings, the last one incomplete
     monkeypatch.setattr(module, "ROWS", 7 * 20)
     return raceway.open(folder)
 
@@ -60,8 +60,8 @@ def test_every_frame_in_any_order(run):
 
 
 def test_single_precision_is_not_enough(run, lubricated):
-    """As the docstring says, positions are off by up to 2 nm, so overlaps from them are wrong;
-    the columns are not."""
+    """As the docstring states, positions are off by up to 2 nm, so overlaps computed from them are
+    wrong; the columns are exact."""
     u, radius = run.universe(), synthetic.DEEP_GROOVE.pitch_radius
     off = max(np.abs(u.atoms.positions - ts.data["position"]).max() for ts in u.trajectory)
     assert np.finfo(np.float32).eps * radius / 8 < off < 2e-9

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The tests that docs/validation names for T1 to T12 are there."""
+"""The tests that docs/validation names for T1 to T12 exist."""
 
 import re
 from pathlib import Path

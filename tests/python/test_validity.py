@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Where formulas are in doubt: bounds from C++, and ellipses at the shoulder of their groove."""
+"""Limits of the formulas: bounds from C++, and ellipses at the shoulder of their groove."""
 
 import math
 
@@ -25,7 +25,7 @@ def test_a_rule_holds_up_to_its_bound(name):
 
 
 def test_reach_of_an_ellipse():
-    """A groove a quarter of a circle deep ends at 60 degrees: cos 60 = 1 - 0.5."""
+    """A groove whose depth is half its radius ends at 60 degrees: cos 60 = 1 - 0.5."""
     shoulders = Shoulders(2 * (24e-3 + GROOVE / 2), 2 * (36.6e-3 - GROOVE / 2))
     a = np.array([GROOVE * math.sin(math.radians(20))])  # 20 degrees to either side
 

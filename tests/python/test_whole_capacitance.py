@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""All of the capacitance over a run of known content; runs of the programs are in
+"""Total capacitance over a run with known content; runs of the programs are in
 tests/scenarios."""
 
 from types import SimpleNamespace
@@ -49,7 +49,7 @@ def test_unknown_surroundings():
 
 
 def test_columns_of_the_record_come_first(folder, monkeypatch):
-    """Where a record has all of the capacitance and no other filling is asked for."""
+    """When a record contains the total capacitance and no other filling is requested."""
     run = raceway.open(folder)
     own = whole_capacitance.over_time(run)
     assert own.attrs["source"] == "places, loads and films"
@@ -67,7 +67,7 @@ def test_columns_of_the_record_come_first(folder, monkeypatch):
 
 
 def test_threshold_is_the_least_of_the_balls(folder):
-    """Against the ball by ball formula: E h (C_i + C_o)/C of the other film."""
+    """Compared with the ball-by-ball formula: E h (C_i + C_o)/C of the other film."""
     run = raceway.open(folder)
     whole = whole_capacitance.over_time(run)
     found = whole_capacitance.fields(run, whole, 1.0, strength=2e7)
@@ -78,7 +78,8 @@ def test_threshold_is_the_least_of_the_balls(folder):
 
 
 def test_the_circuit_takes_it(folder):
-    """The circuit's own series, threshold and local thickness are those of this module."""
+    """The circuit's own series connection, threshold and local thickness equal those of this
+    module."""
     run = raceway.open(folder)
     whole = whole_capacitance.over_time(run)
     contacts = whole_capacitance.contacts_of(run, whole)

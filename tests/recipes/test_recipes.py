@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The recipes of docs/extend.rst, carried out in a copy of the tree.
 
-The copy builds and every law passes the derivative test. What was added shows in output, in
+The copy builds and every law passes the derivative test. The additions appear in output, in
 tables of the docs and in a deck.
 """
 
@@ -25,7 +25,7 @@ MOST_FILES = {"law": 6, "column": 2, "lubricant": 6, "keyword": 3}
 
 
 def carry_out(recipe: str, tree: Path) -> set[str]:
-    """Make the edits of a recipe in `tree`; the files touched."""
+    """Make the edits of a recipe in `tree`; return the files touched."""
     touched = set()
     for edit in yaml.safe_load((RECIPES / f"{recipe}.yaml").read_text()):
         path = tree / edit["file"]
@@ -45,7 +45,7 @@ def carry_out(recipe: str, tree: Path) -> set[str]:
 
 
 def add_wrong_toy(tree: Path) -> None:
-    """A second toy that the derivative test must refuse: its slope is twice that of its value."""
+    """A second toy that the derivative test must reject: its slope is twice that of its value."""
     core = tree / "src-package/core"
     text = (core / "parts/part_toy.h").read_text()
     for old, new in {
@@ -103,12 +103,12 @@ def touched(tmp_path_factory):
         shutil.copy(ROOT / file, tree / file)
     shutil.copy(ROOT / "tests" / "pytest.ini", tree / "tests")
     (tree / ".venv").symlink_to(ROOT / ".venv")
-    # what no recipe touches is not compiled again
+    # files that no recipe touches are not compiled again
     shutil.copytree(ROOT / "build" / "obj", tree / "build" / "obj")
     files = {recipe: carry_out(recipe, tree) for recipe in MOST_FILES}
     add_wrong_toy(tree)
     targets = ["build/liggghts", "build/libraceway_physics.so", "build/columns"]
-    # nice: ranks of other tests wait for each other while a compiler has their core
+    # nice: ranks of other tests would wait for each other while a compiler occupies their core
     nice = ["nice", "-n", "19", "make", "-s", "-j2"]
     run([*nice, "OPTIMISE=-O0 -DRACEWAY_ONE_TARGET", *targets], tree)
     before = (tree / COLUMNS).read_text()
@@ -123,7 +123,7 @@ def test_few_files(touched, recipe):
 
 
 def test_the_derivative_test_refuses_the_wrong_toy_alone(touched):
-    """Every set of parts passes, with the toy too; those with the wrong toy alone do not."""
+    """All sets of parts pass, also with the toy; only those with the wrong toy fail."""
     tests = "tests/physics/test_physics_laws.py"
     command = [PYTHON, "-m", "pytest", "-q", "-c", "tests/pytest.ini", "--rootdir=.", tests]
     done = subprocess.run(command, cwd=touched[0], capture_output=True, text=True)
@@ -167,10 +167,12 @@ def ran(touched):
 
 
 def test_the_deck_runs_with_both_integrators(ran):
-    """The couple of a ball that rolls steadily is stiffness times time times its rolling speed.
+    """The couple of a ball that rolls steadily is the toy's stiffness times its time times the
+    rolling speed.
 
-    After ten times the toy's time the integrators agree within the first order of Verlet's step in
-    the memory, 1e-6/1e-3. Balls that hardly touch are left out: they come and go.
+    After ten times the toy's time the integrators agree within the first-order error of Verlet's
+    step in the memory, 1e-6/1e-3. Balls that barely touch are left out because their contacts open
+    and close.
     """
     found = {key: rows(folder / "toys.dump") for key, folder in ran.items()}
     loaded = {key: [row for row in found[key] if row[2] > 100] for key in found}
@@ -193,8 +195,9 @@ print(json.dumps({"summary": found, "needs": figures(found), "report": report}))
 
 
 def test_the_loss_arrives_in_torque_summary_needs_and_report(touched, ran):
-    """In the friction torque, losses_W, what raceway needs judges, and the page of the run: the sum
-    over the contacts of the record, which is all but the damping that the law has beside it."""
+    """The toy's loss appears in the friction torque, losses_W, the figures of raceway needs and the
+    page of the run: the sum over the contacts of the record, apart from the damping that the law
+    also has."""
     folder = ran["1"] / "toy"
     found = json.loads(
         run([PYTHON, "-c", SHOWN, str(folder), str(folder / "report.html")], touched[0])

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A netCDF file with one of each, for the tests: plain functions behind a C interface.
+// A netCDF file with one dimension and variable of each kind, for the tests: plain functions behind
+// a C interface.
 #include "../../src-package/core/record/netcdf_file.cpp"
 #include "../../src-package/core/record/netcdf_header.cpp"
 
@@ -55,7 +56,7 @@ Sample *begin(const char *path, int batch, long records, double temperature)
   return s;
 }
 
-// Record k: time k/8, x = 1e-9 k + 0.1 (3 side + ball) except for (1, 2), which stays blank; load
+// Record k: time k/8, x = 1e-9 k + 0.1 (3 side + ball) except for (1, 2), which stays unset; load
 // k + ball/3.
 void write_record(Sample *s, long k)
 {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Reading a damaged record ends in a message, whatever the damage."""
+"""Reading a damaged record ends with a message, whatever the damage."""
 
 import random
 import shutil
@@ -102,7 +102,8 @@ def test_a_sample_is_found_wherever_it_is_read(folder, tmp_path):
 
 
 def test_a_record_without_checksums(tmp_path):
-    """Earlier records are read and reported as unchecked; their sums are compared with contacts."""
+    """Records without checksums are read and reported as unchecked; their sums are compared with
+    contacts."""
     synthetic.write(tmp_path, synthetic.run(passes=1, samples_per_pass=12))
     run = raceway.open(tmp_path)
     run.summary()

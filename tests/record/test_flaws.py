@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A record notes the flaws of its rings: every fix bearing/profile, in its own words."""
+"""A record stores the flaws of its rings: every fix bearing/profile in its own words."""
 
 import pytest
 import raceway
@@ -22,7 +22,7 @@ def flawed(tmp_path_factory):
     folder = tmp_path_factory.mktemp("flaws")
     (folder / "a: #1 table.txt").write_text("".join(f"{0.785398163397 * k} 0\n" for k in range(8)))
     deck = SHORT.replace("fix inner", PROFILES.format(folder) + "fix inner")
-    # one that departs by nothing may come between two runs
+    # a profile without departure may be added between two runs
     succeed(small(folder, deck=deck + "fix more inner bearing/profile none\nrun 100\n"))
     return folder
 
@@ -40,7 +40,7 @@ def test_words_by_raceway(flawed):
 
 
 def test_run_yaml_has_them_too(flawed):
-    """With a file's name that YAML would take for something else."""
+    """With a file name that YAML would misread."""
     import yaml
 
     said = yaml.safe_load((flawed / "run/run.yaml").read_text())["flaws"]

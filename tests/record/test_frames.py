@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A bearing anywhere in the lab has the figures of the same scene with its axis along z.
 
-Records are turned, and not decks: integrators stop at a tolerance, which hides small errors.
+Records are rotated, not decks: integrators stop at a tolerance, which would hide small errors.
 """
 
 import contextlib
@@ -32,7 +32,7 @@ PICTURES = [
     "plot run --kind motion",
     "spectrum run --out run/lines.png",
 ]
-ELSEWHERE = [  # turned about its own axis, mirrored, turned over
+ELSEWHERE = [  # rotated about its own axis, mirrored, turned over
     Pose((1, 0, 2), (1, -1, 1), (0.013, -0.02, 0.007)),
     Pose((1, 0, 2), (1, 1, 1), (0.013, -0.02, 0.007)),
     Pose((2, 1, 0), (1, 1, 1), (0.013, -0.02, 0.007)),
@@ -49,7 +49,7 @@ def scene(request, tmp_path_factory):
 
 
 def written(source, folder, pose, commands):
-    """{command or file: what it printed or wrote} of the run in `source` in a `pose`."""
+    """{command or file: its output} for the run in `source` in a `pose`."""
     turned.write(source, folder / "run", pose)
     before = {path.name for path in (folder / "run").iterdir()}
     found = {}
@@ -69,7 +69,8 @@ def written(source, folder, pose, commands):
 
 
 def figures(folder):
-    """{name: array} of all that readers make of the run in `folder`, and the same of its parts."""
+    """{name: array} of everything that readers compute from the run in `folder`, and of parts of
+    the run."""
     run = raceway.open(folder)
     run = run if len(run.bearing_numbers) == 1 else run.select(2)
     found = {
@@ -94,7 +95,7 @@ def figures(folder):
     return found
 
 
-VECTORS = {  # names with {} for x, y, z: whether axial
+VECTORS = {  # names with {} for x, y, z: whether they are axial vectors
     "{}": False,
     "v{}": False,
     "a{}": False,
@@ -139,7 +140,7 @@ def moved(found, pose):
 
 
 def worst(found, wanted):
-    """[(error as a share of the largest value, or of the vector's, name)] of figures that differ by
+    """[(error relative to the largest value, or to the vector's, name)] of figures that differ by
     more than 1e-12."""
     wrong = []
     for name, one in wanted.items():
@@ -164,8 +165,8 @@ def largest(values):
 
 
 def components(name, known):
-    """The names of the components of the vector that `name` belongs to, of the spectrum that it is
-    a value of, or `name`."""
+    """Names of the components of the vector that contains `name`, of the spectrum that contains
+    its value, or `name` itself."""
     part, _, key = name.partition(" ")
     if part == "line" and key.endswith("amplitude"):
         return ["spectrum"]
@@ -202,7 +203,7 @@ def test_axis(scene, tmp_path):
 
 
 def test_run_about_x(tmp_path):
-    """The same scene run about z and about x: all figures agree except for the cost."""
+    """The same scene run about z and about x: all figures agree except the cost."""
     change = [("run 2000", "run 500")]
     about_x = [
         ("bearing/ehd ", "bearing/ehd axis x "),
@@ -222,7 +223,7 @@ def test_run_about_x(tmp_path):
 
 
 def test_run_up_names_the_spall(tmp_path):
-    """in.run_up: BPFO in orders, at that of the run's own cage."""
+    """in.run_up: BPFO in orders, at the value from the run's own cage."""
     folder = tmp_path / "run"
     deck = tmp_path / "deck"
     deck.write_text(scenes.changed("in.run_up", [("run 15000", "run 8000")]))

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Records of a run that is still going or was killed, and what other programs read in one.
+"""Records of a run that is still active or was killed, and their contents in other programs.
 
-.venv/bin/python tests/record/test_live.py [N]     reads N times while runs go on and kills N runs
+.venv/bin/python tests/record/test_live.py [N]     reads N times while runs are active and kills N
+runs
 """
 
 import random
@@ -27,7 +28,7 @@ CASE = {"passes": 600, "samples": 100, "within": 5}
 
 
 def start(folder):
-    """The main deck, several seconds of it."""
+    """The main deck for several seconds."""
     words = [HOSTS["liggghts"][0], "-in", "inputs/in.6208", "-log", "none", "-var", "out", folder]
     for name, value in {**QUICK, **CASE}.items():
         words += ["-var", name, str(value)]
@@ -48,7 +49,7 @@ def wait_for(path, process):
 
 
 def look(folder):
-    """Samples that can be read, each of them whole: by xarray alone and by the package."""
+    """Number of samples that can be read, each complete, by xarray alone and by the package."""
     with xr.open_dataset(folder / "record.nc") as data:
         n = data.sizes["time"]
         steps, loads = data["step"].values, data["load"].max(("raceway", "ball")).values
@@ -62,7 +63,7 @@ def look(folder):
 
 
 def read_while_it_grows(folder, readers):
-    """Samples seen by each reader, of runs started anew when one is over."""
+    """Numbers of samples seen by each reader; runs are restarted when they end."""
     seen, process = [], None
     while len(seen) < readers:
         if process is None or process.poll() is not None:
@@ -80,7 +81,8 @@ def read_while_it_grows(folder, readers):
 
 
 def kill(folder, whole, dice):
-    """Samples left by a run that was killed at a random moment; they are those of a whole one."""
+    """Samples left by a run that was killed at a random moment; they equal those of a complete
+    run."""
     process = start(folder)
     wait_for(folder / "record.nc", process)
     time.sleep(dice.uniform(0.0, 0.6))
@@ -117,8 +119,8 @@ def test_killed(whole, tmp_path):
 
 
 def test_programs_agree(whole):
-    """scipy, the reference library and its ncdump on the record of a run."""
-    import netCDF4  # takes a while to load
+    """scipy, the reference library and its ncdump read the record of a run."""
+    import netCDF4  # slow to import
 
     folder, data = whole
     path = folder / "record.nc"

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A record of several bearings: what is of one asks which, and commands take its number."""
+"""A record of several bearings: single-bearing figures ask for a choice, and commands take its
+number."""
 
 import json
 import re

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A figure that a record does not hold is an error of one line, with the way to get it."""
+"""A figure that is missing from a record causes a one-line error that explains how to get it."""
 
 import re
 import shutil
@@ -18,7 +18,7 @@ NO_CONTACTS = "record.nc holds no contacts: record them with -var record all"
 
 @pytest.fixture(scope="module")
 def sums(tmp_path_factory):
-    """The main deck with a record of sums alone."""
+    """The main deck with a record of sums only."""
     folder = tmp_path_factory.mktemp("sums") / "run"
     succeed(out=folder, **{**MAIN, "record": "summary", "dumps": "no"})
     return folder
@@ -34,15 +34,15 @@ def motion_alone(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def load_alone(tmp_path_factory):
-    """The same with the loads of contacts and nothing else of them."""
+    """The same with the loads of contacts and no other contact column."""
     folder = tmp_path_factory.mktemp("load")
     succeed(small(folder, "contacts load"))
     return folder / "run"
 
 
 def copied(folder, to, **changes):
-    """A copy of a run's folder; `samples` are those that are left in its record, `cut` is how many
-    of its bytes are."""
+    """A copy of a run's folder; `samples` are those left in its record, `cut` is the number of
+    bytes kept."""
     shutil.copytree(folder, to)
     content = bytearray((to / "record.nc").read_bytes())
     if "samples" in changes:
@@ -81,7 +81,7 @@ def test_a_command_that_needs_contacts(sums, words, capsys):
     ids=lambda words: words[-1],
 )
 def test_contacts_of_one_column(load_alone, words, capsys):
-    """A command that needs more says so in a line; a report leaves its pictures of contacts out."""
+    """A command that needs more reports so in one line; a report omits its pictures of contacts."""
     name, *more = words
     code = main([name, str(load_alone), *more])
     said = capsys.readouterr().err

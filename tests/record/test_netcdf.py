@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The netCDF writer: every reader agrees, also while a file grows, after a kill and after a cut."""
+"""The netCDF writer: every reader agrees, also while a file grows, after a kill and after
+truncation."""
 
 import ctypes
 import os
@@ -66,7 +67,7 @@ def expected(n):
 
 
 def holds(path, n):
-    """The file has these n records in the eyes of xarray."""
+    """The file has these n records when read with xarray."""
     with xr.open_dataset(path, engine="scipy") as data:
         for found, wanted in zip((data["time"], data["x"], data["load"]), expected(n)):
             assert np.array_equal(found.to_numpy(), wanted, equal_nan=True)
@@ -107,7 +108,7 @@ def test_scipy(library, path, mapped):
 
 def test_libnetcdf(library, path):
     """The reference implementation, through netCDF4."""
-    import netCDF4  # takes a while to load
+    import netCDF4  # slow to import
 
     writer = Writer(library, path)
     writer.write(0, 9)
@@ -123,7 +124,7 @@ def test_libnetcdf(library, path):
 
 
 def test_growing(library, path):
-    """Never more than was written; everything once settled."""
+    """A reader never sees more than was written, and everything once writing has stopped."""
     writer, seen = Writer(library, path, batch=3), 0
     for k in range(30):
         writer.write(k, k + 1)
@@ -147,8 +148,8 @@ def test_batches_leave_the_same_bytes(library, tmp_path):
 
 
 def test_go_on(library, tmp_path):
-    """Cut to an earlier record, whole or not, and written on: the bytes of one that was left
-    alone."""
+    """Cut to an earlier record, complete or not, and continued: the bytes of an undisturbed
+    file."""
     whole, cut = tmp_path / "whole.nc", tmp_path / "cut.nc"
     for path in (whole, cut):
         writer = Writer(library, path)
@@ -218,8 +219,8 @@ def test_no_room(library):
 
 
 def test_killed(library, path):
-    """A process killed at any moment leaves a file that reads, and 30 readers of it while it grows
-    see whole records."""
+    """A process killed at any moment leaves a readable file, and 30 reads while it grows
+    see complete records."""
     script = textwrap.dedent(f"""
         import sys
         sys.path.insert(0, {str(HERE)!r})

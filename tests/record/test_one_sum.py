@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every figure of a bearing or a ring is the sum or the extreme of its contacts, and the power that
-shaft and loads put in is the losses plus what is stored: all models, kinds of bearing, integrators
-and hosts."""
+"""Every figure of a bearing or a ring is the sum or the extreme of its contacts, and the power
+supplied by shaft and loads is the losses plus the stored energy's growth: all models, types of
+bearing, integrators and hosts."""
 
 import json
 from pathlib import Path
@@ -15,7 +15,7 @@ from scipy.interpolate import CubicSpline
 
 TABLES = json.loads(Path(columns.__file__).with_name("columns.json").read_text())
 CONTACTS = [row["name"] for row in TABLES["contact"]]
-PLATES = {"capacitance", "capacitance_total"}  # what a dry bearing has no film for
+PLATES = {"capacitance", "capacitance_total"}  # columns of a film, which a dry bearing lacks
 LOSSES = [name for name in CONTACTS if name.endswith("_power")]
 
 OIL = "lubricant 0.04 22e-9 roughness 1.0e-7 0 "
@@ -43,7 +43,7 @@ COMBINED = "x free y free z free rx free ry free"
 LOADS = {RADIAL: (0, -2000, 0), COMBINED: (0, -1000, 3000)}  # N
 MASS, TRANSVERSE = 0.2, 6.5e-5  # kg, kg m^2 of the inner ring
 RING = "x y z vx vy vz tilt_1 tilt_2 mz spin".split()
-# kind: (motion of the inner ring, distance of two grooves from the middle plane, cage, bearings)
+# type: (motion of the inner ring, distance of two grooves from the middle plane, cage, bearings)
 KINDS = {
     "radial": (RADIAL, 0.0, False, 1),
     "cage": (RADIAL, 0.0, True, 1),
@@ -52,7 +52,7 @@ KINDS = {
     "four-point": (COMBINED, 0.1e-3, False, 1),
     "two bearings": (RADIAL, 0.0, True, 2),
 }
-# law, kind, integrator, host, ranks
+# law, type, integrator, host, ranks
 SCENES = [
     *((law, "radial", "implicit", "liggghts", 1) for law in LAWS if "spring" not in law),
     *((law, "radial", "verlet", "liggghts", 1) for law in ("dry, spring", "paper, spring", "full")),
@@ -73,7 +73,7 @@ FINER = {
     "dry, spring": 2,
     "paper, spring": 2,
     "full, no friction": 2,
-}  # losses of a dry ring that drops are peaks, and the branch gives back what it took
+}  # losses of a falling dry ring are peaks, and the branch returns the energy it took
 
 
 def test_every_loss_of_a_contact_is_one_of_bearings_and_rings():
@@ -91,7 +91,7 @@ def deck(law, kind, integrator, out, finer):
     wet = law.startswith("lubricant")
     inner, arch, cage, number = KINDS[kind]
     gap = 6.552e-3 - 6.3e-3
-    high = np.sqrt(gap**2 - arch**2)  # of the centre of a groove above the pitch circle
+    high = np.sqrt(gap**2 - arch**2)  # offset of a groove's centre above the pitch circle
     grooves = f"gothic_arch {arch}" if arch else ""
     radii = (
         (30.3e-3 + high - 6.552e-3, 30.3e-3 - high + 6.552e-3 - 2e-6) if arch else (24e-3, 36.6e-3)
@@ -149,7 +149,7 @@ def deck(law, kind, integrator, out, finer):
 
 
 class Ran:
-    """A scene: its record, and by step what the computes and the account of the energy say."""
+    """A scene: its record, and by step the output of the computes and of the energy balance."""
 
     def __init__(self, folder, text, wet=False, host="liggghts", ranks=1):
         self.wet = wet
@@ -183,7 +183,7 @@ class Ran:
 
 @pytest.fixture(scope="module")
 def runs(tmp_path_factory):
-    """{scene: its run}, each made when first asked for."""
+    """{scene: its run}, computed on first use."""
 
     class Runs(dict):
         def __missing__(self, scene):
@@ -212,7 +212,7 @@ def same(one, other, terms=()):
 
 
 def figures(contacts, inner, balls, wet):
-    """{name: (figure, its terms)} of these balls' contacts, by the definitions of the columns."""
+    """{name: (figure, its terms)} of these balls' contacts, from the definitions of the columns."""
     c = {name: values[:, balls] for name, values in contacts.items()}
     live = c["load"] > 0
     found = {"contacts": (live.sum(), ())}
@@ -327,7 +327,7 @@ def test_compute_total_has_the_sums_of_all_bearings(ran):
 
 @scenes([scene for scene in SCENES if "drag" in LAWS[scene[0]]])
 def test_each_ball_has_one_drag(ran):
-    """Where it is on the outer ring, in however many grooves."""
+    """Whether the ball is on the outer ring, in any number of grooves."""
     inner, several = ran.inner(), 0
     for step in ran.steps:
         c = ran.contacts(step)
@@ -351,7 +351,7 @@ def latter_half(data):
 
 
 def integrals(data, power, every):
-    """J of the latter half of the samples, by every so many of them."""
+    """J over the latter half of the samples, using every `every`-th one."""
     first, last = latter_half(data)
     time = data["time"].to_numpy()
     return [np.trapezoid(power[first : last + 1 : n], time[first : last + 1 : n]) for n in every]
@@ -359,7 +359,8 @@ def integrals(data, power, every):
 
 @scenes([scene for scene in SCENES if scene[2] == "verlet"])
 def test_power_in_is_losses_plus_what_the_host_stores(ran, scene):
-    """Under velocity Verlet, with the host's energies. Constant loads work by the displacement."""
+    """Under velocity Verlet, with the host's energies. Constant loads do work by the
+    displacement."""
     data, steps = ran.record, ran.steps
     moves = data["ring_raceway"] == 0
     ring = {name: data[f"ring_{name}"][:, moves].to_numpy() for name in RING}
@@ -377,13 +378,14 @@ def test_power_in_is_losses_plus_what_the_host_stores(ran, scene):
     stored = energy[last] - energy[first]
     stored += sum(ran.totals[steps[last]][-3:]) - sum(ran.totals[steps[first]][-3:])
     assert abs(work + driven - stored - lost) <= error
-    assert error <= 0.1 * lost, "the estimate is no use"
+    assert error <= 0.1 * lost, "the estimate is useless"
 
 
 @scenes([scene for scene in SCENES if scene[2] == "implicit"])
 def test_power_in_is_losses_plus_what_is_stored(ran):
-    """By the account of fix bearing/implicit. A sum over samples is good to what every other and
-    every fourth sample change; the integrator's own error is the LOST of the account."""
+    """From the balance of fix bearing/implicit. A sum over samples is accurate to the difference
+    between every other and every fourth sample; the integrator's own error is LOST in the
+    balance."""
     data, steps = ran.record, ran.steps
     first, last = latter_half(data)
     sums = integrals(data, losses(data), (1, 2, 4))
@@ -395,7 +397,7 @@ def test_power_in_is_losses_plus_what_is_stored(ran):
     assert lost > 0
     assert abs(taken - lost) <= error
     assert abs(work - stored - lost) <= error
-    assert error <= 0.1 * lost, "the estimate is no use"
+    assert error <= 0.1 * lost, "the estimate is useless"
 
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A record and a run.yaml that are of two runs are refused; those of one run are not."""
+"""A record and a run.yaml of different runs are refused; those of one run are not."""
 
 import shutil
 
@@ -39,7 +39,7 @@ def test_of_the_main_deck(one, words, key, tmp_path, capsys):
 
 @pytest.mark.parametrize("steps", [5000, 30000])
 def test_of_a_deck_that_notes_nothing(steps, tmp_path):
-    """Alike except for their length."""
+    """The two runs differ only in length."""
     for name, count in (("a", 20000), ("b", steps)):
         (tmp_path / name).mkdir()
         succeed(small(tmp_path / name, deck=SMALL.replace("run 20000", f"run {count}")))
@@ -58,8 +58,8 @@ def test_numbers_that_a_deck_notes(tmp_path):
 
 
 def test_a_run_that_goes_on_is_one(tmp_path):
-    """Its record holds more than run.yaml says of the part before, until it has come to its
-    end."""
+    """A continued run's record contains more than run.yaml of the previous part until the run has
+    ended."""
     succeed(small(tmp_path, more="", deck=SMALL + "run 5000\n"))
     folder = tmp_path / "run"
     assert raceway.open(folder).tables.settings["simulated_s"] == pytest.approx(0.025)
@@ -72,7 +72,7 @@ def test_a_run_that_goes_on_is_one(tmp_path):
 
 
 def test_words_of_a_deck(tmp_path):
-    """Numbers are the same after 15 digits, and texts whatever YAML makes of them."""
+    """Numbers are equal after 15 digits, and texts stay texts whatever YAML would make of them."""
     notes = "number third 0.3333333333333333333 number large 1.23456789012345678e23"
     notes += " text quoted 'x:y' text label \"a: b # c\""
     succeed(small(tmp_path, notes))

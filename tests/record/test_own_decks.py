@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Records of decks that are not the main one, any bearing and load: every command reads them."""
+"""Records of other decks than the main one, with any bearing and load: every command reads them."""
 
 import json
 
@@ -12,7 +12,7 @@ from raceway.cli import main as command
 RECORD = "fix rec all bearing/record 200 ${out} overwrite yes\n"
 DECKS = {  # name: (balls, largest rpm, load on the inner ring, N)
     "in.combined": (None, 1500, 4472),
-    "in.unbalance": (9, 3000, 500),  # what goes around has no mean
+    "in.unbalance": (9, 3000, 500),  # angles that keep growing have no mean
     "in.ehd": (9, 477.5, 5000),
 }
 

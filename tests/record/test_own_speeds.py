@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Frequencies, ball passes and speeds against the motion of a run's own balls and rings: angular
-contact, either ring turning, either sense, a changing speed."""
+"""Frequencies, ball passes and speeds from the motion of a run's own balls and rings: angular
+contact, either ring rotating, either sense, a changing speed."""
 
 import numpy as np
 import pytest
@@ -25,7 +25,8 @@ def run(request, tmp_path_factory):
 
 
 def angles(run):
-    """(cage, inner, outer): angles in rad (time,) that the balls, on average, and rings turned."""
+    """(cage, inner, outer): angles in rad (time,) through which the balls, on average, and the
+    rings turned."""
     x, y = (run.balls[name].transpose("time", "ball").to_numpy() for name in "xy")
     cage = np.unwrap(np.arctan2(y, x), axis=0).mean(1)
     data = run.tables.record.read(["ring_angle"])["ring_angle"]
@@ -37,13 +38,13 @@ def angles(run):
 def test_ball_passes_are_angles_of_the_cage(run):
     cage, _, _ = angles(run)
     passes = run.balls.sizes["ball"] * np.abs(cage) / (2 * np.pi)
-    # the coordinate sums speeds by trapezoids
+    # the coordinate integrates speeds by trapezoids
     np.testing.assert_allclose(run.balls["passes"], passes, rtol=0, atol=1e-3 * passes[-1])
 
 
 def test_lines_are_those_of_its_balls_and_rings(run):
-    """FTF, BPFO, BPFI and the shaft from the angles turned; BSF from the spins of the balls against
-    the cage. 0.1 %."""
+    """FTF, BPFO, BPFI and the shaft from the angles; BSF from the spins of the balls relative to
+    the cage: within 0.1 %."""
     (cage, inner, outer), balls = angles(run), run.balls.sizes["ball"]
     seconds = float(run.balls["time"][-1] - run.balls["time"][0])
     turned = [one[-1] / (2 * np.pi * seconds) for one in (cage, inner, outer)]
@@ -67,7 +68,7 @@ def test_lines_are_those_of_its_balls_and_rings(run):
 
 
 def test_speed_at_the_largest_load(run):
-    """Also on a ramp, whose summary has the range of speeds."""
+    """Also on a ramp, where the summary has the range of speeds."""
     figures = summary(run.tables)
     data = run.tables.record.read(["ring_spin"])["ring_spin"]
     sides = list(run.tables.record.fixed("ring_raceway"))

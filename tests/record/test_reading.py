@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""raceway.open on records of real runs: the main deck's, and everything that a deck with one added
-line gives."""
+"""raceway.open on records of real runs: the main deck's, and that of a deck with one additional
+line."""
 
 import re
 
@@ -37,7 +37,7 @@ def close(found, wanted):
 
 
 def test_summary_is_of_its_contacts_and_balls(main_run):
-    """Loads, films, capacitance, cage speed and losses, worked out of every contact and ball."""
+    """Loads, films, capacitance, cage speed and losses, computed from every contact and ball."""
     run = raceway.open(main_run)
     figures, contacts, balls = run.summary(), run.contacts.load(), run.balls.load()
     load = contacts["load"]
@@ -60,12 +60,12 @@ def test_summary_is_of_its_contacts_and_balls(main_run):
     )
     close(figures["cage_speed_rad_s"], turn.mean())
     known = {"slip": "friction_power", "film": "damping_power"}  # the cage is no contact of these
-    parts = friction(run.tables)["losses_W"]  # the summary leaves out those of models paper
+    parts = friction(run.tables)["losses_W"]  # the summary omits them for models paper
     losses = {part: loss for part, loss in parts.items() if loss is not None}
     assert known.keys() <= losses.keys() <= {*known, "cage"}
     for part, name in known.items():
         close(losses[part], contacts[name].sum(("raceway", "ball")).mean())
-    if "cage" in losses:  # of balls with cage balls, which are no contacts of raceways
+    if "cage" in losses:  # contacts of balls with cage balls, which are not raceway contacts
         close(losses["cage"], run.bearing["cage_power"].mean())
 
 
@@ -94,7 +94,7 @@ def test_windows_and_blocks(main_run):
 
 
 def test_read_when_used(main_run):
-    """Opening reads no contact: the values are still in the file."""
+    """Opening reads no contacts: the values are still in the file."""
     contacts = raceway.open(main_run).contacts
     assert not contacts["load"].variable._in_memory
     assert float(contacts["load"].max()) > 2000
@@ -102,7 +102,7 @@ def test_read_when_used(main_run):
 
 @pytest.mark.parametrize("name", ["load", "ring_fx", "bearing_capacitance", "cage_vx", "time"])
 def test_samples_here_and_there(main_run, name):
-    """An index picks the same values from the file as from the array."""
+    """An index selects the same values from the file as from the array."""
     record = Record(main_run)
     with xr.open_dataset(main_run / "record.nc", engine="scipy") as data:
         values = data[name].to_numpy().astype(float)
@@ -136,7 +136,7 @@ def test_commands_on_one_line(one_line, words, tmp_path, capsys):
 
 
 def test_what_nobody_told(one_line):
-    """Load, speed and direction of a deck that names none are those measured."""
+    """Load, speed and direction are the measured ones for a deck that does not state them."""
     run = raceway.open(one_line)
     settings = run.settings
     assert settings["rpm"] == pytest.approx(50 * 30 / np.pi, rel=1e-12)
@@ -185,7 +185,7 @@ def test_a_summary_has_the_figures(tmp_path):
 
 
 def test_unfinished(tmp_path):
-    """A run that stops half-way can be read, its figures are refused."""
+    """A run that stops half-way can be read, but its figures are refused."""
     folder = tmp_path / "run"
     succeed(small(tmp_path, deck=SMALL.replace("run 20000", "run 5000")))
     text = (folder / "run.yaml").read_text()

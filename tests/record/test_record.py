@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/record: what the host's dumps say, on any number of ranks the same bytes, and a run
-that goes on writes what one that was left alone does."""
+"""fix bearing/record agrees with the host's dumps, gives the same bytes on any number of ranks, and
+a continued run writes the bytes of an undisturbed one."""
 
 import re
 
@@ -126,7 +126,7 @@ def test_what_the_bearing_is(main):
     "host, ranks", [("liggghts", 2), ("liggghts", 4), ("lammps", 2), ("wheel", 2)]
 )
 def test_ranks(host, ranks, tmp_path):
-    """The same bytes; the main deck with the box cut through the bearing."""
+    """The same bytes when the main deck's box is cut through the bearing."""
     for n in (1, ranks):
         succeed(host=host, ranks=n, out=tmp_path / str(n), **MAIN)
     one = (tmp_path / "1" / "record.nc").read_bytes()
@@ -147,7 +147,7 @@ def test_smallest(tmp_path):
 
 def test_cage_force_is_that_of_the_compute(tmp_path):
     deck = (ROOT / "docs" / "decks" / "in.ehd").read_text()
-    # pushed aside, the cage strikes balls
+    # displaced, the cage hits balls
     deck = deck.replace("timestep 4.0e-7\nrun 40000", "timestep 4.0e-7\nrun 2000")
     deck = deck.replace("fix step all", "velocity cage set 0.1 0 0\nfix step all")
     told = f'variable q equal c_total[11]\nfix told all print 100 "${{q}}" file {tmp_path}/told\n'
@@ -186,7 +186,7 @@ def test_none(tmp_path):
 
 
 def test_notes_of_the_decks_variables(tmp_path):
-    """NAME=VARIABLE as often as wanted is NAME VALUE, in the same order."""
+    """NAME=VARIABLE, repeated as needed, equals NAME VALUE in the same order."""
     notes = {
         "plain": "number mass_kg 0.333333333333333 goal turns 3 text oil thin number load_N 2.5e3",
         "variables": "number mass_kg=third goal turns=turns text oil=oil number load_N=load",
@@ -214,7 +214,7 @@ def test_a_finished_run_stays(tmp_path):
 
 
 def test_several_runs(tmp_path):
-    """The end of one is the start of the next and is there once."""
+    """The end of one run is the start of the next and appears once."""
     whole, parts = tmp_path / "whole", tmp_path / "parts"
     for folder, runs in ((whole, "run 20000"), (parts, "run 5050\nrun 14950")):
         folder.mkdir()
@@ -224,7 +224,7 @@ def test_several_runs(tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_resume(ranks, tmp_path):
-    """From a restart file of the middle: whatever came behind it is cut off."""
+    """From a restart file in the middle: later samples are cut off."""
     whole, parts = tmp_path / "whole", tmp_path / "parts"
     for folder in (whole, parts):
         folder.mkdir()
@@ -277,7 +277,7 @@ MANY = {"bearings": 6, "columns": 3, "time": 4e-3, "ramp": 1e-3}
 
 @pytest.fixture(scope="module")
 def many(tmp_path_factory):
-    """in.many, its table with all digits."""
+    """in.many, with all digits in its table."""
     folder = tmp_path_factory.mktemp("many")
     deck = folder / "in.many"
     text = (ROOT / "inputs" / "in.many").read_text()

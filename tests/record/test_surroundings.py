@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/capacitance ... surroundings: the whole capacitance of a running bearing, in the
+"""fix bearing/capacitance ... surroundings: the total capacitance of a running bearing in the
 record, in the fix's own output and in computes."""
 
 import numpy as np
@@ -29,7 +29,7 @@ fix sums all print {every} "${{s}} ${{a}} ${{b}} ${{c}} ${{d}}" file {out}/sums.
 
 
 def main(folder, **variables):
-    """The record of the main deck, loaded, and whether each contact is there."""
+    """The record of the main deck, loaded, and a mask of existing contacts."""
     succeed("inputs/in.6208", out=folder, overwrite="yes", settle=1, passes=1, **variables)
     with xr.open_dataset(folder / "record.nc") as data:
         data = data.load()
@@ -42,13 +42,13 @@ def series(values):
 
 
 def azimuth(data):
-    """rad from the load, by sample and ball, in (-pi, pi]."""
+    """rad from the load line, by sample and ball, in (-pi, pi]."""
     return np.angle(1j * (data["ball_x"].values + 1j * data["ball_y"].values))
 
 
 @pytest.fixture(scope="module")
 def loaded(tmp_path_factory):
-    """3 kN, 1500 rpm, no clearance: by surroundings."""
+    """3 kN, 1500 rpm, no clearance, for each kind of surroundings."""
     folder = tmp_path_factory.mktemp("loaded")
     named = {"load": 3000, "rpm": 1500} | OIL | SHOULDERS
     return {
@@ -90,7 +90,7 @@ def test_every_ball_has_both_capacitors(loaded):
 
 
 def test_t6_balls_by_azimuth(loaded):
-    """pF of a ball at 0, 40 and 80 degrees from the load; between samples linear."""
+    """pF of a ball at 0, 40 and 80 degrees from the load; linear between samples."""
     known = {
         "none": (44.9, 33.3, 6.27),
         "flooded": (65.5, 52.9, 22.0),
@@ -125,7 +125,7 @@ def test_t5_what_fills_the_gap(loaded):
 
 
 def test_t6_light_and_fast(tmp_path):
-    """400 N, 6000 rpm, 12 um: pF, 9.4 of plates, 101 flooded, 77 cavitated."""
+    """400 N, 6000 rpm, 12 um: in pF, 9.4 for plates, 101 flooded, 77 cavitated."""
     named = {"load": 400, "rpm": 6000, "clearance": 12e-6} | OIL | SHOULDERS
     found = {}
     for word in ("flooded", "cavitated"):
@@ -141,8 +141,9 @@ def test_t6_light_and_fast(tmp_path):
 @pytest.mark.parametrize("rpm", [477.5, 9549])
 @pytest.mark.parametrize("models", ["paper", "film"])
 def test_t7_loss_and_return_of_contact(tmp_path, rpm, models):
-    """Clearance 12 um. Halving the sampling halves the largest change of a contact's capacitance
-    over a sample with loss or return of contact: there is no jump in it. The mean stays."""
+    """Clearance 12 um. Halving the sampling interval halves the largest change of a contact's
+    capacitance over a sample in which contact is lost or regained: it is continuous there. The mean
+    does not change."""
     steps, means = [], []
     for samples in (200, 400):
         data, live = main(
@@ -163,7 +164,7 @@ def test_t7_loss_and_return_of_contact(tmp_path, rpm, models):
 
 
 def case(folder, fix, more="", host="liggghts", ranks=1, **variables):
-    """The folder of a run of in.case, with a clearance."""
+    """The folder of a run of in.case with a clearance."""
     folder.mkdir(parents=True)
     every = variables.get("substeps", 1)
     commands = folder / "commands"
@@ -189,8 +190,8 @@ def recorded(folder, options="", **more):
 
 
 def test_within_a_step(tmp_path):
-    """One evaluation for record and fix; ends of steps are as without instants; finer steps give
-    the same."""
+    """Record and fix share one evaluation; ends of steps do not depend on instants; finer steps
+    give the same."""
     coarse = recorded(tmp_path / "coarse", "within 4", sample=4e-4, samples=20)
     plain = recorded(tmp_path / "plain", sample=4e-4, samples=20)
     fine = recorded(
@@ -218,7 +219,7 @@ def test_within_a_step(tmp_path):
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 def test_computes_and_the_fix(tmp_path, integrator):
-    """Per ball, per ring and in sum; a ring's balls touch it or not."""
+    """For each ball, each ring and in total; a ring's balls may or may not touch it."""
     steps = {"implicit": 1, "verlet": 250}[integrator]
     fix = f"fix cap balls bearing/capacitance {steps} permittivity 2.2 surroundings dry\n"
     fix += f"fix rec all bearing/record {steps} {tmp_path}/run/rec\n"
@@ -247,7 +248,8 @@ def test_computes_and_the_fix(tmp_path, integrator):
 
 @pytest.mark.parametrize("host, ranks", [("liggghts", 2), ("liggghts", 4), ("lammps", 2)])
 def test_same_bits_with_velocity_verlet(tmp_path, host, ranks):
-    """Velocities of rings on other ranks are half a step old: gaps are seen with the contacts."""
+    """Velocities of rings on other ranks are half a step old: gaps are evaluated with the
+    contacts."""
     fix = "fix cap balls bearing/capacitance 250 permittivity 2.2 surroundings flooded\n"
     named = {"integrator": "verlet", "substeps": 250, "samples": 8}
     found = [

@@ -27,8 +27,8 @@ def recorded(folder, options="", fixes=CAPACITANCE, ranks=1, control="tolerance 
 
 @pytest.fixture(scope="module")
 def coarse_and_fine(tmp_path_factory):
-    """Host steps of 0.8 ms with 8 samples each, against host steps of 0.1 ms, 1 degree of orbit,
-    both with an error of 0.1 nm an internal step."""
+    """Host steps of 0.8 ms with 8 samples each, compared with host steps of 0.1 ms, 1 degree of
+    orbit, both with an error of 0.1 nm an internal step."""
     folder = tmp_path_factory.mktemp("within")
     case = {"control": "tolerance 1e-10"}
     coarse = recorded(folder / "coarse", "within 8", sample=8e-4, samples=20, **case)
@@ -44,18 +44,19 @@ def test_times(coarse_and_fine):
 
 
 def test_every_column_is_what_finer_steps_give(coarse_and_fine):
-    """All variables of the file, after the start: to the share of the largest value that a step of
-    0.1 nm leaves open."""
+    """All variables of the file, after the start, agree to the share of the largest value that a
+    step error of 0.1 nm allows."""
     coarse, fine = coarse_and_fine
     seen = 0
     for name, truth in fine.data_vars.items():
         if "time" not in truth.dims or name in ("step", "regime", "mu", "checksum"):
             continue
-        if name in ("bearing_cage_force", "bearing_cage_power"):  # known at the ends of steps only
+        # available at the ends of steps only
+        if name in ("bearing_cage_force", "bearing_cage_power"):
             continue
         found, truth = coarse[name].values[60:], truth.values[60:]
         there = np.isfinite(truth) & np.isfinite(found)
-        # contacts at the edge of the loaded zone may close a sample earlier or later
+        # contacts at the edge of the load zone may close a sample earlier or later
         assert (np.isfinite(truth) != np.isfinite(found)).mean() < 0.01, name
         if not there.any() or not np.abs(truth[there]).max():
             continue
@@ -69,7 +70,7 @@ def test_every_column_is_what_finer_steps_give(coarse_and_fine):
 
 
 def test_ends_of_steps_are_those_of_a_record_without_instants(tmp_path):
-    """To the bit; and so are the balls."""
+    """To the bit, and so do the balls."""
     with_them = recorded(tmp_path / "with", "within 5", sample=4e-4, samples=10)
     without = recorded(tmp_path / "without", sample=4e-4, samples=10)
     assert (tmp_path / "with/balls.dump").read_bytes() == (
@@ -82,7 +83,8 @@ def test_ends_of_steps_are_those_of_a_record_without_instants(tmp_path):
 
 
 def test_shares_the_evaluation_with_the_capacitance(tmp_path):
-    """Loads, films and capacitances of both are the same numbers, and those of a record alone."""
+    """Loads, films and capacitances of both are the same numbers, and equal those of a record
+    alone."""
     cap = (
         "fix cap balls bearing/capacitance 1 permittivity 2.25 within 6"
         f" contacts {tmp_path}/run/instants.txt\n"
@@ -99,7 +101,8 @@ def test_shares_the_evaluation_with_the_capacitance(tmp_path):
 
 
 def test_within_a_sample_everything_agrees(tmp_path):
-    """At instants, too: totals are of the contacts, the ring carries what balls push with."""
+    """At instants, too, totals are sums over the contacts, and the ring's force is that of the
+    balls."""
     data = recorded(tmp_path / "run", "within 10", sample=4e-4, samples=20).isel(
         time=slice(101, None)
     )
@@ -111,7 +114,7 @@ def test_within_a_sample_everything_agrees(tmp_path):
             one[f"bearing_load_{side}"], data["load"].sel(raceway=side).max("ball")
         )
     assert np.array_equal(one["bearing_contacts"], (data["load"] > 0).sum(("raceway", "ball")))
-    # the radial force of the ring is the sum of the normal forces along their directions
+    # the radial force on the ring is the sum of the normal forces along their directions
     inner = data.sel(raceway="inner")
     push = (inner["normal"] * np.cos(inner["angle"]) * np.sin(inner["azimuth"])).sum("ball")
     scale = float(abs(data["ring_fy"].isel(ring=0)).max())
@@ -136,7 +139,7 @@ def test_ranks(ranks, tmp_path):
 
 @pytest.mark.parametrize("host", ["lammps", "wheel"])
 def test_hosts(host, tmp_path):
-    """Samples within steps are there in every host; the bits of a step are the host's."""
+    """Samples within steps exist in every host; the bits of a step are the host's own."""
     for name in ("liggghts", host):
         succeed("inputs/in.6208", host=name, out=tmp_path / name, samples=100, passes=1)
     one, other = (
@@ -185,21 +188,21 @@ def test_other_integrators_are_refused(tmp_path):
 
 
 def share(name, found, truth, where):
-    """Largest difference over the contacts `where`, over the largest value."""
+    """Largest difference over the contacts `where`, relative to the largest value."""
     off = np.abs(found[name].values - truth[name].values)[where]
     return off.max() / np.abs(truth[name].values[where]).max()
 
 
 def test_the_main_deck_is_accurate_enough(tmp_path):
-    """The default tolerance and ten samples a step against a picometre and a step a
-    sample: what docs/output.rst says of the errors of columns."""
+    """The default tolerance and ten samples a step, compared with a picometre and a step a
+    sample: these are the errors of columns stated in docs/output.rst."""
     case = {"passes": 1, "record": "all"}
     succeed("inputs/in.6208", out=tmp_path / "run", **case)
     succeed("inputs/in.6208", out=tmp_path / "fine", tolerance=1e-12, within=1, **case)
     found = xr.open_dataset(tmp_path / "run" / "record.nc").load()
     truth = xr.open_dataset(tmp_path / "fine" / "record.nc").load()
     assert np.ptp(found["step"].values) == 20 and np.ptp(truth["step"].values) == 200
-    # the one begins to measure at the end of a step of ten samples, the other at once
+    # one run begins to measure at the end of a step of ten samples, the other at once
     azimuth = truth["azimuth"].values[0] - found["azimuth"].values[0]
     shift = int(np.rint(-np.nanmedian(azimuth) / ANGLE_A_SAMPLE))
     assert 0 <= shift < 10

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The circuit of a bearing as dense systems: nodal matrices of balls and inner ring, no node
-eliminated. Two-stage SDIRK in the charges; failed films are conductors with an unknown charge."""
+"""The circuit of a bearing as dense systems: nodal matrices of balls and inner ring without
+elimination of nodes. Two-stage SDIRK in the charges; failed films are conductors with an unknown
+charge."""
 
 import numpy as np
 
@@ -8,7 +9,7 @@ STAGE = 1 - np.sqrt(0.5)
 
 
 def matrix(films, ring):
-    """(Z + 1, Z + 1) of `films` (2, Z) and of `ring` from the last node to the frame."""
+    """(Z + 1, Z + 1) matrix of `films` (2, Z) and of `ring` from the last node to the frame."""
     inner, outer = films
     made = np.diag([*(inner + outer), inner.sum() + ring])
     made[:-1, -1] = made[-1, :-1] = -inner
@@ -40,8 +41,8 @@ def energy(capacitance, beside, coupling, driving, v):
 
 
 def discharge(capacitance, limit, outer, charge, v):
-    """(charges, voltages, failures as rows side, ball, film voltage, bearing voltage, that after,
-    film energy, energy) of one point; `outer` is (beside, coupling, driving)."""
+    """(charges, voltages, failures as rows of side, ball, film voltage, bearing voltage before and
+    after, film energy, energy) at one point; `outer` is (parallel, coupling, driving)."""
     beside, coupling, driving = outer
     whole, push = matrix(capacitance, beside + coupling), np.zeros(len(v))
     push[-1] = coupling * driving
@@ -68,7 +69,7 @@ def discharge(capacitance, limit, outer, charge, v):
 
 def solve(time, capacitance, conductance, limit, outer, start):
     """(voltages (n, Z + 1), ring last; charge into the ring's films in each step (n,);
-    failures with the point first) over films (n, 2, Z); `outer` (n, 4): beside, coupling,
+    failures with the point first) over films (n, 2, Z); `outer` (n, 4): parallel, coupling,
     conductance, driving."""
     stiff = np.isinf(outer[0, 2])
     n, _, z = capacitance.shape

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Films in 40 digits, as their sources print them; a film over the load is a function of it (N)."""
+"""Films in 40 digits, as printed in their sources; a film over the load is a function of it (N)."""
 
 import mpmath
 from mpmath import exp, log, mpf
@@ -83,14 +83,14 @@ def wilson(loading):
 
 
 def gupta(loading, pressure, slide_roll=0.0):
-    """Gupta et al. (1992), the pressure taking at most 0.9 of it."""
+    """Gupta et al. (1992), with a pressure reduction of at most 0.9."""
     lost = min(mpf("13.2") * pressure * mpf(loading) ** mpf("0.42"), mpf("0.9"))
     slid = 1 + mpf("2.23") * abs(mpf(slide_roll)) ** mpf("0.83")
     return (1 - lost) / (1 + mpf("0.213") * slid * mpf(loading) ** mpf("0.64"))
 
 
 def heated(film, loading, peak, slide_roll, cut):
-    """`film` times Gupta's factor; `peak` is p_max/E' under 1 N, held below `cut` N."""
+    """`film` times Gupta's factor; `peak` is p_max/E' under 1 N, limited below `cut` N."""
     return lambda load: (
         film(load) * gupta(loading, mpf(peak) * mpmath.cbrt(max(mpf(load), mpf(cut))), slide_roll)
     )

@@ -47,8 +47,8 @@ def roelands(viscosity, xi, pressure):
 
 
 def film_coefficient(viscosity, xi, pressure, rate, stress, limit, points=None):
-    """Mean over the ellipse of Eyring's stress, at most `limit` p, over its mean pressure; by
-    adaptive quadrature, or with so many Gauss points in 40 digits."""
+    """Mean over the ellipse of Eyring's stress, limited to `limit` p, divided by its mean pressure;
+    by adaptive quadrature, or with this number of Gauss points in 40 digits."""
 
     def shear(t):
         p = mpf(t) * pressure
@@ -64,7 +64,7 @@ def film_coefficient(viscosity, xi, pressure, rate, stress, limit, points=None):
 
 
 def slip(law, slid, load, speed, a, b, r_d, r_x, points=400):
-    """(force along rolling N, couple about the axis of rolling N m, power W) of a contact under any
+    """(force along rolling N, couple about the rolling axis N m, power W) of a contact under any
     stress law(pressure in Pa, |s| in m/s) in Pa, by midpoints: `points` across the groove, a
     quarter as many along rolling. s = slid - (|u|/(2 R_d R_x)) z^2."""
     z = (np.arange(points) + 0.5) / points  # of a
@@ -109,7 +109,7 @@ def rolling_powers(viscosity, modulus, r_x, r_y, speed, load):
 
 
 def drag_coefficient(reynolds):
-    """C_D of a sphere, straight in the logarithms of `DRAG`."""
+    """C_D of a sphere, interpolated linearly in the logarithms of `DRAG`."""
     table = list(DRAG.items())
     if reynolds <= table[0][0]:
         return table[0][1] * table[0][0] / reynolds
@@ -121,8 +121,9 @@ def drag_coefficient(reynolds):
 
 
 def inlet_share(length, thickness):
-    """Share of the rolling resistance that an inlet up to `length` b leaves, h_c = thickness
-    b^2/(2 R_x): by adaptive quadrature of Reynolds's equation before a Hertz contact."""
+    """Share of the rolling resistance that remains with an inlet of length `length` b, h_c =
+    thickness b^2/(2 R_x): by adaptive quadrature of Reynolds's equation in the inlet of a Hertz
+    contact."""
 
     def slope(s):
         x = 1 + math.exp(s)
@@ -139,8 +140,8 @@ def inlet_share(length, thickness):
 
 
 def immersed(level, pitch):
-    """Share of the balls' volume below the oil over their path: by slices of the balls."""
+    """Share of the balls' volume below the oil level over their path, from slices of the balls."""
     azimuth, node = np.meshgrid((np.arange(2000) + 0.5) * np.pi / 2000, np.linspace(-1, 1, 2001))
-    height = -pitch * np.cos(azimuth) + node  # of a slice, over the ball radius
+    height = -pitch * np.cos(azimuth) + node  # half-width of a slice, relative to the ball radius
     below = height <= -pitch - 1 + 2 * level
     return float(np.average(below, weights=1 - node**2))

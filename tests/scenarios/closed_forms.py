@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Expected results of runs, from kinematics and the static solver (written apart from the C++)."""
+"""Expected results of runs, from kinematics and the static solver (written independently of the
+C++)."""
 
 import numpy as np
 from raceway import hertz, kinematics, static
@@ -7,7 +8,7 @@ from raceway.theory.bearing import INNER, OUTER, Bearing
 
 
 def bearing_of(settings):
-    """The bearing a run was made with."""
+    """The bearing of a run."""
     return Bearing(
         int(settings["balls"]),
         settings["ball_diameter_m"],
@@ -26,8 +27,8 @@ def shaft_speed(settings):
 
 
 def equilibrium(run, sample, film=None):
-    """Static equilibrium with the balls where they are at a sample of the run; `film` is that in
-    the gap, a `FilmInGap`."""
+    """Static equilibrium with the balls at their positions in a sample of the run; `film` is the
+    film in the gap, a `FilmInGap`."""
     settings, balls = run.settings, run.balls
     now = balls[(balls["sample"] == sample) & (balls["type"] == 1)].sort_values("id")
     orbit = kinematics.frequencies(bearing_of(settings)).cage * shaft_speed(settings)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The cage in its seats, and every way to read a contact telling the same."""
+"""The cage in its seats, and agreement of all ways to read a contact."""
 
 import re
 
@@ -13,7 +13,7 @@ SAMPLES = 40
 
 @pytest.fixture(scope="module")
 def run(tmp_path_factory):
-    """The main deck for one pass, with the other computes beside it."""
+    """The main deck for one pass, with additional computes."""
     folder = tmp_path_factory.mktemp("cage")
     deck = folder / "in.cage"
     text = (ROOT / "inputs" / "in.6208").read_text()
@@ -59,8 +59,8 @@ variable pe equal c_energy
 
 
 def test_totals_are_those_of_the_contacts(run):
-    """compute bearing/total, compute bearing/ball and the local rows read one table; dumps keep 12
-    digits."""
+    """compute bearing/total, compute bearing/ball and the local rows read the same table; dumps
+    keep 12 digits."""
     (
         live,
         loaded,
@@ -94,7 +94,7 @@ def test_totals_are_those_of_the_contacts(run):
 
 
 def test_potential_energy_is_that_of_the_springs(run):
-    """pe = sum of 2/5 Q overlap; cage contacts hold less than 1e-3 of it."""
+    """pe = sum of 2/5 Q overlap; cage contacts contribute less than 1e-3 of it."""
     energy = run.totals[12]
     rows = run.contacts[run.contacts["sample"] > 0]
     springs = (0.4 * rows["load"] * rows["overlap"]).groupby(rows["sample"]).sum().to_numpy()
@@ -102,8 +102,8 @@ def test_potential_energy_is_that_of_the_springs(run):
 
 
 def test_background_is_added_once(run):
-    """f_ID[1] is eq 12 plus the background; f_ID[2] the largest ball without it; f_ID[3] the balls
-    in the sum."""
+    """f_ID[1] is eq 12 plus the background; f_ID[2] is the largest ball without it; f_ID[3] is the
+    number of balls in the sum."""
     more, top, active, bare = run.totals[15:19]
     np.testing.assert_allclose(more - bare, 30e-12, rtol=1e-9)  # 12 digits of 300 pF
     pairs = run.pairs[run.pairs["sample"] > 0].groupby("sample")["capacitance"]
@@ -114,7 +114,7 @@ def test_background_is_added_once(run):
 def test_virial_is_that_of_the_contact_forces(run):
     """3 p V = sum of F.(x_ball - x_ring): every raceway contact of a radial scene adds -N (n.u) r,
     with the normal n.u = -1 on the inner and +1 on the outer raceway. Cage contacts (below 1 N) and
-    friction are left out here.
+    friction are neglected here.
     """
     virial, volume = run.totals[13:15]
     for k in range(SAMPLES):
@@ -131,7 +131,7 @@ def test_virial_is_that_of_the_contact_forces(run):
 
 
 def test_cage_balls_stay_centred(run):
-    """On the pitch circle within the 190 um that pocket and chord leave them, and in the middle
+    """On the pitch circle within the 190 um that pocket and chord allow, and in the middle
     plane."""
     cage = run.balls[run.balls["type"] == 2]
     radius = np.hypot(cage["x"], cage["y"])
@@ -140,8 +140,8 @@ def test_cage_balls_stay_centred(run):
 
 
 def test_rails_carry_the_centrifugal_load_at_least(run):
-    """m_c r w^2 of nine polyamide balls, divided by the cosine of the seat (45 degrees), is what
-    pushes on the rails; balls that push cage balls outwards add to it."""
+    """m_c r w^2 of nine polyamide balls, divided by the cosine of the seat angle (45 degrees), is
+    the force on the rails; balls that push cage balls outwards add to it."""
     mass = 4 / 3 * np.pi * 4.19e-3**3 * 1140
     orbit = 19.8
     assert run.totals[8].mean() > 0.99 * 9 * mass * 30.3e-3 * orbit**2 / np.cos(np.pi / 4)
@@ -149,8 +149,8 @@ def test_rails_carry_the_centrifugal_load_at_least(run):
 
 def test_step_limit_is_that_of_the_stiffest_ball(tmp_path):
     """fix bearing/timestep: dry, so 2 sqrt(m/k) with k of both raceways (tangential modes are
-    softer here: the rolling sphere has 2/7 of the mass but the limit is checked against the smaller
-    of both)."""
+    softer here: the rolling sphere has 2/7 of the mass, but the limit is checked against the
+    smaller of both)."""
     deck = tmp_path / "in.limit"
     main = (ROOT / "inputs" / "in.6208").read_text()
     deck.write_text(

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A cage that is one rigid ring (fix bearing/cage/ring) in a 6208, under both integrators: what it
-takes from the balls it gives, it slows as its oil says, play makes it slip, and bad data are
+"""A one-piece rigid cage (fix bearing/cage/ring) in a 6208, under both integrators: it conserves
+momentum, is slowed by its oil according to the law, slips because of its play, and bad data are
 refused."""
 
 import re
@@ -20,8 +20,8 @@ FREE = "x free y free spin free"
 
 
 def scene(folder, integrator="implicit", *, span=0.02, samples=20, **changes):
-    """Run the deck for `span` seconds into `folder`; its `Outcome` and the rows of the cage: step,
-    time, x, y, spin, angle, largest and whole pocket force, loss, eccentricity, torque."""
+    """Run the deck for `span` seconds in `folder`; return its `Outcome` and the rows of the cage:
+    step, time, x, y, spin, angle, largest and total pocket force, loss, eccentricity, torque."""
     dt = float(changes.pop("dt", 2e-7 if integrator == "verlet" else 2e-5))
     sample = round(span / dt / samples)
     changes |= dict(dt=dt, sample=sample, steps=sample * samples, integrator=integrator)
@@ -31,7 +31,7 @@ def scene(folder, integrator="implicit", *, span=0.02, samples=20, **changes):
 
 def momenta(folder):
     """Momentum (kg m/s) and angular momentum about the origin along the axis (kg m^2/s) of all
-    bodies, and the sums of their sizes: an array (samples,) or (samples, 2) each."""
+    bodies, and the sums of their magnitudes: an array (samples,) or (samples, 2) each."""
     p, size, turn, turns = [], [], [], []
     for _, rows in tables(folder / "balls.dump"):
         kind, x, v, w, m, r = rows[:, 1], rows[:, 2:5], rows[:, 5:8], rows[:, 8:11], *rows[:, 11:].T
@@ -49,8 +49,8 @@ def momenta(folder):
 @pytest.mark.parametrize("integrator", BOTH)
 @pytest.mark.parametrize("shape", ["cylinder", "sphere"])
 def test_pockets_and_land_keep_momentum(tmp_path, integrator, shape):
-    """Nothing holds the rings. The cage starts against one wall of its pockets and is dragged by
-    the land of the outer ring, by oil and by friction."""
+    """Nothing holds the rings. The cage starts at one wall of its pockets and is dragged by
+    the land of the outer ring through oil and friction."""
     _, cage = scene(
         tmp_path,
         integrator,
@@ -65,14 +65,14 @@ def test_pockets_and_land_keep_momentum(tmp_path, integrator, shape):
     assert cage[:, 7].max() > 0.1 and np.ptp(cage[:, 4]) > 0.01
     p, size, turn, turns = momenta(tmp_path)
     assert np.abs(p - p[0]).max() < 1e-9 * size
-    # implicit steps of the raceway contacts alone leave 1e-7
+    # implicit steps with the raceway contacts alone leave 1e-7
     assert np.abs(turn - turn[0]).max() < (2e-7 if integrator == "implicit" else 1e-11) * turns
 
 
 @pytest.mark.parametrize("integrator", BOTH)
 def test_a_free_cage_slows_as_its_oil_says(tmp_path, integrator):
-    """Wide pockets, so that it meets no ball: Petroff's couple at the land of the outer ring, which
-    turns, and churning."""
+    """With pockets too wide for any ball contact: Petroff's couple at the land of the rotating
+    outer ring, and churning."""
     _, cage = scene(
         tmp_path,
         integrator,
@@ -116,8 +116,8 @@ def test_work_is_stored_or_lost(tmp_path, words):
 
 
 def test_both_integrators_agree(tmp_path):
-    """A pocket's history is chaotic over long times, so: the mean speed, and the way to a few
-    micrometres."""
+    """Motion in the pockets is chaotic over long times, so the mean speed and the path are
+    compared, the latter to a few micrometres."""
     rows = {
         name: scene(tmp_path / name, name, span=0.03, words=f"friction 0.1 planar yes {LAND}")[1]
         for name in BOTH
@@ -134,7 +134,8 @@ CENTRED = "guide outer 33.0e-3 5e-6 2.0e-3 2"
 
 
 def slip(folder, words=f"friction 0.1 planar yes {CENTRED}", **changes):
-    """Slip of the cage (%) over a turn of the cage after one to settle, and the loaded arc (m)."""
+    """Slip of the cage (%) over one turn of the cage after a turn of settling, and the loaded arc
+    (m)."""
     _, cage = scene(folder, span=0.21, samples=100, words=words, **changes)
     speed = np.polyfit(cage[50:, 1], cage[50:, 5], 1)[0]
     rolling = 157.07963267948966 * (1 - BALL / PITCH) / 2
@@ -143,8 +144,8 @@ def slip(folder, words=f"friction 0.1 planar yes {CENTRED}", **changes):
 
 
 def test_play_over_the_loaded_arc_makes_a_cage_slip(tmp_path):
-    """Idle balls fall back through the play of their pockets where drag holds them, and loaded ones
-    drive the cage, here one that its land centres. Without drag there is no slip."""
+    """Unloaded balls fall back through the play of their pockets where drag slows them, and loaded
+    ones drive the cage, here centred by its land. Without drag there is no slip."""
     plays = [1e-4, 2e-4, 3e-4]
     found, arcs = zip(*(slip(tmp_path / str(j), play=j) for j in plays), strict=True)
     assert np.polyfit(plays, found, 1)[0] / 100 == pytest.approx(1 / np.mean(arcs), rel=0.15)
@@ -158,14 +159,14 @@ def test_play_over_the_loaded_arc_makes_a_cage_slip(tmp_path):
 
 
 def test_a_cage_on_balls_slips_more_than_one_on_its_land(tmp_path):
-    """Its centre moves, too, within the play."""
+    """The cage's centre moves as well, within the play."""
     centred, _ = slip(tmp_path / "land")
     free, _ = slip(tmp_path / "balls", "friction 0.1 planar yes")
     assert 1.2 * centred < free < 2.5 * centred
 
 
 def test_a_run_tells_slip_orbit_and_pocket_forces(tmp_path):
-    """The deck of inputs: its figures against the samples of the record."""
+    """The deck of inputs: its figures agree with the samples of the record."""
     succeed("inputs/in.cage_ring", out=tmp_path, settle=4, passes=4, cage_play=2e-4)
     run = Run(tmp_path)
     record = run.tables.record
@@ -238,9 +239,9 @@ def test_a_cage_bears_gravity(tmp_path, integrator, fall):
 @pytest.mark.parametrize("fall", ["1 0 0", "0 1 0", "-1 0 0", "0 -1 0"])
 @pytest.mark.parametrize("speed", [1, 100, 1000])
 def test_no_ball_leaves_its_pocket_under_gravity(tmp_path, speed, fall):
-    """A ball beyond a wall by a tenth of its radius ends a run. Two ball passes at 1 rad/s, a turn
-    of the cage above. The cage hangs on two balls at most a spacing apart, which leave the pitch
-    circle by the clearance, and walls yield."""
+    """A ball beyond a wall by a tenth of its radius ends a run. The run covers two ball passes at 1
+    rad/s, a turn of the cage in the test above. The cage hangs on two balls at most one spacing
+    apart, which leave the pitch circle by the clearance, and the walls deform."""
     passes = 2 if speed == 1 else 9
     _, cage = scene(
         tmp_path,

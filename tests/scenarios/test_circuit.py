@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/circuit: the numbers of the Python package on the record of the same run, its events,
-and what it refuses."""
+"""fix bearing/circuit: agreement with the Python package on the record of the same run, its events,
+and refused input."""
 
 import shutil
 
@@ -68,7 +68,7 @@ CASES = {
     ),
 }
 WHOLE = dict(cap="surroundings cavitated 1", clearance=2e-5)
-WITHIN = 4  # of the case that has instants in steps of four samples
+WITHIN = 4  # for the case with instants in steps of four samples
 
 
 FAST = "x free y free spin speed 150 force 0 -800 0 ramp 3.0e-3"
@@ -95,7 +95,7 @@ def run_with(folder, words, more="", samples=SAMPLES, record=RECORD, cap="", **o
 
 @pytest.fixture(scope="module", params=CASES)
 def pair(request, tmp_path_factory):
-    """(rows of the fix by name, rows of its events, the `Result` of Python) of one run."""
+    """(rows of the fix by name, rows of its events, the `Result` of Python) for one run."""
     words, outer, breakdown, leak, points = CASES[request.param]
     folder = tmp_path_factory.mktemp("circuit")
     if breakdown:
@@ -122,7 +122,7 @@ def pair(request, tmp_path_factory):
 
 
 def test_the_fix_gives_the_numbers_of_python(pair):
-    """At every sample after the first, of which LIGGGHTS prints nothing."""
+    """At every sample after the first one, which LIGGGHTS does not print."""
     rows, _, (data, events), points = pair
     on_films = float(np.abs(data.film_capacitance * data.film_voltage).max())
     step = float(data.time.diff("time").min())
@@ -138,13 +138,14 @@ def test_the_fix_gives_the_numbers_of_python(pair):
             ours = data[name].to_numpy() if name in data else np.zeros(data.sizes["time"])
             ours = np.where(np.isinf(ours), 0.0, ours)  # no film can fail
         scale = 1e-9 * np.abs(ours).max()
-        if name == "current":  # charges of films cancel where the ring keeps its own
+        if name == "current":  # charges of films cancel while that of the ring remains
             scale = max(scale, 1e-13 * on_films / step)
         np.testing.assert_allclose(rows[name], ours, rtol=1e-9, atol=scale, err_msg=name)
 
 
 def test_metal(tmp_path):
-    """Films that asperities share conduct, in the fix as in Python, and share 0.1 parts them."""
+    """Films shared with asperities conduct, in the fix as in Python; an asperity share of 0.1
+    separates them."""
     here = tmp_path / "here"
     shutil.copytree(ROOT / "tests/implicit", here, ignore=shutil.ignore_patterns("__pycache__"))
     contact = here / "contact.film"
@@ -191,7 +192,8 @@ def test_the_events_are_those_of_python(pair):
 
 
 def test_current_of_a_failure(pair):
-    """Peak through the arc, duration by the charge that flows, density over all Hertz area."""
+    """Peak through the arc, duration from the charge that flows, density over the total Hertz
+    area."""
     _, rows, (_, events), _ = pair
     if "current" not in rows:
         return

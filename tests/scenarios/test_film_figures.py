@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/capacitance with resistivity, frequency and strength: leak, impedance, threshold,
-energy and Hertz area are those of the Python package on the record of the same run (T11)."""
+"""fix bearing/capacitance with resistivity, frequency and strength: leakage, impedance, threshold,
+energy and Hertz area equal those of the Python package on the record of the same run (T11)."""
 
 import numpy as np
 import pytest
@@ -52,13 +52,13 @@ def test_the_fix_gives_the_numbers_of_python(pair):
     parts = found["plates"] + found["around"] + found["unloaded"]
     np.testing.assert_allclose(parts, rows["capacitance_total"], rtol=1e-10)
     np.testing.assert_allclose(found["plates"], rows["capacitance"], rtol=1e-10)
-    # at the threshold the largest field is the strength
+    # at the threshold the largest field equals the strength
     at = film_figures.over_time(of, whole, ASK._replace(voltage=float(found["threshold"][9])))
     assert float(at["field"][9]) == pytest.approx(STRENGTH, rel=1e-12)
 
 
 def test_impedance_is_that_of_the_whole(pair):
-    """Far above the corner frequency only the capacitance is seen, far below only the leak."""
+    """Far above the corner frequency only the capacitance matters, far below only the leakage."""
     _, of = pair
     whole = whole_capacitance.over_time(of)
     z = film_figures.spectrum(whole, np.array([1e-4, 1e8]), RHO)
@@ -69,7 +69,7 @@ def test_impedance_is_that_of_the_whole(pair):
 
 
 def test_one_fill_relaxes_with_its_resistivity(tmp_path):
-    """Without load in oil everywhere: R C = rho eps_0 eps. Here the ring is not there yet."""
+    """Unloaded and flooded: R C = rho eps_0 eps. The ring is not included yet."""
     rows, _ = measured(tmp_path / "run", f"surroundings flooded {ASKED}", False, 1)
     none = rows["capacitance"] == 0
     assert none[0] and rows["hertz_area"][0] == 0
@@ -78,7 +78,8 @@ def test_one_fill_relaxes_with_its_resistivity(tmp_path):
 
 
 def test_plates_alone_and_a_background(tmp_path):
-    """Without surroundings a ball without contact is open; the background is beside the films."""
+    """Without surroundings a ball without contact is open; the background is in parallel with the
+    films."""
     rows, of = measured(tmp_path / "run", f"background {BESIDE} {ASKED}")
     whole = of.contacts
     area = np.pi * (whole["a"] * whole["b"]).fillna(0.0).sum(("raceway", "ball"))
@@ -97,7 +98,7 @@ def test_plates_alone_and_a_background(tmp_path):
 
 
 def test_instants_have_them(tmp_path):
-    """The last instant of a step is what a sample at its end gives."""
+    """The last instant of a step equals a sample at its end."""
     words = f"surroundings dry {ASKED}"
     one, _ = measured(tmp_path / "one", words, False, 6)
     many, _ = measured(tmp_path / "many", f"within 5 {words}", False, 6)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs with the models `film` against statics with the film in the gap, written apart in Python;
-light load; both integrators; the longest explicit step."""
+"""Runs with the models `film` against statics with the film in the gap, written independently in
+Python; light load; both integrators; the longest explicit step."""
 
 import re
 
@@ -14,7 +14,8 @@ from raceway.theory.bearing import INNER
 
 from scenarios import closed_forms
 
-# mean over balls and samples, the quasi-static run against statics: of the effect, or of the whole
+# mean over balls and samples, the quasi-static run against statics: relative to the effect, or to
+# the total
 OF_THE_EFFECT, OF_THE_WHOLE = 0.1, 3e-4
 
 
@@ -45,12 +46,12 @@ def test_displacement_and_loads(tmp_path, rpm, every):
     effect = thin - dry
     allowed = np.maximum(OF_THE_EFFECT * np.abs(effect), OF_THE_WHOLE * np.abs(dry))
     assert np.all(np.abs(found - thin) <= allowed), (found / thin - 1, effect / dry)
-    assert effect[0] < 0 and effect[2] > 0  # the displacement falls, outer balls take more
+    assert effect[0] < 0 and effect[2] > 0  # the displacement decreases, outer balls take more load
 
 
 @pytest.mark.parametrize("gap_film", ["power", "moes"])
 def test_light_load_rolls(tmp_path, gap_film):
-    """50 N at 9549 rpm: the centrifugal load takes the balls off the inner raceway; the film in the
+    """50 N at 9549 rpm: the centrifugal load lifts the balls off the inner raceway; the film in the
     gap drives them."""
     case = {"load": 50, "rpm": 9549, "models": "film", "gap_film": gap_film}
     succeed("inputs/in.6208", out=tmp_path, settle=4, passes=3, **case)
@@ -61,8 +62,9 @@ def test_light_load_rolls(tmp_path, gap_film):
 
 
 def test_both_integrators(tmp_path):
-    """The film's branch and the film in the gap by velocity Verlet and by the implicit step: mean
-    displacement and largest load. They differ in friction: a spring, or Coulomb's law smoothed."""
+    """The film branch and the film in the gap under velocity Verlet and under the implicit step:
+    mean displacement and largest load. The friction laws differ: a spring, or smoothed Coulomb
+    friction."""
     figures = []
     for integrator in ("verlet", "implicit"):
         case = {"integrator": integrator, "rpm": 5000, "passes": 1, "models": "film"}
@@ -128,11 +130,11 @@ def fixed_step(tmp_path):
 
 @pytest.mark.parametrize("rpm", [48, 477.5, 1910])
 def test_longest_explicit_step(fixed_step, rpm):
-    """At 98 % of what fix bearing/timestep allows the loads stay bounded, at 125 % they do not. The
-    ring is held where a ball has about 2.4 kN: friction and other dampers are off."""
+    """At 98 % of the limit of fix bearing/timestep the loads stay bounded, at 125 % they do not.
+    The ring is held so that a ball has about 2.4 kN; friction and other dampers are off."""
     _, rows = fixed_step(1e-7, rpm)
     limit = rows[:, 2].min()
-    assert limit > 4e-6  # the film damper of eq 5 allows 0.02 to 0.9 us
+    assert limit > 4e-6  # with the film damper of eq 5 the limit is 0.02 to 0.9 us
     code, rows = fixed_step(0.98 * limit, rpm)
     assert code == 0 and rows[:, 1].max() < 2 * rows[0, 1]
     code, rows = fixed_step(1.25 * limit, rpm)
@@ -141,9 +143,10 @@ def test_longest_explicit_step(fixed_step, rpm):
 
 @pytest.mark.parametrize("rpm, within", [(48, 5e-3), (477.5, 1e-3), (1910, 1e-3)])
 def test_longest_explicit_step_with_all_parts(fixed_step, rpm, within):
-    """At what fix bearing/timestep allows friction loses what it loses at 1 us; at 125 % the
-    tangential springs swing up to sliding. At 48 rpm the start's swing lasts some milliseconds, and
-    is larger in a longer step: 2e-3 at 4 us, 4e-3 at the limit in the second 2 ms."""
+    """At the limit of fix bearing/timestep friction loses the same as at 1 us; at 125 % the
+    tangential springs oscillate until they slide. At 48 rpm the initial oscillation lasts some
+    milliseconds, and is larger in a longer step: 2e-3 at 4 us, 4e-3 at the limit in the second 2
+    ms."""
 
     def power(step):
         code, rows = fixed_step(step, rpm, FULL, int(4e-3 / step))

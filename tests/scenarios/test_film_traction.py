@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The sliding of runs with the models `full` and `eyring` against that of statics."""
+"""Sliding losses of runs with the models `full` and `eyring` against those of statics."""
 
 from functools import partial
 
@@ -11,12 +11,12 @@ from raceway.runs.tables import RunTables
 from raceway.theory import skidding, steady_heat
 
 OIL = {"rpm": 9549, "lubricant": "vg46", "temperature": 94.5}
-# what pushes balls that would roll freely
+# parts that drive balls which would otherwise roll freely
 PUSHED = {"without": "drag+rolling+rolling_hysteresis", "cage": "no"}
 
 
 def of_statics(models, rotation=skidding.rotation):
-    """Slip in W: (mean, half the spread) over the positions of the balls."""
+    """Slip loss in W: (mean, half the spread) over the positions of the balls."""
     scene = steady_heat.Case("6208", "vg46", load=5000.0, rpm=9549.0, models=models).scene()
     passing = []
     for phase in np.arange(4) * np.pi / 18:
@@ -29,7 +29,7 @@ def of_statics(models, rotation=skidding.rotation):
 
 @pytest.fixture(scope="module")
 def found(tmp_path_factory):
-    """Slip of runs in W, by models; `free`: balls that nothing pushes."""
+    """Slip loss of runs in W, by models; with `free`, no other part drives the balls."""
     result = {}
     for models in ("full", "eyring"):
         for name, words in ((models, {}), (f"free {models}", PUSHED)):
@@ -41,7 +41,7 @@ def found(tmp_path_factory):
 
 @pytest.mark.parametrize("models", ["full", "eyring"])
 def test_sliding_is_that_of_statics(found, models):
-    """9549 rpm: without drag, rolling resistance and cage balls slide as in statics within the
+    """9549 rpm: without drag, rolling resistance and cage, balls slide as in statics within the
     spread over their positions; with all parts within 5 %."""
     statics, places = of_statics(models, lambda slowing, rate, time: 1.0)
     within = places if models == "eyring" else 1e-2 * statics
@@ -54,7 +54,7 @@ def test_coulomb_slides_more(found):
 
 
 def test_dry_and_oil_without_the_numbers(tmp_path):
-    """Dry it is `full`. An oil without an Eyring stress is refused."""
+    """Dry it equals `full`. An oil without an Eyring stress is refused."""
     short = {"passes": 1, "samples": 20, "rpm": 9549}
     succeed("inputs/in.dry", out=tmp_path / "dry", models="eyring", **short)
     oil = (ROOT / "inputs/lubricants/vg46").read_text()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A ball over flaws of an outer raceway, against the path of a rigid ball and the balance of
-energy."""
+"""A ball over flaws of an outer raceway, against the path of a rigid ball and the energy
+balance."""
 
 import re
 
@@ -13,12 +13,12 @@ RACEWAY, BALL, ORBIT = 36.6e-3, 6.3e-3, 30.3e-3  # m
 ROLLING = BALL * (1 + BALL / ORBIT)  # m, effective radius along rolling
 BOTTOM = -np.pi / 2
 MASS = 7800 * 4 / 3 * np.pi * BALL**3  # kg
-EDGE = 5e-6  # m, small: the closed forms are those of sharp edges
+EDGE = 5e-6  # m, small because the closed forms assume sharp edges
 MOVERS = {
     "verlet": {},
     "implicit": {"mover": "all bearing/implicit tolerance 1.0e-11"},
 }
-# slow, and damped by its steel: the ball follows as if both were rigid
+# slow, and damped by its steel: the ball moves as if both were rigid
 SLOW = dict(speed=0.03, field=200, damping="hysteresis 0.3", azimuth=BOTTOM - 0.03, sink=2.46e-7)
 QUICK = {
     "verlet": dict(step=1e-6, steps=40000, every=20),
@@ -53,8 +53,8 @@ def rolled(folder, flaw, by="verlet", **variables):
 @pytest.mark.parametrize("mover", MOVERS)
 @pytest.mark.parametrize("length", [0.7e-3, 1e-3])
 def test_narrow_notch(tmp_path, mover, length):
-    """The bottom is out of reach: w^2/(8 R_x) in the middle, where the centre's speed jumps by
-    v w/R_x, half a length after it began to fall."""
+    """The ball does not reach the bottom: it falls by w^2/(8 R_x) in the middle, where the centre's
+    speed jumps by v w/R_x, half a length after the fall began."""
     b = rolled(tmp_path, notch(length, 1e-3), mover, **SLOW, **QUICK[mover])
     assert b["drop"].max() == pytest.approx(length**2 / (8 * ROLLING), rel=0.02)
     speed = np.gradient(b["path"], b["t"])
@@ -88,7 +88,7 @@ def test_deeper_than_the_ball_reaches_changes_nothing(tmp_path):
 
 
 def test_converges_with_the_step(tmp_path):
-    """Second order of velocity Verlet, until the ball bounces off the far flank."""
+    """Second-order convergence of velocity Verlet until the ball bounces off the far flank."""
     last = []
     for k, step in enumerate((4e-7, 2e-7, 1e-7, 1e-8)):
         b = rolled(
@@ -116,7 +116,7 @@ def test_converges_with_the_step(tmp_path):
 )
 @pytest.mark.parametrize("mover", MOVERS)
 def test_energy(tmp_path, mover, flaw):
-    """Without friction nothing is gained or lost over a flaw: 1e-6 of the kinetic energy."""
+    """Without friction no energy is gained or lost over a flaw: 1e-6 of the kinetic energy."""
     steps = {
         "verlet": dict(step=1e-7, steps=90000, every=300),
         "implicit": dict(
@@ -129,8 +129,8 @@ def test_energy(tmp_path, mover, flaw):
 
 
 def test_energy_of_a_ball_that_turns_over_its_own_flaws(tmp_path):
-    """A pit that the ellipse reaches over, off its middle, a wave and a table, met off the equator:
-    the spin pays for the fall. Both integrators take the same path."""
+    """A pit narrower than the ellipse, met off its middle, a wave and a table, all off the equator:
+    the spin supplies the energy of the motion. Both integrators follow the same path."""
     azimuth = np.arange(4000) * 2 * np.pi / 4000
     np.savetxt(tmp_path / "table.txt", np.c_[azimuth, 2e-7 * np.sin(7 * azimuth)])
     steps = {
@@ -162,7 +162,7 @@ def test_energy_of_a_ball_that_turns_over_its_own_flaws(tmp_path):
 
 @pytest.mark.parametrize("mover", ["moving nve/sphere", "all bearing/implicit"])
 def test_orientation_of_a_ball(tmp_path, mover):
-    """Columns of compute bearing/ball, of a ball that keeps its spin: the closed form."""
+    """Columns of compute bearing/ball for a ball that keeps its spin, against the closed form."""
     deck, spin, step = tmp_path / "in.turn", np.array([300.0, 0.0, 400.0]), 1e-6
     names = "turn_w turn_x turn_y turn_z"
     deck.write_text(
@@ -198,8 +198,8 @@ def test_orientation_needs_a_profile_of_balls(tmp_path):
 
 @pytest.mark.parametrize("latitude, share", [(0.0, 1.0), (0.5, 0.0)])
 def test_pit_of_a_ball(tmp_path, latitude, share):
-    """A ball that slowly turns in its place falls by w^2/(8 R_x) when the pit comes by. It does
-    not where the pit passes beside the contact; it vibrates by less than 0.1 um there."""
+    """A ball that slowly rotates in place falls by w^2/(8 R_x) when the pit passes the contact. It
+    does not fall where the pit misses the contact; it vibrates by less than 0.1 um there."""
     length = 0.7e-3
     b = rolled(
         tmp_path,
@@ -214,7 +214,7 @@ def test_pit_of_a_ball(tmp_path, latitude, share):
 
 
 def test_flaw_turns_with_its_ring(tmp_path):
-    """A ball at rest at the bottom, without friction, and a flaw that comes by at 10 rad/s."""
+    """A ball at rest at the bottom, without friction, and a flaw that passes at 10 rad/s."""
     b = rolled(
         tmp_path,
         notch(1e-3, 1e-3, azimuth=BOTTOM - 0.03),
@@ -249,13 +249,13 @@ def test_table(tmp_path):
     }
     wave, table = found["wave"]["drop"], found["file"]["drop"]
     assert np.abs(wave - table).max() < 1e-3 * np.abs(wave).max()
-    # the ball rests on the last points that are not deep
+    # the ball rests on the last points outside the slot
     length = RACEWAY * (1 + np.sum(tables["slot"] > 0)) * azimuth[1]
     assert found["slot"]["drop"].max() == pytest.approx(length**2 / (8 * ROLLING), rel=0.02)
 
 
 def test_table_of_a_ball(tmp_path):
-    """A wave given by its points, of a ball that turns in its place."""
+    """A wave given by its points, on a ball that rotates in place."""
     azimuth = np.arange(4000) * 2 * np.pi / 4000
     np.savetxt(tmp_path / "wave.txt", np.c_[azimuth, 3e-7 * np.cos(12 * azimuth)])
     wave, table = (

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/shaft flexible: a shaft that bends on two 6208s, against the beam with all its nodes.
+"""fix bearing/shaft flexible: a flexible shaft on two 6208s, against the beam with all its nodes.
 
 The shaft lies along z from 0 to 0.3 m, its bearings at 0 and 0.2 m.
 """
@@ -29,7 +29,7 @@ from shaft_runs import (
 
 SECTIONS = [Section(0.2, 0.02), Section(0.1, 0.016)]
 DISC = Disc(0.12, 3.0, 0.01, 0.006)
-PLACES = (0.0, 0.12, 0.2, 0.3)  # m, of bearings, disc and overhung load
+PLACES = (0.0, 0.12, 0.2, 0.3)  # m, positions of bearings, disc and overhung load
 KEPT = (0.0, 0.2, 0.3)
 PRELOAD = -20e-6  # m, diametral clearance
 
@@ -79,9 +79,9 @@ def on_bearings(z, whole, stiffness):
 
 
 def stiffness_of(clearance):
-    """(5, 5) of a bearing that carries nothing but its preload; the shaft does not slide in it."""
+    """(5, 5) stiffness of a bearing with preload only; the shaft does not slide in it."""
     held = dict.fromkeys(static.FREEDOMS, 0.0)
-    # a ring that tilts by t draws the centre of its groove in by R t^2/2, against the preload
+    # a ring tilted by t draws the centre of its groove in by R t^2/2, against the preload
     state = static.equilibrium(B6208, held=held, clearance=clearance, finite_shift=True)
     stiffness = state.stiffness.copy()
     stiffness[2, 2] = 1e12
@@ -89,8 +89,8 @@ def stiffness_of(clearance):
 
 
 def test_bending_pairs(tmp_path, file):
-    """Free vibration on preloaded bearings: the first pair of the beam on their stiffness within
-    1e-3, the second within 5e-3, both split by the spin."""
+    """Free vibration on preloaded bearings: the first pair agrees with the beam on their stiffness
+    within 1e-3, the second within 5e-3, both split by the spin."""
     spin, clearance = 2000.0, 2 * PRELOAD
     data, _ = swing(
         tmp_path,
@@ -118,14 +118,15 @@ STEADY = [shaft.Load(0.12, (0.0, -800.0, 0.0)), shaft.Load(0.3, (100.0, -200.0, 
 
 @pytest.fixture(scope="module")
 def resting(tmp_path_factory, damped):
-    """Under loads at the disc and the overhang until it rests: backward Euler in long steps."""
+    """The shaft at rest under loads at the disc and the overhang: backward Euler with long
+    steps."""
     loads = " ".join(f"load {one.at} {one.force[0]} {one.force[1]} 0" for one in STEADY)
     data, _ = swing(
         tmp_path_factory.mktemp("resting"),
         clearance=PRELOAD,
         words=f"flexible {damped} {loads}",
         control="order 1 tolerance 1e-6",
-        cage=1,  # without it and friction the balls leave the load
+        cage=1,  # without the cage and friction the balls leave the load zone
         law="friction constant 0.1",
         freedoms=f"{TILTING} 0 z free",
         step=5e-4,
@@ -136,7 +137,8 @@ def resting(tmp_path_factory, damped):
 
 
 def test_steady_loads(resting):
-    """Places and forces of the bearings as those of the beam on the statics of bearings."""
+    """Positions of the bearings and forces on them equal those of the beam on the statics of
+    bearings."""
     seats = [shaft.Seat(at, B6208, clearance=PRELOAD, phase=-np.pi / 2) for at in (0.0, 0.2)]
     rest = shaft.rest(shaft.Shaft(SECTIONS), seats, STEADY)
     for n, one in enumerate(rest.bearings, 1):
@@ -148,7 +150,7 @@ def test_steady_loads(resting):
 
 
 def test_deflection_is_that_of_the_beam(resting):
-    """Tilts of both rings follow from their displacements, their moments and the loads."""
+    """Tilts of both rings follow from their displacements, moments and loads."""
     z, whole = beam_of()
     force, held = np.zeros(5 * len(z)), np.zeros(5 * len(z))
     place = np.zeros_like(force)
@@ -169,7 +171,7 @@ def test_deflection_is_that_of_the_beam(resting):
 
 # ---- against the equations of a free shaft
 class Support(NamedTuple):
-    """Motion of the centre of mass, alike in both planes."""
+    """Motion of the centre of mass, the same in both planes."""
 
     stiffness: float = 0.0  # N/m
     damping: float = 0.0  # N s/m
@@ -177,14 +179,14 @@ class Support(NamedTuple):
     tilt_damping: float = 0.0  # N m s/rad
 
     def words(self, *names):
-        """Motion in a deck; `names` of two displacements and two tilts."""
+        """The motion in a deck; `names` of two displacements and two tilts."""
         pairs = [self[:2], self[:2], self[2:], self[2:]]
         return " ".join(f"support {name} {k} {c}" for name, (k, c) in zip(names, pairs))
 
 
 def in_the_air(found, time, spin, support):
-    """(2 (2 + n),) coordinates of the shaft with loads after `time` s from rest, and their rates:
-    place, slope and modes in the plane of y, then in that of z."""
+    """(2 (2 + n),) coordinates of the shaft under loads `time` s after rest, and their rates:
+    position, slope and modes in the plane of y, then in that of z."""
     from scipy.integrate import solve_ivp
 
     body, n = found.body, len(found.mass) + 2
@@ -231,8 +233,8 @@ def in_the_air(found, time, spin, support):
 
 @pytest.mark.parametrize("support", [Support(), Support(4e6, 60.0, 3e4, 2.0)])
 def test_in_the_air(tmp_path, damped, support):
-    """Loads, a moment, a turning force and an unbalance on the modes of a shaft along x, without
-    supports and with supports of its centre."""
+    """Loads, a moment, a rotating force and an unbalance act on the modes of a shaft along x,
+    without supports and with supports at its centre."""
     spin, time = 2000.0, 2e-3
     wanted = ["2", "3", "7", "8", "27"] + [str(k) for k in range(28, 34)]
     rings = [f"f_s[2][{k}]" for k in (2, 3, 7, 8, 28, 29, 30, 31)]
@@ -262,7 +264,7 @@ def test_in_the_air(tmp_path, damped, support):
     assert modes[1] == pytest.approx(other[2:5], rel=0, abs=2e-3 * np.abs(other[2]))
     want = 0.5 * found.stiffness @ (one[2:] ** 2 + other[2:] ** 2)
     assert strain == pytest.approx(want, rel=2e-3)
-    # a ring moves with the rigid shaft and bends away from it
+    # a ring moves with the rigid shaft and with its bending
     ring_y, ring_z, ring_tilt_y, ring_tilt_z, bend_y, bend_z, bend_tilt_y, bend_tilt_z = ring
     lever = 0.2 - found.body.centre
     assert ring_y == pytest.approx(y + lever * tilt_z + bend_y, rel=1e-6)
@@ -275,7 +277,7 @@ def test_in_the_air(tmp_path, damped, support):
 
 
 def test_held_in_the_middle(tmp_path):
-    """A thin shaft whose middle stiff supports hold: each half vibrates as a cantilever does."""
+    """A thin shaft held in its middle by stiff supports: each half vibrates like a cantilever."""
     thin, end = Section(0.2, 0.006), 0.1
     z, pieces = beam.divided([thin], np.linspace(0.0, 0.2, 21))
     kept = [0, 10, 20]
@@ -296,7 +298,7 @@ def test_held_in_the_middle(tmp_path):
     bending = beam.STEEL.young * beam.second_moment(thin)
     line = beam.STEEL.density * beam.area(thin)
     exact = 1.875104**2 * np.sqrt(bending / line) / end**2
-    assert found == pytest.approx(exact, rel=5e-3)  # thin: shear has 2e-3 of it
+    assert found == pytest.approx(exact, rel=5e-3)  # thin: shear contributes 2e-3
     phase = found * step * np.arange(len(y))
     parts = np.column_stack([np.ones_like(y), np.cos(phase), np.sin(phase)])
     rest = np.linalg.lstsq(parts, y)[0][0]  # what it swings about
@@ -339,7 +341,7 @@ def test_stiff_is_rigid(tmp_path):
 
 # ---- balances
 def test_energy(tmp_path, damped):
-    """Work of loads is in motion, springs, supports, the bent shaft and heat."""
+    """The work of loads equals the energy in motion, springs, supports and bending plus heat."""
     _, energy = swing(
         tmp_path,
         **ENERGY,
@@ -351,7 +353,7 @@ def test_energy(tmp_path, damped):
 
 
 def test_within_a_step(tmp_path, damped):
-    """Samples inside long steps: accelerations of rings are those of their velocities."""
+    """Samples inside long steps: accelerations of rings are derivatives of their velocities."""
     swing(tmp_path, **WITHIN, words=f"flexible {damped} {LOADED} {ACROSS}", clearance=PRELOAD)
     rings_follow(tmp_path)
 
@@ -381,7 +383,7 @@ def test_same_bits(whole, host, ranks, tmp_path):
 
 @pytest.fixture(scope="module")
 def half(whole, tmp_path_factory):
-    """Restart file of the middle."""
+    """Restart file from the middle of the run."""
     folder = tmp_path_factory.mktemp("half")
     succeed(DECK, out=folder, **whole[1], steps=30, keep=30)
     return folder / "restart.30"

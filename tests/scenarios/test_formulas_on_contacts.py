@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film, damping and capacitance of every recorded contact equal the formulas on that contact's own
-load and speed."""
+"""Film, damping and capacitance of every recorded contact follow from the formulas at that
+contact's own load and speed."""
 
 import numpy as np
 import pytest
@@ -14,11 +14,12 @@ from scenarios import closed_forms
 
 @pytest.fixture(scope="module", params=["radial", "printed", "preload", "play"])
 def run(request, tmp_path_factory):
-    """The main job for one ball pass; and the same with the central film as the paper prints it."""
+    """The main deck for one ball pass; and the same with the central film as printed in the
+    paper."""
     folder = tmp_path_factory.mktemp("main")
     deck = "inputs/in.6208"
     if request.param == "printed":
-        from host import ROOT  # a deck beside the original: one keyword more
+        from host import ROOT  # a copy of the deck with one additional keyword
 
         deck = folder / "in.printed"
         text = (ROOT / "inputs" / "in.6208").read_text()
@@ -81,7 +82,7 @@ def test_contacts(run, side):
 
 
 def test_bearing_total(run):
-    """The bearing's capacitance of the record is eq 12 on its contacts."""
+    """The record's capacitance of the bearing is eq 12 evaluated on its contacts."""
     rows = run.contacts.pivot_table(
         index=["sample", "ball"], columns="raceway", values="capacitance"
     ).dropna()

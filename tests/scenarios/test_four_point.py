@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Four-point contact: two grooves a ring. docs/decks/in.four_point turns a thrust round; other
-loads are put into a copy of it. The references are statics."""
+"""Four-point contact: two grooves a ring. docs/decks/in.four_point reverses a thrust; tests put
+other loads into a copy of it. The references are statics."""
 
 import numpy as np
 import pytest
@@ -21,7 +21,7 @@ B6208 = bearing.Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 FOUR = B6208.four_point(np.radians(35))
 STRAIGHT = dict.fromkeys(("x", "y", "rx", "ry"), 0.0)
 LIMIT = 400.0  # N, largest thrust
-SETTLED = 0.012  # s, from here on the start has died out
+SETTLED = 0.012  # s, after which the start has decayed
 VERLET = {
     "fix move all bearing/implicit": "fix move balls nve/sphere",
     "timestep 2.5e-5": "timestep 1.0e-6",
@@ -33,7 +33,7 @@ MOVERS = {"implicit": {}, "verlet": VERLET}
 
 
 def turned(folder, changes):
-    """The deck with other words, run in `folder`."""
+    """The deck with replaced words, run in `folder`."""
     text = DECK.read_text()
     for old, new in changes.items():
         assert text.count(old) == 1, old
@@ -63,7 +63,7 @@ def rests(force):
 
 
 def test_path_of_statics(path):
-    """Displacement against force, all the way round."""
+    """Displacement against force over the whole cycle."""
     time, place, force, _ = path
     some = np.flatnonzero(time > SETTLED)[::4]
     want = np.array([rest.shift[2] for rest in rests(force[some])])
@@ -81,12 +81,12 @@ def test_grooves_of_statics(path):
 
 
 def test_balls_change_grooves_without_a_jump(path):
-    """At +400 N one pair of grooves is free, at -400 N the other. On the way each load changes by
+    """At +400 N one pair of grooves is unloaded, at -400 N the other. In between each load changes
     little from sample to sample, and by no more where a contact opens or closes."""
     time, _, force, loads = path
     late = time > SETTLED
     loads, force = loads[late], force[late]
-    mean = loads.mean(axis=-1)  # over the balls, which are alike
+    mean = loads.mean(axis=-1)  # over the balls, which are equivalent
     ends = [np.argmin(force), np.argmax(force)]
     for end, free in zip(ends, (0, 1)):  # the inner ring is pushed to +z, to -z
         assert (mean[end, 0, free], mean[end, 1, 1 - free]) == (0.0, 0.0)
@@ -95,7 +95,8 @@ def test_balls_change_grooves_without_a_jump(path):
     assert (loads[between] > 0).all()
     change = np.abs(np.diff(mean, axis=0)).max(axis=(1, 2))
     fastest = 2 * np.pi / 0.04 * LIMIT * np.diff(time[late])[0]  # N a sample
-    stiffest = 0.5 / 9 / np.sin(np.radians(33))  # of a contact's load to the thrust, and preload
+    # ratio of a contact's load to the thrust, and preload
+    stiffest = 0.5 / 9 / np.sin(np.radians(33))
     assert change.max() < 2.2 * stiffest * fastest
     opening = (mean[1:] == 0) != (mean[:-1] == 0)
     assert opening.any()
@@ -123,7 +124,7 @@ def tilted(folder, changes):
 
 
 def test_tilted_ring_of_statics(tmp_path):
-    """Friction keeps the balls at their azimuths; smoothed, it lets the ring come to rest."""
+    """Friction keeps the balls at their azimuths; when smoothed, it lets the ring come to rest."""
     rough = {"pair_style bearing/hertz": "pair_style bearing/hertz friction constant 0.1"}
     found = tilted(tmp_path / "rough", rough)
     rest = static.equilibrium(FOUR, 300, 200, moment=(1, 0.5), clearance=-4e-6)
@@ -132,14 +133,14 @@ def test_tilted_ring_of_statics(tmp_path):
 
 
 def test_tilted_ring_with_both_integrators(tmp_path):
-    """Without friction the balls leave the load, in both integrators alike."""
+    """Without friction the balls leave the load zone, equally in both integrators."""
     one = tilted(tmp_path / "implicit", {})
     other = tilted(tmp_path / "verlet", VERLET)
     assert np.abs(one - other).max() < 1e-3 * np.abs(one).max()
 
 
 def seated(folder, way, extra):
-    """Where create_bearing puts ball 1 and the inner ring, (x, y, z) each, m."""
+    """Positions (x, y, z) in m where create_bearing puts ball 1 and the inner ring."""
     folder.mkdir()
     dump = "dump all all custom 1 ${out}/all.dump id x y z"
     dump += '\ndump_modify all format "%d %.15g %.15g %.15g"'
@@ -157,7 +158,7 @@ def seated(folder, way, extra):
 @pytest.mark.parametrize("way, sign", [("plus", 1), ("minus", -1)])
 def test_seat_is_where_the_smallest_thrust_puts_it(tmp_path, way, sign):
     ball, ring = seated(tmp_path / "clearance", way, "+5.0e-6")
-    side = int(sign < 0)  # that carries, of the outer ring
+    side = int(sign < 0)  # the loaded groove of the outer ring
     found = []
     for thrust in (1.0, 0.125):
         rest = static.equilibrium(FOUR, axial_load=sign * thrust, held=STRAIGHT, clearance=10e-6)
@@ -165,7 +166,7 @@ def test_seat_is_where_the_smallest_thrust_puts_it(tmp_path, way, sign):
     *place, angle = (4 * found[1] - found[0]) / 3  # they yield as load^(2/3)
     assert sign * place[2] > 5e-6
     assert ring == pytest.approx(place, abs=1e-9)
-    # on the line of both contacts
+    # on the line through both contacts
     gap, centre = FOUR.groove_gap(1), FOUR.layout.outer[0][side]
     at = [FOUR.groove_circle(1, 10e-6) + gap * np.cos(angle), 0, centre + gap * np.sin(angle)]
     assert ball == pytest.approx(at, abs=1e-9)
@@ -225,7 +226,7 @@ def outputs(tmp_path_factory):
 
 
 def test_by_ball(outputs):
-    """The values of the contact with the larger load."""
+    """Values of the contact with the larger load."""
     folder, loads = outputs
     table = last(folder / "balls.dump")
     assert table[:, 1] == pytest.approx(loads[0].max(axis=0), rel=1e-5)
@@ -252,7 +253,7 @@ def test_sums(outputs):
 
 
 def test_record(outputs):
-    """The record tells grooves apart; its sums are those of the computes."""
+    """The record distinguishes grooves; its sums equal those of the computes."""
     folder, loads = outputs
     run = raceway.open(folder)
     assert run.contacts.raceway.values.tolist() == ["inner 0", "inner 1", "outer 0", "outer 1"]
@@ -326,14 +327,15 @@ def test_what_needs_one_groove_says_so(outputs):
 
 
 def test_main_deck(tmp_path):
-    """The main deck makes a deep groove ball bearing one of four points, of the same clearance."""
+    """The main deck turns a deep groove ball bearing into a four-point contact bearing with the
+    same clearance."""
     variables = {"four_point": 35, "axial": 1000, "clearance": 2e-6, "passes": 1}
     variables["surroundings"] = "flooded"
     succeed("inputs/in.6208", out=tmp_path, **variables)
     recorded = raceway.open(tmp_path)
     assert recorded.settings["clearance_m"] == pytest.approx(2e-6, abs=1e-12)
     want, sums = recorded.contacts.load(), recorded.tables.totals
-    # all of the gap beside both grooves of a ring, also of those that carry nothing
+    # the whole gap next to both grooves of a ring, including unloaded ones
     whole = want["capacitance_total"].to_numpy()
     assert (whole > 0).all() and (want["load"].to_numpy() == 0).any()
     inner, outer = whole.reshape(len(whole), 2, 2, -1).sum(axis=2).transpose(1, 0, 2)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs with the models `full` against statics: places, loads, losses, stiffness, and the steady
-temperature; one groove a ring, four points, two rows, with and without unloaded balls. Both have
-spin by slices."""
+"""Runs with the models `full` against statics: positions, loads, losses, stiffness, and the steady
+temperature; one groove a ring, four points, two rows, with and without unloaded balls. Both use
+the slices for spin."""
 
 import numpy as np
 import pytest
@@ -18,11 +18,11 @@ OIL = {"lubricant": "vg46", "rpm": 1910}
 HELD = {"rx": 0.0, "ry": 0.0}
 # N, and m of clearance: two contacts a ball, four, four under a thrust
 CASES = {"thrust": (2000.0, 0.0), "preload": (200.0, -20e-6), "both": (1500.0, -20e-6)}
-PHASES = np.arange(4) * np.pi / 18  # of the balls over a ball pass
+PHASES = np.arange(4) * np.pi / 18  # positions of the balls over a ball pass
 
 
 def over_a_pass(lubricant, **point):
-    """Torque and losses of statics."""
+    """Torque and losses from statics."""
     found = [
         figures("6208", lubricant, ROOT / "inputs", models="full", phase=phase, **point)
         for phase in PHASES
@@ -79,7 +79,7 @@ def test_unloaded_balls_of_four_points(tmp_path):
 
 @pytest.mark.parametrize("name", ["thrust", "preload"])
 def test_stiffness_of_four_points(tmp_path, name):
-    """Displacement from one thrust to the next."""
+    """Change of displacement from one thrust to the next."""
     axial, clearance = CASES[name]
     step = 40.0
     ends = [
@@ -93,7 +93,7 @@ def test_stiffness_of_four_points(tmp_path, name):
 
 
 def test_heat_of_four_points(tmp_path):
-    """At the steady temperature a run makes the heat that the cooling takes."""
+    """At the steady temperature a run generates the heat that the cooling removes."""
     cooling = {"conductance": 0.6, "ambient": 20.0}
     point = {"axial": 2000.0, "rpm": 1910.0}
     steady = steady_heat.figures(
@@ -152,7 +152,7 @@ def double_row(folder, fluid, **changes):
 
 
 def of_statics(fluid):
-    """The same of statics, means over a ball pass; stiffness along z as well."""
+    """The same values from statics, as means over a ball pass; also the stiffness along z."""
     path = catalogue.find("bearings", "7208")
     bearing = inputs.bearing(path, double_row=ROWS)
     oil = inputs.Oil(fluid.viscosity, fluid.pressure_viscosity, fluid.permittivity, 1e-7)
@@ -187,7 +187,7 @@ def test_double_row(tmp_path):
 
 
 def test_heat_of_a_double_row(tmp_path):
-    """At the steady temperature a run makes the heat that the cooling takes."""
+    """At the steady temperature a run generates the heat that the cooling removes."""
     cooling = {"conductance": 0.2, "ambient": 20.0}
     point = {"load": 400.0, "axial": 300.0, "rpm": 600.0, "double_row": ROWS}
     steady = steady_heat.figures("7208", "vg46", ROOT / "inputs", **point, **cooling, **LAWS)

@@ -8,7 +8,7 @@ import raceway
 from host import run, succeed
 from raceway import heat, steady_heat
 
-# settled until the drift of energy stored in balls and cage is below the tolerances here
+# settled until the drift of the energy stored in balls and cage is below the tolerances here
 POINT = dict(lubricant="vg46", load=5000, rpm=1910, overwrite="yes", settled=1e-4, passes=10,
              models="full", settle="auto")  # fmt: skip
 PARTS = ("inner", "balls", "outer")
@@ -48,8 +48,8 @@ def test_heat_balances(warm):
 
 
 def test_work_of_the_drive_is_the_heat(warm):
-    """Torque of the inner ring times its speed, less what balls gain in motion, over the measured
-    passes: the cage lets them speed up and slow down."""
+    """Torque of the inner ring times its speed, minus the balls' gain of kinetic energy, over the
+    measured passes: the cage makes balls speed up and slow down."""
     rings, balls, said = warm.rings, warm.balls, warm.summary()
     work = abs(float((rings["torque"] * rings["spin"]).mean()))
     mass, radius = warm.settings["ball_mass_kg"], warm.geometry.ball_radius
@@ -75,7 +75,7 @@ def test_the_contacts_run_at_these_temperatures(warm, tmp_path):
 
 
 def test_jumps_against_small_ones(tmp_path):
-    """The end of a minute by jumps of 2 K is within 0.5 K, and near, that of jumps of 0.25 K."""
+    """After a minute, jumps of 2 K end within 0.5 K, and close to jumps of 0.25 K."""
     ends = []
     for change in (2, 0.25):
         words = dict(heat="yes", warm_time=60, warm_change=change, record="summary")

@@ -11,7 +11,7 @@ from scipy.linalg import expm
 
 DECK = "tests/scenarios/in.housing"
 RING, HOUSING = (0.5, 2.5e-4), (2.0, 2.5e-3)  # kg, kg m^2
-# column of ring.dat: load, support of the ring, support of the housing: stiffness, damping
+# columns of ring.dat: load, support of the ring, support of the housing: stiffness, damping
 DIRECTIONS = {
     "x": (200.0, (1e8, 2000.0), (2e8, 4000.0)),
     "y": (1000.0, (5e7, 0.0), (1e8, 1000.0)),
@@ -23,8 +23,8 @@ MOVERS = {"implicit": {}, "verlet": {"mover": "moving nve/sphere", "show": "time
 
 
 def swing(t, load, inertia, held, ground):
-    """Displacements of ring and housing, a step and more of even times t (s) after a load on the
-    ring, from rest."""
+    """Displacements of ring and housing at even times t (s), from one step after a load on the
+    ring, starting at rest."""
     masses = np.array(inertia)
     stiff, damp = (np.array([[a, -a], [-a, a + b]]) for a, b in zip(held, ground))
     system = np.zeros((5, 5))  # displacements, velocities, 1
@@ -51,7 +51,7 @@ def run(request, tmp_path_factory):
 
 
 def test_free_decay(run):
-    """Both bodies, in every direction: 1e-3 of the largest displacement."""
+    """Both bodies, in every direction, within 1e-3 of the largest displacement."""
     t = run["step"] * 1e-6
     for name, (load, held, ground) in DIRECTIONS.items():
         which = 0 if len(name) == 1 else 1
@@ -61,20 +61,21 @@ def test_free_decay(run):
 
 
 def test_momentum(run):
-    """The support acts on both alike: what is left on the housing is its own support's."""
+    """The support acts on both alike: the remaining force on the housing is that of its own
+    support."""
     assert RING[0] * run["ax"] == pytest.approx(run["fx"] + 200, abs=1e-6)
     assert HOUSING[0] * run["hax"] == pytest.approx(run["hfx"], abs=1e-6)
     t = run["step"] * 1e-6
     speed = np.gradient(run["hx"], t, edge_order=2)
     ground = -(2e8 * run["hx"] + 4000 * speed)
-    # speeds are differences over 10 us
+    # speeds are difference quotients over 10 us
     scale = np.abs(run["fx"]).max()
     assert np.abs(run["hfx"] + run["fx"] - ground)[2:-2].max() < 0.02 * scale
 
 
 def frequencies(t, x, y):
-    """The four roots (1/s) of two coupled oscillators, from displacements at even times: linear
-    prediction of both by the two samples before."""
+    """The four roots (1/s) of two coupled oscillators from displacements at even times: linear
+    prediction of both from the two samples before."""
     step = 2
     late = np.c_[x, y][2 * step :]
     early = np.c_[x, y, np.ones_like(x)]
@@ -87,7 +88,7 @@ def frequencies(t, x, y):
 
 @pytest.mark.parametrize("name", DIRECTIONS)
 def test_frequencies_and_damping(run, name):
-    """Both natural frequencies and both rates of decay, read from the motion: 1e-3."""
+    """Both natural frequencies and both decay rates, read from the motion, agree within 1e-3."""
     _, held, ground = DIRECTIONS[name]
     which = 0 if len(name) == 1 else 1
     masses = np.array([RING[which], HOUSING[which]])
@@ -100,7 +101,7 @@ def test_frequencies_and_damping(run, name):
 
 @pytest.mark.parametrize("mover", MOVERS)
 def test_ranks(tmp_path, mover):
-    """On two ranks, with the housing on another one than the ring: the bits of one."""
+    """On two ranks, with housing and ring on different ranks: the bits of one."""
     words = dict(MOVERS[mover], steps=300)
     succeed(DECK, out=tmp_path / "one", **words)
     succeed(DECK, out=tmp_path / "two", ranks=2, **words)
@@ -109,7 +110,8 @@ def test_ranks(tmp_path, mover):
 
 
 def test_a_driven_housing_carries_the_ring(tmp_path):
-    """A housing that is moved by 1 um takes the ring along; work of its drive is in the account."""
+    """A housing moved by 1 um takes the ring along; the work of its drive is in the energy
+    balance."""
     base = "x position v_shake y fixed z fixed rx fixed ry fixed"
     deck = tmp_path / "in.driven"
     text = (ROOT / DECK).read_text().replace("force 200 1000 -400", "force 0 0 0")
@@ -118,7 +120,7 @@ def test_a_driven_housing_carries_the_ring(tmp_path):
     done = succeed(deck, out=tmp_path / "out").text
     data = columns(tmp_path / "out")
     t, free = data["step"] * 1e-6, np.sqrt(2e8)
-    # an undamped bound: the transient has the size of the answer
+    # an undamped bound: the transient is as large as the response
     assert 0.5e-6 < np.abs(data["x"]).max() < 1e-6 * (1 + 1e4 / free) / (1 - 1e8 / free**2)
     assert data["hx"] == pytest.approx(1e-6 * np.sin(1e4 * t), abs=1e-15)
     work, lost, stored, rest = map(float, re.findall(r"^ *3000 +(.*)$", done, re.M)[-1].split())
@@ -155,7 +157,7 @@ def test_order_and_need(tmp_path):
 
 
 def test_energy(tmp_path):
-    """Work of the load is heat in the dampers and energy in motion and springs."""
+    """The work of the load equals the heat in the dampers plus the energy in motion and springs."""
     text = succeed(DECK, out=tmp_path).text
     work, lost, stored, rest = map(float, re.findall(r"^ *3000 +(.*)$", text, re.M)[-1].split())
     assert work == pytest.approx(lost + stored, abs=1e-6 * work)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs against the speed of the cage by statics; hidden clearances of runs, and the set-ups of a
-published motor bearing, from their lines."""
+"""Runs against the cage speed from statics; hidden clearances of runs, and the mounting of a
+published motor bearing, from their spectral lines."""
 
 import numpy as np
 import pytest
@@ -10,8 +10,9 @@ from raceway import cage_speed, identify, inputs, steady_heat
 from raceway.recordings.prediction import Model
 from raceway.recordings.readings import Point, Reading, Readings
 
-# Orders at 1797, 1772, 1750 and 1730 rpm of flaws in the drive end bearing, over the measured speed
-# of the shaft: derived from the recordings of Case Western Reserve University (docs/measured)
+# Orders, at 1797, 1772, 1750 and 1730 rpm, of flaws in the drive end bearing, relative to the
+# measured shaft speed: derived from the recordings of Case Western Reserve University
+# (docs/measured)
 RPM = 1797, 1772, 1750, 1730
 CWRU = {
     "inner, 7 mil": ("BPFI", (5.4017, 5.4018, 5.4018, 5.4018)),
@@ -31,7 +32,7 @@ def readings(found, unknown, oil="vg68", models="full", **known):
 
 
 def cage(folder, **variables):
-    """Cage speed of a run over that of its inner ring."""
+    """Cage speed of a run relative to that of its inner ring."""
     case = {"bearing": "6205", "lubricant": "vg68", "passes": 10, "settle": 20, "record": "summary"}
     succeed("inputs/in.6208", out=folder, **case | variables)
     motion = raceway.open(folder).motion
@@ -44,7 +45,7 @@ def cage(folder, **variables):
     [(1797, 10, 30, 8e-6), (600, 10, 30, 2e-6), (1797, 100, 300, 6e-6)],
 )
 def test_speed_of_the_cage(tmp_path, models, within, rpm, load, axial, clearance):
-    """Differential slip alone is 2e-4 to 1e-3, the axis of the balls 1e-4 to 3e-4."""
+    """Differential slip alone contributes 2e-4 to 1e-3, the axis of the balls 1e-4 to 3e-4."""
     case = {"rpm": rpm, "load": load, "axial": axial, "clearance": clearance}
     run = cage(tmp_path, models=models, **case)
     at = Reading("FTF", run, 1e-6, Point(float(rpm)))
@@ -55,7 +56,7 @@ def test_speed_of_the_cage(tmp_path, models, within, rpm, load, axial, clearance
 
 
 def test_hidden_clearance_of_a_run(tmp_path):
-    """With the thrust known, the clearance; with neither, a valley through both."""
+    """With the thrust known, the clearance is found; with neither known, a valley through both."""
     clearance, axial = 6e-6, 60.0
     run = cage(tmp_path, models="full", rpm=1797, load=10, axial=axial, clearance=clearance)
     at = [Reading("BPFO", 9 * run, 1e-4, Point(1797.0))]
@@ -72,8 +73,8 @@ def test_hidden_clearance_of_a_run(tmp_path):
 
 @pytest.mark.parametrize("name", CWRU)
 def test_a_motor_bearing(tmp_path, name):
-    """One clearance, from the line at one speed, gives the line at the other speeds and that of a
-    run; inside class CN with one thrust."""
+    """One clearance, from the line at one speed, gives the lines at the other speeds and that of a
+    run; with a single thrust it is inside class CN."""
     line, orders = CWRU[name]
     rows = [Reading(line, order, 2e-4, Point(float(rpm))) for rpm, order in zip(RPM, orders)]
     found = identify.identify(readings(rows[:1], {"clearance": (-5e-6, 20e-6)}))
@@ -86,7 +87,8 @@ def test_a_motor_bearing(tmp_path, name):
 
 
 def test_cooling_from_a_temperature():
-    """The conductance of `raceway heat`, from the steady temperature that it finds."""
+    """The conductance of `raceway heat` is recovered from the steady temperature that it
+    computes."""
     case = {"load": 1500.0, "rpm": 3000.0, "clearance": 5e-6}
     steady = steady_heat.figures("6205", "vg68", ROOT / "inputs", conductance=0.8, **case)
     at = [Reading("temperature", steady["temperature_C"], 0.5, Point(case["rpm"]))]
@@ -97,7 +99,8 @@ def test_cooling_from_a_temperature():
 
 
 def test_a_capacitance_parts_clearance_and_thrust():
-    """Readings by statics with errors of one standard deviation: the truth within the intervals."""
+    """Readings from statics with errors of one standard deviation: the truth is within the
+    intervals."""
     true = {"clearance": 6e-6, "axial": 120.0, "load": 20.0, "temperature": 40.0}
     unknown = {"clearance": (0.0, 15e-6), "axial": (20.0, 400.0)}
     points = Point(1797.0), Point(3000.0)

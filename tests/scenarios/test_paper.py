@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway paper`, all of it: verdicts, tables of docs/paper.rst, numbers known from elsewhere."""
+"""`raceway paper` as a whole: verdicts, tables of docs/paper.rst, numbers known from elsewhere."""
 
 import pandas as pd
 import pytest
@@ -9,7 +9,7 @@ from raceway.paper import statements
 from raceway.paper.figures import FIGURES
 from raceway.paper.tables import TABLES
 
-# of the columns of a table on the page: SI units to those shown, None for words
+# factors for the columns of a table on the page, from SI units to those shown; None for words
 FACTORS = {
     "table_2": (None, None, 1e3, 1e9, 1, 1e6),
     "table_3": (1e6, 1, 1, 1, 1, 1),
@@ -20,7 +20,7 @@ FACTORS = {
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory):
-    """The folder with everything the command makes."""
+    """The folder with all output of the command."""
     out = tmp_path_factory.mktemp("paper")
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(ROOT)
@@ -31,7 +31,7 @@ def made(tmp_path_factory):
 def test_everything_is_there(made):
     for name in FIGURES:
         picture = (made / f"fig_{name}.png").read_bytes()
-        # not empty, fit for the docs
+        # not empty, and of a size for the docs
         assert picture[:4] == b"\x89PNG" and 20_000 < len(picture) < 150_000, name
         assert len(pd.read_csv(made / f"fig_{name}.csv")) > 5
     for name in TABLES:
@@ -49,7 +49,7 @@ def test_verdicts(made):
 def test_tables_of_the_page(made, name):
     table = pd.read_csv(made / f"{name}.csv")
     if "by" in table:
-        # the runs with other oils move like the theory shown
+        # runs with other oils follow the theory shown
         same = ["oil", "property", "value"]
         runs, theory = (table[table["by"] == by].set_index(same) for by in ("simulation", "theory"))
         for column in ("inner_film_m", "ball_capacitance_F", "bearing_capacitance_F"):
@@ -67,7 +67,7 @@ def test_tables_of_the_page(made, name):
 
 def test_static_theory(made):
     numbers = pd.read_csv(made / "quantities.csv").set_index(["formulas", "quantity"])["value"]
-    # 0.1 %: C goes as U^-0.7, and the speed of the runs differs by 0.1 % from that of undeformed
+    # 0.1 %: C varies as U^-0.7, and the speed of the runs differs by 0.1 % from that of undeformed
     # radii
     assert numbers["corrected", "theory_ball"] < 1e-3
     assert numbers["corrected", "theory_bearing"] < 1e-3

@@ -15,7 +15,8 @@ CAGE = 2 * np.pi * 10 * (1 - 5.95 / 30 * np.cos(ANGLE)) / 2  # rad/s, at 600 rpm
 
 
 def pull(displacement):
-    """Axial load (N) of a bearing whose inner ring is pushed by so much (m) after contact."""
+    """Axial load (N) of a bearing whose inner ring is displaced by this distance (m) after
+    contact."""
     held = dict.fromkeys(static.FREEDOMS, 0.0) | {"z": FIRST_CONTACT + displacement}
     found = static.equilibrium(BEARING, held=held, orbital_speed=CAGE, ball_density=7800.0)
     return -found.force[2]
@@ -23,7 +24,7 @@ def pull(displacement):
 
 @pytest.fixture(scope="module")
 def line(tmp_path_factory):
-    """(load N, displacement m, axial loads of both bearings N) while the load grows."""
+    """(load N, displacement m, axial loads of both bearings N) during the load ramp."""
     folder = tmp_path_factory.mktemp("pair")
     succeed("docs/decks/in.pair", out=folder)
     return np.loadtxt(folder / "line.dat").T
@@ -47,18 +48,18 @@ def test_preload_line(line):
 
 
 def test_unloading(line):
-    """One bearing is free when the other has all of the spread: 2.8 times the preload, and a
-    little more because the contact angle grows."""
+    """One bearing is unloaded when the other has the whole spread: 2.8 times the preload, and
+    slightly more because the contact angle grows."""
     load, place, _, second = line
     at_end = np.interp(SPREAD, place, load)
     assert at_end == pytest.approx(pull(2 * SPREAD), rel=1e-2)
     assert 2.8 < at_end / pull(SPREAD) < 2.9
-    # what is left of its load is centrifugal
+    # the remaining load is centrifugal
     assert np.interp(SPREAD, place, second) < 0.03 * pull(SPREAD)
 
 
 def test_stiffness(line):
-    """Under preload the pair is twice as stiff as one bearing, until one is free."""
+    """Under preload the pair is twice as stiff as one bearing, until one is unloaded."""
     load, place = line[0], line[1]
     start = (load > 0) & (load < 200)
     found = np.polyfit(place[start], load[start], 1)[0]
@@ -67,7 +68,7 @@ def test_stiffness(line):
 
 
 def test_as_one_double_row_bearing(line):
-    """The pair as two rows of one bearing: its place under the load, both rows together."""
+    """The pair as two rows of one bearing: displacement under the load, and both rows together."""
     load, place, *_ = line[:, (line[0] > 0.0) & (line[1] < 0.8 * SPREAD)]
     two = BEARING.double_row(DoubleRow(0.018, SPREAD), ANGLE)
     for k in (len(load) // 3, -1):
@@ -76,7 +77,7 @@ def test_as_one_double_row_bearing(line):
 
 
 def test_face_to_face(line, tmp_path):
-    """Face to face the bearings change parts; pair and displacement stay as they are."""
+    """Face to face the bearings exchange roles; load pair and displacement stay the same."""
     face = {"first": "minus", "second": "plus", "spread": -SPREAD}
     succeed("docs/decks/in.pair", out=tmp_path, **face)
     load, place, first, second = np.loadtxt(tmp_path / "line.dat").T

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures read from runs of the main deck: kinematic lines, where the power goes,
+"""Figures read from runs of the main deck: kinematic frequencies, the power balance,
 MDAnalysis."""
 
 import numpy as np
@@ -13,7 +13,7 @@ from raceway.cli import main
 @pytest.fixture(scope="module")
 def long(tmp_path_factory):
     """40 ball passes: 4.4 turns of the cage. With 0.1 nm, since the ripple of the force along the
-    load, fy, is no more than what 1 nm leaves open (docs/output.rst)."""
+    load, fy, is of the size that 1 nm leaves undetermined (docs/output.rst)."""
     folder = tmp_path_factory.mktemp("long") / "run"
     succeed("inputs/in.6208", out=folder, passes=40, tolerance=1e-10)
     return raceway.open(folder)
@@ -21,8 +21,8 @@ def long(tmp_path_factory):
 
 @pytest.mark.parametrize("signal", ["x", "y", "shift", "fx", "fy", "mz", "capacitance"])
 def test_ball_pass_frequency_and_harmonics(long, signal):
-    """Stiffness varies as balls pass the load. 0.2 %: slip makes the cage 4e-4 slower than
-    kinematics, noise in the weakest signal (fx, which the implicit step makes) moves a peak by
+    """Stiffness varies as balls pass the load. Within 0.2 %: slip makes the cage 4e-4 slower than
+    kinematics, and noise in the weakest signal (fx, from the implicit step) moves a peak by
     2e-4."""
     found = {
         (line.name, line.harmonic): line
@@ -34,7 +34,7 @@ def test_ball_pass_frequency_and_harmonics(long, signal):
 
 
 def test_displacement_shows_the_slip_of_the_cage(long):
-    """The line is where the balls are: BPFO is Z times their mean orbital speed. 1e-3 of a bin,
+    """The line follows the balls: BPFO is Z times their mean orbital speed. 1e-3 of a bin,
     1/40 of a pass."""
     (line,) = (
         line for line in spectrum.lines(long, spectrum.of_run(long, "x"), 1) if line.name == "BPFO"
@@ -45,7 +45,7 @@ def test_displacement_shows_the_slip_of_the_cage(long):
 
 
 def test_a_perfect_bearing_has_no_other_line(long):
-    """No flaw, no odd ball: nothing at ball spin and inner ball pass."""
+    """Without flaw and odd ball there is no line at ball spin and inner ball pass."""
     for signal in ("x", "shift", "fy"):
         for line in spectrum.lines(long, spectrum.of_run(long, signal)):
             assert line.name in ("BPFO", "FTF") or line.note
@@ -58,9 +58,9 @@ def test_command(long, capsys):
 
 def test_datasets_agree_with_each_other(long):
     """Rings, contacts and balls are recorded at the same moments."""
-    both = long.rings["capacitance"] - long.bearing["capacitance"]  # xarray matches the times
+    both = long.rings["capacitance"] - long.bearing["capacitance"]  # xarray aligns the times
     assert both.sizes["time"] == 8001
-    # the dump is at the end of the step
+    # the dump is written at the end of the step
     assert float(np.abs(both / long.bearing["capacitance"]).max()) < 1e-6
     contact, ball = long.contacts["azimuth"].sel(raceway="outer"), long.balls["azimuth"]
     apart = np.abs(np.exp(1j * contact) - np.exp(1j * ball))
@@ -75,8 +75,8 @@ def test_universe(long):
 
 
 def test_smoothed_friction_takes_force_times_sliding(long):
-    """It acts against the sliding, so the power is the product of the magnitudes (12 digits in the
-    dump)."""
+    """Friction acts against the sliding, so the power is the product of the magnitudes (12 digits
+    in the dump)."""
     contacts = long.contacts
     np.testing.assert_allclose(
         contacts["friction_power"],
@@ -88,9 +88,9 @@ def test_smoothed_friction_takes_force_times_sliding(long):
 
 
 def test_shaft_pays_what_the_contacts_lose(tmp_path):
-    """With velocity Verlet. Power in swings by 40 mW about a mean of 1.4 mW as springs load and
-    unload; slip leaves 4e-4 of each of the 20 passes uncovered, 40 mW * 4e-4 = 1.2 % of the mean.
-    Tolerance three times that.
+    """With velocity Verlet. The input power varies by 40 mW about a mean of 1.4 mW as springs load
+    and unload; slip leaves 4e-4 of each of the 20 passes uncovered, 40 mW * 4e-4 = 1.2 % of the
+    mean. Tolerance three times that.
     """
     succeed("inputs/in.6208", out=tmp_path / "run", passes=20, settle=4, integrator="verlet")
     mean = losses.losses(raceway.open(tmp_path / "run")).mean()

@@ -30,17 +30,17 @@ from shaft_runs import (
 
 MASS, AXIAL, ACROSS = 4.0, 2.0e-3, 2.0e-2  # kg, kg m^2
 MOVERS = {"implicit": {"step": 5e-5}, "verlet": {"mover": "verlet", "step": 1e-6}}
-AIR = 1.0e-3  # m, a clearance that no ring uses up
+AIR = 1.0e-3  # m, a clearance large enough that no ring closes it
 
 
 # ---- at rest
-# Without cage and friction the balls leave the load.
-CALM = "support y 1.0 2000 support rx 1.0 20"  # dampers, with springs that carry nothing
+# Without cage and friction the balls leave the load zone.
+CALM = "support y 1.0 2000 support rx 1.0 20"  # dampers, with springs too soft to carry load
 
 
 @pytest.fixture(scope="module")
 def resting(tmp_path_factory):
-    """Under 3 kN at 0.12 m, damped until it rests."""
+    """Under 3 kN at 0.12 m, damped until it is at rest."""
     folder = tmp_path_factory.mktemp("resting")
     words = f"mass 4 inertia 2e-3 2e-2 centre 0.1 load 0.12 0 -3000 0 ramp 5e-3 {CALM}"
     data, _ = swing(
@@ -50,15 +50,15 @@ def resting(tmp_path_factory):
 
 
 def test_lever_rule(resting):
-    """3 kN at 0.12 m of 0.2: the bearings' own moments shift little."""
+    """3 kN at 0.12 m of 0.2: the bearings' own moments change little."""
     assert resting["f1y"] == pytest.approx(1200.0, rel=1e-3)
     assert resting["f2y"] == pytest.approx(1800.0, rel=1e-3)
-    own = resting["m1x"] + resting["m2x"]  # N m, the shaft's levers are from 0.12 m
+    own = resting["m1x"] + resting["m2x"]  # N m; the shaft's levers are measured from 0.12 m
     assert 0.12 * resting["f1y"] - 0.08 * resting["f2y"] + own == pytest.approx(0, abs=0.02)
 
 
 def test_as_statics(resting):
-    """raceway shaft with a shaft that does not bend."""
+    """raceway shaft with a rigid shaft."""
     seats = [shaft.Seat(at, B6208, phase=-np.pi / 2) for at in (0.1, 0.3)]
     rest = shaft.rest(
         shaft.Shaft([Section(0.4, 0.3)], Steel(young=2.1e13)),
@@ -73,7 +73,7 @@ def test_as_statics(resting):
 
 
 def test_as_one_double_row_bearing(resting):
-    """Statics of two rows on one ring, loaded beside its middle; the ring is free to tilt."""
+    """Statics of two rows on one ring, loaded off its middle; the ring is free to tilt."""
     loads = {"load_azimuth": -np.pi / 2, "moment": (60.0, 0.0), "held": {"z": 0.0}}
     rest = static.equilibrium(B6208.double_row(DoubleRow(0.2)), 3000.0, phase=-np.pi / 2, **loads)
     assert resting["y"] == pytest.approx(rest.shift[1], rel=2e-3)
@@ -92,14 +92,16 @@ def test_rings_are_on_the_shaft(resting):
 
 # ---- in the air
 def gyroscope(time, moment, spin):
-    """rx + i ry (rad) of a free body after a moment Mx + i My at rest: It W' - i Ip spin W = M."""
+    """rx + i ry (rad) of a free body after a moment Mx + i My from rest: It W' - i Ip spin W =
+    M."""
     rate = 1j * AXIAL * spin / ACROSS
     return moment / (ACROSS * rate) * ((np.exp(rate * time) - 1) / rate - time)
 
 
 @pytest.mark.parametrize("mover", MOVERS)
 def test_free_body(tmp_path, mover):
-    """A force beside the centre moves it and turns it, with the gyroscopic moment of the spin."""
+    """A force off the centre translates and rotates the shaft, with the gyroscopic moment of the
+    spin."""
     step = MOVERS[mover]["step"]
     words = "mass 4 inertia 2e-3 2e-2 centre 0.08 load 0.15 30 0 0 load 0.08 0 10 0"
     data, energy = swing(
@@ -119,7 +121,7 @@ def test_free_body(tmp_path, mover):
     assert np.abs(data["rx"] + 1j * data["ry"] - tilt).max() < 2e-4 * np.abs(tilt).max()
     assert data["x1"] == pytest.approx(data["x"] - 0.08 * data["ry"], abs=1e-9)
     assert data["x2"] == pytest.approx(data["x"] + 0.12 * data["ry"], abs=1e-9)
-    # of the rings: that of the centre and that of the tilt
+    # of the rings: motion of the centre plus that of the tilt
     growth = 0.07 * 30 / ACROSS * np.cos(AXIAL * 3000 / ACROSS * time)
     for ring, lever in (("a1x", -0.08), ("a2x", 0.12)):
         assert data[ring] == pytest.approx(30 / MASS + lever * growth, rel=0, abs=1e-3)
@@ -130,7 +132,8 @@ def test_free_body(tmp_path, mover):
 
 @pytest.mark.parametrize("mover", MOVERS)
 def test_unbalance_in_two_planes(tmp_path, mover):
-    """Equal and opposite at 0.05 and 0.15 m: the centre stays and the axis goes round a cone."""
+    """Equal and opposite unbalances at 0.05 and 0.15 m: the centre stays and the axis describes a
+    cone."""
     spin, step = 500.0, MOVERS[mover]["step"]
     words = "mass 4 inertia 2e-3 2e-2 centre 0.1 unbalance 0.05 1e-5 0 unbalance 0.15 1e-5 PI"
     data, _ = swing(
@@ -144,7 +147,7 @@ def test_unbalance_in_two_planes(tmp_path, mover):
         every=round(1e-4 / step),
     )
     time = data["time"]
-    couple = -1e-5 * 0.1 * spin**2  # N m, turned by i: the moment of a force along x is about y
+    couple = -1e-5 * 0.1 * spin**2  # N m, rotated by i: the moment of a force along x is about y
     rate = 1j * AXIAL * spin / ACROSS
     own, free = 1j * spin, rate
     # W = c (e^(i spin t) - e^(rate t)), from rest
@@ -175,7 +178,7 @@ def natural_frequencies(mass, axial, across, spin, levers, stiffness):
 
 @pytest.mark.parametrize("spin", [0.0, 2000.0])
 def test_whirl_frequencies(tmp_path, spin):
-    """Preloaded bearings without friction; 1 % of them is the inertia of the balls and more."""
+    """Preloaded bearings without friction; 1 % for the inertia of the balls and other effects."""
     mass, axial, across, centre, clearance = 40.0, 0.8, 1.0, 0.06, -20e-6
     data, _ = swing(
         tmp_path,
@@ -203,7 +206,8 @@ def test_whirl_frequencies(tmp_path, spin):
 
 # ---- balances under load
 def test_energy(tmp_path):
-    """Work of loads is in motion, springs and heat; the integrator loses a thousandth."""
+    """The work of loads equals the energy in motion and springs plus heat; the integrator loses a
+    thousandth."""
     words = "mass 4 inertia 2e-3 2e-2 centre 0.08 load 0.15 -300 -3000 0 unbalance 0.02 2e-4 0.4"
     _, energy = swing(
         tmp_path,
@@ -221,7 +225,7 @@ LOADED = "mass 4 inertia 2e-3 2e-2 load 0.15 -300 -3000 200 unbalance 0.02 2e-4 
 OIL = "lubricant 0.04 22e-9 roughness 1e-7 0"
 LAWS = {
     "dry": {},
-    # a film that keeps a state of each contact
+    # a film that stores a state of each contact
     "film": {
         "style": "bearing/ehd",
         "law": f"{OIL} gap 0 film_damping branch friction stribeck 0.12 0.05 smoothed 0.01",
@@ -255,11 +259,11 @@ def test_integrators_agree(tmp_path, law):
 
 
 def test_within_a_step(tmp_path):
-    """Samples inside long steps: rings stay on the shaft, and accelerations are those of the
+    """Samples inside long steps: rings stay on the shaft, and accelerations are derivatives of the
     velocities."""
     text = succeed(DECK, out=tmp_path, **WITHIN, words=LOADED).text
     said = yaml.safe_load((tmp_path / "run.yaml").read_text())
-    # both bearings are one system: its internal steps are those of each
+    # both bearings form one system: its internal steps are those of each
     (steps,) = numbers_of(text, "STEPS")
     assert said["step_s"] == pytest.approx(said["simulated_s"] / steps, rel=1e-9)
     ring = rings_follow(tmp_path)
@@ -328,7 +332,7 @@ def test_restart(whole, tmp_path):
 # ---- another axis, gravity, mistakes
 @pytest.mark.parametrize("moved", ["all bearing/implicit", "balls nve/sphere"])
 def test_along_x(tmp_path, moved):
-    """A load along z beside the centre: the tilt is about y."""
+    """A load along z off the centre: the tilt is about y."""
     free = "mass 4 inertia 2e-3 2e-2 x free y free z free ry free rz free spin speed 0"
     text = small(
         tmp_path,
@@ -344,7 +348,7 @@ def test_along_x(tmp_path, moved):
 
 
 def test_weight(tmp_path):
-    """fix gravity pulls at the centre of mass: nothing tilts."""
+    """fix gravity acts at the centre of mass: nothing tilts."""
     text = small(
         tmp_path,
         "fix move all bearing/implicit\nfix g all gravity 9.81 vector 0 -1 0\n"

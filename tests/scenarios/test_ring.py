@@ -8,7 +8,7 @@ from host import BOX, succeed
 MASS, AXIAL, ACROSS = 0.2, 1.2e-4, 6.5e-5  # kg, kg m^2
 BALL_MASS = 4 / 3 * np.pi * 6.3e-3**3 * 7800
 
-# Balls wide apart from the rings (0.2 mm of radial play): nothing touches unless the clearance is
+# Balls far from the rings (0.2 mm of radial play): nothing touches unless the clearance is
 # changed.
 DECK = (
     BOX
@@ -51,7 +51,7 @@ def motion(tmp_path, commands, steps, **variables):
 
 
 def test_constant_force_on_a_free_ring(tmp_path):
-    """z = F t^2/(2 m): Verlet is exact for it, the columns keep 15 digits."""
+    """z = F t^2/(2 m): Verlet is exact for it, and the columns have 15 digits."""
     t, x, y, z, vz, *_ = motion(
         tmp_path, f"fix inner inner bearing/ring mass {MASS} z free force 3.0 4.0 5.0\n", 2000
     )
@@ -63,7 +63,7 @@ def test_constant_force_on_a_free_ring(tmp_path):
 def test_moment_on_a_spinning_ring(tmp_path):
     """A moment M about x on a ring with spin W and free tilts, linear theory: with n = I_a W/I_t
     tilt about x = M/(I_t n^2) (1 - cos n t), about y = -M/(I_t n^2) (n t - sin n t) ... the
-    gyroscope gives way across. Sign: dL/dt = M along +x turns the axis e (L = I_a W e) towards +x,
+    gyroscope yields sideways. Sign: dL/dt = M along +x turns the axis e (L = I_a W e) towards +x,
     which is a positive tilt about y. Nonlinear terms are of the order of the tilt squared, 1e-5
     relative; the step's of (n h)^2/12 = 3e-7.
     """
@@ -85,7 +85,7 @@ def test_moment_on_a_spinning_ring(tmp_path):
 
 
 def test_one_free_tilt_has_no_gyroscope(tmp_path):
-    """With the other tilt held, M t^2/(2 I_t)."""
+    """With the other tilt held: M t^2/(2 I_t)."""
     t, *_, rx, ry, _, _ = motion(
         tmp_path,
         f"fix inner inner bearing/ring inertia {AXIAL} {ACROSS} rx free spin speed 1000 moment 0.05"
@@ -97,7 +97,7 @@ def test_one_free_tilt_has_no_gyroscope(tmp_path):
 
 
 def test_driven_degrees_of_freedom(tmp_path):
-    """Displacements and tilts follow their variables exactly; so does a speed, integrated."""
+    """Displacements and tilts follow their variables exactly; so does the integral of a speed."""
     t, x, y, z, vz, rx, ry, spin, _ = motion(
         tmp_path,
         "variable wx equal 1.0e-5*sin(2000*v_t)\nvariable wr equal 1.0e-3*sin(1000*v_t)\nvariable"
@@ -123,19 +123,19 @@ def test_load_ramp(tmp_path):
         1000,
     )
     s = t / 1e-3
-    # the impulse by the trapezoidal rule of Verlet: h^2/12 F'(end) is below 1e-6 of it, plus half a
-    # step at the start
+    # the impulse from the trapezoidal rule of Verlet: h^2/12 F'(end) is below 1e-6 of it, plus half
+    # a step at the start
     np.testing.assert_allclose(
         rows[4], 5.0 / MASS * 1e-3 * (s**3 - s**4 / 2), rtol=0, atol=1e-5 * 5.0 / MASS * 1e-3
     )
 
 
 def test_free_bearing_keeps_its_momentum(tmp_path):
-    """Two free rings and nine squeezed, rubbing balls: linear momentum and angular momentum about
-    any axis stay.
+    """Two free rings and nine compressed, sliding balls: linear momentum and angular momentum about
+    any axis are conserved.
 
-    Every contact gives both bodies opposite forces at one point, so both hold to rounding: about
-    1e5 additions of 1e-16 relative to the largest single momenta."""
+    Every contact exerts opposite forces on both bodies at one point, so both hold to rounding:
+    about 1e5 additions of 1e-16 relative to the largest single momenta."""
     free = "mass 0.2 inertia 1.2e-4 6.5e-5 x free y free z free rx free ry free spin free"
     deck = tmp_path / "in.free"
     deck.write_text(
@@ -155,7 +155,7 @@ def test_free_bearing_keeps_its_momentum(tmp_path):
     ]
     assert len(frames) == 11
     linear, angular = zip(*(_momenta(frame) for frame in frames))
-    largest = 300 * AXIAL  # kg m^2/s, the inner ring's own at the start
+    largest = 300 * AXIAL  # kg m^2/s, initial value of the inner ring
     np.testing.assert_allclose(linear, np.tile(linear[0], (11, 1)), rtol=0, atol=1e-12)
     # the spin about z; across it the rings' axes tilt and their dumped omega alone does not give I
     # omega

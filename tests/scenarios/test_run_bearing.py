@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""run_bearing: the same bits as the host's own commands, whatever stops it, on any number of
+"""run_bearing: the same bits as the host's own commands, however it is stopped, on any number of
 ranks."""
 
 import math
@@ -20,7 +20,7 @@ VERLET = {"move": "nve/sphere", "movers": "parts", "rpm": 5000}
 
 
 def ball_pass(rpm=1500.0, outer_rpm=0.0, angle=0.0, clearance=0.0):
-    """s, of balls that roll without slip (Harris): their centres turn at the mean speed of both
+    """s, for balls that roll without slip (Harris): their centres move at the mean speed of both
     surfaces."""
     pitch = INNER + OUTER + 0.5 * clearance
     share = BALL * math.cos(angle) / pitch
@@ -29,7 +29,7 @@ def ball_pass(rpm=1500.0, outer_rpm=0.0, angle=0.0, clearance=0.0):
 
 
 def values(folder):
-    """All variables of a record, and its notes that are numbers."""
+    """All variables of a record, and its numeric notes."""
     with netcdf_file(folder / "record.nc", mmap=False) as file:
         return (
             {name: variable.data.tobytes() for name, variable in file.variables.items()},
@@ -38,7 +38,7 @@ def values(folder):
 
 
 def differ(one, other):
-    """Names of the variables with other bits."""
+    """Names of the variables whose bits differ."""
     one, other = values(one)[0], values(other)[0]
     assert one.keys() == other.keys()
     return [name for name in one if one[name] != other[name]]
@@ -54,7 +54,7 @@ def written(value):
     ids=["implicit", "damping", "step"],
 )
 def test_same_bits_as_commands_of_the_host(scene, within, tmp_path):
-    """`settle N` is one run: the loads come on, then N ball passes. The measurement is another."""
+    """`settle N` is one run: the load ramp, then N ball passes. The measurement is another."""
     settle, passes, samples = 2, 1, 200
     once = written(ball_pass())
     largest = written(once / samples * within)
@@ -89,7 +89,7 @@ def test_same_bits_as_commands_of_the_host(scene, within, tmp_path):
     ids=["inner", "both rings", "seated", "angle given"],
 )
 def test_ball_pass(scene, closed, tmp_path):
-    """200 samples are a ball pass in closed form, by integrator and ring speeds."""
+    """200 samples are a ball pass from the closed form, by integrator and ring speeds."""
     succeed(DECK, out=tmp_path, samples=200, settle=0, **scene)
     notes = values(tmp_path)[1]
     assert notes["samples_per_pass"] == 200
@@ -107,7 +107,7 @@ def test_rate(rate, tmp_path):
 
 @pytest.mark.parametrize("scene", [IMPLICIT, DAMPING, VERLET], ids=["all", "damping", "verlet"])
 def test_more_passes(scene, tmp_path):
-    """A pass and one more are two."""
+    """A pass continued by another equals two."""
     succeed(DECK, out=tmp_path / "two", passes=2, **scene)
     for passes in (1, 2):
         succeed(DECK, out=tmp_path / "one", passes=passes, resume="yes", **scene)
@@ -127,7 +127,7 @@ def test_ranks(scene, tmp_path):
         assert differ(tmp_path / "1", tmp_path / ranks) == []
 
 
-# a thrust too small for the speed: balls slip and their spin axes turn
+# a thrust too small for the speed: balls slip and their spin axes tilt
 TURNS = {
     **IMPLICIT,
     "models": "friction mixed 0.12 0.05 heathcote 1.0e-4 spin 1",
@@ -150,7 +150,8 @@ def power(folder):
 
 
 def test_auto_settles(tmp_path):
-    """After one ball pass the loss is 70 % off; `auto` goes on until it is that of a long run."""
+    """After one ball pass the loss is 70 % off; `auto` continues until it equals that of a long
+    run."""
     for settle in (1, "auto", 60):
         succeed(DECK, out=tmp_path / str(settle), settle=settle, **TURNS)
     want = power(tmp_path / "60")
@@ -163,7 +164,7 @@ def test_auto_settles(tmp_path):
 
 
 def test_auto_asks_for_more(tmp_path):
-    """A tenth of the change takes more ball passes, and what is asked for is kept."""
+    """A tenth of the allowed change takes more ball passes, and the limit is met."""
     passes = []
     for settled in (1e-2, 1e-3):
         out = tmp_path / str(settled)
@@ -175,7 +176,7 @@ def test_auto_asks_for_more(tmp_path):
 
 
 def test_auto_ends_at_its_limit(tmp_path):
-    """With a warning that has the numbers, and a measurement."""
+    """With a warning that gives the numbers, and with a measurement."""
     done = succeed(DECK, out=tmp_path, settle="auto", more="limit 2", **TURNS)
     assert re.search(r"WARNING: run_bearing: not settled after 2 ball passes: .* 0\.01", done.text)
     notes = values(tmp_path)[1]
@@ -183,7 +184,7 @@ def test_auto_ends_at_its_limit(tmp_path):
 
 
 def stop(out, scene, share):
-    """Stops a run when its settling has got to this share (%), or to this ball pass."""
+    """Stops a run when its settling has reached this share (%), or this ball pass."""
     command = [HOSTS["liggghts"][0], "-in", DECK, "-log", "none", "-var", "out", out]
     for name, value in scene.items():
         command += ["-var", name, str(value)]
@@ -219,7 +220,7 @@ def stop(out, scene, share):
     ids=["implicit", "verlet", "auto", "verlet, auto"],
 )
 def test_stopped_while_it_settles(scene, at, tmp_path):
-    """It goes on from there, with adaptive steps too."""
+    """It continues from there, with adaptive steps too."""
     stop(tmp_path / "stopped", scene, at)
     assert not (tmp_path / "stopped" / "record.nc").exists()
     succeed(DECK, out=tmp_path / "whole", **scene)

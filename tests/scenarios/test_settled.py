@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs of the default length against runs that settled for 100 ball passes, and what they say of
-their settling. Balls that start with their spin about the bearing's axis lose 14 % more in the
+"""Runs of the default length against runs that settled for 100 ball passes, and their own estimate
+of settling. Balls that start with their spin about the bearing's axis lose 14 % more in the
 first scene and 17 % more in the second."""
 
 import numpy as np
@@ -20,7 +20,7 @@ OIL = dict(models="full", lubricant="vg46", temperature=70)
 
 @pytest.fixture(scope="module", params=SCENES)
 def runs(request, tmp_path_factory):
-    """The summaries of a run of the default length and of one that settled, with its folder."""
+    """Summaries of a run of the default length and of a settled one, with its folder."""
     found = []
     for settle in (1, 100):
         folder = tmp_path_factory.mktemp(request.param)
@@ -30,7 +30,7 @@ def runs(request, tmp_path_factory):
 
 
 def test_torque(runs):
-    """Torque of balls under thrust within 1 %; a run with a tilted ring warns: not settled."""
+    """Torque under thrust agrees within 1 %; a run with a tilted ring warns: not settled."""
     name, first, settled, _ = runs
     off = abs(first["friction_torque_N_m"] / settled["friction_torque_N_m"] - 1)
     if name == "tilted":
@@ -48,7 +48,7 @@ def test_a_settled_run_says_so(runs):
 
 
 def test_of_the_record(runs):
-    """The figures are those of the last two ball passes, worked out from the record's columns."""
+    """The figures are those of the last two ball passes, recomputed from the record's columns."""
     _, _, figures, folder = runs
     with xarray.open_dataset(folder / "record.nc") as data:
         speed = abs(data["bearing_cage_speed"].isel(bearing=0)).to_numpy()

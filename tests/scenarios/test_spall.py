@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Spalls of a 6208 at 1500 rpm under 2 kN: lines of the envelope, and the length from entry and
-blow."""
+impact."""
 
 from contextlib import nullcontext
 
@@ -13,7 +13,7 @@ from raceway.theory.bearing import INNER, OUTER
 
 BALLS, RPM = 9, 1500
 BAND = (5000.0, 12000.0)  # Hz
-REACH = 1.2e-3  # s, three times the time to half a spall of 2 mm
+REACH = 1.2e-3  # s, three times the time over half a spall of 2 mm
 RING_MASS = 0.055  # kg, of the 6205's inner ring
 HOUSED = dict(
     **dict(bearing=6205, rpm=1797, load=500, lubricant="vg46", housing="springs"),
@@ -27,7 +27,7 @@ def notch(length, edge=5e-5):
 
 
 def peak(found, hertz):
-    """Frequency (Hz) of the highest point within 3 Hz, and how far it stands out of the 12 Hz
+    """Frequency (Hz) of the highest point within 3 Hz, and its ratio to the 12 Hz
     around."""
     frequency, amplitude = found["frequency"].to_numpy(), found.to_numpy()
     near = np.flatnonzero(np.abs(frequency - hertz) < 3.0)
@@ -39,8 +39,8 @@ def peak(found, hertz):
 @pytest.mark.parametrize("length", [1e-3, 2e-3])
 @pytest.mark.parametrize("ring", ["outer", "inner"])
 def test_lines_of_the_envelope(tmp_path, ring, length):
-    """BPFO of the outer raceway; BPFI and the shaft's sidebands of the inner one, which turns
-    through the load: at 0.2 % of what the run's own cage speed says."""
+    """BPFO of the outer raceway; BPFI and the shaft's sidebands of the inner one, which rotates
+    through the load: within 0.2 % of the values from the run's own cage speed."""
     flaw = {f"flaw_{ring}": notch(length)}
     succeed(
         "inputs/in.6208", out=tmp_path, passes=60, samples=300, record="summary", **CASE, **flaw
@@ -59,9 +59,9 @@ def test_lines_of_the_envelope(tmp_path, ring, length):
 
 
 def test_lines_of_a_flawed_ball(tmp_path):
-    """A pit of a ball strikes both raceways in turn, half a turn apart: twice the speed of the ball
-    against the cage, with the cage speed aside, because the load is on one side. At 0.2 % of what
-    the run's own spin of that ball says."""
+    """A pit of a ball hits both raceways in turn, half a turn apart: twice the speed of the ball
+    relative to the cage, with cage-speed sidebands because the load is on one side. Within 0.2 % of
+    the value from the run's own spin of that ball."""
     flaw = {"flaw_ball": "pit 0 0 1e-3 1e-3 1e-4 5e-5", "flawed_ball": 3}
     succeed("inputs/in.6208", out=tmp_path, passes=90, samples=300, record="all", **CASE, **flaw)
     run = package.open(tmp_path)
@@ -72,7 +72,7 @@ def test_lines_of_a_flawed_ball(tmp_path):
     for hertz in (2 * turns, 2 * turns - cage, 2 * turns + cage, 4 * turns):
         there, above = peak(found, hertz)
         assert there == pytest.approx(hertz, rel=2e-3) and above > 3, hertz
-    # both strikes are alike: the line at one turn would be the higher one for a single strike
+    # both impacts are equal: with a single impact the line at one turn would be the higher one
     once, twice = (
         found.to_numpy()[np.abs(found["frequency"].to_numpy() - k * turns) < 1.0].max()
         for k in (1, 2)
@@ -83,8 +83,8 @@ def test_lines_of_a_flawed_ball(tmp_path):
 @pytest.mark.parametrize("length", [1e-3, 2e-3])
 @pytest.mark.parametrize("raceway, passes", [("outer", 5), ("inner", 12)])
 def test_length_from_a_housing(tmp_path, raceway, passes, length):
-    """Lengths from the signal of an accelerometer on the housing, 1 and 2 mm: 3 %. Half-way is
-    5 % to 70 % too long, because the ball loses its load and flies."""
+    """Lengths from the signal of an accelerometer on the housing, 1 and 2 mm: within 3 %. The
+    half-way rule is 5 % to 70 % too long, because the ball loses its load and flies."""
     found, half_way = lengths_from_a_housing(tmp_path, raceway, passes, length)
     assert found == pytest.approx(length, rel=0.03)
     assert 1.05 * length < half_way < 1.7 * length
@@ -99,13 +99,13 @@ def test_length_from_a_housing(tmp_path, raceway, passes, length):
         ("outer", 1e-3, dict(bearing=6208, load=2000, rpm=1500, mass=0.2), False),
         # the worst of the page
         ("inner", 2e-3, dict(bearing=6208, load=2000, rpm=1500, mass=0.2), False),
-        # read 3.55 mm with the line through earlier ringing continued
+        # the reading was 3.55 mm with the line continued through earlier ringing
         ("outer", 1e-3, dict(bearing=6208, load=4000, rpm=3000, mass=0.2, passes=8), True),
     ],
 )
 def test_hard_lengths_from_a_housing(tmp_path, raceway, length, more, rings):
-    """The runs of tests/bench/spall_length.py that are hardest to read, and one that still rings
-    when the next ball comes: 3 %."""
+    """The runs of tests/bench/spall_length.py that are hardest to read, and one that still vibrates
+    when the next ball arrives: within 3 %."""
     more = {"passes": {"outer": 5, "inner": 16}[raceway]} | more
     with pytest.warns(UserWarning, match="the signal moves by") if rings else nullcontext():
         found, _ = lengths_from_a_housing(tmp_path, raceway, length=length, **more)
@@ -117,7 +117,7 @@ def test_a_length_that_is_wrong_has_a_warning(tmp_path):
     case = dict(bearing=6208, load=2000, rpm=3000, mass=0.2)
     with pytest.warns(UserWarning, match="lengths can be wrong by half or more"):
         found, _ = lengths_from_a_housing(tmp_path, "outer", 5, 2e-3, **case)
-    assert found > 3e-3  # if it is right one day, this test has no scene
+    assert found > 3e-3  # once this is right, the test needs another scene
 
 
 def lengths_from_a_housing(folder, raceway, passes, length, mass=RING_MASS, **more):
@@ -135,7 +135,7 @@ def lengths_from_a_housing(folder, raceway, passes, length, mass=RING_MASS, **mo
 
 
 def test_length_from_a_contact_load(tmp_path):
-    """Lengths from the balls that keep their load over 1 mm: 5 %."""
+    """Lengths from the balls that keep their load over 1 mm: within 5 %."""
     length, edge = 1e-3, 2e-5
     succeed(
         "inputs/in.6208",
@@ -153,7 +153,7 @@ def test_length_from_a_contact_load(tmp_path):
         for one in loads.T
     ]
     every = passages.Passages(*map(np.concatenate, zip(*each)))
-    # the balls beside it take less than the load that it loses
+    # the neighbouring balls take less load than it loses
     seconds = every.seconds[every.dip > 0.9 * every.dip.max()]
     assert len(seconds) == 2
     spin = RPM * np.pi / 30

@@ -15,9 +15,9 @@ from scenarios import closed_forms
 
 
 def test_ball_loads_at_every_azimuth(tmp_path):
-    """Dry, 100 rpm, 5 kN: 0.1 % of the ball's own load, and 0.1 % of the largest for balls that
-    carry less than 1.25 % of that (they are about to leave the loaded zone, where friction of 1e-4
-    of the largest load counts).
+    """Dry, 100 rpm, 5 kN: within 0.1 % of the ball's own load, and 0.1 % of the largest for balls
+    that carry less than 1.25 % of that (they are about to leave the load zone, where friction of
+    1e-4 of the largest load counts).
     """
     succeed("inputs/in.dry", out=tmp_path)
     run = RunTables(tmp_path)
@@ -42,9 +42,9 @@ def test_ball_loads_at_every_azimuth(tmp_path):
 
 
 def test_ball_loads_with_clearance(tmp_path):
-    """0.1 % of the largest load, at 30 rpm: a ball that enters the loaded zone sets the dry, hardly
-    damped ring swinging, by more the faster it comes (5e-4 of the largest load at 30 rpm, 2e-3 at
-    100, 5e-3 at 300), and statics knows no swing."""
+    """Within 0.1 % of the largest load, at 30 rpm: a ball that enters the load zone excites the
+    dry, hardly damped ring, more strongly at higher speed (5e-4 of the largest load at 30 rpm, 2e-3
+    at 100, 5e-3 at 300), and statics has no vibration."""
     succeed("inputs/in.dry", out=tmp_path, clearance=44.1e-6, rpm=30)
     run = RunTables(tmp_path)
     contacts = run.contacts

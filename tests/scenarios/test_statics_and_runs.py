@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Statics against settled runs over drawn scenes: the same words mean the same equilibrium.
+"""Statics against settled runs over random scenes: the same settings mean the same equilibrium.
 
 The balls of statics are at the azimuths of the run's last sample and orbit at its cage speed.
-Friction, which statics leaves out, hinders balls that move across their grooves as they orbit: in a
-7205B under 1 kN, 500 N of thrust and 2 N m it changes loads by 4 % of the largest. So rings that
-tilt have a hundredth of it here.
+Friction, which statics neglects, hinders balls that move across their grooves as they orbit: in a
+7205B under 1 kN, 500 N of thrust and 2 N m it changes loads by 4 % of the largest. So the friction
+of tilting rings is reduced to a hundredth here.
 """
 
 import numpy as np
@@ -22,7 +22,7 @@ OIL = inputs.oil(ROOT / "inputs/lubricants/vg46")
 
 
 def scenes(seed=29):
-    """Each bearing without and with thrust; every second with a moment, too."""
+    """Each bearing without and with thrust; every second one also with a moment."""
     draw = np.random.default_rng(seed)
     for thrust in (0.0, 1.0):
         for k, name in enumerate(BEARINGS):
@@ -34,7 +34,7 @@ def scenes(seed=29):
 
 
 def little_friction(folder, models, moment):
-    """With a `moment` a model of one's own, that of the paper with little friction."""
+    """With a `moment`, the paper's model with little friction."""
     if not moment:
         return models
     own = folder / "slippery"
@@ -44,8 +44,8 @@ def little_friction(folder, models, moment):
 
 @pytest.mark.parametrize(("name", "load", "axial", "moment", "rpm", "models"), list(scenes()))
 def test_loads_and_place(tmp_path, name, load, axial, moment, rpm, models):
-    """Loads of all balls and the ring's force within 1 % of the largest load, its displacement
-    within 1 %."""
+    """Loads of all balls and the ring's force agree within 1 % of the largest load, its
+    displacement within 1 %."""
     words = dict(zip(("moment_x", "moment_y"), moment or ()))
     words |= dict(bearing=name, load=load, axial=axial, rpm=rpm, models=models, lubricant="vg46")
     words |= dict(load_azimuth=0, settle=30, passes=1, samples=20, overwrite="yes")
@@ -80,8 +80,8 @@ def test_loads_and_place(tmp_path, name, load, axial, moment, rpm, models):
     [("6208", 4304, 4087, 376), ("6210", 1671, 1067, 2800), ("7205B", 0.1, 300, 8000)],
 )
 def test_torque(tmp_path, name, load, axial, rpm):
-    """The friction torque of settled runs with the models full within 1 %, with spin, and with the
-    starvation of a bearing whose file has its diameters but no series."""
+    """The friction torque of settled runs with the models full agrees within 1 %, with spin, and
+    with the starvation of a bearing whose file has diameters but no series."""
     words = dict(bearing=name, load=load, axial=axial, rpm=rpm, models="full", lubricant="vg46")
     succeed("inputs/in.6208", out=tmp_path, settle=60, passes=1, samples=20, **words)
     with xarray.open_dataset(tmp_path / "record.nc") as data:

@@ -9,7 +9,7 @@ from host import ROOT, liggghts, succeed
 
 DECK = "tests/scenarios/in.support"
 MASS, ACROSS = 0.5, 2.5e-4
-# column of ring.dat: load, inertia, stiffness, damping
+# columns of ring.dat: load, inertia, stiffness, damping
 DIRECTIONS = {
     "x": (200.0, MASS, 1e8, 2000.0),
     "y": (1000.0, MASS, 2e8, 0.0),
@@ -22,7 +22,7 @@ MOVERS = {"implicit": {}, "verlet": {"mover": "moving nve/sphere", "show": "time
 
 
 def swing(t, load, inertia, stiffness, damping):
-    """Displacement and its second derivative at t (s) after a load from rest."""
+    """Displacement and its second derivative at t (s) after a load is applied at rest."""
     free = np.sqrt(stiffness / inertia)
     ratio = damping / (2 * np.sqrt(stiffness * inertia))
     root = -ratio * free + 1j * free * np.sqrt(1 - ratio**2)
@@ -48,7 +48,7 @@ def test_free_decay(tmp_path, mover, fall):
 
 @pytest.mark.parametrize("name", DIRECTIONS)
 def test_frequency_and_damping(name, swings):
-    """The rate of decay and the frequency, from a fit, are those of the springs and dampers."""
+    """Decay rate and frequency, from a fit, are those of the springs and dampers."""
     load, inertia, stiffness, damping = DIRECTIONS[name]
     free, decay = np.sqrt(stiffness / inertia), damping / (2 * inertia)
     for data in swings:
@@ -78,16 +78,17 @@ def swings(tmp_path_factory):
 
 @pytest.mark.parametrize("fall", [0, 9.81])
 def test_energy(tmp_path, fall):
-    """Work of load and gravity is heat in the dampers and energy in motion and springs."""
+    """The work of load and gravity equals the heat in the dampers plus the energy in motion and
+    springs."""
     text = succeed(DECK, out=tmp_path, fall=fall).text
     work, lost, stored, rest = map(float, re.findall(r"^ *4000 +(.*)$", text, re.M)[-1].split())
     assert work == pytest.approx(lost + stored, abs=1e-6 * work)
-    # the integrator has an estimated local error of 0.1 nm a step; springs of 2e8 N/m at 10 um
+    # the integrator has an estimated local error of 0.1 nm a step, with springs of 2e8 N/m at 10 um
     assert abs(rest) < 1e-6 * work
 
 
 def test_momentum(tmp_path):
-    """Force of the supports, load and weight make the acceleration, at every sample, to the ten
+    """Forces of supports, load and weight give the acceleration, at every sample, to the ten
     digits that the host prints: 1e-6 N of 2 kN."""
     succeed(DECK, out=tmp_path, fall=9.81)
     x, y, fx, fy, ax, ay = np.loadtxt(tmp_path / "ring.dat").T[[1, 2, 6, 7, 8, 9]]

@@ -7,7 +7,7 @@ import pytest
 import raceway
 from host import succeed
 
-AT = {1: 0.03, 2: 0.33}  # m, places of the bearings along the shaft
+AT = {1: 0.03, 2: 0.33}  # m, positions of the bearings along the shaft
 LOADS = [(0.1874, (0, -133, 0)), (0.39, (1500, 0, 0)), (0.18, (0, 0, 400))]  # m, N, as in the deck
 
 
@@ -28,7 +28,8 @@ def reaction(run, number):
 
 
 def test_each_has_its_data(run):
-    """Pressure-viscosity coefficients of vg46 at 60 C and of grease110 differ, as the balls do."""
+    """Pressure-viscosity coefficients of vg46 at 60 C and of grease110 differ, and so do the
+    balls."""
     one, other = (run.select(number).settings for number in run.bearing_numbers)
     assert (one["ball_diameter_m"], other["ball_diameter_m"]) == (12.6e-3, 12.3e-3)
     assert (one["clearance_m"], other["clearance_m"]) == pytest.approx((10e-6, 8e-6))
@@ -37,8 +38,8 @@ def test_each_has_its_data(run):
 
 
 def test_forces_and_moments_balance(run):
-    """Over whole ball passes the bearings carry the loads, force and moment; the one that slides
-    carries no thrust."""
+    """Averaged over whole ball passes the bearings carry the loads, in force and moment; the
+    floating one carries no thrust."""
     force, moment = np.zeros(3), np.zeros(3)
     for number, z in AT.items():
         of, couple = reaction(run, number)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The main deck with integrator vibration: samples at the rate that was asked for, a housing that
-moves, and the lines of a spall in its envelope."""
+"""The main deck with integrator vibration: samples at the requested rate, a moving housing,
+and the lines of a spall in its envelope."""
 
 import numpy as np
 import pytest
@@ -25,8 +25,8 @@ def length(request):
     "side, names", [("outer", ["BPFO"]), ("inner", ["BPFI", "BPFI+shaft", "BPFI-shaft"])]
 )
 def test_lines_of_a_spall(tmp_path, side, names, length):
-    """Within 0.2 % of kinematics with the run's own cage speed, in the envelope of what a sensor on
-    the housing has at 48 kHz, around the housing's resonance."""
+    """Within 0.2 % of kinematics with the run's own cage speed, in the envelope of the signal of a
+    sensor on the housing at 48 kHz, around the housing's resonance."""
     flaw = {f"flaw_{side}": SPALL.format(length)}
     succeed(DECK, out=tmp_path, passes=100, settle=2, **flaw, **QUICK)
     run = raceway.open(tmp_path)
@@ -52,7 +52,7 @@ def perfect(tmp_path_factory):
 
 
 def test_rate(perfect):
-    """The record has oversampling times the rate, for the nearest to whole passes."""
+    """The record has oversampling times the rate, for the nearest number of whole passes."""
     run = raceway.open(perfect)
     sample_s, passes = run.settings["sample_s"], run.settings["passes"]
     assert sample_s == pytest.approx(1 / (2 * 25600), rel=1e-12)
@@ -64,7 +64,7 @@ def test_rate(perfect):
 
 
 def test_a_repeat_with_more_samples(perfect):
-    """What `raceway check` runs: a finer step comes with them."""
+    """The repeats of `raceway check`: a finer tolerance brings a finer step."""
     more = check.repeats(RunTables(perfect))["sampling"]
     assert more["oversampling"] == "4" and more["samples"] == "200"
     assert more["sampling"] == "25600" and more["housing_frequency"] == "4000"
@@ -79,8 +79,8 @@ def test_the_housing_carries_the_load(perfect):
 
 @pytest.mark.parametrize("order, shift", [(8, -1), (10, 1)])
 def test_a_fine_wave_stands_out(tmp_path, order, shift):
-    """0.01 um on the inner raceway, order Z - 1 or Z + 1: BPFI - shaft or + shaft, not the other,
-    and a hundred times what a perfect bearing has there."""
+    """0.01 um on the inner raceway, order Z - 1 or Z + 1: a line at BPFI - shaft or BPFI + shaft,
+    not at the other, and a hundred times the amplitude of a perfect bearing there."""
     heard = {}
     for name, flaw in (("perfect", "none"), ("wave", f"wave {order} 1.0e-8 0")):
         folder = tmp_path / name
@@ -98,7 +98,7 @@ def test_a_fine_wave_stands_out(tmp_path, order, shift):
 
 
 def test_goes_on(perfect, tmp_path):
-    """From two passes to four, to the bytes of a run that was left alone."""
+    """From two passes to four, to the bytes of an undisturbed run."""
     succeed(DECK, out=tmp_path, passes=2, sampling=25600, **QUICK)
     succeed(DECK, out=tmp_path, passes=4, sampling=25600, resume="yes", **QUICK)
     assert (tmp_path / "record.nc").read_bytes() == (perfect / "record.nc").read_bytes()
@@ -106,7 +106,7 @@ def test_goes_on(perfect, tmp_path):
 
 def test_a_held_ring_is_no_sensor(tmp_path):
     succeed(DECK, out=tmp_path, passes=1, rpm=20000, **RUN)
-    with pytest.raises(raceway.errors.RunError, match="ay of the outer ring does not change"):
+    with pytest.raises(raceway.errors.RunError, match="ay of the outer ring is constant"):
         sensor.of_run(raceway.open(tmp_path))
 
 

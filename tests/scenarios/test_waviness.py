@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Waves of a raceway that move the inner ring, their frequency, direction and amplitude: a
-6208 under 1 kN along its axis, slowly turning, all nine balls loaded."""
+"""Waviness of a raceway moves the inner ring, with frequency, direction and amplitude from theory:
+a 6208 under 1 kN along its axis, slowly rotating, with all nine balls loaded."""
 
 import numpy as np
 import pytest
@@ -18,7 +18,7 @@ def waves(*orders, amplitude=AMPLITUDE):
 
 def turned(folder, **variables):
     """Displacement of the inner ring across (x + i y) and along its axis (m), over time (s), speeds
-    of ring and cage (rad/s), and what a slow wave does, over its amplitude: across and along."""
+    of ring and cage (rad/s), and the quasi-static response over the amplitude: across and along."""
     succeed("tests/scenarios/in.waves", out=folder, rpm=RPM, **variables)
     run = raceway.open(folder)
     time = run.rings["time"].values
@@ -35,7 +35,8 @@ def turned(folder, **variables):
 
 
 def lines(time, values, speeds):
-    """Amplitudes at these speeds (rad/s, signed: which way round), fitted together with a mean."""
+    """Amplitudes at these speeds (rad/s, with the sign of the sense of rotation), fitted together
+    with a mean."""
     columns = np.exp(1j * np.outer(time, [0.0, *speeds]))
     found, *_ = np.linalg.lstsq(columns, values.astype(complex), rcond=None)
     return dict(zip(speeds, np.abs(found[1:])))
@@ -43,9 +44,10 @@ def lines(time, values, speeds):
 
 @pytest.mark.parametrize("ring", ["outer", "inner"])
 def test_one_before_and_after_the_balls(tmp_path, ring):
-    """Order Z - 1 and Z + 1 of the outer raceway whirl with and against the shaft at Z cage speeds.
-    Waves of the inner raceway do so against and with it, at Z times its speed relative to the cage
-    less and plus its own. Order Z moves the ring along its axis. Each alone, as in statics."""
+    """Orders Z - 1 and Z + 1 of the outer raceway make the ring whirl with and against the shaft at
+    Z times the cage speed, those of the inner raceway against and with it, at Z times its speed
+    relative to the cage minus and plus its own. Order Z moves the ring along its axis. Each alone,
+    as in statics."""
     orders = (BALLS - 1, BALLS, BALLS + 1)
     time, across, along, shaft, cage, (radial, axial) = turned(
         tmp_path, **{f"flaw_{ring}": waves(*orders)}
@@ -75,9 +77,9 @@ def test_one_wave_whirls_one_way(tmp_path, order, way):
 
 
 def test_other_orders_move_nothing(tmp_path):
-    """Eleven waves at once: no line differs from a smooth bearing's by more than 1e-3 of one
-    amplitude. They are ten times as flat as the others: two waves together make lines in proportion
-    to the product of both, 3e-3 of an amplitude of 10 nm."""
+    """Eleven waves at once: no line differs from that of a smooth bearing by more than 1e-3 of one
+    amplitude. They have a tenth of the others' amplitude: two waves together make lines in
+    proportion to the product of their amplitudes, 3e-3 of an amplitude of 10 nm."""
     flat = 0.1 * AMPLITUDE
     orders = [n for n in range(2, 16) if n % BALLS not in (0, 1, BALLS - 1)]
     smooth = turned(tmp_path / "smooth")
@@ -91,11 +93,11 @@ def test_other_orders_move_nothing(tmp_path):
 
 
 def test_waves_of_a_ball(tmp_path):
-    """An even order is a ball that is larger and smaller n times a turn against the cage: the ring
-    goes round at n times that speed plus and less the cage speed, and along its axis at n times it.
-    An odd order meets both raceways at once, one high and one low, and moves nothing. The wave is
-    met where the balls' path is, beside the equator. Along the axis the ring still settles, which
-    leaves 5e-3 of the line at any speed."""
+    """An even order makes a ball larger and smaller n times a turn relative to the cage: the ring
+    whirls at n times that speed plus and minus the cage speed, and moves along its axis at n times
+    it. An odd order meets both raceways at once, one high and one low, and moves nothing. The wave
+    is traversed where the balls' path is, off the equator. Along the axis the ring still settles,
+    which leaves 5e-3 of the line at any speed."""
     time, across, along, _, cage, _ = turned(
         tmp_path, flaw_ball=f"wave 2 {AMPLITUDE} 0.3 wave 3 {AMPLITUDE} 0.3"
     )
@@ -105,7 +107,7 @@ def test_waves_of_a_ball(tmp_path):
     outward = ((wx * x + wy * y) / np.hypot(x, y)).mean()
     turns = np.hypot(outward, wz.mean() - cage)
     angle = float(run.contacts["angle"].mean())
-    # of the contact's normal over the axis that the ball turns about
+    # angle of the contact's normal to the ball's axis of rotation
     sine = (outward * np.cos(angle) + (wz.mean() - cage) * np.sin(angle)) / turns
     orbit = 2 * AMPLITUDE / (BALLS * np.cos(angle)) * (1 - sine**2)
     turn = {n: [n * turns + cage, cage - n * turns] for n in (2, 3)}
@@ -118,8 +120,8 @@ def test_waves_of_a_ball(tmp_path):
 
 
 def orbit_of_a_larger_ball(folder, larger):
-    """Where the ring's centre is in the frame that turns with that ball (m, complex), less what
-    balls at uneven distances do to it, and the closed form of the first order in `larger` (m)."""
+    """Position of the ring's centre in the frame that rotates with that ball (m, complex), minus
+    the effect of unequal ball spacing, and the first-order closed form in `larger` (m)."""
     time, across, _, _, cage, _ = turned(folder, larger=larger)
     orbit = lines(time, across, [cage, -cage, 2 * cage])
     assert orbit[-cage] < 2e-3 * orbit[cage] and orbit[2 * cage] < 2e-3 * orbit[cage]
@@ -139,7 +141,7 @@ def orbit_of_a_larger_ball(folder, larger):
 
 
 def log_stiffness(angle, larger):
-    """Load of both contacts of a ball of this larger radius (m), over any unit."""
+    """Load of both contacts of a ball with this larger radius (m), divided by any unit."""
     radius, groove, compliance = 6.3e-3 + larger, 6.552e-3, 0.0
     for side in (-1, 1):
         along = radius * (1 + side * radius * np.cos(angle) / 30.3e-3)
@@ -149,9 +151,9 @@ def log_stiffness(angle, larger):
 
 
 def test_a_larger_ball_carries_the_ring_around(tmp_path):
-    """A ball of another atom type: the ring's centre goes round with the cage, away from a larger
-    ball. Both signs together leave the first order. The closed form of constant stiffness,
-    2 dD/(Z cos a), is 0.5 % low, because a larger ball has stiffer contacts."""
+    """A ball of another atom type: the ring's centre orbits with the cage, away from a larger
+    ball. Both signs together isolate the first order. The closed form of constant stiffness,
+    2 dD/(Z cos a), is 0.5 % too low, because a larger ball has stiffer contacts."""
     found = [
         orbit_of_a_larger_ball(tmp_path / str(k), larger) for k, larger in enumerate((1e-7, -1e-7))
     ]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Unbalance and rotating force of fix bearing/ring, under both integrators.
 
-In the air (no contact) the equations are those of a point mass with a force that turns:
+Without contact the equations are those of a point mass under a rotating force:
 M x'' = A cos(w t + p), M y'' = A sin(w t + p), from rest.
 """
 
@@ -40,7 +40,7 @@ def whirl(force, speed, phase, time):
 
 
 def error(found, exact):
-    """Largest displacement error over the 20 um."""
+    """Largest displacement error relative to the 20 um."""
     return max(abs(found[key] - exact[key]) for key in ("x", "y")) / 2e-5
 
 
@@ -61,7 +61,7 @@ def test_closed_form_verlet(words, speed):
     "words, speed", [("unbalance 1e-5 0.3", 100), ("rotating 0.05 -60 0.3", -60)]
 )
 def test_closed_form_implicit(words, speed):
-    """The internal steps follow the tolerance; host steps of a quarter of a turn do no harm."""
+    """The internal steps follow the tolerance; host steps of a quarter of a turn do not matter."""
     force = 1e-5 * 100**2 if "unbalance" in words else 0.05
     exact = whirl(force, speed, 0.3, 0.1)
     found = [
@@ -70,7 +70,7 @@ def test_closed_form_implicit(words, speed):
     ]
     errors = [error(one, exact) for one in found]
     assert errors[1] < 1e-5 and errors[1] < 0.2 * errors[0]
-    # all work of the load is in the motion; the balls stand
+    # all work of the load is in the motion; the balls are at rest
     ring = found[1]
     kinetic = 0.5 * MASS * (exact["vx"] ** 2 + exact["vy"] ** 2)
     assert ring["stored"] == pytest.approx(kinetic, rel=1e-4)
@@ -79,7 +79,7 @@ def test_closed_form_implicit(words, speed):
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 def test_same_as_rotating_force(integrator):
-    """M E w^2 that turns with the ring, in a preloaded bearing."""
+    """A force M E w^2 that rotates with the ring, in a preloaded bearing."""
     words = ("unbalance 2e-3 0.7", "rotating 20 100 0.7")
     step = {"implicit": 1e-3, "verlet": 1e-6}[integrator]
     one, other = (
@@ -97,7 +97,7 @@ def test_same_as_rotating_force(integrator):
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 def test_run_up(integrator):
-    """w = b t: the momentum of the mass off centre, M E w (-sin, cos), is what the ring lost."""
+    """w = b t: the momentum of the eccentric mass, M E w (-sin, cos), is lost by the ring."""
     growth, time = 500.0, 0.1
     ring = end(integrator=integrator, spin=f"{growth}*time", words="unbalance 1e-5 0", step=1e-5)
     turned, speed = 0.5 * growth * time**2, growth * time

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""All of the capacitance of a run with clearance, where most balls have no load: against statics
+"""Total capacitance of a run with clearance, where most balls are unloaded: against statics
 and against the run's own overlaps, films and plates."""
 
 import numpy as np
@@ -24,7 +24,7 @@ def run(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def filling():
-    """Shoulders of the bearing's file, which are not in a run."""
+    """Shoulders from the bearing's file, which a run does not contain."""
     return point(Filling("cavitated")).filling
 
 
@@ -47,7 +47,8 @@ def point(filling, phase=0.0):
 
 
 def test_mean_is_that_of_statics(whole, filling):
-    """Over the places of the balls. 0.3 %: the balls skid, and the ring moves a little."""
+    """Over the positions of the balls. Within 0.3 %: the balls skid, and the ring moves
+    slightly."""
     phases = 2 * np.pi / 9 * np.arange(8) / 8
     statics = [point(filling, phase).capacitors() for phase in phases]
     assert float(whole["bearing"].mean()) == pytest.approx(
@@ -75,19 +76,19 @@ def test_plates_are_the_run_s(run, whole):
 
 
 def test_no_jump_where_contact_is_lost(whole):
-    """The largest change from sample to sample is that of the passage from play to film, 60 samples
+    """The largest change between samples occurs in the transition from play to film, at 60 samples
     a pass."""
     one = whole["one_ball"].to_numpy()
     load = whole["load"].sel(raceway="inner").to_numpy()
     steps = np.abs(np.diff(one, axis=0)) / one[1:]
     lost = (load[1:] > 0) != (load[:-1] > 0)
-    # one enters, one leaves in each of two passes
+    # one ball enters and one leaves in each of two passes
     assert lost.sum() == 4 and steps[lost].max() < 1.2 * steps[~lost].max() < 0.02
 
 
 @pytest.mark.parametrize("rpm", [477.5, 9549.0])
 def test_time_is_resolved(tmp_path, rpm):
-    """At positive clearance, slow and fast: every second sample has the same mean."""
+    """With clearance, at low and high speed: every second sample has the same mean."""
     succeed("inputs/in.6208", out=tmp_path / "run", passes=2, rpm=rpm, clearance=CLEARANCE)
     total = whole_capacitance.over_time(raceway.open(tmp_path / "run"))["bearing"][1:].to_numpy()
     assert len(total) >= 398 and np.abs(np.diff(total) / total[1:]).max() < 2e-3
@@ -134,7 +135,7 @@ def recorded(request, tmp_path_factory):
 
 
 def test_the_record_is_taken(recorded):
-    """Its columns, and what its fix was told."""
+    """Its columns, and the settings of its fix."""
     found = whole_capacitance.over_time(recorded)
     assert found.attrs["source"] == "record"
     filling = whole_capacitance.filling_of(recorded)
@@ -145,8 +146,8 @@ def test_the_record_is_taken(recorded):
 
 
 def test_engine_and_python(recorded):
-    """Loads, films and places are the run's, formulas are those of each. What differs is the film
-    of balls that carry less than Q_u: the engine has each ball's own cage speed."""
+    """Loads, films and positions come from the run, formulas from each side. They differ in the
+    film of balls that carry less than Q_u: the engine uses each ball's own cage speed."""
     own = whole_capacitance.over_time(recorded, whole_capacitance.filling_of(recorded))
     engine = whole_capacitance.over_time(recorded)
     loaded = own["load"] > 0
