@@ -18,7 +18,7 @@ inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *lmp) { lmp->timer->force_
 #define BRG_HOST_KIND "lammps"
 #define BRG_HOST_NAME (std::string("LAMMPS ") + lmp->version)
 #define BRG_GHOST_COMMAND "comm_modify"
-#define BRG_TEXT(msg) std::string(msg)    // a literal would select a fmt template
+#define BRG_TEXT(msg) std::string(msg)    // a literal would select a template of fmt
 #define BRG_EV_INIT(e, v) ev_init(e, v)
 #define BRG_PACK_FORWARD pack_forward_comm
 #define BRG_UNPACK_FORWARD unpack_forward_comm

@@ -72,10 +72,10 @@ inline void map_atoms(LAMMPS_NS::LAMMPS *lmp, int first, double atoms_before, ta
 {
   LAMMPS_NS::Atom &atom = *lmp->atom;
 #if BEARING_IS_LIGGGHTS
-  // Rebuilding the map for every bearing takes time quadratic in their number. So it is built for
-  // twice as many tags and then extended by the new atoms only. The host also keeps an array by
-  // local atom, with 1000 entries (EXTRA in its atom_map.cpp) more than atoms at the time of the
-  // build, and none on a rank without atoms.
+  // Rebuilding the map for every bearing takes time quadratic in their number. It is therefore
+  // built for twice as many tags and then extended by the new atoms only. The host also keeps an
+  // array by local atom, with 1000 entries (EXTRA in its atom_map.cpp) more than atoms at the time
+  // of the build, and none on a rank without atoms.
   constexpr double spare = 1000.0;
   const bool array = atom.map_style == 1;
   int mine = array && atom.nghost == 0 && (first > 0 || atom.nlocal == 0), all;
@@ -86,7 +86,7 @@ inline void map_atoms(LAMMPS_NS::LAMMPS *lmp, int first, double atoms_before, ta
     for (int i = first; i < atom.nlocal; ++i) atom.map_one(atom.tag[i], i);
     return;
   }
-  // the host takes the largest tag from its atoms
+  // the host determines the largest tag from its atoms
   const bool twice = array && atom.nlocal > 0 && top < std::numeric_limits<tag_t>::max() / 2;
   const tag_t own = twice ? atom.tag[atom.nlocal - 1] : 0;
   if (twice) atom.tag[atom.nlocal - 1] = 2 * top;

@@ -15,7 +15,7 @@ struct CageRails {
     int i, i_ring;    // local indices of the cage ball and of the ring that carries the rails
     tag_t tag, ring;
     int claim;            // in RingSum; -1: none yet
-    double loss = 0.0;    // W, at the rails in the last step
+    double loss = 0.0;    // W, lost at the rails in the last step
   };
   std::vector<raceway::Rail> rails;
   std::vector<double> stiffness;    // N/m^1.5 per rail

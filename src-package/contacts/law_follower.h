@@ -7,7 +7,7 @@ namespace bearing {
 
 class LawFollower {
  public:
-  // Before the motion of a step; once for each, however often it is called.
+  // Called before the motion of a step; takes effect once a step, however often it is called.
   virtual void begin_step() = 0;
 
  protected:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Numbers and words by name, for laws that derive some of them from others. Numbers are kept as
+// Numbers and words by name, for laws that derive some of them from others. Numbers are stored as
 // text of fifteen digits, as the hosts write the value of a formula.
 #ifndef BEARING_DATA_VALUES_H
 #define BEARING_DATA_VALUES_H
@@ -16,7 +16,7 @@ class DataValues : protected LAMMPS_NS::Pointers {
  public:
   typedef std::map<std::string, std::string> Map;
 
-  // Of a map; `whose` names its owner in messages: "'6208' of 'inputs/bearings'".
+  // From a map; `whose` names its owner in messages: "'6208' of 'inputs/bearings'".
   DataValues(LAMMPS_NS::LAMMPS *lmp, const Arguments &args, Map &map, const std::string &whose) :
       Pointers(lmp), args_(args), map_(&map), whose_(whose)
   {
@@ -38,13 +38,13 @@ class DataValues : protected LAMMPS_NS::Pointers {
     return *value;
   }
   double number(const std::string &name) const { return args_.number_in(word(name), name); }
-  // Stops the run unless the number is 0, and says why it must be.
+  // Stops the run unless the number is 0; the message gives the reason.
   void zero(const std::string &name, const std::string &why) const
   {
     if (number(name) != 0.0)
       fail(name + " is " + text(number(name)) + ", must be from 0 to 0 (" + why + ")");
   }
-  // Sets a value unless there is one of that name.
+  // Sets a value unless one of that name exists.
   void suggest(const std::string &name, const std::string &value)
   {
     if (!there(name)) make(name, "index", value);

@@ -30,7 +30,7 @@ Names words_after(const char *option, const char *other)
   return found;
 }
 
-// Words of a command that `&` continues on further lines; without its comment
+// Words of a command that `&` continues on further lines, without its comment
 static std::vector<std::string> command_words(std::istream &file, std::string line)
 {
   std::vector<std::string> words;

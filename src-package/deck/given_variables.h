@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Variables that a user gives with -var, and those that a deck knows.
+// Variables that a user sets with -var, and those that a deck defines.
 #ifndef BEARING_GIVEN_VARIABLES_H
 #define BEARING_GIVEN_VARIABLES_H
 
@@ -17,8 +17,8 @@ Names words_after(const char *option, const char *other);
 // Variables that a line `variable NAME index VALUE` of the deck sets
 Names set_by_deck();
 
-// Collects the variables that -var may set in a deck: those of styles that keep such a value,
-// and the words after `vars`. False: the file cannot be read.
+// Collects the variables that -var may set in a deck: those of styles that store such a value,
+// and the words after `vars`. False if the file cannot be read.
 bool collect(const std::filesystem::path &, Names &);
 
 // Collects them from all files and tables in a folder; returns the error if it cannot be read.
@@ -27,12 +27,14 @@ std::error_code collect_folder(const std::string &folder, Names &);
 // Name of the file that the host reads; empty for the standard input
 std::string deck_name(FILE *infile);
 
-// Adds those of the deck that the host reads, `infile` or null, and of decks that include it.
+// Adds those of the deck that the host reads, `infile` or null, and of the decks after -in, which
+// may include it.
 void collect_deck(FILE *infile, Names &);
 
 std::string nearest(const std::string &name, const Names &);
 
-// Complaint about a value of -var that is empty or a number with a unit; empty if it is neither
+// Error message about a value of -var that is empty or has a unit after its number; empty if it is
+// neither
 std::string wrong_with(const std::string &value);
 
 }    // namespace bearing

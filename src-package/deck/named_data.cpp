@@ -43,7 +43,7 @@ Text text_of(const std::string &folder, const std::string &name)
   return text;
 }
 
-// Names that the user set by -var or in the deck, as far as they are data
+// Names set by the user with -var or in the deck that are names of data
 Names given_names(const Names &of_file)
 {
   Names set = words_after("-var", "-v"), found;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Data of a bearing or an oil as names and values: from a file or a row of a catalogue, with those
-// that the user gives instead.
+// Data of a bearing or an oil as names and values: from a file or a row of a catalogue, with
+// the user's own values taking precedence.
 #ifndef BEARING_NAMED_DATA_H
 #define BEARING_NAMED_DATA_H
 
@@ -10,11 +10,11 @@ namespace bearing {
 
 // Lines `variable NAME index VALUE` of INPUTS/SORT/NAME, of a row NAME of its tables, or of the
 // file NAME if that has a '/'. The first line of a name counts; -var and the deck's own `variable`
-// win. Other lines are commands of the old decks. Collective.
+// take precedence. Other lines are commands of the old decks. Collective.
 struct NamedData {
   std::string label;    // for messages
   DataValues::Map values;
-  DataValues::Map of_file;    // those of the file alone
+  DataValues::Map of_file;    // values of the file alone
 };
 NamedData read_data(LAMMPS_NS::LAMMPS *, const Arguments &, const std::string &inputs,
                     const std::string &sort, const std::string &name);
@@ -22,7 +22,7 @@ NamedData read_data(LAMMPS_NS::LAMMPS *, const Arguments &, const std::string &i
 // Data of these kinds that differ from the file's, as NAME=VALUE
 std::vector<std::string> given_of(const NamedData &, const std::vector<std::string> &kinds);
 
-// Sets the defaults of the variables of the table that are `of` this, and checks all; error if one
+// Sets the defaults of the variables of the table that belong to `of`, and checks all; error if one
 // without default is missing.
 void check_data(const Arguments &, NamedData &, const std::string &of);
 

@@ -15,7 +15,7 @@ import sys
 from datetime import datetime
 from pathlib import Path
 
-OLDEST = 20210929  # the stable release that brought plugins
+OLDEST = 20210929  # the first stable release with plugins
 # The interface changed step by step between these versions and is stable from the second on.
 CHANGES = (20210930, 20220504)
 SIZES = ("LAMMPS_SMALLBIG", "LAMMPS_BIGBIG", "LAMMPS_SMALLSMALL")

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Make the styles a package, RACEWAY, of a LAMMPS source tree, or take it out.
+"""Make the styles a package, RACEWAY, of a LAMMPS source tree, or remove it.
 
     python3 src-package/host/lammps_tree.py install TREE
     python3 src-package/host/lammps_tree.py uninstall TREE
 
-The package is TREE/src/RACEWAY, for `make yes-raceway` and for CMake with -D PKG_RACEWAY=on, whose
-list of packages gets its name. The machine file MAKE/MINE/Makefile.raceway is the tree's own
-Makefile.mpi with the flags of Raceway. TREE/raceway.manifest lists what was done.
+The package is TREE/src/RACEWAY, for `make yes-raceway` and for CMake with -D PKG_RACEWAY=on, to
+whose list of packages its name is added. The machine file MAKE/MINE/Makefile.raceway is the tree's
+own Makefile.mpi with the flags of Raceway. TREE/raceway.manifest lists all changes.
 """
 
 import re
@@ -19,7 +19,7 @@ from source_tree import Both, Host, Refused, Replace, flat_sources, main, read
 
 FLAGS = "-O3 -std=c++17 -fno-math-errno -fno-trapping-math -ffp-contract=off -Wno-psabi"
 LISTED = Replace("set(STANDARD_PACKAGES\n", "set(STANDARD_PACKAGES\n  RACEWAY\n")
-# releases up to 2022 insist on C++11; later ones take -D CMAKE_CXX_STANDARD=17
+# releases up to 2022 require C++11; later ones accept -D CMAKE_CXX_STANDARD=17
 STANDARD = Replace(
     "\nset(CMAKE_CXX_STANDARD 11)\n", "\nset(CMAKE_CXX_STANDARD 17) # raceway: was 11\n"
 )

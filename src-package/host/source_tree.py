@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Put the styles into a source tree of a host, or take them out.
+"""Put the styles into a source tree of a host, or remove them.
 
-Everything is checked before anything is written; a manifest lists what was done, and uninstall
+Everything is checked before anything is written; a manifest lists all changes, and uninstall
 undoes exactly that. A `Host` describes the tree of a host and the changes to it: liggghts_tree.py,
 lammps_tree.py.
 """
@@ -85,7 +85,7 @@ class Host:
     name = variable = version = ""
 
     def base(self, tree):
-        """Folder that names in the manifest are relative to. Refuses any other tree."""
+        """Folder to which names in the manifest are relative. Refuses any other tree."""
         raise NotImplementedError
 
     def patches(self, base):
@@ -97,11 +97,11 @@ class Host:
         raise NotImplementedError
 
     def hint(self, tree):
-        """Commands that build it and that remove the build."""
+        """Commands that build it, and those that remove the build."""
         raise NotImplementedError
 
     def in_use(self, base):
-        """Reason why it cannot be taken out now, or empty."""
+        """Reason why it cannot be removed now, or empty."""
         return ""
 
 
@@ -135,7 +135,7 @@ def read(path):
 
 
 def write(path, text, stat=None):
-    """Write the file atomically; with the times of `stat` if given."""
+    """Write the file atomically, with the times of `stat` if given."""
     temporary = path.with_name(path.name + ".raceway-new")
     try:
         with open(temporary, "w", encoding="utf-8", newline="") as file:

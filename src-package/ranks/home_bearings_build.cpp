@@ -13,7 +13,7 @@ using raceway::BearingModel;
 
 namespace bearing {
 
-// Connectivity that a rank sends to all others: `tag` is in one piece of a bearing with the atom
+// Connectivity that a rank sends to all others: `tag` is in the same piece of a bearing as the atom
 // `piece`.
 struct Node {
   tag_t piece, tag;
@@ -26,12 +26,14 @@ struct HomeBearings::Piece {
   enum Kind { body, ring, value, groove, pocket, seat, cell } kind;
   tag_t name;    // of the bearing
   tag_t a, b;
-  int first, second;    // types of ball and ring; or the number of a cage, of what moves a ring, or
-                        // of a ring's own value, in `first`
-  int number;           // of a groove; 1 for a ring on a shaft
-  int inside;           // the atom is in the group
-  double radius, mass, K;    // a pocket's reach is in `radius`; in K a ring's own value, or where
-                             // it is on its shaft
+  // types of ball and ring; or the number of a cage, of the mover of a ring, or
+  int first, second;
+  // of a ring's own value, in `first`
+  int number;    // of a groove; 1 for a ring on a shaft
+  int inside;    // the atom is in the group
+  // a pocket's reach is in `radius`; in K a value of a ring's own, or its position
+  double radius, mass, K;
+  // on its shaft
 };
 
 void HomeBearings::build(const BearingSources &sources, int groupbit)

@@ -47,7 +47,7 @@ std::vector<Body> bodies_of(LAMMPS *lmp, const PairCoefficients &coefficients)
   return all;
 }
 
-// The groove of a ring that is nearest to the surface of a ball at d from its centre.
+// The groove of a ring nearest to the surface of a ball at d from its centre.
 struct Place {
   const RacewayPhysics *raceway = nullptr;
   double gap = HUGE_VAL, cosine = 1.0;    // m; of the contact angle
@@ -75,7 +75,7 @@ struct Row {
   const RacewayPhysics *raceway[2] = {};
   double balls = 0.0, ball_radius = 0.0, cosine = 1.0;
 
-  // s; not finite if the balls stay where they are. A ring of no imposed spin is at rest.
+  // s; not finite if the balls do not move. A ring without an imposed spin is at rest.
   double pass(double angle) const
   {
     const double pitch = written(
@@ -89,7 +89,7 @@ struct Row {
   }
 };
 
-// A ball belongs to the pair of rings that it is nearest to on each side.
+// A ball belongs to the nearest ring on each side.
 std::vector<Row> rows_of(const PairCoefficients &coefficients, const std::vector<Body> &bodies)
 {
   std::map<std::pair<double, double>, Row> rows;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The ball pass of a scene: the time in which the cage turns by the distance of two balls.
+// The ball pass of a scene: the time in which the cage turns by the spacing of two balls.
 #ifndef BEARING_BALL_PASS_H
 #define BEARING_BALL_PASS_H
 
@@ -10,9 +10,9 @@
 
 namespace bearing {
 
-// s; the longest of all bearings whose rings turn. Balls roll at the speeds that the fixes
+// s; the longest of all bearings whose rings rotate. Balls roll at the speeds that the fixes
 // bearing/ring impose now. `angle` (degrees): contact angle; NAN: that of the balls' present
-// places. Collective. Errors name `command`: no bearing, no imposed speed, no rotation.
+// positions. Collective. Errors name `command`: no bearing, no imposed speed, no rotation.
 double ball_pass_time(LAMMPS_NS::LAMMPS *, const std::string &command, double angle);
 
 }    // namespace bearing

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Losses at the contacts of cage balls and cages, and of balls that meet, each on one rank.
+// Losses at the contacts of cage balls and cages, and of balls that touch each other, each on one
+// rank.
 #ifndef BEARING_CAGE_LOSSES_H
 #define BEARING_CAGE_LOSSES_H
 

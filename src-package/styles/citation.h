@@ -22,8 +22,9 @@ constexpr char citation[] =
     " pages =   {506}\n"
     "}\n\n";
 
-// LAMMPS prints its first line with all citations of the run; the log has the whole. LIGGGHTS would
-// write a file log.cite into the folder it was started in, so it is not told.
+// LAMMPS prints its first line with all citations of the run; the log has all of it. LIGGGHTS would
+// write a file log.cite into the folder in which it was started, so no citation is registered
+// there.
 inline void cite_paper(LAMMPS_NS::LAMMPS *lmp)
 {
 #if BEARING_IS_LIGGGHTS

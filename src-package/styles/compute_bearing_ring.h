@@ -33,7 +33,7 @@ class ComputeBearingRing : public Compute, public bearing::ColumnList {
   struct Output {
     raceway::Column is;
     int motion;                       // index in of_ring::list, used if figure is null
-    const bearing::Figure *figure;    // else this figure of the contacts
+    const bearing::Figure *figure;    // otherwise this figure of the contacts
   };
   std::vector<Output> columns_;
   std::vector<double> said_;    // sent by the contacts of this rank

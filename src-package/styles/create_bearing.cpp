@@ -256,7 +256,8 @@ static double mass(double R, double rho)
   return 4.0 / 3.0 * 3.14159265358979323846 * R * R * R * rho;
 }
 
-// That of least loss under a law with friction against spin, otherwise about the bearing's axis.
+// The rotation of least loss under a law with friction against spin, otherwise about the bearing's
+// axis.
 BallRotation CreateBearing::rotation(const Plan &p, const PairBearingHertz &pair)
 {
   // distance of a contact from the ball's spin axis: ball radius times cosine

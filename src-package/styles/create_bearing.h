@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// create_bearing: makes balls, cage balls and one atom per ring of one bearing, rolling or at rest.
+// create_bearing: creates balls, cage balls and one atom per ring of one bearing, rolling or at
+// rest.
 #ifdef COMMAND_CLASS
 CommandStyle(create_bearing,CreateBearing)
 #else
@@ -26,7 +27,7 @@ class CreateBearing : public bearing::CommandBase {
  private:
   struct Plan {
     int ball_type, cage_type, inner_type, outer_type;
-    int ring_cage = 0;    // type of a cage that is one ring, 0: none
+    int ring_cage = 0;    // type of a one-piece cage, 0: none
     int balls = 0;
     double ball_radius = 0.0, ball_density = 7800.0;
     double cage_radius = 0.0, cage_density = 1140.0;

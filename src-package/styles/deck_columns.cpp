@@ -8,7 +8,7 @@
 using namespace LAMMPS_NS;
 using bearing::Arguments;
 
-// Columns of a compute: c_ID[k]; of a fix: the variables that `fix print` replaces by numbers.
+// Columns of a compute: c_ID[k]; of a fix: variables that `fix print` replaces by numbers.
 static const bearing::ColumnList *find_list(LAMMPS *lmp, Arguments &args, const std::string &id,
                                             bool &compute)
 {
@@ -93,7 +93,7 @@ void BearingDump::command(int narg, char **arg)
                    .c_str());
     return;
   }
-  // A continued file has its title already. LAMMPS writes `none` and a row at the set-up of a run;
+  // A continued file already has its title. LAMMPS writes `none` and a row at the set-up of a run;
   // fix bearing/checkpoint truncates both.
   input->one(("fix " + id + " " + group + " print " + every + " " + quoted(of.values) +
               (append ? " append " : " file ") + file + " screen no title " +

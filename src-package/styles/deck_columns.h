@@ -14,7 +14,7 @@ namespace LAMMPS_NS {
 
 // bearing_columns ID [STEM]: for a dump of the compute ID, set the string variables STEM_columns to
 // the names of its columns, STEM_values to the words c_ID[1] c_ID[2] ... and STEM_format to their
-// format. Names and format stand in quotes, so that each is one word. For `fix print` of a fix:
+// format. Names and format are quoted, so that each is one word. For `fix print` of a fix:
 // STEM_columns is a title and STEM_values a line, with step and time first.
 class BearingColumns : public bearing::CommandBase {
  public:

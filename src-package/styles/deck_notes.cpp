@@ -31,7 +31,7 @@ std::string integrator_of(LAMMPS *lmp)
   return fixes.empty() ? "verlet" : std::string(fixes.front()->style).substr(8);
 }
 
-// Values that a run has chosen where the deck leaves them open
+// Values chosen by the run where the deck leaves them open
 Words chosen(LAMMPS *lmp, double within)
 {
   Words of = {{"within", digits(within)}};
@@ -44,14 +44,14 @@ Words chosen(LAMMPS *lmp, double within)
   return of;
 }
 
-// NAME=VALUE of every variable with which the deck runs again, or empty: the deck lacks one that
-// says what the bearing does
+// NAME=VALUE of every variable that repeats the run of the deck, or empty if the deck lacks one
+// that determines the motion
 std::string variables_of(LAMMPS *lmp, double within)
 {
   static const char *const head[] = {"bearing", "lubricant", "models", "integrator", "load", "rpm"};
   for (const char *name : head)
     if (!host_variable(lmp, name)) return "";
-  // of the folder or the length of the run, or stated elsewhere in the record
+  // about the folder or the length of the run, or stated elsewhere in the record
   static const std::vector<std::string> others = {
       "out",   "inputs", "overwrite",  "resume",     "keep",      "record",
       "dumps", "passes", "flaw_inner", "flaw_outer", "flaw_ball", "flawed_ball"};
@@ -136,7 +136,7 @@ void add_deck_notes(LAMMPS *lmp, const PairBearingHertz &pair, double within, At
     add("moment_x_N_m", loads.moment[0]);
     add("moment_y_N_m", loads.moment[1]);
     add("unbalance_kg_m", loads.unbalance);
-    // twelve digits: those of the speed in rpm that the deck has turned into rad/s
+    // twelve digits: the accuracy of the speed in rpm that the deck has converted to rad/s
     char rpm[32];
     snprintf(rpm, sizeof rpm, "%.12g", loads.speed * 30.0 / M_PI);
     if (!std::isnan(loads.speed)) add("rpm", strtod(rpm, nullptr));

@@ -28,7 +28,7 @@ struct Piece {
   enum Kind { kind, ball, cage, ring } what;
   double bearing, tag;    // the bearing by its name
   int raceway;
-  double of[of_kind::N];    // values of a bearing; of a ring, its origin in the first three
+  double of[of_kind::N];    // values of a bearing; for a ring, its origin in the first three
 };
 
 bool before(const Piece &a, const Piece &b)
@@ -39,7 +39,7 @@ bool before(const Piece &a, const Piece &b)
 // Relative permittivity by ball, from the fixes bearing/capacitance; the first counts.
 std::map<double, double> permittivities(LAMMPS *lmp)
 {
-  std::vector<double> mine, space;    // ball and permittivity in turn
+  std::vector<double> mine, space;    // ball and permittivity alternate
   for (const FixBearingCapacitance *f : capacitances_of(lmp))
     for (int i = 0; i < lmp->atom->nlocal; ++i)
       if (f->covers(i)) {

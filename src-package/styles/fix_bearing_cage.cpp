@@ -58,7 +58,7 @@ FixBearingCage::FixBearingCage(LAMMPS *lmp, int narg, char **arg) :
   }
 }
 
-// The bearing with a name whose ring carries the rails; null without one
+// The named bearing whose ring carries the rails; null without one
 const bearing::NamedBearing *FixBearingCage::named() const
 {
   for (const bearing::NamedBearing *b : bearing::bearings_of(lmp))
@@ -66,13 +66,13 @@ const bearing::NamedBearing *FixBearingCage::named() const
   return nullptr;
 }
 
-// An atom of the group; with named bearings a cage ball of the one that has the ring
+// An atom of the group; with named bearings a cage ball of the bearing with that ring
 bool FixBearingCage::holds(int i) const
 {
   return (atom->mask[i] & groupbit) && (cage_type_ == 0 || atom->type[i] == cage_type_);
 }
 
-// False for the bearing of a deck that leaves its cage out by a word.
+// False for the bearing of a deck that omits its cage by a word.
 bool FixBearingCage::expected() const
 {
   const bearing::NamedBearing *const b = named();
@@ -105,7 +105,7 @@ void FixBearingCage::init()
     cage_.stiffness.push_back(rail_stiffness(r, radius, pitch_, E));
     play = std::max(play, std::hypot(r.circle - pitch_, r.offset) - r.tube - radius);
   }
-  pocket_ = 0.25 * radius + 2.0 * play;    // a ball that rails hold stays within 0.002 radii
+  pocket_ = 0.25 * radius + 2.0 * play;    // a ball held by rails stays within 0.002 radii
 }
 
 void FixBearingCage::setup_pre_neighbor() { find_balls(); }

@@ -20,7 +20,7 @@ using bearing::RingSum;
 using bearing::tag_t;
 using bearing::text;
 
-// Overlap of ball and pocket that is an error, over the ball's radius.
+// Overlap of ball and pocket that causes an error, over the ball's radius.
 static constexpr double out_of_pocket = 0.1;
 
 // fix ID group bearing/cage/ring BALL_TYPE pockets Z play J mass M inertia I_a I_t [across J]
@@ -54,7 +54,7 @@ int FixBearingCageRing::setmask() { return FixBearingRing::setmask() | PRE_NEIGH
 void FixBearingCageRing::init()
 {
   FixBearingRing::init();
-  state_->follow_axes();    // the places of the pockets follow its angle
+  state_->follow_axes();    // the positions of the pockets follow its angle
   const std::string me = bearing::name_of(*this);
   for (int i = 0; i < atom->nlocal; ++i)
     if (moves(i) && !pair_->coefficients().is_cage(atom->type[i]))
@@ -101,8 +101,8 @@ void FixBearingCageRing::pre_neighbor()
   }
 }
 
-// The nearest atom with `fits` to atom i within `reach` (m); -1: none. The lower tag counts if two
-// are as near.
+// The nearest atom with `fits` to atom i within `reach` (m); -1: none. Of two equally near atoms
+// the lower tag counts.
 template <class Fits> static int nearest(const Atom &atom, int i, double reach, const Fits &fits)
 {
   int found = -1;
@@ -159,7 +159,7 @@ void FixBearingCageRing::find_lands()
             [](const auto &a, const auto &b) { return a.cage < b.cage; });
 }
 
-// Error unless every pocket has one ball.
+// Error unless every pocket has exactly one ball.
 void FixBearingCageRing::check_cells() const
 {
   struct Taken {

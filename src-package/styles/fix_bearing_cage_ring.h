@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/cage/ring: a cage as one rigid ring per bearing, an atom of its own
+// fix bearing/cage/ring: a one-piece rigid cage for each bearing, an atom of its own
 // (core/geometry/cage_ring.h). It is a fix bearing/ring that is free in space, or in the plane, and
 // adds the forces of pockets, guiding land and churning.
 #ifdef FIX_CLASS

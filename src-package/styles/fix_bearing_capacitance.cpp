@@ -155,7 +155,7 @@ FixBearingCapacitance::~FixBearingCapacitance()
   memory->destroy(per_ball_);
 }
 
-// Settings that the command leaves to the pair style, which may have a named bearing and its oil
+// Settings that the command takes from the pair style, which may have a named bearing and its oil
 void FixBearingCapacitance::take_usual_data()
 {
   const std::vector<int> there = ball_types();
@@ -186,7 +186,7 @@ void FixBearingCapacitance::take_usual_data()
 
 int FixBearingCapacitance::setmask() { return idle_ ? 0 : END_OF_STEP; }
 
-// `within` of its own needs samples at every step.
+// `within` of this fix needs samples at every step.
 void FixBearingCapacitance::begin(const bearing::Sampling &sampling)
 {
   if (within_ > 1 && sampling.every > 1)
@@ -317,8 +317,8 @@ void FixBearingCapacitance::add_instants()
                           {}});
 }
 
-// Samples the balls owned by this rank. Sums over all ranks are computed on request only: a table
-// by ring does not need them.
+// Samples the balls owned by this rank. Sums over all ranks are computed on request only, since a
+// table by ring does not need them.
 void FixBearingCapacitance::sample(bool between)
 {
   mine_.clear();
@@ -371,7 +371,7 @@ void FixBearingCapacitance::sum_up()
   whole_.mean /= within_ - first_instant + 1;
 }
 
-// `mean` is the sum until all instants are added.
+// `mean` holds the sum until all instants are added.
 void FixBearingCapacitance::Spread::add(double value, bool first)
 {
   if (first) *this = {0.0, value, value};

@@ -46,7 +46,7 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
   bool covers(int i) const { return atom->mask[i] & groupbit; }
   const raceway::CapacitorModel &model() const { return model_; }
   std::string said() const { return said_; }    // words of the command after N
-  bool idle() const { return idle_; }           // dry contacts, as the deck chose
+  bool idle() const { return idle_; }           // dry contacts, chosen by the deck
   // Capacitor of a contact in the table of the pair style; without contact that of the
   // surroundings, or 0.
   raceway::FilmCapacitorT<double> capacitor(const bearing::RacewayContact &);
@@ -100,7 +100,7 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
   double background_ = 0.0;
   raceway::FilmQuestions ask_;
   bearing::CapacitorTable table_;    // with surroundings
-  int planned_ = -1;                 // its build and filling of the contact table
+  int planned_ = -1;                 // build and filling of the contact table
   bigint filled_ = -1;
   double **per_ball_ = nullptr;    // inner, outer, series; the same with surroundings
   int within_ = 1;                 // instants a step, the last one its end
@@ -119,7 +119,7 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
 }    // namespace LAMMPS_NS
 
 namespace bearing {
-// The fixes bearing/capacitance of a run that are not idle.
+// The active fixes bearing/capacitance of a run.
 std::vector<LAMMPS_NS::FixBearingCapacitance *> capacitances_of(LAMMPS_NS::LAMMPS *);
 }    // namespace bearing
 

@@ -47,7 +47,7 @@ void catch_signals()
   note.sa_flags = SA_RESTART;
   for (int k = 0; k < n_signals; ++k) sigaction(caught_signals[k], &note, &before[k]);
   struct sigaction ignore =
-      {};    // a file beyond the limit is an error with a message, not a signal
+      {};    // a file above the size limit causes an error with a message, not a signal
   ignore.sa_handler = SIG_IGN;
   sigaction(SIGXFSZ, &ignore, &before_xfsz);
 }
@@ -74,7 +74,7 @@ std::string no_room(const std::string &file)
   if (fd < 0) {
     why = strerror(errno);
   } else {
-    errno = ENOSPC;    // a short write is no error to the system
+    errno = ENOSPC;    // the system does not report a short write as an error
     if (write(fd, content.data(), content.size()) != static_cast<ssize_t>(content.size()) ||
         fsync(fd) != 0)
       why = strerror(errno);
@@ -203,8 +203,8 @@ void FixBearingCheckpoint::init()
   begun_ = true;
 }
 
-// Commands that determine a run: the bearings (first line), the pair style, data of bearings with
-// names and the package's fixes, except those that only write or watch.
+// Commands that determine a run: the bearings (first line), the pair style, data of named
+// bearings and the package's fixes, except those that only write or watch.
 std::vector<std::string> FixBearingCheckpoint::deck() const
 {
   std::vector<std::string> lines = {bearing::noted_words(lmp, "create_bearing")};
@@ -232,7 +232,7 @@ void FixBearingCheckpoint::check_deck()
   for (std::string line; std::getline(in, line);) then.push_back(line);
   deck_.clear();
   if (now[0].empty() || then[0].empty()) now[0] = then[0] = "";
-  // the first line of one list that the other lacks
+  // the first line of one list that is missing in the other
   const auto alone = [](const std::vector<std::string> &list,
                         const std::vector<std::string> &other) {
     for (const std::string &line : list)
@@ -258,8 +258,8 @@ void FixBearingCheckpoint::find_ring()
             "'");
 }
 
-// Before the first step: removes what the set-up of a continued run wrote, since the files have it
-// already. Later: the restart file of the step before is complete now.
+// Before the first step: removes the output of the set-up of a continued run, since the files have
+// it already. Later: the restart file of the step before is complete now.
 void FixBearingCheckpoint::initial_integrate(int)
 {
   if (resumed_ && !cut_) cut_files();
@@ -293,7 +293,8 @@ void FixBearingCheckpoint::take_sample()
 void FixBearingCheckpoint::post_run()
 {
   int signal =
-      caught;    // may differ over ranks after the last sample: only what all agreed on counts
+      // may differ between ranks after the last sample: only what all have agreed on counts
+      caught;
   if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, world);
   caught = signal;
   if (resumed_ && !cut_) cut_files();    // a run of zero steps
@@ -330,7 +331,7 @@ void FixBearingCheckpoint::publish()
   written_ = false;
   if (comm->me != 0) return;
   for (const std::string &f : files_) settle_on_disk(f);
-  // the host does not check its writes: if the disk has room for more, they succeeded
+  // the host does not check its writes: if the disk accepts more, they succeeded
   std::string why = no_room(file_);
   if (why.empty() && !bearing::write_sum(part_)) why = "its check sum does not get into it";
   if (why.empty() && !settle_on_disk(part_)) why = strerror(errno);
@@ -342,7 +343,7 @@ void FixBearingCheckpoint::publish()
           ". The one before it, if any, is still good: make room and go on from it");
 }
 
-// Output files may be longer than when the restart file was written, but not shorter.
+// Output files may be longer than at the time of the restart file, but not shorter.
 void FixBearingCheckpoint::check_files()
 {
   if (comm->me != 0) return;
@@ -360,7 +361,7 @@ void FixBearingCheckpoint::cut_files()
   cut_ = true;
   if (comm->me != 0) return;
   for (size_t k = 0; k < files_.size(); ++k) {
-    if (length_[k] < 0.0) {    // not begun when the restart file was written
+    if (length_[k] < 0.0) {    // file not yet begun when the restart file was written
       unlink(files_[k].c_str());
     } else if (truncate(files_[k].c_str(), static_cast<off_t>(length_[k])) != 0)
       BRG_ONE(command_ + ": cannot cut " + files_[k] + ": " + strerror(errno));
@@ -395,8 +396,8 @@ double FixBearingCheckpoint::compute_scalar()
   return std::hypot(of[3], of[4], of[5]) / std::hypot(of[0], of[1], of[2]);
 }
 
-// Means over the samples, then counters, both over all parts of a run that was stopped and
-// continued
+// Means over the samples, then counters, both over all parts of an interrupted
+// run
 double FixBearingCheckpoint::compute_vector(int n)
 {
   size_t k = static_cast<size_t>(n);
@@ -416,7 +417,7 @@ void FixBearingCheckpoint::write_restart(FILE *fp)
   for (size_t k = 0; k < counters_.size(); ++k)
     data.push_back(compute_vector(static_cast<int>(means_.size() + k)));
   if (comm->me != 0) return;
-  // a deck may write restart files of its own, which this fix leaves alone
+  // a deck may write restart files of its own, which this fix ignores
   struct stat theirs, ours;
   written_ = fstat(fileno(fp), &theirs) == 0 && stat(part_.c_str(), &ours) == 0 &&
              theirs.st_dev == ours.st_dev && theirs.st_ino == ours.st_ino;

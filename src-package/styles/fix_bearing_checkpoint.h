@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/checkpoint: a run that can be stopped, killed and continued to the same bits and the
-// same files.
+// fix bearing/checkpoint: a run that can be stopped, killed and continued with the same bits and
+// the same files.
 //
 // The host writes the restart file, during or after a run; this fix adds what the host does not
 // store: the lengths of the output files at that step, and running sums. A restart file gets its
@@ -55,8 +55,8 @@ class FixBearingCheckpoint : public Fix, public bearing::WaitsForRun {
   double keep_ = 0.0;    // samples between restart files, in run_bearing
   bool resume_ = false, resumed_ = false;
   std::vector<std::string> files_;                // watched: each grows with every sample
-  std::vector<double> length_;                    // bytes at the restart file's step
-  std::vector<double> seen_;                      // bytes at the last sample
+  std::vector<double> length_;                    // size in bytes at the restart file's step
+  std::vector<double> seen_;                      // size in bytes at the last sample
   bool last_ = false;                             // restart file at the end of a run, too
   std::vector<bearing::DrivenValue> means_;       // averaged over samples
   std::vector<bearing::DrivenValue> counters_;    // each restarts from 0 in every run
@@ -64,7 +64,7 @@ class FixBearingCheckpoint : public Fix, public bearing::WaitsForRun {
   std::string ring_id_;    // ID of a fix bearing/ring whose balance is averaged; empty: none
   FixBearingRing *ring_ = nullptr;
   std::vector<double> sums_;      // of the means, then of load and residual (N) of the ring
-  std::vector<double> before_;    // counters of the runs before this one
+  std::vector<double> before_;    // counters of the previous runs
   // rank 0: the host has written part_, which is not published yet
   bool written_ = false;
   bool begun_ = false, cut_ = false;

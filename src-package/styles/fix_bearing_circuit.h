@@ -41,7 +41,7 @@ class FixBearingCircuit : public Fix {
   struct Film {
     double capacitance = 0.0;                                       // F
     double thickness = std::numeric_limits<double>::quiet_NaN();    // m
-    double rough = 0.0;    // m, taken up by the roughness of the surfaces
+    double rough = 0.0;    // m, film thickness lost to the roughness of the surfaces
     double metal = 0.0;    // S, of asperities
     double area = 0.0;     // m^2, of the contact patch, if the arc model needs it
 

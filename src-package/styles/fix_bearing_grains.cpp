@@ -17,7 +17,7 @@ using bearing::Arguments;
 using bearing::text;
 using raceway::Vec3;
 
-// steps in a collision: fewer are an error, or a warning
+// steps in a collision: below the first number it is an error, below the second a warning
 static constexpr double fewest_steps = 5.0, few_steps = 20.0;
 
 // fix ID group bearing/grains [drum SHAFT|none R Z1 Z2] [blades SHAFT|none N R1 R2 Z1 Z2]
@@ -257,7 +257,7 @@ int FixBearingGrains::size_restart(int i)
 
 int FixBearingGrains::maxsize_restart() { return 3 + numbers_kept * most_contacts; }
 
-// The shafts' last places and loads, in the order of the command.
+// The last positions and loads of the shafts, in the order of the command.
 void FixBearingGrains::write_restart(FILE *fp)
 {
   if (comm->me != 0) return;

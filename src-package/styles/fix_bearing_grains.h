@@ -50,7 +50,7 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
   double memory_usage() override;
 
  private:
-  // With a grain of that tag, or with a part of the walls: tag 0
+  // With a grain of that tag, or (tag 0) with a part of the walls
   struct Contact {
     bearing::tag_t tag = 0;
     int part = 0;
@@ -65,7 +65,7 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
     int shaft = -1;    // index in shafts_; -1: at rest
     int first = 0;     // number of its first part
   };
-  // A shaft with walls; all ranks know it. Bearing axis third.
+  // A shaft with walls; known to all ranks. Bearing axis third.
   struct Shaft {
     std::string id;
     FixBearingShaft *fix = nullptr;
@@ -114,7 +114,7 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
   std::vector<Neighbour> neighbours_;
   std::vector<Push> pushes_;
   int build_ = -1;
-  double known_step_ = -1.0;    // the contacts are of this step
+  double known_step_ = -1.0;    // the contacts belong to this step
   double work_ = 0.0;           // J, of the walls on the grains
   Sums start_, now_;
   bigint summed_ = -1;

@@ -39,8 +39,9 @@ void FixBearingGrains::find_shafts()
   }
 }
 
-// Mean velocity (m/s) and angular velocity (rad/s) of a shaft over the step, of the change of its
-// place: so the work of its walls is its own under either integrator. Bearing axis third.
+// Mean velocity (m/s) and angular velocity (rad/s) of a shaft over the step, from the change of its
+// position, so that the work of its walls equals its own under either integrator. Bearing axis
+// third.
 FixBearingGrains::Velocity FixBearingGrains::velocity(const Shaft *s) const
 {
   if (!s) return {};
@@ -91,7 +92,7 @@ void FixBearingGrains::touch_walls(int i, double dt, std::vector<Contact> &list,
   for (const Wall &wall : walls_) {
     const Shaft *s = wall.shaft < 0 ? nullptr : &shafts_[wall.shaft];
     const Velocity moved = velocity(s);
-    // axes of the wall: the third is its own, the first has no turn about it
+    // axes of the wall: the third is its own, the first does not turn about it
     const Vec3 e = s ? s->now.e : Vec3{0.0, 0.0, 1.0}, centre = s ? s->now.x : Vec3();
     const Vec3 one = e.z > 0.5 ? Vec3{e.z, 0.0, -e.x} : Vec3{1.0, 0.0, 0.0};
     const Vec3 e1 = one * (1.0 / norm(one)), e2 = cross(e, e1), d = at - centre;
@@ -125,7 +126,7 @@ void FixBearingGrains::touch_walls(int i, double dt, std::vector<Contact> &list,
   torque += axes_.lab(couple);
 }
 
-// Forces of all contacts. Without `advance`, as at the start of a run, contacts remain as they are.
+// Forces of all contacts. Without `advance`, as at the start of a run, contacts do not change.
 void FixBearingGrains::act(bool advance)
 {
   find_neighbours();

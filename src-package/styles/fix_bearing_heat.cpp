@@ -20,8 +20,8 @@ using bearing::Arguments;
 using bearing::text;
 namespace of = bearing::of_fix_heat;
 
-static constexpr double passes_at_first = 2.0;     // ball passes after the loads are on
-static constexpr double samples_a_pass = 200.0;    // of losses, at most
+static constexpr double passes_at_first = 2.0;     // ball passes after the load ramp
+static constexpr double samples_a_pass = 200.0;    // samples of losses, at most
 
 // fix ID group bearing/heat [heat yes|no] [ambient T] [cooling G] [shaft_cooling G] [seat G]
 // [housing_capacity C] [warm_start T] [warm_time S] [warm_change K] [warm_error K] [file NAME]
@@ -94,7 +94,7 @@ void FixBearingHeat::init()
   apply_ = false;
 }
 
-// The named bearing of the group's balls, and how many of it there are.
+// The named bearing of the group's balls, and the number of such bearings.
 void FixBearingHeat::find_bearing()
 {
   std::vector<int> there(atom->ntypes + 1, 0);
@@ -165,7 +165,7 @@ void FixBearingHeat::find_network()
   }
 }
 
-// The step over a ball pass, and the time until loads are on.
+// The step over a ball pass, and the time until the end of the load ramp.
 void FixBearingHeat::setup(int)
 {
   if (idle_) return;
@@ -192,7 +192,7 @@ void FixBearingHeat::begin_step()
     grow(std::min(1.0, (now_.since + update->dt) / pass_));
 }
 
-// The law of the contacts at the temperature of the oil, and where the surfaces are.
+// The contact law at the temperature of the oil, and the positions of the surfaces.
 void FixBearingHeat::apply_oil()
 {
   if (!dry_)
@@ -203,7 +203,8 @@ void FixBearingHeat::apply_oil()
   for (FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp)) f->laws_changed();
 }
 
-// A share of the way from the clearance before to that of the present temperatures.
+// Moves the clearance by a share of the way from the previous one to that of the present
+// temperatures.
 void FixBearingHeat::grow(double share)
 {
   double strain[parts];

@@ -3,8 +3,8 @@
 // fed by the losses of its contacts; oil, films, clearance and friction follow (docs/heat).
 //
 // Heat is slow and balls are fast, so temperatures jump (core/laws/heat_jumps.h): over one ball
-// pass clearance goes to that of the new temperatures by a ramp, over the next the losses are
-// averaged, then temperatures jump again. All ranks have the same state.
+// pass the clearance changes to that of the new temperatures by a ramp, over the next the losses
+// are averaged, then temperatures jump again. All ranks have the same state.
 #ifdef FIX_CLASS
 FixStyle(bearing/heat,FixBearingHeat)
 #else
@@ -40,7 +40,7 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   void restart(char *) override;
 
   void begin_step() override;
-  // True without temperatures that still change: steady, at the end of the asked time, or off.
+  // True if temperatures no longer change: steady, at the end of the requested time, or off.
   bool still() const { return idle_ || now_.stage == STAY; }
   bool idle() const { return idle_; }
   // Temperatures (C) of the contacts now, as in core/figures/fix_columns.h from INNER to OIL.
@@ -50,7 +50,7 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
 
  private:
   enum Stage { WAIT, RAMP, WATCH, LAST, STAY };
-  static constexpr int parts = 3;    // that grow: inner ring, balls, outer ring
+  static constexpr int parts = 3;    // strains of inner ring, balls, outer ring
   // Doubles only, as in a restart file.
   struct State {
     raceway::HeatState heat;
@@ -89,7 +89,7 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   raceway::HeatControl control_;
   double bearings_ = 1.0;    // that share the temperatures
   double pass_ = 0.0;        // s, a ball pass
-  double ramp_ = 0.0;        // s, until the loads are on
+  double ramp_ = 0.0;        // s, until the end of the load ramp
   int stride_ = 1;           // steps between samples
   bigint last_step_ = -1;    // that has begun
   bool apply_ = false, rewrite_ = false;

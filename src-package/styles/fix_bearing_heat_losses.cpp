@@ -14,14 +14,14 @@
 using namespace LAMMPS_NS;
 using raceway::HeatPass;
 
-// Half of a contact's loss goes into each body. What the oil takes up, it gives to the surfaces it
-// wets; what balls lose on the cage stays with them. Sums are in the order of tags, for the same
+// Half of a contact's loss goes into each body. The oil gives its heat to the surfaces it
+// wets; losses of balls on the cage heat the balls. Sums are in the order of tags, for the same
 // bits on any number of ranks.
 HeatPass FixBearingHeat::losses()
 {
   struct Share {
     bearing::tag_t first, second;
-    double place;                 // groove of a contact; -1 of a cage
+    double place;                 // groove of a contact; -1 for a cage
     double ball, inner, outer;    // W
     double to_inner, to_outer;    // W/K
   };

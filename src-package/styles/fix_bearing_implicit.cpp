@@ -117,8 +117,8 @@ void FixBearingImplicit::init()
   }
 }
 
-// Fixes whose rings are in the group: the same list on all ranks, which own different rings or
-// none.
+// Fixes whose rings are in the group: the same list on all ranks, although they own different rings
+// or none.
 void FixBearingImplicit::find_rings()
 {
   const std::vector<FixBearingRing *> all = bearing::fixes_of<FixBearingRing>(lmp);
@@ -158,7 +158,7 @@ static bool only_reads(const std::string &style)
 // Error if another fix moves these atoms or applies forces that the step does not see.
 void FixBearingImplicit::check_fixes()
 {
-  // an atom of this group and of the fix's, 0: none
+  // an atom of both this group and the fix's, 0: none
   auto shared = [this](const Fix &f) {
     for (int i = 0; i < atom->nlocal; ++i)
       if ((atom->mask[i] & groupbit) && (atom->mask[i] & f.groupbit)) return i + 1;
@@ -173,7 +173,8 @@ void FixBearingImplicit::check_fixes()
       INITIAL_INTEGRATE | POST_INTEGRATE | PRE_FORCE | POST_FORCE | FINAL_INTEGRATE | END_OF_STEP;
   for (int k = 0; k < modify->nfix; ++k) {
     const Fix &f = *modify->fix[k];
-    if (strncmp(f.style, "bearing/", 8) == 0) continue;    // our own: the step accounts for them
+    // fixes of this package: the step accounts for their forces
+    if (strncmp(f.style, "bearing/", 8) == 0) continue;
     if (strcmp(f.style, "gravity") == 0) {
       add_gravity(*modify->fix[k]);
       continue;
@@ -182,7 +183,7 @@ void FixBearingImplicit::check_fixes()
                        : modify->fmask[k] & POST_FORCE ? "adds forces that "
                                                          "an implicit step does not see"
                                                        : "may change their motion";
-    // whatever their group; recenter may move another
+    // whatever their group; recenter may move another group
     const char *changes = BRG_CHANGES_BOX(f)                 ? "box"
                           : strcmp(f.style, "dt/reset") == 0 ? "timestep"
                           : strcmp(f.style, "recenter") == 0 ? "place of its atoms"
@@ -218,7 +219,7 @@ raceway::Vec3 FixBearingImplicit::gravity()
   const size_t n = 3 * static_cast<size_t>(atom->nlocal);
   if (n > 0) forces_.assign(&atom->f[0][0], &atom->f[0][0] + n);
   raceway::Vec3 fall;
-  double mass = 1.0;    // kg: rounding must not depend on which atom the rank has first
+  double mass = 1.0;    // kg: rounding must not depend on which atom comes first on the rank
   int one = 0;
   while (one < atom->nlocal && !(atom->mask[one] & groupbit)) ++one;
   if (one < atom->nlocal) {

@@ -51,10 +51,10 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
     double tolerance, relative, cage;    // m; of the largest overlap; m, of cage balls
   };
   Control control() const;
-  // Hz, samples of a record that bearing/vibration asks for; 0: as the record asks
+  // Hz, samples of a record requested by bearing/vibration; 0: by the record
   double sampling_rate() const { return sampling_ * oversampling_; }
 
-  // The constants of the contact law are others from the next step on.
+  // The constants of the contact law change from the next step on.
   void laws_changed() { laws_changed_ = true; }
 
   void want_instants(const bearing::Instants &, const std::string &command) override;
@@ -82,14 +82,15 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   PairBearingHertz *pair_;
   double tolerance_ = 0.0;    // m, estimated local error of a position in a substep; 0 until known
   bool laws_changed_ = false;
-  bool energy_wanted_ = false, begun_ = false;    // begun_: stored_before_ is known
+  bool energy_wanted_ = false, begun_ = false;    // begun_: stored_before_ is set
   bearing::Instants instants_;
   std::set<std::string> readers_;    // commands that request instants
   double largest_ = HUGE_VAL;        // s, substep
   double creep_ = 0.01;
-  double cage_ = 0.0;                           // m, tolerance of cage balls; 0: by the pair style
-  double relative_ = NAN;                       // NAN: by the pair style
-  double sampling_ = 0.0, oversampling_ = 4;    // Hz, of the signal; samples of a record for each
+  // m, tolerance of cage balls; 0: from the pair style
+  double cage_ = 0.0;
+  double relative_ = NAN;                       // NAN: from the pair style
+  double sampling_ = 0.0, oversampling_ = 4;    // Hz, of the signal; record samples for each
   std::vector<FixBearingRing *> rings_;         // integrated by this fix
   std::vector<Fix *> gravity_;                  // gravity on all atoms of the group
   std::vector<double> forces_;                  // saved while gravity is evaluated

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The steps of fix bearing/implicit: bearings of a neighbour build, their state in, substeps, and
-// the state out.
+// The steps of fix bearing/implicit: bearings of a neighbour build, loading their state, substeps,
+// and returning the state.
 #include "../core/bodies/alike_bearings.h"
 #include "../core/settings/arguments.h"
 #include "fix_bearing_cage.h"

@@ -62,7 +62,8 @@ FixBearingRecord::FixBearingRecord(LAMMPS *lmp, int narg, char **arg) :
   check_path();
 }
 
-// N steps between samples, or pass/N: N samples in a ball pass, once run_bearing measures.
+// N steps between samples, or pass/N: N samples in a ball pass during the measurement of
+// run_bearing.
 void FixBearingRecord::read_rate(Arguments &args)
 {
   nevery = 1;
@@ -117,7 +118,7 @@ void FixBearingRecord::read_options(Arguments &args)
       args.unknown("contacts, content, within, single, overwrite, number, goal, text");
     }
   }
-  if (dumps_ && within_ == 0) within_ = 1;    // dumps have ends of steps only
+  if (dumps_ && within_ == 0) within_ = 1;    // dumps contain ends of steps only
   if (within_ > 1 && nevery != 1)
     args.fail("'within' takes samples evenly within every step: N must be 1, not " +
               std::to_string(nevery));
@@ -128,7 +129,8 @@ void FixBearingRecord::read_options(Arguments &args)
                  columns_.end());
 }
 
-// Reads NAME VALUE, or any number of NAME=VARIABLE, the present value of a variable of the deck.
+// Reads NAME VALUE, or any number of NAME=VARIABLE with the present value of a variable of the
+// deck.
 void FixBearingRecord::read_notes(Arguments &args, Note kind)
 {
   const char *what = kind == Note::text ? "name of a text" : "name of a number";
@@ -221,7 +223,7 @@ void FixBearingRecord::note(NetcdfHeader::Attribute one, bool changes)
   notes_.push_back(one);
 }
 
-// At the start of every run: the first sample, unless the run before ended with it.
+// At the start of every run: the first sample, unless the previous run ended with it.
 void FixBearingRecord::setup(int)
 {
   if (waits()) return;
@@ -322,7 +324,7 @@ void FixBearingRecord::open()
   refuse(bearing::write_run_yaml(folder_, about_, {}));
 }
 
-// The fix bearing/heat of each bearing, if there is one for any.
+// The fix bearing/heat of each bearing; empty if there is none at all.
 void FixBearingRecord::find_heats()
 {
   heats_.clear();
@@ -343,7 +345,7 @@ void FixBearingRecord::find_heats()
   if (any) heats_ = found;
 }
 
-// Before the first step: a finished run in the folder stays unless it may go.
+// Before the first step: a finished run in the folder is kept unless it may be overwritten.
 void FixBearingRecord::check_finished()
 {
   if (allowed_) return;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/record: a folder with everything about the bearings of a group, sampled evenly, in
+// fix bearing/record: a folder with all data of the bearings of a group, evenly sampled, in
 // one netCDF file (core/record/record_file.h).
 //
 // At the end of a step every rank samples the atoms it owns, between steps the bearings at home on
 // it (core/record/record_rows.h). Rows of a batch of samples go to rank 0 together, which puts them
-// in order, sums over bearings and writes. The restart file has the length of the file: a continued
-// run truncates it to that length and writes the same bytes.
+// in order, sums over bearings and writes. The restart file stores the length of the file: a
+// continued run truncates it to that length and writes the same bytes.
 #ifdef FIX_CLASS
 FixStyle(bearing/record,FixBearingRecord)
 #else
@@ -36,11 +36,12 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   void restart(char *) override;
   double memory_usage() override;
 
-  double samples_a_pass() const { return a_pass_; }    // asked of run_bearing; 0: N steps instead
-  int within_asked() const { return within_; }         // 0: run_bearing chooses
-  // Another number of samples in a ball pass than asked, for the notes.
+  // samples requested of run_bearing; 0: N steps instead
+  double samples_a_pass() const { return a_pass_; }
+  int within_asked() const { return within_; }    // 0: chosen by run_bearing
+  // A number of samples in a ball pass that differs from the requested one, for the notes.
   void set_samples_a_pass(double number) { a_pass_ = number; }
-  // Adds an attribute to the record's header; `changes`: a longer run may have another value.
+  // Adds an attribute to the record's header; `changes`: a longer run may change the value.
   void note(bearing::NetcdfHeader::Attribute, bool changes = false);
 
  private:
@@ -67,7 +68,7 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   void end_sample(double step);
   void flush();
   std::string gather(const std::vector<double> &said, size_t samples);
-  void refuse(const std::string &complaint) const;    // error if there is a complaint
+  void refuse(const std::string &complaint) const;    // error if there is a message
   void refuse_write(const std::string &complaint) const;
   double time_of(double step) const;
   struct Spent {
@@ -88,7 +89,7 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   bool dumps_ = false;
   int within_ = 1;                                         // samples a step, the last one its end
   double a_pass_ = 0.0;                                    // samples in a ball pass
-  bool allowed_ = false;                                   // its folder may be written
+  bool allowed_ = false;                                   // its folder may be overwritten
   std::vector<class FixBearingImplicit *> integrators_;    // that provide instants between steps
   std::vector<class FixBearingHeat *> heats_;    // by bearing, null: none; empty without any
   bearing::TagSet capacitors_;                   // balls with a capacitance
@@ -99,10 +100,10 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   bearing::RecordRows rows_;    // rows of this rank since the last flush
   double samples_ = 0.0;
   double first_step_ = 0.0, start_ = 0.0, last_step_ = -1.0, step_length_ = 0.0;
-  double left_ = -1.0;    // step at the end of the run before, or of the restart file
+  double left_ = -1.0;    // step at the end of the previous run, or of the restart file
   bool resumed_ = false, running_ = false;
   Spent clocks_;    // at the start of the present run
-  Spent spent_;     // in the runs before it
+  Spent spent_;     // in the previous runs
 };
 
 }    // namespace LAMMPS_NS

@@ -122,5 +122,5 @@ void FixBearingRecord::restart(char *buf)
   spent_.evaluations = data[7];
   left_ = data[8];
   resumed_ = samples_ > 0.0;
-  allowed_ = true;    // it was, in the run that wrote this
+  allowed_ = true;    // it was allowed in the run that wrote the file
 }

@@ -78,7 +78,7 @@ void FixBearingRecord::sample_instants()
   };
   tell.body = [this](const bearing::InstantBody &b) {
     const int ball = rows_.ball(b.tag);
-    if (ball >= 0) rows_.cage(ball, NAN, NAN);    // known at the ends of steps only
+    if (ball >= 0) rows_.cage(ball, NAN, NAN);    // available at the ends of steps only
     rows_.body(b.tag, b.x, b.v, b.w);
   };
   tell.ring = [this](const bearing::InstantRing &r) { rows_.ring(r.of); };
@@ -100,7 +100,7 @@ void FixBearingRecord::sample_contacts()
   }
 }
 
-// Sample of a contact gap of a ball for which a fix computes surroundings.
+// Sample of an open contact of a ball for which a fix computes surroundings.
 void FixBearingRecord::sample_gap(int ball, const bearing::ContactView &view)
 {
   if (view.capacitor.separation > 0.0) rows_.gap(ball, view);

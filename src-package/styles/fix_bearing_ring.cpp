@@ -43,7 +43,7 @@ FixBearingRing::FixBearingRing(LAMMPS *lmp, int narg, char **arg, Words) :
   axes_.along = pair_->coefficients().axis_index();
 }
 
-// Mass and inertia of the inner ring of a bearing with a name; unknown of other rings
+// Mass and inertia of the inner ring of a named bearing; unknown for other rings
 bearing::RingBody FixBearingRing::usual_body() const
 {
   std::vector<int> types;
@@ -65,7 +65,7 @@ bearing::RingBody FixBearingRing::usual_body() const
 void FixBearingRing::settings_are_read()
 {
   find_rings();
-  // a variable may be atom-style: values of their own travel with the rings
+  // a variable may be atom-style: its values travel with the rings
   called_back_ = std::any_of(settings_.value, settings_.value + RingProgram::N_VALUE,
                              [](const DrivenValue &v) { return v.is_variable(); });
   if (called_back_) {
@@ -187,7 +187,8 @@ void FixBearingRing::find_holder()
   holder_ = all.front();
 }
 
-// Driven speeds hold from the first instant; the load is added to the set-up forces as in any step.
+// Driven speeds apply from the first instant; the load is added to the set-up forces as in any
+// step.
 void FixBearingRing::setup(int vflag)
 {
   if (holder_moves_by_ && holder_moves_by_->by_another_ != by_another_)
@@ -205,7 +206,8 @@ void FixBearingRing::setup(int vflag)
       if (settings_.program.mode[RingProgram::SPIN] == Freedom::speed) {
         const Vec3 e = state_->axis(i), w = Vec3::from(atom->omega[i]);
         const double missing = target.of[RingProgram::SPIN] - dot(w, e);
-        // rounding of a continued run is not corrected: its bits are those of the uninterrupted run
+        // rounding is not corrected in a continued run, whose bits equal those of the uninterrupted
+        // run
         if (std::fabs(missing) > 1e-12 * norm(w)) (w + e * missing).to(atom->omega[i]);
       }
     }

@@ -46,12 +46,12 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   // (m).
   virtual bearing::tag_t shaft() const { return 0; }
   virtual double place_on_shaft(int) const { return 0.0; }
-  // Itself if it is a shaft that bends, else null.
+  // This fix if it is a flexible shaft, otherwise null.
   virtual FixBearingShaft *bending() { return nullptr; }
   // Tag of the ring that its supports connect to, 0: ground.
   bearing::tag_t holder() const { return holder_; }
   void begin_step();
-  // Accelerations by the forces of all fixes at the start of a run. Collective.
+  // Accelerations from the forces of all fixes at the start of a run. Collective.
   void note_setup();
   // Force balance of its first ring along its free directions (N): the load and the residual after
   // the contacts.
@@ -85,9 +85,9 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
     raceway::Vec3 force, moment;
   };
   enum class Words { unread };
-  FixBearingRing(class LAMMPS *, int, char **, Words);    // settings are read after it,
+  FixBearingRing(class LAMMPS *, int, char **, Words);    // settings are read later,
   bearing::RingBody usual_body() const;
-  void settings_are_read();    // to be called after that
+  void settings_are_read();    // call this after reading them
   void find_rings();
   void refuse_another_mover();
   void find_own_values();
@@ -120,7 +120,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   raceway::LabAxes axes_;
   bearing::RingSettings settings_;
   double time_ = 0.0;
-  // Imposed positions, m or rad, for check_positions(); NaN: not imposed in the step before
+  // Imposed positions, m or rad, for check_positions(); NaN: not imposed in the previous step
   struct Imposed {
     double at[RingProgram::SPIN] = {NAN, NAN, NAN, NAN, NAN};
     double moved[RingProgram::SPIN] = {},
@@ -128,9 +128,9 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   } imposed_;
   // in a restart file
   static constexpr size_t numbers_kept = 1 + sizeof(Imposed) / sizeof(double);
-  Values now_, before_;                 // values of all rings; those of the step before
+  Values now_, before_;                 // values of all rings; those of the previous step
   std::vector<int> own_;                // indices of the values given per ring
-  std::vector<Values> per_ring_;        // these, by local atom
+  std::vector<Values> per_ring_;        // the same by local atom
   bool called_back_ = false;            // the host moves per_ring_ with the atoms
   bool by_another_ = false;             // a fix bearing/implicit integrates these rings
   std::vector<bearing::tag_t> tags_;    // tags of the rings, ascending

@@ -63,7 +63,7 @@ void FixBearingRing::coast()
 void FixBearingRing::post_force(int)
 {
   evaluate(RingProgram::FORCE, RingProgram::N_VALUE);
-  // from the sums of the rings: other fixes may have added to the forces of the atoms already
+  // from the sums of the rings, since other fixes may already have added to the forces of the atoms
   const bearing::RingSum &sums = pair_->ring_sum();
   contacts_.clear();
   for (int n = 0; n < sums.rings(); ++n)
@@ -93,7 +93,7 @@ void FixBearingRing::final_integrate()
   if (!by_another_) kick();
   note_accelerations();
   noted_ = true;
-  reported_ = -1;    // a variable may have made the report in mid-step
+  reported_ = -1;    // a variable may have evaluated the report in mid-step
 }
 
 // Adds force and moment of the supports, after all other forces. Velocities lag by `half` seconds.

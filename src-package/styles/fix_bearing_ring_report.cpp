@@ -89,7 +89,7 @@ FixBearingRing::Balance FixBearingRing::balance()
 
 std::vector<bearing::ColumnList::Item> FixBearingRing::columns() const
 {
-  // its motion and the forces on it; the load is given by the deck
+  // its motion and the forces on it; the load comes from the deck
   std::vector<Item> list;
   for (int k = 0; k < bearing::of_fix_ring::LOAD_X; ++k)
     list.push_back({bearing::of_fix_ring::list[k].name, bearing::of_fix_ring::list[k].format});

@@ -47,7 +47,7 @@ void FixBearingRun::end_of_step()
 }
 
 // Sums over the bearings in the order of tags: the same bits on any number of ranks. The sum of
-// the loads, unlike the largest, hardly depends on the places of the balls.
+// the loads, unlike the largest, hardly depends on the positions of the balls.
 SettlingSample FixBearingRun::sample()
 {
   struct Ball {
@@ -80,7 +80,7 @@ SettlingSample FixBearingRun::sample()
 }
 
 // Change per ball pass between two spans of whole ball passes: the last quarter of all, and the
-// quarter before. Longer spans average what has another period: unbalance, cage.
+// quarter before it. Longer spans average other periods such as unbalance and cage.
 void FixBearingRun::end_pass()
 {
   SettlingSample &mean = now_.sum;

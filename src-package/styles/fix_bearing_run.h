@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Internal fix of run_bearing: how far a run is, in memory and in restart files, and what tells
-// whether the bearings have settled. Exists while that command runs.
+// Internal fix of run_bearing: the progress of a run, in memory and in restart files, and the data
+// that show whether the bearings have settled. Exists while that command runs.
 #ifdef FIX_CLASS
 FixStyle(bearing/run,FixBearingRun)
 #else
@@ -22,16 +22,16 @@ class FixBearingRun : public Fix {
   // Doubles only, as in a restart file.
   struct State {
     double measures = 0.0;               // 1: settled
-    double step_length = 0.0;            // s; of adaptive steps the one of the measurement
+    double step_length = 0.0;            // s; for adaptive steps, that of the measurement
     double every = 1.0, within = 1.0;    // host steps a sample, samples a step
     double pass = 0.0;                   // s, a ball pass
     double start = 0.0;                  // s, time at step 0
     double a_pass = 0.0;                 // samples in it
-    double begin = 0.0;                  // s, to settle at first: loads come on
-    double begin_steps = 0.0;            // of that; 0: adaptive, not done yet
-    double passes = 0.0;                 // ball passes watched since then
+    double begin = 0.0;                  // s, of the first settling: the load ramp
+    double begin_steps = 0.0;            // steps of that; 0: adaptive, not finished
+    double passes = 0.0;                 // ball passes evaluated since then
     double steps = 0.0;                  // in one of these, a multiple of `every`; 0: none yet
-    double samples = 0.0;                // in the present one
+    double samples = 0.0;                // number of samples in the present one
     bearing::SettlingSample sum;         // of these
     bearing::SettlingChanges changes;    // per ball pass
   };
@@ -47,7 +47,7 @@ class FixBearingRun : public Fix {
   State &now() { return now_; }
 
  private:
-  std::string words_;    // of the command, except those that may change when a run goes on
+  std::string words_;    // of the command, except those that may change when a run is continued
   State now_;
   bool resumed_ = false;
   std::vector<bearing::SettlingSample> passes_;    // mean of each

@@ -69,7 +69,7 @@ class FixBearingShaft : public FixBearingRing {
   void report_loads(int, double *) const override {}    // reported for the shaft
 
   double centre() const;
-  // The rigid shaft of a ring that is `at` metres from its centre, and the other way.
+  // The rigid shaft of a ring that is `at` metres from its centre, and the reverse.
   raceway::RingAtom straight(const raceway::RingAtom &ring, double at) const;
   raceway::RingAtom seat(const raceway::RingAtom &shaft, double at,
                          const raceway::Vec3 &origin) const;
@@ -99,7 +99,7 @@ class FixBearingShaft : public FixBearingRing {
   raceway::BendState bend_;
   std::vector<double> places_;    // m, of its rings from the centre, by tag
   double middle_ = 0.0;           // m, along the axis: middle of its rings
-  raceway::RingAtom between_;     // the shaft between kick and coast
+  raceway::RingAtom between_;     // the shaft between kick and drift
 };
 
 }    // namespace LAMMPS_NS

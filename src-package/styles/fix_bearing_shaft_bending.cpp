@@ -97,7 +97,7 @@ double FixBearingShaft::compute_array(int row, int k)
   return values[k - bearing::of_fix_ring::N];
 }
 
-// Stores what a ring's fix does, then the modes.
+// Stores the state of a ring's fix, then the modes.
 void FixBearingShaft::write_restart(FILE *fp)
 {
   if (comm->me != 0) return;

@@ -128,7 +128,7 @@ void FixBearingShaft::note_accelerations()
   const Whole w = whole();
   const RingProgram p = at_end(now_);
   const RingPose shaft = pose_of(w.shaft), held = pose_of(at_centre(w.shaft));
-  // not from the torques of the atoms: gravity there pulls at the rings
+  // not from the torques of the atoms, since gravity acts on the rings there
   Vec3 moment = w.contact[1] + p.moment_at(1.0, shaft);
   if (p.supported) moment += p.support_moment(held, held.rate[0], held.rate[1]);
   std::vector<double> on_modes;

@@ -36,10 +36,10 @@ int FixBearingState::setmask() { return PRE_NEIGHBOR | END_OF_STEP | POST_RUN; }
 void FixBearingState::pre_neighbor()
 {
   pair_->indices_changed();
-  axes_sent_ = -1;    // ghosts are other atoms now
+  axes_sent_ = -1;    // ghosts have changed
 }
 
-// Runs as the last fix: restores the forces of the step before if this run continues it.
+// Runs as the last fix: restores the forces of the previous step if this run continues it.
 void FixBearingState::setup(int)
 {
   bearing::require_order(lmp, *modify->fix[modify->nfix - 1], *this,
@@ -99,8 +99,8 @@ double *FixBearingState::kept(int i, bearing::tag_t ring, int groove)
   return p.kept[n];
 }
 
-// Called by rails and then by the pair style; only the first call in a step sends. Axes that no fix
-// turns are sent to new ghosts only.
+// Called by rails and then by the pair style; only the first call in a step sends data. Axes that
+// no fix rotates are sent to new ghosts only.
 void FixBearingState::forward_axes()
 {
   if (comm->nprocs == 1 || axes_sent_ == update->ntimestep || (axes_sent_ >= 0 && !axes_turn_))
@@ -176,7 +176,7 @@ int FixBearingState::unpack_exchange(int i, double *buf)
 
 int FixBearingState::pack_restart(int i, double *buf)
 {
-  // during a run the forces of this step are still in place; between runs they were saved
+  // during a run the forces of this step are still present; between runs they were saved
   if (update->whichflag != 0 && i == 0) save_forces();
   const int m = 1 + pack_exchange(i, buf + 1);
   buf[0] = m;

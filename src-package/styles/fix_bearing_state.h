@@ -7,7 +7,7 @@
 // angle, origin, imposed tilt all:  force and torque at the end of a run
 //
 // The next run (or a restart) starts its first half kick from these forces, with the bits of the
-// step before, instead of from forces at full-step velocities.
+// previous step, instead of from forces at full-step velocities.
 #ifdef FIX_CLASS
 FixStyle(bearing/state,FixBearingState)
 #else
@@ -117,7 +117,7 @@ class FixBearingState : public Fix {
   bearing::PairHooks *pair_;
   double reach_ = 0.0;
   bigint axes_sent_ = -1;    // step
-  bool axes_turn_ = true;    // some ring may tilt in this run, or its angle matters
+  bool axes_turn_ = true;    // some ring may tilt in this run, or its angle is needed
 };
 
 }    // namespace LAMMPS_NS

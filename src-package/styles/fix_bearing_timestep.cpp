@@ -62,7 +62,8 @@ void FixBearingTimestep::check()
   limit_ = limit.step;
   smallest_limit_ = std::min(smallest_limit_, limit_);
   if (adapt_) {
-    // shrink at once, grow by a fifth a check: a contact about to close is not in the limit yet
+    // shrink at once, grow by a fifth a check: the limit does not include contacts that are about
+    // to close
     const double wanted = std::min({safety_ * limit_, 1.2 * update->dt, largest_});
     if (!(wanted >= shortest_step))
       BRG_ALL(std::string("fix ") + id + " bearing/timestep: " + limit.why() + " allows only " +
@@ -81,7 +82,7 @@ void FixBearingTimestep::check()
 
 void FixBearingTimestep::set_step(double dt)
 {
-  update->update_time();    // thermo 'time' keeps counting with steps of different length
+  update->update_time();    // thermo 'time' must continue with steps of varying length
   update->dt = dt;
   if (force->pair) force->pair->reset_dt();
   for (int i = 0; i < modify->nfix; ++i) modify->fix[i]->reset_dt();
@@ -110,7 +111,7 @@ void FixBearingTimestep::write_restart(FILE *fp)
   fwrite(data, 1, size, fp);
 }
 
-// An adaptive run goes on with the step that it had, and without another check.
+// An adaptive run continues with its last step, without another check.
 void FixBearingTimestep::restart(char *buf)
 {
   if (!adapt_) return;

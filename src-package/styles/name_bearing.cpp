@@ -76,7 +76,7 @@ void NameBearing::refuse_unknown(const Arguments &args, const std::string &input
                                                        bearing::nearest(set, names) + "'";
       if (!wrong.empty()) complaint += (complaint.empty() ? "-var " : "; -var ") + set + wrong;
     }
-    // variables of later commands: out of range before anything runs
+    // variables of later commands: out-of-range values are found before anything runs
     for (const std::string &name : deck) {
       const bearing::DeckVariable *of = bearing::find_deck_variable(name);
       if (of && of->of_one_deck() && !of->taken_by(bearing::deck_name(infile))) continue;
@@ -110,13 +110,13 @@ void NameBearing::derive(const Arguments &args, NamedBearing &b)
               ", must be 0 (needs a bearing by its usual data, as 7208)");
   }
   bearing::check_data(args, b.data, "bearing data");
-  // a formula of the host in decks before: as many digits
+  // computed by a formula of the host in earlier decks: the same number of digits
   values.set("b_outer_raceway", values.number("outer_radius") + 0.5 * values.number("clearance"));
   values.set("b_box", 1.3 * values.number("b_outer_raceway"));
   laws.at("four_point")(values);
 }
 
-// The numbers that a deck computes with or prints.
+// Numbers that a deck uses in formulas or prints.
 void NameBearing::set_variables(const NamedBearing &b)
 {
   const auto set = [&](const std::string &name, const std::string &value) {

@@ -5,8 +5,8 @@
 
 namespace bearing {
 
-// A new instance may have the address of an old one, but not its variables: those of `bearing` tell
-// whether a name is of this one.
+// A new instance may have the address of an old one, but not its variables: those of `bearing` show
+// whether a name belongs to this one.
 static std::map<std::pair<const LAMMPS_NS::LAMMPS *, std::string>, NamedBearing> &kept()
 {
   static std::map<std::pair<const LAMMPS_NS::LAMMPS *, std::string>, NamedBearing> bearings;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Bearings with a name (command `bearing`): the data that later commands of the deck take by it.
+// Named bearings (command `bearing`): data to which later commands of the deck refer by name.
 #ifndef BEARING_NAMED_BEARING_H
 #define BEARING_NAMED_BEARING_H
 
@@ -10,13 +10,13 @@ namespace bearing {
 struct NamedBearing {
   std::string name;
   int balls = 0, cage = 0, inner = 0, outer = 0;    // atom types
-  bool has_cage = true, has_cage_ring = false;      // of balls on rails; or one ring; or none
+  bool has_cage = true, has_cage_ring = false;      // on rails, one-piece, or none
   // Complete data in SI units as text, with clearance (m, diametral), contact_angle and four_point
   // (degrees), b_inner_raceway, b_outer_raceway (m) and b_inner_arch, b_outer_arch (words of
   // pair_coeff).
   NamedData data;
 
-  std::vector<std::string> given;     // data that the user gives, NAME=VALUE
+  std::vector<std::string> given;     // data given by the user, NAME=VALUE
   mutable bool in_use = false;        // of the present box
   mutable std::string phase = "0";    // rad, azimuth of the first ball as created
 
@@ -28,15 +28,15 @@ struct NamedBearing {
   double number(const std::string &key) const { return std::atof(word(key).c_str()); }
 };
 
-// Keeps a bearing for this instance of the host; one of the same name is replaced.
+// Stores a bearing for this instance of the host; one of the same name is replaced.
 void keep_bearing(const LAMMPS_NS::LAMMPS *, const NamedBearing &);
 // Null if there is none.
 const NamedBearing *find_bearing(const LAMMPS_NS::LAMMPS *, const std::string &name);
-// Error that lists the names there are.
+// Error that lists the existing names.
 const NamedBearing &bearing_of(LAMMPS_NS::LAMMPS *, const Arguments &, const std::string &name);
-// The bearing whose balls or inner ring have that type; null without one.
+// The bearing whose balls or inner ring have that type; null if there is none.
 const NamedBearing *bearing_of_type(const LAMMPS_NS::LAMMPS *, int type);
-// All of this instance, by name.
+// All bearings of this instance, by name.
 std::vector<const NamedBearing *> bearings_of(const LAMMPS_NS::LAMMPS *);
 
 }    // namespace bearing

@@ -57,7 +57,7 @@ std::vector<std::string> cage_words(LAMMPS *lmp, Arguments &args, const NamedBea
     return ring->moves_axially() || ring->tilts();
   });
   line << " planar " << (plane ? "yes" : "no");
-  // oil over the usual wrap of a pocket
+  // oil over the usual wrap angle of a pocket
   const auto *pair = dynamic_cast<const PairBearing *>(lmp->force->pair);
   const std::string viscosity = pair ? pair->viscosity(b.name) : "";
   if (!viscosity.empty())

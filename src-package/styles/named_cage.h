@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The cage of a bearing with a name as one ring: its data and their estimates.
+// The one-piece cage of a named bearing: its data and their estimates.
 #ifndef BEARING_NAMED_CAGE_H
 #define BEARING_NAMED_CAGE_H
 

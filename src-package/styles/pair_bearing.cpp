@@ -139,7 +139,7 @@ void PairBearing::coeff(int narg, char **arg)
   coeffs_.push_back(own);
 }
 
-// Gives the base class the commands for both raceways and the cage, or for balls that meet.
+// Passes the commands for both raceways and the cage, or for balls that touch, to the base class.
 void PairBearing::resolve(Coeff &of)
 {
   Arguments args(lmp, "pair_coeff * * " + of.bearing, {});
@@ -154,7 +154,7 @@ void PairBearing::resolve(Coeff &of)
       0.5 * (b.number("inner_radius") + b.number("outer_radius")), 0.5 * b.number("ball_diameter"),
       b.number_or("bore_diameter", 0.0), b.number_or("outside_diameter", 0.0),
       b.number_or("contact_angle", 0.0)};
-  // twelve digits: those of the speed in rpm that the deck has turned into rad/s
+  // twelve digits: the accuracy of the speed in rpm that the deck has converted to rad/s
   char rpm[32];
   snprintf(rpm, sizeof rpm, "%.12g", std::fabs(of.speed) * 30.0 / M_PI);
   lubricated.rpm = strtod(rpm, nullptr);
@@ -245,7 +245,7 @@ double PairBearing::shoulder(int ball_type, raceway::Side side) const
   return b ? b->number_or(inner ? "inner_shoulder_diameter" : "outer_shoulder_diameter", 0.0) : 0.0;
 }
 
-// The restart file has the commands with numbers: data files may change.
+// The restart file has the commands with numbers, since data files may change.
 void PairBearing::write_restart(FILE *fp)
 {
   const int film = coefficients().lubricated();

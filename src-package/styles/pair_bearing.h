@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// pair_style bearing: contacts of bearings with names, by oil and models; the laws of bearing/ehd
+// pair_style bearing: contacts of named bearings, by oil and models; the laws of bearing/ehd
 // or, dry, bearing/hertz.
 #ifdef PAIR_CLASS
 PairStyle(bearing,PairBearing)
@@ -26,15 +26,15 @@ class PairBearing : public PairBearingHertz {
   double shoulder(int ball_type, raceway::Side) const override;
   bool dry_by_choice() const override { return !coefficients().lubricated(); }
 
-  // The rings of a named bearing turn at this speed against each other (rad/s): the oil starves.
+  // Relative speed of the rings of a named bearing (rad/s), for starvation of the oil.
   // The first speed counts.
   void set_speed(const std::string &bearing, double);
   // Viscosity of a bearing's oil at its temperature (Pa s), as text; empty when dry.
   std::string viscosity(const std::string &bearing) const;
-  std::string oil() const;    // of all bearings; empty if they have several
+  std::string oil() const;    // common to all bearings; empty if they differ
   // True if the oil of a named bearing has data over temperature.
   bool oil_follows(const std::string &bearing) const;
-  // In a run: its oil at another temperature (C). Raceways are then those of cold parts.
+  // During a run: its oil at another temperature (C). Raceways then have the sizes of cold parts.
   void set_oil_temperature(const bearing::Arguments &, const std::string &bearing, double);
   const std::string &models() const { return choice_.models; }
   double temperature() const { return temperature_; }
@@ -46,7 +46,7 @@ class PairBearing : public PairBearingHertz {
     std::string oil;           // name
     bearing::OilWords data;    // of the oil
     std::string law;           // further keywords of the raceways
-    bool printed = false;      // of balls and cage balls
+    bool printed = false;      // for balls and cage balls
     double speed = 0.0;        // rad/s
     size_t first = 0;          // of its lines in commands()
   };

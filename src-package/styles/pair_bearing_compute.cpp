@@ -11,7 +11,7 @@ using bearing::RacewayContact;
 using bearing::SphereContact;
 using bearing::text;
 
-// Overlap on the far side of a groove that is an error, over r_c - R_b: balls may touch there
+// Overlap on the far side of a groove that causes an error, over r_c - R_b: balls may touch there
 // lightly before they have settled.
 static constexpr double far_touch = 1e-2;
 
@@ -47,7 +47,7 @@ void PairBearingHertz::add_forces(const RacewayContact &c, const ContactForces &
 void PairBearingHertz::tally(const RacewayContact &c, const ContactForces &forces, double energy)
 {
   const Vec3 d = Vec3::from(atom->x[c.i_ball]) - evaluator_.groove_of(c).x;
-  // only this rank sees the pair: count it whole (newton = 1)
+  // only this rank sees the pair, so it counts fully (newton = 1)
   ev_tally_xyz(c.i_ball, c.i_ring, atom->nlocal, 1, eflag_either ? energy : 0.0, 0.0,
                forces.force.x, forces.force.y, forces.force.z, d.x, d.y, d.z);
 }
@@ -91,7 +91,7 @@ static std::string place_of(const RacewayContact &c, bigint step)
          " at step " + std::to_string(step);
 }
 
-// The torus of the groove goes on beyond the shoulders; a ring has nothing there.
+// The torus of the groove extends beyond the shoulders, where a ring has no surface.
 void PairBearingHertz::far_side(const RacewayContact &c)
 {
   BRG_ONE(place_of(c, update->ntimestep) + ": force " + text(c.state.normal) +

@@ -68,7 +68,7 @@ void PairBearingHertz::rebuild_contacts()
   ++builds_;
 }
 
-// The grooves of a ring that a ball may be in contact with.
+// The grooves of a ring that a ball may touch.
 void PairBearingHertz::add_grooves(int i_ball, int i_ring)
 {
   RacewayContact c;
@@ -92,7 +92,7 @@ void PairBearingHertz::add_grooves(int i_ball, int i_ring)
   }
 }
 
-// Adds the contacts with their claims and contact states; every ball must be in one ring on each
+// Adds the contacts with their claims and states; every ball must be in one ring on each
 // side where its type has a raceway.
 void PairBearingHertz::add_raceway_contacts()
 {

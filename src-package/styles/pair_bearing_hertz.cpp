@@ -114,8 +114,8 @@ void PairBearingHertz::init_style()
   for (int k = 0; k < modify->nfix; ++k)
     if (dynamic_cast<bearing::InstantSource *>(modify->fix[k]))
       implicit_bits_ |= modify->fix[k]->groupbit;
-  followers_.clear();             // these and
-  capacitors_ = gaps_ = false;    // fixes bearing/capacitance are counted anew
+  followers_.clear();             // these fixes and
+  capacitors_ = gaps_ = false;    // fixes bearing/capacitance are counted again
   validity_.forget_shoulders();
   check_ghosts();
   check_types(sizes.count);
@@ -126,8 +126,8 @@ void PairBearingHertz::init_style()
   rebuild_ = true;
 }
 
-// The state fix puts back the forces of the step before after the set-up of every other fix, so it
-// must be the last one. If fixes were defined since the run before, it is moved to the end again,
+// The state fix restores the forces of the previous step after the set-up of every other fix, so it
+// must be the last one. If fixes were defined since the previous run, it is moved to the end again,
 // with its state.
 void PairBearingHertz::put_state_last()
 {
@@ -182,7 +182,7 @@ void PairBearingHertz::expect_sphere(int ball_type, int cage_type)
   cage_types_.insert(std::minmax(ball_type, cage_type));
 }
 
-// Types that no pair_coeff names do not interact, which is hardly intended: warns once of each.
+// Types that no pair_coeff names do not interact, which is hardly intended: one warning for each.
 void PairBearingHertz::check_types(const std::vector<int> &count)
 {
   for (const auto &c : cage_types_) {
@@ -203,7 +203,7 @@ void PairBearingHertz::check_types(const std::vector<int> &count)
              ": its atoms pass through everything");
 }
 
-// Nothing holds a cage without rails: warns once for each number of its balls.
+// A cage without rails is not held: one warning for each number of its balls.
 void PairBearingHertz::check_rails()
 {
   int railed = 0;

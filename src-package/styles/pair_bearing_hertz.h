@@ -38,7 +38,7 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   // For fixes, computes and commands of this package.
   const bearing::PairCoefficients &coefficients() const { return coefficients_; }
   bearing::PairCoefficients &coefficients() { return coefficients_; }
-  bearing::SurfaceProfiles &profiles() { return profiles_; }    // set anew in every init of fixes
+  bearing::SurfaceProfiles &profiles() { return profiles_; }    // set again in every init of fixes
   const bearing::ContactTable &table() const { return table_; }
   // Grains that may touch, local indices, until the table is built again; for fix bearing/grains.
   const std::vector<std::pair<int, int>> &grains() const { return grains_; }
@@ -49,11 +49,8 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   // Called when a bearing with these balls and cage balls was created: they need a pair_coeff ...
   // sphere.
   void expect_sphere(int ball_type, int cage_type);
-  int table_build() const
-  {
-    return builds_;
-  }    // counts how often local indices in the table changed
-  bigint table_fill() const { return fills_; }    // counts how often it was filled
+  int table_build() const { return builds_; }    // number of changes of local indices in the table
+  bigint table_fill() const { return fills_; }    // number of times it was filled
 
   void indices_changed() override;
   void forces_known() override;
@@ -76,11 +73,11 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   // balls over that of the others.
   virtual double relative_tolerance() const { return 0.0; }
   virtual double cage_tolerance_share() const { return 1.0; }
-  // Data of a ball type's bearing and oil where a pair style has them: relative permittivity, and
-  // shoulder diameters (m) of the inner and the outer ring; 0: unknown.
+  // Data of a ball type's bearing and oil for pair styles that have them: relative permittivity,
+  // and shoulder diameters (m) of the inner and the outer ring; 0: unknown.
   virtual double permittivity(int) const { return 0.0; }
   virtual double shoulder(int, raceway::Side) const { return 0.0; }
-  // A deck that chooses by a word between dry and wet contacts may keep its fixes of films.
+  // A deck that chooses between dry and wet contacts by a word may keep its fixes for films.
   virtual bool dry_by_choice() const { return false; }
   // Words of pair_style and of every pair_coeff.
   const bearing::Commands &commands() const { return commands_; }
@@ -91,7 +88,7 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
  protected:
   // Before settings and coefficients: contacts with a film, or dry ones
   void set_film(bool film) { coefficients_ = bearing::PairCoefficients(film); }
-  // The last command takes the place of command k, if there are so many.
+  // The last command replaces command k, if there are so many.
   void move_last_command(size_t k);
 
  private:
@@ -116,8 +113,8 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bearing::SimulatedTime time_;
   bearing::PairCoefficients coefficients_;
   bearing::SurfaceProfiles profiles_;
-  bearing::Commands commands_;                  // so far: a restart replays them
-  std::set<std::pair<int, int>> cage_types_;    // of created bearings, smaller type first
+  bearing::Commands commands_;                  // so far: a restart repeats them
+  std::set<std::pair<int, int>> cage_types_;    // types of created bearings, smaller type first
   std::vector<bearing::LawFollower *> followers_;
   std::set<int> silent_types_;    // unnamed types with a warning
   bigint without_rails_ = 0;      // cage balls
@@ -134,7 +131,7 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bigint fills_ = 0;
   bool capacitors_ = false;    // there is a fix bearing/capacitance
   bool gaps_ = false;          // one needs the surroundings of contacts
-  bool warned_ = false;        // warned of a too long step
+  bool warned_ = false;        // a warning of a too long step was given
 };
 
 }    // namespace LAMMPS_NS

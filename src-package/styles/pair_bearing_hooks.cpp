@@ -11,7 +11,7 @@ using bearing::text;
 
 static constexpr int steps_between_checks = 1000;    // of the step
 
-// Rails (pre_force) and contacts (compute) claim their places in the rings' sums anew.
+// Rails (pre_force) and contacts (compute) renew their claims in the sums of the rings.
 void PairBearingHertz::indices_changed()
 {
   ring_sum_.reset();

@@ -19,7 +19,7 @@ struct RunTimes {
   double sample, start;    // s: between samples, of the first one
 };
 
-// Every profile of a ring of the record: the ring's tag and the words of the fix bearing/profile,
+// Every profile of a ring of the record: the ring's tag and the words of its fix bearing/profile,
 // separated by "; ". Collective.
 std::string flaws_of(LAMMPS_NS::LAMMPS *, LAMMPS_NS::PairBearingHertz &, const RecordLayout &);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Checks of the folder of a run before anything runs: can it be written, is another run writing to
-// it, does it hold a finished run, is its restart file whole and of this host. Collective.
+// Checks of the folder of a run before anything runs: whether it can be written, whether another
+// run writes to it, holds a finished run, and whether its restart file is intact and from this
+// host. Collective.
 #ifndef BEARING_RESULT_FOLDER_H
 #define BEARING_RESULT_FOLDER_H
 
@@ -9,16 +10,16 @@
 
 namespace bearing {
 
-// Makes the folder and its parents and claims it for this process (core/settings/folder_lock.h).
+// Creates the folder and its parents and claims it for this process (core/settings/folder_lock.h).
 // Errors name the command of `args`.
 void claim_result_folder(LAMMPS_NS::LAMMPS *, const Arguments &args, const std::string &folder);
 
 struct ResumeRequest {
   std::string file;          // restart file
-  bool resume, overwrite;    // go on from it; a finished run beside it may go
+  bool resume, overwrite;    // continue from it; a finished run next to it may be removed
 };
 
-// True if the run goes on from the file. Says so, or that there is none.
+// Whether the run continues from the file. Prints so, or that there is none.
 bool goes_on(LAMMPS_NS::LAMMPS *, const Arguments &args, const ResumeRequest &);
 
 }    // namespace bearing

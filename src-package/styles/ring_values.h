@@ -27,7 +27,7 @@ void ring_values(const RingView &, const raceway::LabAxes &, double *of);
 // Call before the others: accelerations at the start of a run.
 void note_setup(LAMMPS_NS::LAMMPS *);
 
-// The same of the n-th ring of this rank in the pair style's RingSum.
+// The same for the n-th ring of this rank in the pair style's RingSum.
 void ring_values(const LAMMPS_NS::Atom &, LAMMPS_NS::PairBearingHertz &, int n, double *of);
 
 }    // namespace bearing

@@ -121,7 +121,7 @@ void RunBearing::plan()
   double ramp = 0.0;    // s, until the loads are on
   for (const FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp))
     ramp = std::max(ramp, f->ramp());
-  // adaptive steps see a whole ball pass before they give way to even ones
+  // adaptive steps cover a whole ball pass before even steps replace them
   const double before = automatic() ? (implicit() ? 0.0 : 1.0) : settings_.settle;
   now().begin = written(before * now().pass + std::max(1e-2, ramp));
   plan_samples();
@@ -208,21 +208,22 @@ void RunBearing::settle()
   }
   warm_up();
   if (automatic()) settle_until_still();
-  // from the number of steps where they are even: a stopped run has the same rounding
+  // computed from the number of steps where they are even, so that a stopped run has the same
+  // rounding
   begin_at_step_0(implicit() ? now().start + update->ntimestep * now().step_length
                              : bearing::SimulatedTime::now(*update));
   now().measures = 1.0;
 }
 
-// Settling and measurement count from step 0; the time goes on.
+// Settling and measurement count from step 0; the time continues.
 void RunBearing::begin_at_step_0(double time)
 {
   input->one("reset_timestep 0");
   bearing::SimulatedTime::set(*update, time);
 }
 
-// Velocity Verlet: steps that follow a share of the stability limit, then the step of the
-// measurement from the smallest limit of all.
+// Velocity Verlet: steps at a share of the stability limit, then the step of the
+// measurement from the smallest limit found.
 void RunBearing::settle_adaptively()
 {
   constexpr double chunk = 5000.0;    // steps
@@ -247,7 +248,7 @@ void RunBearing::settle_adaptively()
   now().begin_steps = static_cast<double>(update->ntimestep);
 }
 
-// Ball pass by ball pass until the temperatures of fixes bearing/heat stay.
+// Ball pass by ball pass until the temperatures of fixes bearing/heat no longer change.
 void RunBearing::warm_up()
 {
   const std::vector<FixBearingHeat *> heats = bearing::fixes_of<FixBearingHeat>(lmp);
@@ -257,7 +258,7 @@ void RunBearing::warm_up()
   if (still()) return;
   set_step(now().step_length);
   const double steps = steps_a_pass();
-  while (!still()) {    // to whole ball passes, also of a run that was stopped within one
+  while (!still()) {    // to whole ball passes, also for a run that was stopped within one
     const double passes =
         std::floor((static_cast<double>(update->ntimestep) - now().begin_steps) / steps) + 1.0;
     input->one(("run " + digits(now().begin_steps + passes * steps) + " upto post no").c_str());
@@ -270,8 +271,8 @@ double RunBearing::steps_a_pass()
   return now().every * std::max(1.0, std::round(now().a_pass / now().within));
 }
 
-// Ball pass by ball pass until their means agree. The spans that are compared hold whole ball
-// passes, so that the ripple of balls passing does not count.
+// Ball pass by ball pass until their means agree. The compared spans consist of whole ball
+// passes, so that the ripple of ball passes cancels.
 void RunBearing::settle_until_still()
 {
   set_step(now().step_length);

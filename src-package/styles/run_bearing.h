@@ -25,11 +25,11 @@ class RunBearing : public bearing::CommandBase {
   struct Settings {
     double settle = 1.0, passes = 0.0;    // ball passes; settle < 0: until they agree
     double settled = 1e-2;                // relative change of torque that counts as settled
-    double limit = 100.0;                 // ball passes to get there
+    double limit = 100.0;                 // allowed ball passes of settling
     double step = 0.0;                    // s; 0: chosen
     double safety = 0.3;                  // of the stability limit
     double rate = 0.0;                    // Hz, of samples; 0: as the records ask
-    double angle = NAN;                   // degrees, contact angle; NAN: as the balls lie
+    double angle = NAN;                   // degrees, contact angle; NAN: as at the balls' positions
   };
   void read(class bearing::Arguments &);
   std::string words() const;

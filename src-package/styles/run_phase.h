@@ -18,7 +18,7 @@ struct Sampling {
 class WaitsForRun {
  public:
   bool waits() const { return waits_; }
-  // Before it settles, if its steps are known then.
+  // Before settling, if the steps are known then.
   virtual void settle(const Sampling &) {}
   // run_bearing has settled the bearings; called before the set-up of the run that measures.
   void measure(const Sampling &sampling)
@@ -31,7 +31,7 @@ class WaitsForRun {
   ~WaitsForRun() = default;
   void wait() { waits_ = true; }
   virtual void begin(const Sampling &) = 0;
-  // Error in a run of the host's own, which never measures.
+  // Error in a run by the host's own command, which never measures.
   void refuse_plain_run(LAMMPS_NS::LAMMPS *, const std::string &command) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Simulated time from one run to the next and through restart files, for formulas of the host's
+// Simulated time from one run to the next and through restart files, for formulas with the host's
 // keyword `time`. Some hosts do not store it in restart files; reset_timestep sets it to 0 in some
 // and makes it jump in others.
 #ifndef BEARING_SIMULATED_TIME_H

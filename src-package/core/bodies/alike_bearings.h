@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Bearings that one solver can serve in turn: they differ only in the tags of their atoms and in
+// Bearings that share one solver in turn: they differ only in the tags of their atoms and in
 // the values set per ring, which are loaded with the state.
 #ifndef RACEWAY_ALIKE_BEARINGS_H
 #define RACEWAY_ALIKE_BEARINGS_H

@@ -68,7 +68,7 @@ class BearingBodies {
   // Forces on the coordinates at the share s of the host's step, N or N m, except the moments of
   // bending on the tilts of its shaft.
   void border_forces(double s, std::vector<double> &);
-  // Pose that acts on the supports of a ring: relative to its holder if it has one; for a flexible
+  // Pose on which the supports of a ring act: relative to its holder if it has one; for a flexible
   // shaft, the pose of its centre.
   RingPose held(const RingBody &r) const
   {

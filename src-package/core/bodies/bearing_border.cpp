@@ -38,7 +38,7 @@ void BearingBodies::add_modes(ShaftBend &b)
   }
 }
 
-// Coordinates do not change during a run.
+// Coordinates stay the same during a run.
 void BearingBodies::find_border()
 {
   border.clear();

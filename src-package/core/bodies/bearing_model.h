@@ -29,7 +29,7 @@ struct BearingModel {
     Tag tag;
     int mover;                     // in the caller's list, -1: at rest
     std::vector<RingValue> own;    // values set for this ring alone
-    bool on_shaft = false;         // moves as one body with all rings of its mover
+    bool on_shaft = false;         // moves as one body with all rings of the same mover
     double at = 0.0;               // m, position along that shaft from its centre
     Tag held_by = 0;               // ring to which its supports hold it, 0: ground
     int holder = -1;               // the same as an index into rings
@@ -54,8 +54,8 @@ struct BearingModel {
     const std::vector<Rail> *rails;
     const std::vector<double> *stiffness;
   };
-  struct Cage {        // a cage that is one ring
-    int ring, land;    // land: the ring that guides it, -1: none
+  struct Cage {        // a one-piece cage
+    int ring, land;    // land: the guiding ring, -1: none
     const CageRing *of;
     std::vector<int> balls;    // bodies, by tag
   };

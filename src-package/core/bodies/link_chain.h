@@ -5,7 +5,7 @@
 // all bodies are condensed, the links' forces l solve
 //   l_i/a_i + sum_j c_ij l_j = n_i . (x_first - x_second)
 // with c_ij = +-n_i . A^-1 n_j at a body that i and j share.
-// Links share at most two bodies with others, so c is tridiagonal, with one corner where a chain
+// A link shares at most two bodies with others, so c is tridiagonal, with one corner where a chain
 // closes to a circle; elimination carries that corner along. The order of operations depends only
 // on the order of the links.
 #ifndef RACEWAY_LINK_CHAIN_H
@@ -62,7 +62,7 @@ class LinkChain {
     exit_.clear();
     done_.assign(n, false);
     for (int pass = 0; pass < 2;
-         ++pass)    // open chains first, from their ends; the rest are circles
+         ++pass)    // open chains first, from their ends; the others are circles
       for (int i = 0; i < n; ++i) {
         if (done_[i]) continue;
         const bool open_0 = neighbour(i, 0) < 0, open_1 = neighbour(i, 1) < 0;

@@ -106,7 +106,7 @@ struct RingProgram {
     if (grains) total += grain_force;
     return unbalance.moment == 0.0 ? total : total + unbalance_force(unbalance, s, angle);
   }
-  // The eccentric mass lags behind its acceleration about the ring's centre.
+  // Centrifugal force of the eccentric mass, and its inertia when the spin changes.
   Vec3 unbalance_force(const Unbalance &of, double s, double angle) const
   {
     if (mode[SPIN] != Freedom::speed) return {};

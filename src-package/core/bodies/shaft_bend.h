@@ -8,7 +8,7 @@
 
 namespace raceway {
 
-// Modal loads over the host's step, as RingProgram gives the loads on the rigid shaft.
+// Modal loads over the host's step, like the loads of RingProgram on the rigid shaft.
 struct BendProgram {
   std::vector<double> load[2];         // N, by mode of both planes, at both ends, before the ramp
   std::vector<Unbalance> unbalance;    // by mode of a plane

@@ -72,7 +72,7 @@ inline Vec3 axis_speed(const Vec3 &e, double x, double y)
   return {x, y, -(e.x * x + e.y * y) / e.z};
 }
 
-// Turns the axis `from` of a place into e; the rates of its slopes grow by the two given.
+// Rotates the axis `from` of a station into e; adds the two given rates to those of its slopes.
 template <class Place>
 void turn_axis(Place &r, const Vec3 &e, const Vec3 &from, double rate_1, double rate_2)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The parts of the contact law as functions, for the files that compile any_law.h. Each file has
-// its own copy: they are compiled for different instruction sets.
+// its own copy, since they are compiled for different instruction sets.
 #ifndef RACEWAY_ANY_LAW_PARTS_H
 #define RACEWAY_ANY_LAW_PARTS_H
 

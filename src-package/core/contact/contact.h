@@ -22,8 +22,8 @@
 
 namespace raceway {
 
-// The parts act in this order: first those whose results others read. It is also the bit order of a
-// set of parts and the order of tables in the docs.
+// The parts act in this order: those whose results others read come first. It is also the bit order
+// of a set of parts and the order of tables in the docs.
 using Parts =
     PartList<HertzContactPart, FilmInGapPart, HysteresisPart, FilmThicknessPart, FilmDamperPart,
              NormalForcePart, FilmBranchPart, ConstantFrictionPart, StribeckFrictionPart,

@@ -38,7 +38,7 @@ struct ContactLanes {
   bool live[lanes];        // result: in contact
   double energy[lanes];    // J, result: stored energy
 
-  // reused memory: values that the law does not set stay as they are
+  // reused memory: values that the law does not set are unchanged
   ContactStateT<Lane> all;
 };
 

@@ -8,7 +8,7 @@
 namespace raceway {
 
 namespace {
-// Known, followed by the new losses of the lists, each once.
+// Known losses, followed by the new ones of the lists, each once.
 template <class Known, class... Lists> struct DistinctLosses {
   using type = Known;
 };

@@ -19,7 +19,7 @@ struct FilmFailure {
 // Local thinning of a film in standard deviations of the roughness.
 constexpr double film_peaks = 3.0;
 
-// Local thickness of a film, m: `thickness` less `less` (m) for the roughness of the surfaces; at
+// Local thickness of a film, m: `thickness` minus `less` (m) for the roughness of the surfaces; at
 // least `floor` (m).
 inline double local_thickness(double thickness, double less, double floor)
 {

@@ -23,10 +23,10 @@ struct CapacitorModel {
   bool rough = false;
   Surroundings surroundings = Surroundings::none;
   double permittivity_outlet = 1.0;    // of the medium in the downstream half, if cavitated
-  double inner_shoulder = 0.0, outer_shoulder = 0.0;    // m, diameters; 0: usual depth
+  double inner_shoulder = 0.0, outer_shoulder = 0.0;    // m, diameters; 0: default depth
 
   bool surrounded() const { return surroundings != Surroundings::none; }
-  // Relative permittivity of the gap outside the ellipse; both halves are alike.
+  // Relative permittivity of the gap outside the ellipse; both halves are equal.
   double outside() const
   {
     return surroundings == Surroundings::flooded ? permittivity

@@ -5,15 +5,15 @@
 // Loaded, with the film thickness h within the ellipse and the Hertz gap g outside:
 //   I = 4 kappa Ebar R {G + pi P sqrt(2 R_x g_s)/b},  g_s = overlap/Fbar,  H = h/g_s,
 // G beside the ellipse (strips along rolling, each a line contact; universal in H), P beyond its
-// ends along the groove's section, to S. Both are fits to integrals, good to 1 % of plates and
+// ends along the groove's section, to S. Both are fits to integrals, accurate to 1 % of plates and
 // surroundings together for conformity 0.505 to 0.54, h 20 nm to 2 um, loads to 3 kN on a 6208.
 //
 // Without load, at the gap g_0, it is the limit for load to 0 with h = g_0, so that both agree
 // there:
 //   I = 4 pi sqrt(R_x R_y') asinh(S/sqrt(2 R_y' g_0)),  R_y' = Fbar a^2/(2 e overlap c),
 // e = ln(4 kappa) - 1. At c = 1 R_y' is the radius across the groove R_y within 1 %. c is
-// 1 - play/(r_c - R_b): with play the centres of ball and groove come closer, and the gap is
-// flatter. Past concentric circles c < 0 and the inverse sine takes over.
+// 1 - play/(r_c - R_b): with play, the centres of ball and groove come closer, and the gap is
+// flatter. Beyond concentric circles c < 0, and the inverse sine applies.
 //
 // 4 kappa Ebar R = 2 Fbar a b/overlap and sqrt(2 R_x g_s)/b do not depend on the load, and Fbar =
 // pi E' a/(3 K sqrt(overlap)): all follows from the constants of the contact law (hertz.h).
@@ -77,7 +77,7 @@ template <class T> struct GapEnd {
   RACEWAY_INLINE GapEnd(const GapShapeT<T> &s, const T &X, const T &X3)
   {
     const T fit = -1.254 + 0.4523 * s.log_4_kappa + X * (4.773 + X * (-3.520 + 3.690 * X));
-    // far outside the range of the fit the end stays an end
+    // D has a lower limit far outside the range of the fit
     D = where(fit > s.least_D, fit, s.least_D);
     down = (X3 + s.root_e) * D - 1.0;
   }

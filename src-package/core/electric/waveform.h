@@ -84,7 +84,7 @@ struct Waveform {
   int legs_up(double t) const { return up(0, t) + up(1, t) + up(2, t); }
   double mean(int legs) const { return voltage * (legs / 3.0 - 0.5); }
 
-  // The first time after `lo` at which a leg is as at `hi`, by bisection.
+  // The first time after `lo` at which a leg is in its state at `hi`, by bisection.
   double instant(int leg, double lo, double hi) const
   {
     const bool was = up(leg, lo);

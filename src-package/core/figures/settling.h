@@ -72,7 +72,7 @@ class Settling {
   // True at the end of each half except the first.
   bool known() const { return before_.count >= wanted_ && now_.count >= wanted_; }
 
-  // From the half before to the last one; infinite unless known().
+  // From the last half but one to the last one; infinite unless known().
   SettlingChanges changes() const
   {
     if (!known()) return {};

@@ -33,7 +33,7 @@ LandContact land_contact(const CageRing &c, const CageMotion &cage, const CageMo
   l.axis[0] = carried_across(e, 1.0, 0.0);
   l.axis[1] = carried_across(e, 0.0, 1.0);
   const Vec3 dv = cage.v - ring.v - cross(ring.w, d);
-  // seen from the axes of the land, which do not spin with the ring
+  // relative to the axes of the land, which do not spin with the ring
   const Vec3 seen = dv + cross(e, d) * dot(ring.w, e);
   const double speed[] = {dot(cage.w, e), dot(ring.w, e)};
   const double at[] = {dot(d, l.axis[0]), dot(d, l.axis[1])},

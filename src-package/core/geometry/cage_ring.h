@@ -5,10 +5,10 @@
 // A pocket is a slot along its radial axis p. Its half plays are c_t along the pitch circle and
 // c_z along the bearing's axis. A cylindrical pocket leaves the ball free along p; a spherical
 // one holds it there as well. Ball and wall touch by damped_hertz.h or, if the bars of the cage
-// give way more than the contact does, by pocket_wall.h. Coulomb friction opposes the sliding of
+// deform more than the contact does, by pocket_wall.h. Coulomb friction opposes the sliding of
 // the ball's surface on the wall, smoothed below `creep`; oil in the wrap shears with the
 // relative spin. Forces on ball and cage act through one point, so momentum and angular momentum
-// are kept.
+// are conserved.
 #ifndef RACEWAY_CAGE_RING_H
 #define RACEWAY_CAGE_RING_H
 
@@ -36,7 +36,7 @@ struct CageRing {
   double land_stiffness = 0.0;    // N/m^1.5, of cage on land
   double oil_share = 0.0, oil_density = 0.0, oil_viscosity = 0.0, outer_radius = 0.0;    // churning
 
-  // m, play that counts: half of the smaller one, at least that of a bore a thousandth wider
+  // m, effective play: half of the smaller one, at least that of a bore wider by a thousandth
   double least_play(double ball_radius) const
   {
     return std::fmax(std::fmin(along, across), 1e-3 * ball_radius);
@@ -48,8 +48,8 @@ struct CageRing {
 };
 
 // Stiffness of a ball in the bore of its pocket, N/m^1.5: with the play to one side the bore's
-// radius is R + c; along a cylinder's axis the wall is straight. A bore without play counts as one
-// with a play of a thousandth of the ball.
+// radius is R + c; along a cylinder's axis the wall is straight. A bore without play is treated as
+// one with a play of a thousandth of the ball.
 inline double pocket_stiffness(bool spherical, double ball_radius, double play, double Eprime)
 {
   const double R = ball_radius, bore = R + std::fmax(play, 1e-3 * R);
@@ -58,7 +58,7 @@ inline double pocket_stiffness(bool spherical, double ball_radius, double play, 
 }
 
 // Stiffness of a cage that touches its land, N/m^1.5: along the circle both radii differ by the
-// play, across it the land counts as curved as the circle.
+// play, across it the land is taken to be as curved as the circle.
 inline double land_stiffness(const LandGap &land, double Eprime)
 {
   const double r = land.radius;
@@ -119,8 +119,8 @@ struct PocketBall {
   double radius, mass;
 };
 
-// barely: m, overlap that stands in for a gap where derivatives of an open contact are wanted; 0:
-// none. The forces are those of the gap.
+// barely: m, overlap assumed for a gap where derivatives of an open contact are needed; 0:
+// none. The forces are still those of the gap.
 inline PocketContact pocket_contact(const CageRing &cage, const CageMotion &m, int pocket,
                                     const PocketBall &ball, double barely = 0.0)
 {
@@ -166,7 +166,7 @@ inline PocketContact pocket_contact(const CageRing &cage, const CageMotion &m, i
   c.energy = (cage.wall > 0.0 ? 0.5 : 0.4) * spring * c.overlap;
   c.loss += (c.h.force - spring) * c.rate;
   if (!(c.h.force > 0.0)) return c;
-  // where both half plays differ the slot has straight walls, on which the normal does not turn
+  // where the half plays differ, the slot has straight walls, on which the normal does not rotate
   const bool turns = cage.spherical || cage.along == cage.across || (qt != 0.0 && qz != 0.0);
   c.bend = turns ? c.h.force / off : 0.0;
   c.force = n * c.h.force;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A ring as a symmetric top in the inertial frame: unit axis e, angular velocity w,
-// inertia I_a about the axis and I_t across it. Gyroscopic moments come out of the angular momentum
+// inertia I_a about the axis and I_t across it. Gyroscopic moments follow from the angular momentum
 // L = I_t w + (I_a - I_t)(w.e) e; nothing is added by hand (docs/theory, Rings).
 #ifndef RACEWAY_RING_BODY_H
 #define RACEWAY_RING_BODY_H

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Walls that turn with a shaft, seen from its axis: the inside of a closed drum, and radial blades.
+// Walls that rotate with a shaft, in coordinates about its axis: the inside of a closed drum, and
+// radial blades.
 #ifndef RACEWAY_TURNING_WALL_H
 #define RACEWAY_TURNING_WALL_H
 

@@ -47,8 +47,8 @@ void put(const FilmFailure &f, double time, double discharge, double *row)
 }
 }    // namespace
 
-// Films are by point, side, ball; they fail by film_limit(thickness, strength, less, floor), with
-// the strength 0 never. The outer circuit: parallel capacitance, also as a factor of the bearing's
+// Films are by point, side, ball; they fail by film_limit(thickness, strength, less, floor), never
+// with a strength of 0. The outer circuit: parallel capacitance, also as a factor of the bearing's
 // own, coupling, conductance; driving voltage by point, and rows of its edges in order (time,
 // voltage before and after). Films and voltage are linear in between. Rows of failures, at most
 // `most`: time, discharge, order, side, ball, film voltage, bearing voltage, bearing voltage after,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // C interface of a library with a description for Python (raceway/core/exports.py), generated from
 // its own source: parameters of every EXPORT and FORMULA by name, fields of every RECORD by name
-// and size. No argument is passed by a position known to one side only.
+// and size. Arguments are passed by name, never by a position known to one side only.
 #ifndef RACEWAY_EXPORTS_H
 #define RACEWAY_EXPORTS_H
 #include <cstring>

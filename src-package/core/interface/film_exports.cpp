@@ -20,7 +20,7 @@ RECORD(BranchStep, double left, slope;)
 FORMULA(FilmThickness, film_thickness,
         (int model, double speed, double material, double load, double kappa))
 {
-  // mostly constant along an array, and more expensive than the rest
+  // usually constant along an array, and more expensive than the rest
   thread_local double known[3] = {-1.0, 0.0, 0.0};
   thread_local FilmPair laws;
   const double asked[3] = {double(model), material, kappa};

@@ -104,7 +104,7 @@ FORMULA(SlipLaw, differential_slip, (double off))
 FORMULA(double, slip_root_of_force, (double force)) { return force_root(force); }
 
 // ---- spin
-// Shares of pure spin's couple and of differential slip's that both together leave: speed omega a,
+// Factors on the couples of pure spin and of differential slip when both act: speed omega a,
 // width s_e and sliding speed in m/s
 RECORD(SpinShares, double spin, slip;)
 FORMULA(SpinShares, spin_shares, (double speed, double width, double slide))
@@ -135,7 +135,7 @@ FORMULA(double, rolling_force,
   return rolling_force(rolling_shape(k, r_x), logarithm(std::fabs(speed)), load, std::cbrt(load));
 }
 
-// exact by quadrature; and as contacts have it
+// exact by quadrature; and by the interpolation that contacts use
 FORMULA(double, inlet_share, (double length, double thickness))
 {
   return inlet_share(length, thickness);

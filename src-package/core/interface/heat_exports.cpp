@@ -67,7 +67,7 @@ FORMULA(double, clearance_change,
   return clearance_change(inner_radius, outer_radius, ball_radius, inner, balls, outer);
 }
 
-// Temperatures (C) after `time` seconds with heat (W) into each node that goes evenly from
+// Temperatures (C) after `time` seconds with heat (W) into each node that varies linearly from
 // `heat` to `end`; returns the heat (J) carried to ambient.
 EXPORT(double, heat_advance,
        (const HeatNetworkOf *net, const double heat[4], const double end[4], const double from[4],
@@ -85,7 +85,7 @@ EXPORT(double, heat_steady, (const HeatNetworkOf *net, const double heat[4], dou
 }
 
 // Takes a ball pass with these mean losses (W) into the nodes and conductances of the contacts
-// (W/K), and begins the next jump.
+// (W/K), and starts the next jump.
 EXPORT(void, heat_jump,
        (HeatStateOf * state, const double heat[4], double inner, double outer,
         const HeatNetworkOf *net, const HeatControlOf *control))

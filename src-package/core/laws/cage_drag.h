@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Oil at a cage that is one ring: shear in the pockets, film between cage and guiding land,
+// Oil in a one-piece cage: shear in the pockets, film between cage and guiding land,
 // churning of its faces. Sources: Petroff's couple and Ocvirk's short bearing (DuBois and Ocvirk,
 // NACA Report 1157, 1953), with whirl as in Booker (J. Basic Eng. 87, 1965); disc in a fluid:
 // Schlichting, Boundary-Layer Theory. SI.
@@ -10,7 +10,7 @@
 
 namespace raceway {
 
-// Couple of a ball that turns in its pocket, N m per rad/s of relative spin across the axis of the
+// Couple of a ball that spins in its pocket, N m per rad/s of relative spin across the axis of the
 // pocket: Couette flow over a band of height H (m) in the gap c (m), filled to the share X.
 // Integral of (eta w R |cos|/c) R |cos| over the band; about the pocket's axis it is twice that.
 inline double pocket_shear(double viscosity, double ball_radius, double height, double gap,
@@ -28,7 +28,7 @@ struct LandGap {
   double viscosity = 0.0, filled = 1.0;    // Pa s, share of the gap with oil
 };
 
-// Eccentricities beyond count as this one: there the surfaces touch.
+// Eccentricities beyond this are limited to it: there the surfaces touch.
 constexpr double most_eccentric = 0.99;
 
 // Petroff's couple in an eccentric gap, N m per rad/s of relative speed; e is the eccentricity over
@@ -47,8 +47,8 @@ template <class T> struct LandForce {
 };
 
 // Half film of a short bearing. x, y (m) and vx, vy (m/s): cage from land; sum: both speeds added,
-// rad/s. The film resists approach and is dragged round by half the sum of the speeds, so a cage
-// that whirls at that speed is not carried.
+// rad/s. The film resists approach and is dragged round by half the sum of the speeds, so it does
+// not carry a cage that whirls at that speed.
 template <class T>
 LandForce<T> land_film(const LandGap &g, const T &x, const T &y, const T &vx, const T &vy,
                        double sum)

@@ -2,8 +2,8 @@
 // Complete elliptic integrals by the arithmetic-geometric mean, and the quotient
 // D(m) = (K - E)/m that the Hertz equations need without cancellation at small m.
 // Source: Abramowitz & Stegun 17.6. Relative error a few 1e-16 (tested against mpmath).
-// Pre-condition: 0 <= m < 1, m = 1 - m1, with the complementary parameter m1 given (accurate near m
-// = 1).
+// Pre-condition: 0 <= m < 1, m = 1 - m1, with the complementary parameter m1 as input (accurate
+// near m = 1).
 #ifndef RACEWAY_ELLIPTIC_H
 #define RACEWAY_ELLIPTIC_H
 

@@ -4,7 +4,7 @@
 //
 //   df/dt = k_m d(overlap)/dt - f/tau,  k_m = 0.44 k h_c/x,  tau = 1.33 b/u
 //   k = 1.5 Q/x of the Hertz contact, N/m;  x elastic approach, m;  h_c/x at most 1
-// A fit to the linear response of a steady elastohydrodynamic line contact, carried to the ellipse.
+// A fit to the linear response of a steady elastohydrodynamic line contact, applied to the ellipse.
 #ifndef RACEWAY_FILM_BRANCH_H
 #define RACEWAY_FILM_BRANCH_H
 

@@ -3,7 +3,7 @@
 //   tau(p) = min(tau_0 asinh(eta(p) s/(h tau_0)), Lambda_L p),  eta(p) after Roelands,
 //   mu Q = integral of tau over the ellipse = 3 Q/p_max integral of tau(t p_max) t dt, t in 0 to 1,
 // by eight Gauss points in t = sqrt(1 - r^2), r the radius in units of the semi-axes: within 0.9 %
-// (six: 2.8 %), mostly from the bend of tau. s is one speed for the whole ellipse.
+// (six: 2.8 %), mostly from the kink of tau. s is one speed for the whole ellipse.
 #ifndef RACEWAY_FILM_TRACTION_H
 #define RACEWAY_FILM_TRACTION_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Numbers of a contact of grains: linear spring and dashpot, and friction (grain_contact.h).
+// Parameters of a contact of grains: linear spring and dashpot, and friction (grain_contact.h).
 #ifndef RACEWAY_GRAIN_LAW_H
 #define RACEWAY_GRAIN_LAW_H
 
@@ -8,12 +8,12 @@
 namespace raceway {
 
 struct GrainLaw {
-  // Tangential over normal stiffness and damping. A solid sphere then rolls back in the time in
-  // which it bounces: its effective mass at the surface is 2/7 of its mass.
+  // Ratio of tangential to normal stiffness and damping. A solid sphere then rolls back in the time
+  // in which it bounces: its effective mass at the surface is 2/7 of its mass.
   static constexpr double tangential = 2.0 / 7.0;
 
   double stiffness = 0.0;      // N/m
-  double restitution = 1.0;    // of a slow collision without friction
+  double restitution = 1.0;    // restitution of a slow collision without friction
   double friction = 0.0;
 
   // N s/m, for the reduced mass m (kg)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Heat of a bearing (docs/heat): conductances, and growth by temperature.
+// Heat of a bearing (docs/heat): conductances, and thermal expansion.
 // SI units, temperatures in degrees C.
 #ifndef RACEWAY_HEAT_H
 #define RACEWAY_HEAT_H
@@ -15,9 +15,9 @@ constexpr double steel_heat = 460.0;           // J/(kg K)
 constexpr double steel_expansion = 12e-6;      // 1/K
 
 // Conductance (W/K) of a contact ellipse whose surfaces both pass with the speed u (m/s): each
-// point conducts into two half-spaces for 2b sqrt(1 - z^2)/u, z the place across rolling over a.
-// The number is the integral of (1 - z^2)^(1/4) over z from 0 to 1, sqrt(pi) G(5/4)/(2 G(7/4)).
-// Derived for the package; valid for u b rho c/(2 k) > 5, which every turning bearing has.
+// point conducts into two half-spaces for 2b sqrt(1 - z^2)/u, z the position across rolling over a.
+// The prefactor is the integral of (1 - z^2)^(1/4) over z from 0 to 1, sqrt(pi) G(5/4)/(2 G(7/4)).
+// Derived for the package; valid for u b rho c/(2 k) > 5, which holds in every rotating bearing.
 inline double contact_conductance(double a, double b, double u)
 {
   constexpr double integral = 0.8740191847640399;
@@ -25,7 +25,7 @@ inline double contact_conductance(double a, double b, double u)
   return integral * 2.0 * a * std::sqrt(2.0 * property * b * u / 3.14159265358979323846);
 }
 
-// Heat that seats and housing of a radial bearing of these sizes (m) carry away per degree above
+// Heat that seats and housing of a radial bearing of these sizes (m) carry away per kelvin above
 // ambient, W/K, at the reference conditions of ISO 15312: W_s = q_r pi B (D + d)/50 K, q_r = 0.016
 // W/mm^2 (from memory, unchecked).
 inline double iso_15312_conductance(double bore, double outside, double width)
@@ -33,8 +33,8 @@ inline double iso_15312_conductance(double bore, double outside, double width)
   return 0.016e6 * 3.14159265358979323846 * width * (outside + bore) / 50.0;
 }
 
-// Change of the diametral clearance (m) of raceways and balls of these radii (m) by the rises (K)
-// of inner ring, balls and outer ring.
+// Change of the diametral clearance (m) of raceways and balls of these radii (m) for temperature
+// rises (K) of inner ring, balls and outer ring.
 inline double clearance_change(double inner_radius, double outer_radius, double ball_radius,
                                double inner, double balls, double outer)
 {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Temperatures of a bearing that jump from ball pass to ball pass (docs/heat). A pass gives mean
-// losses, which change little while temperatures do; they are taken to hold for as long as no
-// temperature moves by more than `change`. The contacts run at the temperatures that are predicted
-// for the end of a jump; the jump is then made with losses that go evenly from those at its start
-// to those at its end. So its error is of second order in `change`, and the heat that is booked is
-// the heat that was used.
+// losses, which change little while temperatures do; they are assumed to hold as long as no
+// temperature moves by more than `change`. The contacts run at the temperatures predicted
+// for the end of a jump; the jump is then made with losses that vary linearly from those at its
+// start to those at its end. The error is therefore of second order in `change`, and the heat that
+// is booked is the heat that was used.
 #ifndef RACEWAY_HEAT_JUMPS_H
 #define RACEWAY_HEAT_JUMPS_H
 
@@ -20,12 +20,12 @@ struct HeatPass {
 
 struct HeatControl {
   double change = 2.0;       // K, largest of a node in a jump
-  double error = 0.5;        // K, that a jump may leave by losses that change with temperature
-  double until = 0.0;        // s, thermal time at which temperatures stay; 0: when they are steady
-  double steady = 0.05;      // K, from the steady state
+  double error = 0.5;        // K, error allowed in a jump because losses change with temperature
+  double until = 0.0;        // s, thermal time to cover; 0: until temperatures are steady
+  double steady = 0.05;      // K, difference from the steady state
   double hottest = 200.0;    // C
   double share = 0.2;        // of the slowest time constant, the longest jump
-  bool both_ends = true;     // false: with the losses at the start of a jump
+  bool both_ends = true;     // false: use the losses at the start of a jump
 };
 
 enum class HeatEnd { none = 0, reached = 1, steady = 2, seizes = 3, hot = 4 };
@@ -34,15 +34,15 @@ enum class HeatEnd { none = 0, reached = 1, steady = 2, seizes = 3, hot = 4 };
 struct HeatState {
   double time = 0.0;              // s
   double at[heat_nodes] = {};     // C, at that time
-  double law[heat_nodes] = {};    // C, at which the contacts run: predicted
+  double law[heat_nodes] = {};    // C, predicted temperatures at which the contacts run
   double length = 0.0;            // s, of the jump that `law` predicts; 0: none
   HeatPass start;                 // at the start of that jump
   double jumps = 0.0;
   double booked = 0.0, carried = 0.0;    // J, from the losses, and to ambient
-  double correction = 0.0;               // K, largest of the last jump: predicted less corrected
+  double correction = 0.0;               // K, largest of the last jump: predicted minus corrected
   double slope = 0.0, gain = 0.0;        // W/K, of the losses; over the conductance of the whole
   double seen = 0.0;                     // ball passes
-  // C and W, of an earlier pass that is far enough for a slope
+  // C and W, of an earlier pass far enough away for a slope
   double oil_before = 0.0, power_before = 0.0;
   double alarms = 0.0;    // slopes in a row with a gain above 1
   double alarm = 0.0;     // s, thermal time of the first of them
@@ -53,7 +53,7 @@ struct HeatState {
   static double oil_of(const double *t) { return (t[0] + t[1] + t[2]) / 3.0; }
 };
 
-// J, stored over that at `from`
+// J, stored in excess of that at `from`
 inline double stored_heat(const HeatNetwork &net, const double *from, const double *to)
 {
   double sum = 0.0;
@@ -61,13 +61,14 @@ inline double stored_heat(const HeatNetwork &net, const double *from, const doub
   return sum;
 }
 
-// Takes the ball pass that ran at `s.law` and begins the next jump. `net` without its contacts.
+// Takes the ball pass that ran at `s.law` and begins the next jump. `net` is without its contacts.
 inline void heat_jump(HeatState &s, const HeatPass &seen, HeatNetwork net, const HeatControl &c)
 {
-  constexpr double lasting = 0.5;       // of the slowest time constant
-  constexpr int in_a_row = 3;           // slopes with a gain above 1 that are no accident
-  constexpr double least_rise = 2.0;    // K, from which a slope is no scatter of ball passes
-  if (s.length > 0.0) {                 // complete the jump whose end has just been seen
+  constexpr double lasting = 0.5;    // of the slowest time constant
+  // number of slopes with a gain above 1 that rules out chance
+  constexpr int in_a_row = 3;
+  constexpr double least_rise = 2.0;    // K, above which a slope exceeds the scatter of ball passes
+  if (s.length > 0.0) {                 // complete the jump whose end has just been computed
     const HeatPass &end = c.both_ends ? seen : s.start;
     net.inner = 0.5 * (s.start.inner + end.inner);
     net.outer = 0.5 * (s.start.outer + end.outer);
@@ -98,11 +99,11 @@ inline void heat_jump(HeatState &s, const HeatPass &seen, HeatNetwork net, const
     s.power_before = power;
   }
   s.seen += 1.0;
-  double left = 0.0;    // K, from the steady state, with losses that change
+  double left = 0.0;    // K, difference from the steady state, with losses that change
   for (int i = 0; i < net.nodes(); ++i) left = std::max(left, std::fabs(last[i] - s.at[i]));
   if (s.gain > 0.0) left = s.gain < 1.0 ? left / (1.0 - s.gain) : HUGE_VAL;
   HeatEnd end = HeatEnd::none;
-  // light parts that lead make a gain above 1 for a while: it must outlast them
+  // light parts that lead cause a gain above 1 for a while: it must last longer than that
   if (s.alarms >= in_a_row && s.time - s.alarm >= lasting * flow.slowest()) end = HeatEnd::seizes;
   else if (!(*std::max_element(s.at, s.at + net.nodes()) < c.hottest))
     end = s.gain >= 1.0 ? HeatEnd::seizes : HeatEnd::hot;
@@ -113,7 +114,8 @@ inline void heat_jump(HeatState &s, const HeatPass &seen, HeatNetwork net, const
   s.length = 0.0;
   for (int i = 0; i < heat_nodes; ++i) s.law[i] = s.at[i];
   if (end != HeatEnd::none) return;
-  // a first-order jump of a change dT errs by at most |P'| dT/(G - P'); both ends leave half of it
+  // a first-order jump of a change dT has an error of at most |P'| dT/(G - P'); using both ends
+  // halves it
   double change = c.change;
   if (s.gain >= 1.0) change = 0.0;
   else if (s.gain != 0.0)

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Heat flow between the parts of a bearing: inner ring, balls, outer ring, housing and ambient, as
-// a linear network that is advanced by its exact exponential (docs/heat).
+// a linear network that is advanced exactly by its matrix exponential (docs/heat).
 //
 //   ambient -shaft- inner ring -inner- balls -outer- outer ring -seat- housing -housing- ambient
 //
-// Without a housing of its own (capacity 0) the outer ring is cooled by seat and housing in series.
+// Without a housing of its own (capacity 0) the outer ring is cooled through seat and housing in
+// series.
 #ifndef RACEWAY_HEAT_NETWORK_H
 #define RACEWAY_HEAT_NETWORK_H
 
@@ -18,7 +19,7 @@ namespace raceway {
 constexpr int heat_nodes = 4;    // inner ring, balls, outer ring, housing
 
 struct HeatNetwork {
-  double capacity[heat_nodes] = {};    // J/K; of the housing 0: none of its own
+  double capacity[heat_nodes] = {};    // J/K; housing: 0 if there is none
   double inner = 0.0, outer = 0.0;     // W/K, from each ring to all balls
   double shaft = 0.0;                  // W/K, from the inner ring to ambient
   double seat = 0.0;                   // W/K, from the outer ring to the housing; 0: perfect
@@ -33,8 +34,8 @@ struct HeatNetwork {
   }
 };
 
-// The network in its modes, for constant heat (W) into each node, or heat that goes evenly to `end`
-// in `over` seconds.
+// The network in its modes, for constant heat (W) into each node, or heat that varies linearly to
+// `end` in `over` seconds.
 class HeatFlow {
  public:
   HeatFlow(const HeatNetwork &of, const double *heat, const double *end, double over) :
@@ -67,7 +68,7 @@ class HeatFlow {
       g[i][i] += to_ambient[i];
       into[i] = heat[i];
     }
-    if (n_ == 3) into[2] += heat[3];    // of a housing that keeps none
+    if (n_ == 3) into[2] += heat[3];    // for a housing without capacity
     find_steady(g, into);
     for (int i = 0; i < n_; ++i)
       for (int j = 0; j < n_; ++j) g[i][j] /= root_[i] * root_[j];
@@ -140,12 +141,13 @@ class HeatFlow {
     return net_.ambient + (outer_ring - net_.ambient) * net_.seat / (net_.seat + net_.housing);
   }
 
-  // Rises over ambient that the conductances `g` balance. In the chain elimination has one factor a
-  // row, and takes no difference of like numbers.
+  // Rises over ambient in equilibrium with the conductances `g`. In the chain, elimination has one
+  // factor a row and takes no difference of similar numbers.
   void find_steady(const double g[heat_nodes][heat_nodes], const double *heat)
   {
-    double own[heat_nodes], drive[heat_nodes];    // diagonal and heat, less what parts before take
-    double before = 0.0;                          // W/K, to ambient through the parts before
+    // diagonal and heat, minus the share of earlier parts
+    double own[heat_nodes], drive[heat_nodes];
+    double before = 0.0;    // W/K, to ambient through the earlier parts
     for (int i = 0; i < n_; ++i) {
       const double next = i + 1 < n_ ? -g[i][i + 1] : 0.0;
       const double share = i > 0 ? -g[i][i - 1] / own[i - 1] : 0.0;

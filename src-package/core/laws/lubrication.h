@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Kinds of lubrication: how long the inlet of a rolling contact is, SKF's starvation constant
-// K_rs, and how much of the space around the balls is oil (docs/tribology, Kinds of lubrication).
+// Types of lubrication: inlet length of a rolling contact, SKF's starvation constant
+// K_rs, and share of oil in the space around the balls (docs/tribology, Kinds of lubrication).
 #ifndef RACEWAY_LUBRICATION_H
 #define RACEWAY_LUBRICATION_H
 
@@ -17,16 +17,15 @@ struct Lubrication {
   double share = 0.0;            // X, volume fraction of oil
 };
 
-// Mean share of the balls' volume below the oil of a bath at rest, over their path. The level is
-// that above the lowest raceway, over the ball diameter; `pitch` is the pitch radius over the ball
-// radius.
+// Mean share of the balls' volume below the level of an oil bath at rest, over their path. The
+// level is above the lowest raceway, in ball diameters; `pitch` is the pitch radius in ball radius.
 inline double immersed_share(double level, double pitch)
 {
   constexpr int points = 720;
   double sum = 0.0;
   for (int k = 0; k < points; ++k) {
     const double azimuth = 3.14159265358979323846 * (k + 0.5) / points;
-    // depth of the ball's centre below the oil, over its radius
+    // depth of the ball's centre below the oil, in ball radii
     const double depth = pitch * (std::cos(azimuth) - 1.0) - 1.0 + 2.0 * level;
     const double x = std::fmax(-1.0, std::fmin(depth, 1.0));
     sum += 0.25 * (2.0 + 3.0 * x - x * x * x);
@@ -39,12 +38,12 @@ inline Lubrication lubrication(LubricationKind kind, double level, double pitch,
 {
   constexpr double groove = 3.0;    // an inlet in a bearing's groove (Balan et al. 2015)
   constexpr double oil = 3e-8, grease = 6e-8;          // K_rs, SKF
-  const double air = std::fmin(1.2 / density, 1.0);    // the density of air as a share of oil
+  const double air = std::fmin(1.2 / density, 1.0);    // the density of air relative to that of oil
   switch (kind) {
     case LubricationKind::bath: {
       const double share = immersed_share(level, pitch);
       const bool all = share > 1.0 - 1e-9;
-      // SKF's factor is for levels up to the centre of the lowest ball
+      // SKF's factor applies to levels up to the centre of the lowest ball
       return {all ? 0.0 : groove, level > 0.5 ? 0.0 : oil, share > air ? share : air};
     }
     case LubricationKind::jet:    // SKF: twice the drag of a bath to the centre of the lowest ball

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Wall of a cage's pocket as a linear spring, the bending of its bars, with a damper that grows
-// over the first micrometres: the contact of multi-body programs (IMPACT of ADAMS and
+// Wall of a cage pocket as a linear spring (bending of the bars) with a damper that grows
+// over the first micrometres: the contact model of multi-body programs (IMPACT of ADAMS and
 // MotionSolve, exponent 1).
 #ifndef RACEWAY_POCKET_WALL_H
 #define RACEWAY_POCKET_WALL_H
@@ -11,7 +11,7 @@
 
 namespace raceway {
 
-// Overlap at which the damper is whole, over the half play of the pocket.
+// Overlap at which the damper is fully active, as a fraction of the pocket's half play.
 constexpr double full_damping = 0.02;
 
 // k overlap + c overlap/whole overlap_rate, never attractive; c is the critical damping

@@ -113,8 +113,8 @@ class SlipSlices {
  private:
   static constexpr int slices = 24, borders = slices + lanes;    // the last three are unused
 
-  // At the borders of the slices: z; z^2, less the excess of the mean of both ends of a slice over
-  // the mean within it; the Gauss point of the chord, over b. For the slices the load.
+  // At the borders of the slices: z; z^2, minus the excess of the mean of both ends of a slice over
+  // the mean within it; the Gauss point of the chord, over b. For the slices: the load.
   struct Table {
     double z[borders], z2[borders], chord[borders], load[slices];
   };

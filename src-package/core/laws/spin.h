@@ -41,7 +41,7 @@ template <class T> RACEWAY_INLINE T spin_growth(const T &speed, const T &width, 
   return where(speed > least, speed, least);
 }
 
-// Share of the couple of differential slip that spin leaves
+// Factor by which spin reduces the couple of differential slip
 template <class T> RACEWAY_INLINE T slip_beside_spin(const T &speed, const T &width)
 {
   const T x = speed / width, rest = 1.0 - spin_loss * x * x;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Rotation of a ball that rolls on both raceways, at which they together lose least to spin
+// Rotation of a ball that rolls on both raceways with the least total loss to spin
 // (docs/theory, Start of the balls).
 //
 // In the plane of the bearing's axis (e) and the ball's radius (u), contact k has the normal n_k
 // from ball to raceway. Rolling on both raceways leaves one free speed x, in which orbit, rotation
 // and both spins omega_k are linear. The moments of spin M_k(omega_k) grow up to a width and are
-// constant beyond. They balance where sum of M_k d omega_k/dx vanishes. Without width this is the
-// least loss, control by one of the raceways; with one, both share the spin. The sum rises with x,
-// so the root is the only one, between the motions without spin at one raceway.
+// constant beyond. They balance where sum of M_k d omega_k/dx vanishes. With zero width this is the
+// least loss, control by one of the raceways; otherwise both share the spin. The sum rises with x,
+// so the root is unique and lies between the motions without spin at one raceway.
 #ifndef RACEWAY_START_ATTITUDE_H
 #define RACEWAY_START_ATTITUDE_H
 
@@ -19,9 +19,9 @@ namespace raceway {
 // A contact of the ball, its angle positive on the side of +e at the outer raceway and of -e at the
 // inner one.
 struct SpinContact {
-  double angle = 0.0;     // rad, below pi/2 in size
+  double angle = 0.0;     // rad, below pi/2 in magnitude
   double speed = 0.0;     // rad/s, of the ring
-  double couple = 1.0;    // N m, of pure spin, or any unit that both contacts share
+  double couple = 1.0;    // N m, of pure spin, or in any unit common to both contacts
   double width = 0.0;     // rad/s, spin up to which the couple grows
 
   double moment(double spin) const
@@ -34,7 +34,7 @@ struct SpinContact {
 struct BallRotation {
   double orbit = 0.0;                  // rad/s, ball centres (cage) about the bearing axis
   double radial = 0.0, axial = 0.0;    // rad/s, inertial frame
-  double spin[2] = {};                 // rad/s, of the ball less the ring about the normal
+  double spin[2] = {};                 // rad/s, of the ball minus the ring about the normal
 
   BallRotation operator-(const BallRotation &o) const
   {
@@ -71,7 +71,7 @@ inline BallRotation start_attitude(const SpinContact &inner, const SpinContact &
 {
   const BallRotation none = rolling_on_both(inner, outer, R, r, 0.0),
                      turn = rolling_on_both(inner, outer, R, r, 1.0) - none;
-  double ends[2];    // of no spin at one raceway
+  double ends[2];    // motions without spin at one raceway
   for (int k = 0; k < 2; ++k) ends[k] = -none.spin[k] / turn.spin[k];
   double low = std::min(ends[0], ends[1]), high = std::max(ends[0], ends[1]);
   for (int k = 0; k < 200; ++k) {

@@ -91,7 +91,7 @@ struct DampingPower {
 };
 
 struct NormalForceLoss : DampingPower {
-  // the energy stored in the film's branch is no loss; the branch has its own loss
+  // energy stored in the film's branch is not a loss; the branch has its own loss
   template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
   {
     return (held(c.normal) - held(c.load) - c.film_force) * held(c.overlap_rate);

@@ -10,8 +10,9 @@
 namespace raceway {
 
 // Power of the branch, f times the rate of overlap: below 0 while the film springs back. k_m
-// changes with the film, so f^2/(2 k_m) is no potential (at rest k_m falls to 0 and f stays), and
-// the loss in the dashpot alone, f^2/(k_m tau), would not add up to the work on the branch.
+// changes with the film, so f^2/(2 k_m) is not a potential (at rest k_m falls to 0 while f
+// remains), and the loss in the dashpot alone, f^2/(k_m tau), would not add up to the work on the
+// branch.
 struct FilmBranchLoss : DampingPower {
   template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
   {

@@ -28,7 +28,7 @@ struct FilmInGapPart : PartBase {
         moes = {p.model.lubricant, p.material.Eprime(), p.rolling_radius(1.0),
                 p.transverse_radius()};
     }
-    // wider than films in bearings: cutting a film off would make the force jump
+    // wider than films in bearings: cutting off a film would make the force jump
     double reach(const Raceway &p) const { return 0.01 * p.groove.ball_radius; }
     double widest(const Raceway &p) const { return share > 0.0 ? p.reach / share : p.reach; }
   };
@@ -70,7 +70,7 @@ struct FilmInGapPart : PartBase {
   {
     c.ln_speed = logarithm(c.entrainment);
     if (p.factors.any && !p.factors.by_pressure) c.film_factor = p.factors.of(c.ln_speed);
-    if (own.all_regimes) {    // the film has no end: it counts up to the reach
+    if (own.all_regimes) {    // the film is unlimited: it counts up to the reach
       c.h_edge = where(c.entrainment > resting, T() + own.widest(p), 0.0);
     } else if (p.factors.by_pressure) {
       const T film = GapFilmT<T, false>(own.moes, p, k, c).at(logarithm(kept(own, k))).thickness;

@@ -86,7 +86,7 @@ struct MixedFrictionPart : PartBase {
                                  const RacewayConstantsT<Value<T>> &k, const LawStates<T> &,
                                  ContactStateT<T> &c)
   {
-    // from the film equation: lambda itself is computed later
+    // from the film equation, since lambda itself is computed later
     Value<T> ln_lambda = ln_film_thickness(k.film.min, {c.ln_speed, c.ln_film_load});
     if (p.factors.any) ln_lambda = ln_lambda + logarithm(c.film_factor);
     c.asperity_share =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Couples against rolling, opposite on ball and ring (rolling_resistance.h). They pass through zero
-// speed as straight lines. The derivative is the couple over the speed: it is large at rest, where
+// speed linearly. The derivative is the couple over the speed: it is large at rest, where
 // an implicit step needs it.
 #ifndef RACEWAY_PART_ROLLING_H
 #define RACEWAY_PART_ROLLING_H
@@ -40,7 +40,7 @@ struct HydrodynamicRollingPart : PartBase {
     double length = 0.0;    // of the inlet, in semi-axes b; 0: flooded
     // derived
     double ln_heating = 0.0;
-    double of_film = 0.0;    // not 0: inlet shear over the factor of the film, which includes it
+    double of_film = 0.0;    // if not 0, inlet shear relative to the film factor, which includes it
     RollingConstants force;
     RollingShapeT<double> radial{};    // at zero contact angle
     RollingInlet inlet;

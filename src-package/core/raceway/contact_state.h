@@ -39,9 +39,9 @@ template <class T> struct alignas(sizeof(T)) ContactFiguresT {
   T stiffness = T();      // N/m, dQ/d(overlap)
   T damping = T();        // N s/m, C
   T film_load = T();      // N, load used for the film thickness
-  // logarithms of the entrainment speed (m/s) and of film_load; the factors of the film
+  // logarithms of the entrainment speed (m/s) and of film_load; the film factors
   T ln_speed = T(), ln_film_load = T(), film_factor = T();
-  T h_edge = T(), h_c = T();      // m, central film, where it begins and here
+  T h_edge = T(), h_c = T();      // m, central film thickness, at the onset and here
   T h_min = T(), lambda = T();    // m; lambda ratio
   T film_energy = T();            // J, of the film in the gap
   T film_force = T();             // N, of the film's branch

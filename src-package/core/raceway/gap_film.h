@@ -39,7 +39,7 @@ template <class T, bool all> class GapFilmT {
   RACEWAY_INLINE GapFilmT(const MoesRaceway &moes, const Raceway &p, const RacewayConstantsT<T> &k,
                           const State &c)
   {
-    // at rest any finite film will do: the contact is dry (FilmInGapPart)
+    // at rest any finite film suffices: the contact is dry (FilmInGapPart)
     const T ln_u = logarithm(T(where(c.entrainment > resting, c.entrainment, resting)));
     T ln_factor = T();
     pressed_ = p.factors.by_pressure;

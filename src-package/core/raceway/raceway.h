@@ -52,8 +52,8 @@ struct Raceway {
     return groove.ball_radius * groove.groove_radius / (groove.groove_radius - groove.ball_radius);
   }
 
-  // Thermal strains of ring and ball: where their surfaces are. The constants of the law stay those
-  // of the cold parts, which differ by the strain.
+  // Thermal strains of ring and ball, which move their surfaces. The constants of the law remain
+  // those of the cold parts, which differ by the strain.
   void grow(double ring, double ball)
   {
     centre_circle = groove.centre_circle() * (1.0 + ring);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Rotation of the balls of a bearing at the start: that of least loss to spin under pure thrust
+// Initial rotation of the balls of a bearing, with the least loss to spin under pure thrust
 // (docs/theory, Start of the balls).
 #ifndef RACEWAY_START_ROTATION_H
 #define RACEWAY_START_ROTATION_H
@@ -13,15 +13,16 @@ namespace raceway {
 
 struct StartingBall {
   double radius, mass;                // m, kg
-  double path;                        // m, radius of the circle of its centre as placed
+  double path;                        // m, radius of the circle of its initial centre
   double orbit;                       // rad/s, about the bearing's axis, for the centrifugal force
   double inner_speed, outer_speed;    // rad/s, of the rings
   double thrust;    // N, share of the force on the inner ring along the axis; 0: not known
-  double angle;     // rad, of both contacts as placed, above 0 where a thrust along +e closes them
+  // rad, of both contacts at the initial position, above 0 where a thrust along +e closes them
+  double angle;
 };
 
 // A contact that rolls at the speed `roll` (rad/s). The friction coefficients of both raceways
-// count as equal.
+// are taken as equal.
 inline SpinContact spin_contact(const Raceway &p, const ThrustContact &c, double sense,
                                 double ring_speed, double roll)
 {
@@ -34,8 +35,8 @@ inline SpinContact spin_contact(const Raceway &p, const ThrustContact &c, double
           0.5 * spin_width * std::fabs(roll) * a / deformed};
 }
 
-// At the contact angles and loads of the thrust; without it, or if the grooves do not hold it, at
-// the angle of the seat and a small load.
+// At the contact angles and loads of the thrust; without a thrust, or if the grooves cannot carry
+// it, at the angle of the seat and a small load.
 inline BallRotation start_rotation(Raceway inner, Raceway outer, const StartingBall &b)
 {
   for (Raceway *p : {&inner, &outer}) {

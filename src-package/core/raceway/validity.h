@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The single place for checks of whether the formulas of a contact hold.
+// The only place that checks whether the formulas of a contact hold.
 //
 // Error: a contact ellipse as wide as the groove, or an overlap beyond the limit of the deck.
-// Warning: a pressure that leaves dents, a film thicker than the contact is long, a lambda ratio
-// beyond that of any bearing, a capacitance of a film that conducts, a film outside the fit of
+// Warning: a pressure that leaves dents, a film thicker than the contact length, a lambda ratio
+// beyond those found in bearings, a capacitance of a conducting film, a film outside the fit of
 // Hamrock and Dowson, a contact ellipse beyond the shoulder of its groove.
 #ifndef RACEWAY_VALIDITY_H
 #define RACEWAY_VALIDITY_H
@@ -26,9 +26,9 @@ struct Validity {
   };
   // ISO 76: the largest pressure at the basic static load rating of ball bearings, with a dent of
   // 1e-4 of the ball diameter. Films in bearings have Lambda below 10; below 1 asperities are in
-  // continuous contact, and the contact is no capacitor. Hamrock and Dowson (J. Lubr. Technol. 99,
-  // 1977, 264, abstract) varied the ellipticity from one to eight. Python and the pages read these
-  // rules, too (`make columns`).
+  // continuous contact, and the contact is not a capacitor. Hamrock and Dowson (J. Lubr. Technol.
+  // 99, 1977, 264, abstract) varied the ellipticity from one to eight. Python and the pages read
+  // these rules, too (`make columns`).
   static const Rule &rule(int doubt)
   {
     static const Rule rules[N] = {

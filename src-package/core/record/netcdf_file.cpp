@@ -55,13 +55,13 @@ std::string NetcdfFile::open(const std::string &path, const NetcdfHeader &header
   sent_.resize(buffer_.size());
   file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file_ < 0) return strerror(errno);
-  // some file systems do not support locks: no reason to refuse
+  // some file systems do not support locks, which is no reason to refuse
   if (flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
     return leave("another run is writing it");
   return "";
 }
 
-// Leaves a file that must not be written as it is.
+// Closes a file that must not be written without changing it.
 std::string NetcdfFile::leave(const std::string &why)
 {
   ::close(file_);
@@ -113,7 +113,7 @@ unsigned char *NetcdfFile::start_record()
   return record;
 }
 
-// Copying a batch takes the system as long as computing it takes the bearing, so a separate thread
+// The system takes as long to copy a batch as the bearing takes to compute it, so a separate thread
 // waits for the write.
 std::string NetcdfFile::flush()
 {

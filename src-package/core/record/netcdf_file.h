@@ -3,10 +3,11 @@
 // batch fills.
 //
 // The header counts the records (4 bytes at offset 4). A reader of a growing or a killed file sees
-// whole records only: the count follows the writing. It is updated a few times a second, to what
-// was written at the previous update, because a reader that maps the file first and reads the count
-// afterwards must not find more records counted than mapped. A file cut at the end of a record is
-// valid: continuing a run is a truncate(). Header and records have checksums (netcdf_header.h).
+// complete records only: the count follows the writing. It is updated a few times a second, to the
+// number written at the previous update, because a reader that maps the file first and reads the
+// count afterwards must not find more records counted than mapped. A file cut at the end of a
+// record is valid: continuing a run is a truncate(). Header and records have checksums
+// (netcdf_header.h).
 #ifndef BEARING_NETCDF_FILE_H
 #define BEARING_NETCDF_FILE_H
 
@@ -44,7 +45,7 @@ class NetcdfFile {
   bool full() const { return filled_ == batch_; }
   std::string flush();        // sends the present batch; returns an error of the previous one
   std::string hand_over();    // flush and wait until the system has all data
-  std::string settle();       // flush, update the count and wait until all is on disk
+  std::string settle();       // flush, update the count and wait until everything is on disk
   std::string close();
   std::string put_fixed(int variable, double value);    // a scalar without time, at once
 

@@ -42,7 +42,7 @@ class RecordFile {
 
   // Takes rows up to the end of a sample or of the list; returns the end of the rows taken.
   const double *take(const double *row, const double *end, bool &whole);
-  // Writes the sample once all parts have reported, from the row that ends it. Returns an error
+  // Writes the sample from the row that ends it, once all parts have reported. Returns an error
   // message, or empty.
   std::string end_sample(const double *row);
 
@@ -58,7 +58,7 @@ class RecordFile {
   // bytes from the start of a sample, by column
   size_t time_, step_, pocket_ = nowhere;
   std::vector<size_t> contact_, ball_, cage_, ring_, bearing_, heat_;
-  unsigned char *sample_ = nullptr;    // the present one, if a part has reported
+  unsigned char *sample_ = nullptr;    // the present sample, if a part has reported
   std::vector<BallFigures> shares_;
   std::vector<double> rails_;    // W, by cage ball
   size_t reported_ = 0;

@@ -20,7 +20,7 @@ struct Line {
   std::vector<double> values;
 };
 
-// The lines of a file by their words, and complaints about them.
+// The lines of a file by their first words, and error messages about them.
 class Reader {
  public:
   Reader(const Arguments &args, const std::string &name, const std::string &content) :

@@ -71,7 +71,7 @@ void CageSettings::read(Arguments &args)
   if (play < 0.0) args.fail("'play J' is missing");
   if (of.mass == 0.0 || inertia[0] == 0.0)
     args.fail("'mass M' or 'inertia AXIAL TRANSVERSE' is missing");
-  // balls hold a cage along the radius only if its pockets wrap them
+  // balls hold a cage radially only if its pockets wrap around them
   if (!shaped) of.spherical = of.guide == CageRing::by_balls;
   of.along = 0.5 * play;
   of.across = across < 0.0 ? of.along : 0.5 * across;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A cage that is one ring, as set in a deck.
+// A one-piece cage, as set in a deck.
 #ifndef BEARING_CAGE_SETTINGS_H
 #define BEARING_CAGE_SETTINGS_H
 
@@ -10,16 +10,16 @@
 namespace bearing {
 
 struct CageSettings {
-  raceway::CageRing of;    // without what depends on ball and pitch circle
+  raceway::CageRing of;    // without the values that depend on ball and pitch circle
   raceway::RingProgram program;
   double young[2] = {2.08e11, 2.08e11}, poisson[2] = {0.3, 0.3};    // ball and cage, steel
   double height = 0.0;                                              // m, of a pocket's band of oil
-  double oil = 0.0, filled = 1.0;                                   // Pa s, share
+  double oil = 0.0, filled = 1.0;                                   // Pa s, filled share
 
   // Reads all words after the ball type; error for one that contradicts another.
   void read(Arguments &);
-  // Derives what depends on the balls, of this radius on this pitch circle (m). Error if they do
-  // not fit.
+  // Derives the values that depend on the balls, of this radius on this pitch circle (m). Error if
+  // they do not fit.
   void prepare(Arguments &, double ball_radius, double pitch);
 
  private:

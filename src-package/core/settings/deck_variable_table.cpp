@@ -8,8 +8,8 @@
 
 namespace bearing {
 
-// Styles as in a deck: `bearing/ring` is fix bearing/ring. A head variable of the main deck is of
-// the style that its keyword is of.
+// Styles as in a deck: `bearing/ring` is fix bearing/ring. A head variable of the main deck belongs
+// to the style of its keyword.
 const std::vector<DeckVariable> &deck_variables()
 {
   static const std::vector<DeckVariable> table = {
@@ -150,7 +150,7 @@ const std::vector<DeckVariable> &deck_variables()
        "sampling rate of the signal"},
       {"oversampling", "4", "", "1 100 whole", "bearing/vibration",
        "samples of the record per sample of the signal"},
-      // bearings: complete data, and the usual data from which they follow
+      // bearings: complete data, and the catalogue data from which they follow
       {"balls", "", "", "2 1000 whole", "bearing data", "number of balls"},
       {"ball_diameter", "", "m", "1.0e-4 0.3", "bearing data", "diameter of a ball"},
       {"inner_radius", "", "m", "1.0e-4 10", "bearing data",
@@ -254,7 +254,7 @@ std::string wrong_value(const DeckVariable &v, const std::string &value)
   const bool whole = more == "whole", also = more == "or";
   char *end = nullptr;
   const double is = strtod(value.c_str(), &end);
-  // hosts' formulas do not take the other number formats of C (hex, inf, nan)
+  // the hosts' formulas do not accept the other number formats of C (hex, inf, nan)
   if (value.empty() || *end || value.find_first_not_of("0123456789.eE+-") != std::string::npos ||
       value[0] == '+')
     return v.label() + " must be a number like 5000 or 5.0e3, not '" + value + "'";

@@ -12,7 +12,7 @@ namespace bearing {
 
 struct DeckVariable {
   const char *name;
-  const char *initial;    // default as text; "": that of the style, or the data must give it
+  const char *initial;    // default as text; "": that of the style, or the data must provide it
   const char *unit;       // "": a word, a count or a ratio
   const char *range;      // "LO HI", "LO HI whole", "LO HI or V", "one_of A B ..."; "": any words
   const char *of;    // commands and styles that take it, `bearing data`, `oil data`, or one deck

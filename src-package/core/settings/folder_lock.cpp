@@ -35,7 +35,7 @@ struct Claims {
 
   ~Claims()
   {
-    if (getpid() != owner) return;    // in a fork: the locks belong to the parent
+    if (getpid() != owner) return;    // after a fork: the locks belong to the parent
     for (const Claim &c : list)
       if (same_file(c)) unlink(c.file.c_str());
   }
@@ -63,7 +63,7 @@ std::string own_name()
 
 bool write_all(int descriptor, const std::string &content)
 {
-  errno = ENOSPC;    // a short write is no error to the system
+  errno = ENOSPC;    // the system does not report a short write as an error
   return ftruncate(descriptor, 0) == 0 && pwrite(descriptor, content.data(), content.size(), 0) ==
                                               static_cast<ssize_t>(content.size());
 }

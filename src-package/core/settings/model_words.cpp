@@ -92,7 +92,7 @@ std::string full_words(const ModelChoice &of, const Choice &with, const OilWords
   const double starved = with.has("starvation"),
                rolling = with.has("rolling") * (starved * kind.starvation + (1.0 - starved));
   const std::string inlet = starved && kind.inlet ? " rolling_inlet " + digits(kind.inlet) : "";
-  // asperities have the friction coefficient of the film
+  // asperities use the friction coefficient of the film
   const std::string boundary = digits(0.05 + 0.07 * with.has("asperities"));
   return "friction mixed " + boundary + " 0.05 asperity_law clarke " + slip + " rolling " +
          oil->at("temperature_viscosity") + " " + oil->at("oil_conductivity") + " " +
@@ -100,7 +100,7 @@ std::string full_words(const ModelChoice &of, const Choice &with, const OilWords
          with.share("drag", kind.share) + inlet + gap_words(of, with, *oil);
 }
 
-// Data of the oil that the models need, and it lacks
+// Oil data that the models need but the lubricant lacks
 void require(const OilWords &oil, const std::string &models)
 {
   Parts needed = {"temperature_viscosity", "oil_conductivity"};

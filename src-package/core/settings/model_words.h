@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Models of contacts by name: the keywords of pair_style bearing/ehd or bearing/hertz for them.
-// docs/pair_bearing has what each is made of. Independent of the host.
+// docs/pair_bearing lists their parts. Independent of the host.
 #ifndef BEARING_MODEL_WORDS_H
 #define BEARING_MODEL_WORDS_H
 
@@ -22,7 +22,7 @@ struct ModelChoice {
   std::string models = "full";     // paper, film, full, eyring or none
   std::string without = "none";    // parts to leave out, joined by +
   std::string gap_film = "power", inlet_shear = "murch", spin_law = "closed";
-  std::string lubrication = "bath";    // kind of lubrication (core/laws/lubrication.h)
+  std::string lubrication = "bath";    // type of lubrication (core/laws/lubrication.h)
   double oil_level = 0.5;              // of a bath above the lowest raceway, over the ball diameter
 };
 
@@ -33,11 +33,11 @@ struct LubricatedBearing {
   double rpm = 0.0;
 };
 
-// Numbers of rolling resistance and drag by the kind of lubrication
+// Parameters of rolling resistance and drag for a type of lubrication
 struct LubricationWords {
   double starvation = 1.0, inlet = 0.0, share = 0.0;    // phi_rs; semi-axes b; X
 };
-// Oil: viscosity in Pa s, density in kg/m^3. Throws DataError for another kind.
+// Oil: viscosity in Pa s, density in kg/m^3. Throws DataError for an unknown type.
 LubricationWords lubrication_words(const std::string &kind, double level, const LubricatedBearing &,
                                    double viscosity, double density);
 
@@ -48,7 +48,7 @@ struct ContactModel {
   double cage_tolerance_share = 1.0;    // tolerance of cage balls over that of the others
 };
 
-// `oil`: null for dry contacts. Throws DataError for a part that the models do not have, or data
+// `oil`: null for dry contacts. Throws DataError for a part that the models lack, or data
 // that the oil lacks.
 ContactModel contact_model(const ModelChoice &, const OilWords *oil, const LubricatedBearing &);
 

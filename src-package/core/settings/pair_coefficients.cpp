@@ -101,7 +101,7 @@ void PairCoefficients::read_spheres(Arguments &args, int i, int j)
   s.nu1 = args.within("Poisson's ratio of the first type", 0.0, 0.5);
   s.E2 = args.positive("Young's modulus of the second type (Pa)");
   s.nu2 = args.within("Poisson's ratio of the second type", 0.0, 0.5);
-  // eq 3 as printed has an extra 1/(1 - nu), nu of the rolling ball: the first type given
+  // eq 3 as printed has an extra 1/(1 - nu), with nu of the rolling ball, which is the first type
   s.factor = args.take("printed") ? 1.0 / (1.0 - s.nu1) : 1.0;
   if (args.more()) args.unknown("printed");
   spheres_[std::minmax(i, j)] = s;
@@ -233,8 +233,9 @@ bool PairCoefficients::smooth_friction(double creep)
   return changed;
 }
 
-// A ball that touches its groove, or is as far outside as the overlap limit and half a radius, is a
-// neighbour: ghosts come from no farther than that. Spheres touch at the sum of their radii.
+// A ball is a neighbour if it touches its groove, or is outside by up to the overlap limit plus
+// half a radius: ghosts are needed up to that distance only. Spheres touch at the sum of their
+// radii.
 double PairCoefficients::cutoff(int i, int j) const
 {
   // balls of one type are listed as neighbours so that overlapping ones can be refused at the start
@@ -315,7 +316,7 @@ std::string PairCoefficients::wrong_size(const GrooveName &of, const RacewayPhys
   return "";
 }
 
-// A ball type has at most one inner and one outer ring type, and the ball fits between them.
+// A ball type has at most one inner and one outer ring type, and the ball must fit between them.
 std::string PairCoefficients::wrong_rings() const
 {
   for (const auto &a : raceways_) {

@@ -39,9 +39,9 @@ class PairCoefficients {
   void read_coeff(Arguments &, int types);
   // Derives the constants of the raceways. Returns an error in raceways or atoms, or "".
   std::string prepare(const TypeSizes &);
-  // The same in a run, for coefficients that have been read anew.
+  // The same during a run, for coefficients that were read again.
   std::string prepare_again();
-  // Thermal strains of the raceways of a ball type and of its balls (Raceway::grow).
+  // Thermal strains of a ball type's raceways and of its balls (Raceway::grow).
   void grow(int ball_type, double inner_ring, double balls, double outer_ring);
 
   bool lubricated() const { return with_film_; }
@@ -73,7 +73,7 @@ class PairCoefficients {
   // Parts of the contact law (core/contact/contact.h), one law for all raceways.
   unsigned law() const { return law_; }
   const raceway::LawFacts &facts() const { return facts_; }
-  // True: raceways with a tangential spring use this creep instead.
+  // If true, raceways with a tangential spring use this creep instead.
   bool smooth_friction(double creep);
   // Distance of centres below which two types are neighbours, m; 0: they do not interact.
   double cutoff(int type_1, int type_2) const;
@@ -103,10 +103,10 @@ class PairCoefficients {
   std::map<std::pair<int, int>, Spheres> spheres_;             // smaller type first
   std::map<std::pair<int, int>, raceway::GrainLaw> grains_;    // smaller type first
   std::set<int> grain_type_;
-  std::vector<char> ring_type_, ball_type_;    // a cage that is one ring is a ring
+  std::vector<char> ring_type_, ball_type_;    // a one-piece cage counts as a ring
   std::vector<char> cage_type_;
   TypeSizes sizes_;
-  double creep_ = 0.0;    // of the last smooth_friction(), 0: none
+  double creep_ = 0.0;    // value of the last smooth_friction(), 0: none
   unsigned law_ = 0;
   raceway::LawFacts facts_;
 };

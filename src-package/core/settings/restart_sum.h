@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Checksum of a whole restart file, at a position reserved in it by fix bearing/checkpoint.
 //
-// The host's format has no checksum: a flipped bit gives another bearing. The position holds `mark`
-// and eight characters; the sum (core/numbers/checksum.h) is of the file with zeros for the eight.
+// The host's format has no checksum: a flipped bit would give another bearing. The position holds
+// `mark` and eight characters; the sum (core/numbers/checksum.h) covers the file with zeros for the
+// eight.
 #ifndef BEARING_RESTART_SUM_H
 #define BEARING_RESTART_SUM_H
 

@@ -120,7 +120,7 @@ bool RingWords::take()
   return true;
 }
 
-// Loads of a radial bearing: `free loaded` frees what they push.
+// Loads of a radial bearing: `free loaded` frees the directions that they push.
 bool RingWords::take_load()
 {
   if (args_.take("free")) {
@@ -152,7 +152,7 @@ bool RingWords::take_housing()
   return true;
 }
 
-// The radial load is rounded to 15 digits of its direction, so that one along -y has no component
+// The direction of the radial load is rounded to 15 digits, so that one along -y has no component
 // along x.
 void RingWords::apply_load()
 {

@@ -11,7 +11,7 @@
 
 namespace bearing {
 
-// Loads of a radial bearing as the words `load` and `axial` have them, for a record.
+// Loads of a radial bearing as given by the words `load` and `axial`, for a record.
 struct StatedLoads {
   bool stated = false;
   double load = 0.0, azimuth = 0.0, axial = 0.0;    // N, rad, N
@@ -27,20 +27,20 @@ struct RingSettings {
   std::string holder;    // group of the ring that the supports hold to; empty: the ground
 };
 
-// Mass and inertia of a ring where the words have none; zeros: unknown.
+// Mass and inertia of a ring for which the words give none; zeros: unknown.
 struct RingBody {
   double mass = 0.0;
   raceway::RingInertia inertia;
 };
 
-// Reads them, keyword by keyword.
+// Reads the settings, keyword by keyword.
 class RingWords {
  public:
   // each: values may differ from ring to ring
   RingWords(Arguments &args, const raceway::LabAxes &axes, RingSettings &to, bool each);
   bool take();    // a keyword and its values; false: the next word is not one of
                   // these
-  // After all words: sets what depends on several of them, and checks them
+  // After all words: sets values that depend on several of them, and checks them
   void finish(const RingBody &usual);
   std::string known() const;    // all keywords, for messages
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Values as the hosts' formulas write them, with 15 digits: a deck that computes a number and a
-// command that computes the same give the same bits.
+// Values with 15 digits, as the hosts' formulas write them: a deck that computes a number and a
+// command that computes the same number give the same bits.
 #ifndef BEARING_WRITTEN_H
 #define BEARING_WRITTEN_H
 
