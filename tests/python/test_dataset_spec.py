@@ -51,6 +51,13 @@ def test_a_seed_is_what_it_says(tmp_path):
     assert len(set(phases)) == len(phases) and 0 <= min(phases) < max(phases) < 2 * np.pi / 9
 
 
+def test_pits_of_balls_need_one_groove(tmp_path):
+    four = {**GOOD, "bearing": "QJ208"}
+    assert len(records(read(tmp_path, four))) == 20
+    with pytest.raises(SpecError, match="QJ208 has four points, which its pit does not meet"):
+        records(read(tmp_path, {**four, "flaws": {"ball": {"length": 1e-3}}}))
+
+
 def test_places_on_the_clock():
     assert azimuth(6) == pytest.approx(-np.pi / 2) and azimuth(9) == pytest.approx(-np.pi, abs=1e-9)
 

@@ -4,6 +4,7 @@ recovers the films, pictures, messages and exit codes."""
 
 import csv
 import json
+import math
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +12,7 @@ import pytest
 from PIL import Image
 from raceway import electric_point, film_reading, film_voltage, operating_point
 from raceway.cli import main
+from raceway.theory.bearing import DoubleRow
 from raceway.theory.capacitors import Filling
 from raceway.theory.electric_point import Ask
 from raceway.theory.validity import Shoulders
@@ -33,7 +35,12 @@ def printed(capsys, *arguments):
     return capsys.readouterr().out
 
 
-def test_parts_add_up(point):
+GROOVES = [{}, {"four_point": math.radians(35)}, {"double_row": DoubleRow(20e-3, 5e-6)}]
+
+
+@pytest.mark.parametrize("grooves", GROOVES)
+def test_parts_add_up(grooves):
+    point = electric_point.solve("6208", "vg46", load=3000.0, rpm=1500.0, **grooves)
     found = electric_point.figures(point)
     parts = ("capacitance_F", "capacitance_surroundings_F", "capacitance_unloaded_F")
     assert sum(found[part] for part in parts) == pytest.approx(found["capacitance_total_F"])
@@ -46,13 +53,22 @@ def test_parts_add_up(point):
         assert ball["capacitance_F"] == pytest.approx(one * other / (one + other))
 
 
+@pytest.mark.parametrize("grooves", GROOVES)
 @pytest.mark.parametrize("models", ["paper", "full"])
-def test_plates_are_those_of_statics(models):
+def test_plates_are_those_of_statics(models, grooves):
     same = dict(load=1000.0, rpm=3000.0, clearance=10e-6, temperature=60.0, models=models)
+    same |= grooves
     found = electric_point.figures(electric_point.solve("6306", "vg68", **same))
     statics = operating_point.figures("6306", "vg68", **same)
     for key in ("capacitance_F", "h_c_m", "lambda"):
         assert found[key] == pytest.approx(statics[key], rel=1e-9)
+
+
+def test_two_rows_are_two_bearings_that_share_the_load():
+    deep = dict(rpm=1500.0, models="paper")
+    one = electric_point.solve("6208", "vg46", load=1500.0, **deep)
+    two = electric_point.solve("6208", "vg46", load=3000.0, double_row=DoubleRow(20e-3), **deep)
+    assert two.capacitors().total == pytest.approx(2 * one.capacitors().total, rel=1e-6)
 
 
 def test_shoulders_are_the_file_s_unless_given(point):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import raceway
 from host import ROOT, frames, succeed
-from raceway import bearing, electrical, static, whole_capacitance
+from raceway import bearing, electric_point, electrical, static, whole_capacitance
 from raceway.electric import circuit
 from raceway.electric.breakdown import Breakdown
 from raceway.electric.leak import Leak
@@ -322,7 +322,7 @@ def test_circuit_of_the_fix_is_that_of_python(outputs):
 
 def test_what_needs_one_groove_says_so(outputs):
     run = raceway.open(outputs[0])
-    with pytest.raises(RunError, match="rings of two grooves for a ball; the whole capacitance"):
+    with pytest.raises(RunError, match="rings of two grooves for a ball: their whole capacitance"):
         whole_capacitance.over_time(run)
 
 
@@ -341,6 +341,28 @@ def test_main_deck(tmp_path):
     inner, outer = whole.reshape(len(whole), 2, 2, -1).sum(axis=2).transpose(1, 0, 2)
     series = (inner * outer / (inner + outer)).sum(axis=1)
     assert sums["capacitance_total"].to_numpy() == pytest.approx(series, rel=1e-12)
+    read = whole_capacitance.over_time(recorded)
+    assert read["bearing"].to_numpy() == pytest.approx(series, rel=1e-12)
+    # statics at the places that the balls pass
+    points = [
+        electric_point.solve(
+            "6208",
+            "mineral",
+            load=recorded.settings["load_N"],
+            axial=1000.0,
+            rpm=recorded.settings["rpm"],
+            clearance=2e-6,
+            models="paper",
+            phase=2 * np.pi / 9 * k / 4,
+            four_point=np.radians(35),
+        )
+        for k in range(4)
+    ]
+    of_statics = np.mean([point.capacitors().total for point in points])
+    assert series.mean() == pytest.approx(of_statics, rel=2e-3)
+    fails = [electric_point.figures(point)["threshold_V"] for point in points]
+    voltage = whole_capacitance.fields(recorded, read, 1.0)["threshold"].to_numpy()
+    assert voltage.mean() == pytest.approx(np.mean(fails), rel=1e-2)
     frame = list(particles.frames(recorded.tables, 1))[-1].data
     seen, now, balls = recorded.universe(), want.isel(time=-1), frame["type"] == 1
     ts, ours = seen.trajectory[-1], np.isin(seen.atoms.ids, want.ball)

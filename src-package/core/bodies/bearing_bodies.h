@@ -68,6 +68,9 @@ class BearingBodies {
   // Forces on the coordinates at the share s of the host's step, N or N m, except the moments of
   // bending on the tilts of its shaft.
   void border_forces(double s, std::vector<double> &);
+  void border_loads(double s, std::vector<double> &);    // those of loads and weight alone
+  // Power of contacts and supports on the driven degrees of freedom of a ring, W.
+  double power_on_drives(const RingBody &) const;
   // Pose on which the supports of a ring act: relative to its holder if it has one; for a flexible
   // shaft, the pose of its centre.
   RingPose held(const RingBody &r) const

@@ -34,6 +34,7 @@ void BearingBodies::add_modes(ShaftBend &b)
                     &b.base.rate[k],      &b.first.rate[k], &b.now.rate[k]};
     c.spring = b.modes->stiffness[mode];
     c.damper = b.modes->damping[mode];
+    c.place = &b.now.place[k];
     border.push_back(c);
   }
 }
@@ -160,6 +161,35 @@ void BearingBodies::border_forces(double s, std::vector<double> &forces)
     const std::vector<double> &of = b.forces(shaft.program, shaft.now, s);
     std::copy(of.begin(), of.end(), forces.begin() + b.mode);
   }
+}
+
+void BearingBodies::border_loads(double s, std::vector<double> &loads)
+{
+  for (const RingBody &r : rings) {
+    if (!r.loose || r.carried) continue;
+    Vec3 push = r.program.force_at(s, r.now.angle);
+    if (heavy) push += gravity * r.program.mass;
+    const Vec3 M = r.program.moment_at(s, r.now);
+    const double all[] = {push.x, push.y, push.z, M.x, M.y, dot(M, r.now.e)};
+    for (int dof = 0; dof < RingProgram::N_DOF; ++dof)
+      if (r.coordinate[dof] >= 0) loads[r.coordinate[dof]] = all[dof];
+  }
+  for (ShaftBend &b : bends) {
+    const RingBody &shaft = rings[b.shaft];
+    const std::vector<double> &of = b.loads(shaft.program, shaft.now, s);
+    std::copy(of.begin(), of.end(), loads.begin() + b.mode);
+  }
+}
+
+double BearingBodies::power_on_drives(const RingBody &r) const
+{
+  Vec3 F = r.force, M = r.moment;
+  if (r.holds) add_held(r, &F, &M);
+  const double all[] = {F.x, F.y, F.z, M.x, M.y, dot(M, r.now.e)};
+  double power = 0.0;
+  for (int dof = 0; dof < RingProgram::N_DOF; ++dof)
+    if (!r.program.free(dof)) power += all[dof] * *r.now.speed_of(dof);
+  return power;
 }
 
 Vec3 BearingBodies::force_on(const RingBody &r, double s) const

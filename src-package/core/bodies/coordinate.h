@@ -22,6 +22,7 @@ struct Coordinate {
   // that of a cage, whose pockets move along the pitch circle.
   double lever = 1.0;
   double spring = 0.0, damper = 0.0;    // N/m, N s/m, of a mode
+  const double *place = nullptr;        // m, present amplitude of a mode
 
   // The same with that of balls at this distance (m) from the axis.
   double moves(double radius) const { return tilts ? radius + lever : lever; }

@@ -21,36 +21,17 @@ void BearingIntegrator::add_energy(const Stage &stage, double weight, double s)
   double power = -power_of_residual(stage.h);
   // if only dampers are implicit, free degrees of freedom move half the way at the old velocity
   const double old_share = stage.dampers_only ? 0.5 : 0.0;
-  for (const RingBody &r : bodies_.rings) {
-    if (r.carried) continue;    // its forces act on the shaft
-    double push[3], pull[3], v[3], way[3];
-    r.program.force_at(s, r.now.angle).to(push);
-    Vec3 met_force = r.force, met_moment = r.moment;
-    if (r.holds) bodies_.add_held(r, &met_force, &met_moment);
-    met_force.to(pull);
-    r.now.v.to(v);
-    (r.now.v + (r.from.v - r.now.v) * old_share).to(way);
-    for (int k = 0; k < 3; ++k) power += r.program.free(k) ? push[k] * way[k] : -pull[k] * v[k];
-    const Vec3 load = r.program.moment_at(s, r.now), W = r.now.across(),
-               before = r.from.across() - W;
-    const double w[3] = {W.x, W.y, r.now.spin};
-    const double turn[3] = {W.x + before.x * old_share, W.y + before.y * old_share,
-                            r.now.spin + (r.from.spin - r.now.spin) * old_share};
-    const double given[3] = {load.x, load.y, dot(load, r.now.e)};
-    const double met[3] = {met_moment.x, met_moment.y, dot(met_moment, r.now.e)};
-    for (int k = 0; k < 3; ++k)
-      power += r.program.free(RingProgram::TILT + k) ? given[k] * turn[k] : -met[k] * w[k];
-  }
   double lost = forces_.power_lost();
-  for (ShaftBend &b : bodies_.bends) {
-    const RingBody &shaft = bodies_.rings[b.shaft];
-    const std::vector<double> &loads = b.loads(shaft.program, shaft.now, s);
-    for (int k = 0; k < b.size(); ++k) {
-      const double v = b.now.rate[k];
-      power += loads[k] * (v + (b.from.rate[k] - v) * old_share);
-      lost += b.modes->damping[k % b.modes->size()] * v * v;
-    }
+  loads_.resize(bodies_.border.size());
+  bodies_.border_loads(s, loads_);
+  for (size_t k = 0; k < loads_.size(); ++k) {
+    const Coordinate &c = bodies_.border[k];
+    const double v = *c.now;
+    power += loads_[k] * (v + (*c.from - v) * old_share);
+    lost += c.damper * v * v;
   }
+  for (const RingBody &r : bodies_.rings)
+    if (!r.carried) power -= bodies_.power_on_drives(r);    // a carried ring acts on its shaft
   if (bodies_.heavy) power += power_of_gravity(old_share);
   for (const RingBody &r : bodies_.rings)
     if (r.program.supported) {
@@ -80,24 +61,15 @@ double BearingIntegrator::power_of_residual(double h) const
   return power / h;
 }
 
-// Power of gravity on bodies and free degrees of freedom of the rings, W, with old_share of the old
-// velocities.
+// Power of gravity on the bodies, W, with old_share of the old velocities.
 double BearingIntegrator::power_of_gravity(double old_share) const
 {
-  const double fall[] = {bodies_.gravity.x, bodies_.gravity.y, bodies_.gravity.z};
-  Lane of_bodies = {};
+  Lane power = {};
   for (const BodyGroup &g : bodies_.groups)
-    of_bodies +=
-        where(g.used,
-              g.mass * dot(g.v + (g.v_from - g.v) * old_share, g.now.local(bodies_.gravity)), 0.0);
-  double power = sum(of_bodies);
-  for (const RingBody &r : bodies_.rings) {
-    double v[3];
-    (r.now.v + (r.from.v - r.now.v) * old_share).to(v);
-    for (int k = 0; k < 3; ++k)
-      if (r.program.free(k)) power += r.program.mass * fall[k] * v[k];
-  }
-  return power;
+    power += where(g.used,
+                   g.mass * dot(g.v + (g.v_from - g.v) * old_share, g.now.local(bodies_.gravity)),
+                   0.0);
+  return sum(power);
 }
 
 const BearingIntegrator::Energy &BearingIntegrator::energy()
@@ -106,8 +78,8 @@ const BearingIntegrator::Energy &BearingIntegrator::energy()
   return energy_;
 }
 
-// At the present state, J: kinetic energy of bodies and free degrees of freedom of the rings, and
-// elastic energy of the contacts.
+// At the present state, J: kinetic energy of bodies and coordinates, elastic energy of supports,
+// modes and contacts.
 double BearingIntegrator::stored_energy()
 {
   Lane motion = {};
@@ -121,25 +93,13 @@ double BearingIntegrator::stored_energy()
   }
   for (BallTurns &t : bodies_.turns) t.rest();
   double total = sum(motion);
-  for (RingBody &r : bodies_.rings) r.now = r.from;
-  for (ShaftBend &b : bodies_.bends) b.now = b.from;
-  for (const RingBody &r : bodies_.rings) {
-    double v[3];
-    r.now.v.to(v);
-    for (int k = 0; k < 3; ++k)
-      if (r.program.free(k)) total += 0.5 * r.program.mass * v[k] * v[k];
-    for (int k = 0; k < 2; ++k)
-      if (r.program.free(RingProgram::TILT + k))
-        total += 0.5 * r.program.inertia.transverse * r.now.rate[k] * r.now.rate[k];
+  bodies_.on_border([](auto &one) { one.now = one.from; });
+  for (const Coordinate &c : bodies_.border) {
+    total += 0.5 * *c.mass * *c.now * *c.now;
+    if (c.place) total += 0.5 * c.spring * *c.place * *c.place;
+  }
+  for (const RingBody &r : bodies_.rings)
     if (r.program.supported) total += r.program.support_energy(bodies_.held(r));
-    if (r.program.free(RingProgram::SPIN))
-      total += 0.5 * r.program.inertia.axial * r.now.spin * r.now.spin;
-  }
-  for (const ShaftBend &b : bodies_.bends) {
-    total += strain_energy(*b.modes, b.now);
-    for (int k = 0; k < b.size(); ++k)
-      total += 0.5 * b.modes->mass[k % b.modes->size()] * b.now.rate[k] * b.now.rate[k];
-  }
   forces_.evaluate(Stage());
   return total + forces_.contact_energy();
 }

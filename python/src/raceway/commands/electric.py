@@ -107,6 +107,7 @@ def _operating_point(one):
         metavar="N",
         help="along z, newtons (0)",
     )
+    options.grooves(point)
     options.models(
         point, CAPACITANCE, "full: film in the gap, inlet shear; paper: as the publication"
     )
@@ -310,6 +311,7 @@ def _solve(arguments, values, phase=0.0):
             models=arguments.models,
             filling=_filling(arguments),
             phase=phase,
+            **options.grooves_of(arguments),
             **values,
         )
     except ValueError as error:

@@ -203,8 +203,10 @@ def records(spec: Spec) -> list[Record]:
     the number of that ball, and the phases of waves. Raises `RacewayError` for an unknown bearing.
     """
     path = catalogue.find("bearings", spec.bearing)
-    why = "the ball frequency of labels, BSF, is that of one contact angle"
-    bearing, angle = inputs.bearing(path, one_groove=why), inputs.nominal_angle(path)
+    bearing = inputs.bearing(path)
+    angle = inputs.four_point_angle(path) or inputs.nominal_angle(path)
+    if "ball" in spec.flaws and len(bearing.raceways) > 2:
+        raise SpecError(f"flaw ball: {path.name} has four points, which its pit does not meet")
     passes = kinematics.frequencies(bearing, angle).outer / 60  # ball passes a second and rpm
     length = spec.seconds + 2 * GUARD / min(spec.rates)
     result = []

@@ -88,25 +88,30 @@ def over_time(run: Run, filling: Filling | None = None, density: float = 7800.0)
     kg/m^3), a contact has the film of Q_u, extrapolated from the largest load of its raceway at
     that time with the load exponent of eq 9. A gap without load is at least the distance between
     ball and raceway, from the positions of ball and ring. `filling` is by default that of the run;
-    then separations and capacitances come from its record if present (attribute `source`). All
-    samples must fit into memory. Raises `RunError` for a run without film, balls or rings, and for
-    rings of two grooves.
+    then separations and capacitances come from its record if present (attribute `source`). Those
+    of two grooves of a ring come from the record alone, as one: in parallel, with the thinner film
+    and the larger load, without `play`. All samples must fit into memory. Raises `RunError` for a
+    run without film, balls or rings, and for two grooves with a `filling` or without a record of
+    their capacitances.
     """
     need_film(run, "capacitance")
-    if run.tables.record.two_grooves:
-        raise RunError(
-            f"{run.tables.folder} has rings of two grooves for a ball; the whole capacitance is"
-            " computed from the gap to one. Fix bearing/capacitance has that of both: columns"
-            " capacitance_total, threshold_voltage, leak, impedance"
-        )
-    contacts, gaps = _aligned(run)
+    contacts = run.contacts
     recorded = filling is None and set(RECORDED.values()) <= set(contacts)
+    if two := run.tables.record.two_grooves:
+        if not recorded:
+            raise RunError(
+                f"{run.tables.folder} has rings of two grooves for a ball: their whole capacitance"
+                " is that of a run with -var surroundings, in its own filling"
+            )
+        gaps = contacts["load"].transpose("time", "raceway", "ball")
+    else:
+        contacts, gaps = _aligned(run)
     filling = filling_of(run) if filling is None else filling
     bearing, clearance = run.tables.geometry, run.settings["clearance_m"]
     quiet = capacitors.quiet_load(bearing, _cage_speed(run), density)
     data = xr.Dataset(coords=gaps.coords)
-    found = []
-    for side, name in enumerate(SIDES):
+    found, dims = [], gaps.dims
+    for side, name in enumerate(() if two else SIDES):
         table = contacts.sel(raceway=name)
         load = table["load"].to_numpy()
         separation = _separation(bearing, side, table, quiet, clearance)
@@ -127,14 +132,19 @@ def over_time(run: Run, filling: Filling | None = None, density: float = 7800.0)
                 clearance=clearance,
             )
         )
-    dims = gaps.dims
-    for name in ("load", "separation", "area", "plates", "outside", "paths", "total"):
-        data[name] = dims, np.stack([getattr(side, name) for side in found], axis=1)
-    data["play"] = gaps
+    if two:
+        data["load"] = contacts["load"]
+        data["area"] = np.pi * (contacts["a"] * contacts["b"]).fillna(0.0).transpose(*dims)
+    else:
+        for name in ("load", "separation", "area", "plates", "outside", "paths", "total"):
+            data[name] = dims, np.stack([getattr(side, name) for side in found], axis=1)
+        data["play"] = gaps
     if recorded:
         for name, column in RECORDED.items():
             data[name] = contacts[column].transpose(*dims).drop_vars(ANGLES, errors="ignore")
         data["paths"] = _paths(data, contacts["h_c"], run.settings["permittivity"], filling)
+    if two:
+        data = data.drop_vars(ANGLES, errors="ignore").transpose(*dims).map(_by_ring)
     inner, outer = (data["total"].sel(raceway=name).to_numpy() for name in SIDES)
     data["one_ball"] = ("time", "ball"), capacitance.ball(inner, outer)
     data["bearing"] = data["one_ball"].sum("ball")
@@ -144,6 +154,14 @@ def over_time(run: Run, filling: Filling | None = None, density: float = 7800.0)
     source = "record" if recorded else "places, loads and films"
     data.attrs = {"quiet_load_N": quiet, "filling": filling.kind, "source": source}
     return data
+
+
+def _by_ring(values):
+    """Grooves (inner 0, inner 1, outer 0, outer 1) as one raceway a ring."""
+    join = {"load": "max", "separation": "min"}.get(values.name, "sum")
+    pairs = [getattr(values.isel(raceway=slice(k, k + 2)), join)("raceway") for k in (0, 2)]
+    joined = xr.concat(pairs, xr.Variable("raceway", list(SIDES)))
+    return joined.transpose("time", "raceway", "ball")
 
 
 def _paths(data, h_c, permittivity, filling):
@@ -212,8 +230,10 @@ def _states(run, whole):
     else:
         ratio = contacts["lambda"].fillna(np.inf)
         share = ratio.copy(data=asperity.zhou_hoeprich(ratio.to_numpy()))
-    loaded = contacts["load"] > 0
-    return film_voltage.states(share.where(loaded, 0.0).transpose(*whole["total"].dims).to_numpy())
+    share = share.where(contacts["load"] > 0, 0.0).rename("load")
+    if contacts.sizes["raceway"] > len(SIDES):
+        share = _by_ring(share)
+    return film_voltage.states(share.transpose(*whole["total"].dims).to_numpy())
 
 
 def _aligned(run):

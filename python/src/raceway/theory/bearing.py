@@ -205,6 +205,12 @@ class Bearing:
         curvature."""
         return self.groove(raceway) - self.ball_radius
 
+    def arch(self, raceway: int) -> float:
+        """Distance of the centres of curvature from the middle plane of the balls where a raceway
+        has two grooves, m; 0 with one."""
+        by_row = self.layout.inner if raceway == INNER else self.layout.outer
+        return (by_row[0][-1] - by_row[0][0]) / 2
+
     def groove_circle(self, raceway: int, clearance: float = 0.0) -> float:
         """Radius of the circle of centres of curvature, m; all the clearance goes to the outer
         groove."""

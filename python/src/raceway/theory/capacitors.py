@@ -15,12 +15,12 @@ from numpy.typing import ArrayLike
 from raceway.arrays import Floats, Numbers
 from raceway.inputs import Oil
 from raceway.theory import (
+    ball_motion,
     capacitance,
     capacitance_outside,
     film,
     groove_width,
     hertz,
-    kinematics,
     rough_film,
 )
 from raceway.theory.bearing import INNER, OUTER, Bearing
@@ -61,6 +61,15 @@ class Capacitors(NamedTuple):
         """Plates and outside in parallel, (Z,), F."""
         return self.plates + self.outside
 
+    @property
+    def of_balls(self) -> "Capacitors":
+        """The same of grooves (grooves, Z) as one capacitor a ball (Z,): in parallel, with the
+        largest load and the thinnest film."""
+        if self.load.ndim == 1:
+            return self
+        together = (np.max, np.min, *(np.sum,) * 4)
+        return Capacitors(*(join(one, axis=0) for join, one in zip(together, self)))
+
 
 class BearingCapacitors(NamedTuple):
     """Capacitors of both raceways and their combinations."""
@@ -95,11 +104,11 @@ class BearingCapacitors(NamedTuple):
         return float(np.sum(self.ball[self.inner.load <= 0]))
 
 
-def quiet_load(bearing: Bearing, orbit: float, density: float = 7850.0) -> float:
+def quiet_load(bearing: Bearing, orbit: Numbers, density: float = 7850.0) -> Numbers:
     """Q_u = m r omega^2 in N of a ball without other load, at least 0.1; `orbit` the cage speed in
     rad/s, `density` in kg/m^3."""
     mass = 4 / 3 * np.pi * bearing.ball_radius**3 * density
-    return max(LEAST, mass * bearing.pitch_radius * orbit**2)
+    return np.maximum(LEAST, mass * bearing.pitch_radius * np.square(orbit))[()]
 
 
 def of_raceway(
@@ -198,7 +207,7 @@ def of_statics(
     state: Equilibrium,
     oil: Oil,
     spin: float,
-    quiet: float,
+    quiet: Numbers,
     *,
     filling: Filling = FLOODED,
     clearance: float = 0.0,
@@ -207,19 +216,27 @@ def of_statics(
 ) -> BearingCapacitors:
     """`BearingCapacitors` of an `Equilibrium` whose balls turn, the inner ring at `spin` rad/s.
 
-    `quiet` is `quiet_load` in N; clearance and `factor` as `lubrication.lubricate`'s; `scale`
-    multiplies every film. Raises `ValueError` without speed: then there is no film.
+    `quiet` is `quiet_load` in N, which the outer film carries at least; two grooves share it.
+    `clearance` and `factor` as `lubrication.lubricate`'s; `scale` multiplies every film. Raises
+    `ValueError` without speed: then there is no film.
     """
     if not spin:
         raise ValueError("spin = 0 rad/s: balls that do not turn have no film")
     sides = []
-    for side, contact in ((INNER, state.inner), (OUTER, state.outer)):
-        thickness = _thickness(bearing, side, contact, oil, spin, clearance, factor)
-        load = contact.load if side == INNER else np.maximum(contact.load, quiet)
+    speeds, _ = ball_motion.speeds(bearing, spin, state)
+    inner = bearing.raceways.count(INNER)
+    for side, contact, drawn in (
+        (INNER, state.inner, speeds[:inner]),
+        (OUTER, state.outer, speeds[inner:]),
+    ):
+        drawn = drawn.reshape(contact.load.shape)
+        thickness = _thickness(bearing, side, contact, oil, drawn, clearance, factor)
+        load = contact.load
+        if side == OUTER and load.ndim == 1:
+            load = np.maximum(load, quiet)
         own = scale * thickness(np.where(load > 0, load, quiet))
         apart = scale * separation(thickness, load, 0.0, quiet)
-        if side == INNER:
-            apart = np.where(load > 0, apart, np.maximum(apart, -contact.overlap))
+        apart = np.where(load > 0, apart, np.maximum(apart, -contact.overlap))
         sides.append(
             of_raceway(
                 bearing,
@@ -233,15 +250,14 @@ def of_statics(
                 filling=filling,
                 roughness=oil.roughness,
                 clearance=clearance,
-            )
+            ).of_balls
         )
     return BearingCapacitors(*sides)
 
 
-def _thickness(bearing, side, contact: Contacts, oil, spin, clearance, factor):
+def _thickness(bearing, side, contact: Contacts, oil, speed, clearance, factor):
     r_x, r_y = bearing.effective_radii(side, contact.angle, clearance)
     kappa = hertz.exact(r_x, r_y).kappa
-    speed = kinematics.entrainment(bearing, spin, contact.angle)
     thinned = 1.0 if factor is None else factor(speed)
 
     def thickness(load: Numbers) -> Numbers:

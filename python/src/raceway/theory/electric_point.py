@@ -12,11 +12,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from raceway import catalogue, inputs
-from raceway.arrays import short
+from raceway.arrays import Floats, short
 from raceway.files import FilePath
 from raceway.theory import capacitors, film_voltage, impedance, lubrication
 from raceway.theory.asperity import zhou_hoeprich
-from raceway.theory.bearing import Bearing
+from raceway.theory.bearing import Bearing, DoubleRow
 from raceway.theory.capacitors import FLOODED, BearingCapacitors, Filling
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubrication import Lubrication
@@ -34,7 +34,7 @@ class Point(NamedTuple):
     state: Equilibrium
     films: Lubrication
     spin: float  # rad/s
-    quiet: float  # Q_u, N
+    quiet: float | Floats  # Q_u, N, of several rows by ball
     clearance: float  # m
     film: FilmInGap | None
     filling: Filling
@@ -83,14 +83,17 @@ def solve(
     models: str = PAPER,
     phase: float = 0.0,
     filling: Filling = FLOODED,
+    four_point: float | None = None,
+    double_row: DoubleRow | None = None,
 ) -> Point:
     """`Point` of a bearing and lubricant by name or path, looked up in the inputs `folder`; loads
     in N, `rpm` of the inner ring, diametral `clearance` in m, `temperature` in degrees C, `phase`
     of the first ball in rad.
 
     Shoulders that `filling` does not have are those of the bearing's file. `models` is one of
-    `models.CAPACITANCE`; "full" has the film in the gap and inlet shear. Raises
-    `RacewayError`; `ValueError` without speed and for unknown words.
+    `models.CAPACITANCE`; "full" has the film in the gap and inlet shear. `four_point` (rad) and
+    `double_row` as in `inputs.bearing`. Raises `RacewayError`; `ValueError` without speed and for
+    unknown words.
     """
     path, oil_path = (
         catalogue.find("bearings", bearing, folder),
@@ -100,8 +103,8 @@ def solve(
         raise ValueError(f"models '{models}' is none of {', '.join(CAPACITANCE)}")
     if not rpm:
         raise ValueError("rpm = 0: balls that do not turn have no film")
-    why = "statics has the gap around a contact for one groove a ring, runs for two (surroundings)"
-    body, oil = inputs.bearing(path, one_groove=why), inputs.oil(oil_path, temperature)
+    body = inputs.bearing(path, four_point=four_point, double_row=double_row)
+    oil = inputs.oil(oil_path, temperature)
     fluid = inputs.fluid(oil_path, temperature)
     spin = rpm * math.pi / 30
     density = inputs.ball_density(path)
@@ -111,7 +114,7 @@ def solve(
         spin,
         load,
         axial,
-        held=STRAIGHT | inputs.held(path, axial, clearance),
+        held=STRAIGHT | inputs.held(path, axial, clearance, double_row),
         clearance=clearance,
         phase=phase,
         ball_density=density,
@@ -157,7 +160,9 @@ def figures(point: Point, ask: Ask = NOTHING) -> dict[str, Any]:
         film_voltage.threshold(gaps, parts, ask.strength, sigma) for sigma in (0.0, oil.roughness)
     )
     metallic = [
-        film_voltage.states(zhou_hoeprich(np.where(side.ratio > 0, side.ratio, np.inf))) == 2
+        np.atleast_2d(
+            film_voltage.states(zhou_hoeprich(np.where(side.ratio > 0, side.ratio, np.inf))) == 2
+        )
         for side in (films.inner, films.outer)
     ]
     result = dict(
@@ -179,7 +184,7 @@ def figures(point: Point, ask: Ask = NOTHING) -> dict[str, Any]:
         ),
         metallic_contacts=int(sum(side.sum() for side in metallic)),
     )
-    result["lambda"] = films.inner.ratio[top]
+    result["lambda"] = np.atleast_2d(films.inner.ratio)[:, top].max()
     result.update(_field(gaps, parts, oil, ask))
     result.update(_impedance(found, ask))
     result.update(bearing_voltage_ratio=None, measured_F=ask.measured)
@@ -198,7 +203,7 @@ def figures(point: Point, ask: Ask = NOTHING) -> dict[str, Any]:
         )
     result = {key: _plain(value) for key, value in result.items()}
     result["warnings"] = _warnings(point)
-    result["balls"] = _balls(point, found, smooth, metallic)
+    result["balls"] = _balls(point, found, smooth, [solid.any(0) for solid in metallic])
     return result
 
 
@@ -227,7 +232,7 @@ def _impedance(found, ask):
 def _warnings(point):
     sides = (point.state.inner, point.state.outer)
     heavy = [side.heavy for side in sides]
-    ratio = np.concatenate([point.films.inner.ratio, point.films.outer.ratio])
+    ratio = np.concatenate([point.films.inner.ratio, point.films.outer.ratio], axis=None)
     found = {"pressure": max(side.pressure.max() for side in sides)}
     if np.any(ratio > 0):
         found["conducts"] = ratio[ratio > 0].min()

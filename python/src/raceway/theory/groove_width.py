@@ -39,15 +39,17 @@ def depth(
     return found
 
 
-def shoulder_angle(groove: float, ball_radius: float, depth: float, gap: Numbers = 0.0) -> Numbers:
+def shoulder_angle(
+    groove: float, ball_radius: float, depth: float, gap: Numbers = 0.0, offset: float = 0.0
+) -> Numbers:
     """theta_b: the shoulder's angle at the centre of a ball that is `gap` (m) from the bottom of
-    its groove of radius `groove`, `depth` deep (m).
+    its groove of radius `groove`, `depth` deep (m), and `offset` (m) from the plane of its centres.
 
-    tan(theta_b) = r_c sin(theta)/(R_b - t + gap), cos(theta) = 1 - t/r_c (derived here:
+    tan(theta_b) = (r_c sin(theta) - offset)/(R_b - t + gap), cos(theta) = 1 - t/r_c (derived here:
     docs/electric).
     """
     sine = np.sqrt(depth * (2 * groove - depth))
-    return np.arctan2(sine, ball_radius - depth + gap)
+    return np.arctan2(sine - offset, ball_radius - depth + gap)
 
 
 def half_widths(
@@ -67,18 +69,28 @@ def half_widths(
     Within the ellipse the groove is the parabola already: what the arc adds there comes off, 4 R_b
     q_a - a of the first term and (q_a/q)^2 of the second, with q = tan(t/4), q_a = tan(a/(4 R_b)).
 
+    A groove of four points ends in the middle plane, where the other one of its ring begins: far
+    from its shoulder t is the contact angle, and without the term of 0.09. At `offset` G of its
+    centre, and the angle alpha_0 of a ball in the middle, tan(theta_b) = (r_c sin(theta) - G)/(R_b
+    - t + (r_c - R_b)(1 - cos(alpha_0))).
+
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     >>> [round(1e3 * float(half_widths(b, side, 2.3e-3).near), 3) for side in (0, 1)]  # mm
     [5.85, 5.614]
     """
-    radius = bearing.ball_radius
-    edge = shoulder_angle(bearing.groove(raceway), radius, depth)
-    r_x, _ = bearing.effective_radii(raceway, angle, clearance)
-    turned = 0.09 * (1 - r_x / radius)  # 0.09 gamma, + inner, - outer
-    lean = np.abs(angle)
+    radius, slack = bearing.ball_radius, bearing.groove_gap(raceway)
+    offset, lean = bearing.arch(raceway), np.abs(angle)
+    if offset:
+        lower = slack - np.sqrt(slack**2 - offset**2)
+        edge = shoulder_angle(bearing.groove(raceway), radius, depth, lower, offset)
+        sides, turned = (edge - lean, lean), 0.0
+    else:
+        edge = shoulder_angle(bearing.groove(raceway), radius, depth)
+        r_x, _ = bearing.effective_radii(raceway, angle, clearance)
+        sides, turned = (edge - lean, edge + lean), 0.09 * (1 - r_x / radius)  # + inner, - outer
     within = np.tan(np.asarray(semi_axis, float) / (4 * radius))  # q_a
     widths = []
-    for side in (edge - lean, edge + lean):
+    for side in sides:
         quarter = np.tan(side / 4)
         part = (within / np.maximum(quarter, within + 1e-300)) ** 2
         width = radius * (4 * (quarter - within) + turned * (1 - part)) + semi_axis
