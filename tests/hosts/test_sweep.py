@@ -15,6 +15,7 @@ import pandas as pd
 import pytest
 import raceway
 from host import ENVIRONMENT, ROOT, succeed
+from raceway.cli import main
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
 
@@ -112,6 +113,26 @@ def test_sweep(table, tmp_path, counter):
     )
     assert gathered.stdout == f"{out / 'results.csv'}: 3 finished, 1 failed\n"
     pd.testing.assert_frame_equal(pd.read_csv(out / "results.csv"), results)
+
+
+def test_shares_of_the_time(tmp_path, capsys):
+    """A column `share` is in results.csv, whose spectrum has the life of its runs by it; statics at
+    the same loads agrees."""
+    path, out = tmp_path / "duties.csv", tmp_path / "out"
+    head, rows = "load,rpm,share", ("2000,1500,0.7", "5000,3000,0.3")
+    path.write_text("\n".join([f"{head},passes,samples", *(f"{row},1,20" for row in rows)]) + "\n")
+    assert sweep(path, "--out", out).returncode == 0
+    results = pd.read_csv(out / "results.csv")
+    assert list(results["share"]) == [0.7, 0.3] and "share" not in results["point"][0]
+    (tmp_path / "alone.csv").write_text("\n".join([head, *rows]) + "\n")
+    found = []
+    for table in (out / "results.csv", tmp_path / "alone.csv"):
+        assert main(["static", "--spectrum", str(table), "--json"]) == 0
+        found.append(json.loads(capsys.readouterr().out))
+    lives = results["life_reference_Mrev"]
+    turns = results["rpm"] * results["share"]
+    assert found[0]["life_reference_Mrev"] == pytest.approx(turns.sum() / (turns / lives).sum())
+    assert found[0]["equivalent_load_N"] == pytest.approx(found[1]["equivalent_load_N"], rel=0.02)
 
 
 def test_finished_means_the_figures_of_these_variables(table, tmp_path, counter):

@@ -205,6 +205,46 @@ def test_load_spectrum(capsys, tmp_path):
     assert "equivalent load" in capsys.readouterr().out
 
 
+SWEPT = "point,status,load,share,equivalent_load_N,life_reference_Mrev,dynamic_rating_N,rpm\n"
+
+
+def test_spectrum_of_a_sweep(capsys, tmp_path):
+    """P of results.csv is the mean (sum q n P^3/sum q n)^(1/3) of the points' loads; a rating does
+    not change it, and the life is that of the load."""
+    path = tmp_path / "results.csv"
+    path.write_text(
+        SWEPT + "a,finished,2000,7,1990,1,30e3,1500\nb,finished,5000,3,4990,1,30e3,3000\n"
+    )
+    lives = {}
+    for rating in (30e3, 60e3):
+        own = [] if rating == 30e3 else ["--C", "60kN"]
+        assert cli.main(["static", "--spectrum", str(path), *own, "--json"]) == 0
+        found = json.loads(capsys.readouterr().out)
+        mean = ((7 * 1500 * 1990**3 + 3 * 3000 * 4990**3) / (7 * 1500 + 3 * 3000)) ** (1 / 3)
+        assert found["equivalent_load_N"] == pytest.approx(mean, rel=1e-12)
+        lives[rating] = found["life_reference_Mrev"]
+        assert lives[rating] == pytest.approx((rating / mean) ** 3, rel=1e-12)
+        assert found["rpm_mean"] == pytest.approx(1950)
+        assert [one["load"] for one in found["points"]] == [2000, 5000]
+
+
+@pytest.mark.parametrize(
+    "rows, said",
+    [
+        ("a,failed,1,1,,,,9\n", "point 1 (a) is failed"),
+        ("a,finished,1,1,,,,9\n", "point 1 (a) has no equivalent_load_N"),
+        ("a,finished,1,,5,1,9,9\n", "point 1: share is '', must be from 1e-12"),
+        ("a,finished,1,1,5,1,9,9\nb,finished,1,1,5,1,8,9\n", "have 8 N and 9 N: give --C"),
+        ("a,finished,1,1,5,,,9\n", "have none: give --C"),
+    ],
+)
+def test_a_sweep_without_a_life(capsys, tmp_path, rows, said):
+    path = tmp_path / "results.csv"
+    path.write_text(SWEPT + rows)
+    assert cli.main(["static", "--spectrum", str(path)]) == 1
+    assert said in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     "text, said",
     [

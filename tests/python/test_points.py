@@ -53,6 +53,8 @@ def test_mark_of_spreadsheets(tmp_path):
     [
         ("", "is empty"),
         ("load,rpm\n", "no row below its columns"),
+        ("load,share\n1,0\n", "line 2: share is '0', must be a number above 0"),
+        ("load,share\n1,half\n", "line 2: share is 'half', must be a number above 0"),
         ("load,rpn\n1,2\n", "column 'rpn' is no variable of the deck; there is: load, axial"),
         ("load,load\n1,2\n", "column 'load' is there 2 times"),
         ("load,out\n1,x\n", "column 'out' cannot be swept"),

@@ -6,8 +6,9 @@ import re
 
 import numpy as np
 import pytest
+import raceway
 import synthetic
-from raceway import clearance, kinematics, makers
+from raceway import clearance, kinematics, life, makers
 from raceway.errors import RunError
 from raceway.runs.summary import summary, table
 from raceway.runs.tables import RunTables
@@ -22,6 +23,7 @@ force_y_N force_z_N moment_x_N_m moment_y_N_m shift_z_m tilt_x_rad tilt_y_rad rp
 rpm_least rpm_most rpm_top
 friction_torque_N_m power_loss_W losses_W torque_skf_N_m torque_palmgren_N_m asperity_share
 settling_torque settling_load settling_cage_speed settling_spin_axis_rad
+equivalent_load_N dynamic_rating_N life_reference_Mrev life_reference_h
 absent warnings model_ranges""".split()
 WORDS = ("bearing", "lubricant", "host", "integrator", "models")
 TYPES = dict.fromkeys(WORDS, str) | {"warnings": list}
@@ -52,6 +54,19 @@ def test_promised_keys(folder, dry_folder):
         assert {key for key, value in figures.items() if value is None} == null
         assert all(isinstance(figures[key], TYPES.get(key, float)) for key in set(PROMISED) - null)
         assert json.loads(json.dumps(figures, allow_nan=False)) == figures
+
+
+def test_rating_life(folder, lubricated, bearing, small_blocks):
+    """That of all contacts of the record in one array, block by block; none where the outer ring
+    turns or the record has no contacts."""
+    figures, run = summary(RunTables(folder)), raceway.open(folder)
+    loads = [run.contacts.Q.sel(raceway=side).fillna(0).to_numpy() for side in ("inner", "outer")]
+    rated = figures["dynamic_rating_N"]
+    life_ = life.reference(bearing, rated, *loads)
+    assert rated == 32500 and figures["life_reference_Mrev"] == pytest.approx(life_, rel=1e-12)
+    assert figures["equivalent_load_N"] == pytest.approx(rated / life_ ** (1 / 3), rel=1e-12)
+    hours = life_ * 1e6 / (60 * lubricated["settings"]["rpm"])
+    assert figures["life_reference_h"] == pytest.approx(hours, rel=1e-12)
 
 
 def test_figures(folder, lubricated, bearing):

@@ -33,6 +33,7 @@ examples:
   raceway static --load 2000 --rpm 477.5 --lubricant mineral --models paper
   raceway static --load 5kN --rpm 1500 --bearing 6208 --C 32.5kN
   raceway static --spectrum duties.csv --C 32.5kN
+  raceway static --spectrum build/sweep/duties/results.csv
   raceway static --axial 1000 --four-point 35 --clearance 20e-6
   raceway static --bearing 7208 --load 1000 --double-row 18e-3 --preload 5e-6 --moment 10 0
   raceway static --bearing my/bearing --axial 500 --hold x=0 --hold y=0
@@ -78,8 +79,8 @@ def add(commands: Commands) -> None:
     loads.add_argument(
         "--spectrum",
         metavar="FILE",
-        help="CSV table with columns load, axial, rpm, share (of the time) instead of these: life"
-        " and equivalent load of all its points together",
+        help="CSV table with columns load, axial, rpm, share (of the time) instead of these, or"
+        " results.csv of a sweep: life and equivalent load of all its points together",
     )
     loads.add_argument(
         "--moment",
@@ -216,9 +217,13 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.spectrum is None:
         result = evaluate(load=arguments.load, axial=arguments.axial, rpm=arguments.rpm)
     else:
-        result = load_spectrum.of_points(
-            load_spectrum.read(arguments.spectrum),
-            lambda duty: evaluate(load=duty.load, axial=duty.axial, rpm=duty.rpm),
+        duties, runs = load_spectrum.read(arguments.spectrum)
+        result = (
+            load_spectrum.of_sweep(duties, runs, arguments.dynamic)
+            if runs
+            else load_spectrum.of_points(
+                duties, lambda duty: evaluate(load=duty.load, axial=duty.axial, rpm=duty.rpm)
+            )
         )
         table = load_spectrum.table
     print(json.dumps(result, indent=2, allow_nan=False) if arguments.json else table(result))

@@ -21,6 +21,9 @@ lubricant, ... Every point gets a folder in DIR named after its values. Finished
 again, so a sweep that was stopped (Ctrl-C, kill, a time limit) goes on when the same command is
 given again; two sweeps started on one DIR share the work. A point that fails keeps its message and
 does not stop the others. At the end DIR/results.csv has a row per point.
+
+A column `share` is no variable but the share of the time of a point in a load spectrum:
+`raceway static --spectrum DIR/results.csv` computes the life under all points together.
 """
 EXAMPLES = """\
 examples:
@@ -101,10 +104,12 @@ def run(arguments: argparse.Namespace) -> None:
     elif arguments.slurm:
         _write_array(arguments, out, len(points))
     else:
-        from raceway.sweeps.sweep import sweep  # pandas takes a while
+        from raceway.sweeps.gather import write_shares  # pandas takes a while
+        from raceway.sweeps.sweep import sweep
 
         first, step = arguments.part
         files.folder(out)
+        write_shares(out, points)
         end_on_signals()
         counts, before, path = sweep(
             points[first - 1 :: step],

@@ -22,6 +22,8 @@ from raceway.runs.friction import STILL as RESTING
 from raceway.runs.friction import friction
 from raceway.runs.measured import load_parameter, measured
 from raceway.runs.model_range import model_ranges
+from raceway.runs.rating import ROWS as RATING
+from raceway.runs.rating import rating
 from raceway.runs.settings import LUBRICANT
 from raceway.runs.settling import settling
 from raceway.runs.tables import RunTables
@@ -69,6 +71,7 @@ TOPICS = {
         row("p_max_outer_Pa"),
         Row("loaded_balls_mean", "balls loaded on both raceways", "", "mean, N_l of eq 12"),
     ),
+    "Rating life": RATING,
     "Film at the largest inner load": (
         Row("rpm_top", "at the speed", "rpm"),
         row("h_min_m"),
@@ -165,6 +168,7 @@ def summary(tables: RunTables) -> dict[str, Any]:
         **measured(tables),
         **friction(tables),
         **settling(tables),
+        **rating(tables),
     )
     result = {key: _plain(value) for key, value in result.items()}
     result["absent"] = models.absent(result["models"], result)

@@ -2,6 +2,7 @@
 """The points of a sweep folder as one tidy table."""
 
 import json
+from collections.abc import Iterable
 from pathlib import Path
 
 import pandas as pd
@@ -10,18 +11,27 @@ from raceway import files, yaml_file
 from raceway.errors import RacewayError
 from raceway.files import FilePath
 from raceway.sweeps.point_run import FAILED, FINISHED, mapping, state
+from raceway.sweeps.points import SHARE, Point
 
 KEYS = ("point", "status", "message")
+SHARES = "shares.json"  # shares of the time by point, of the latest table that has them
+
+
+def write_shares(folder: FilePath, points: Iterable[Point]) -> None:
+    """Write the shares of the time of `points` into the sweep's `folder`, where they have some."""
+    if shares := {point.name: point.share for point in points if point.share}:
+        files.text(Path(folder) / SHARES, json.dumps(shares, indent=2))
 
 
 def gather(folder: FilePath) -> pd.DataFrame:
     """A row per point of the sweep in `folder`: `point`, `status` (finished, failed, pending),
     `message`, the variables that were set, and every key of `raceway.summary.summary` (SI units),
-    the losses as `loss_rolling_W` and so on.
+    the losses as `loss_rolling_W` and so on; `share` of the time where the sweep's table has it.
     Sorted by the variables, whose names are `attrs["variables"]`. Raises `RacewayError` for no
     point.
     """
     rows, variables = [], {}
+    shares = mapping(Path(folder) / SHARES, json.loads)
     for path in sorted(Path(folder).glob("*/point.yaml")):
         asked = mapping(path, yaml_file.parse)
         if asked is None:
@@ -35,9 +45,9 @@ def gather(folder: FilePath) -> pd.DataFrame:
         for nested in ("model_ranges", "absent"):
             figures.pop(nested, None)
         figures.update({f"loss_{part}_W": loss for part, loss in losses.items()})
-        rows.append(
-            {"point": path.parent.name, "status": status, "message": message, **asked, **figures}
-        )
+        share = {SHARE: shares.get(path.parent.name, "")} if shares else {}
+        names = {"point": path.parent.name, "status": status, "message": message}
+        rows.append({**names, **asked, **share, **figures})
     if not rows:
         raise RacewayError(f"{folder} holds no point of a sweep (no */point.yaml)")
     table = pd.DataFrame(rows)

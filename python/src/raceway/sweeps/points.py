@@ -4,6 +4,7 @@ anything runs."""
 
 import csv
 import hashlib
+import math
 import re
 from collections.abc import Mapping
 from pathlib import Path
@@ -27,6 +28,7 @@ OURS = {
     "overwrite": "the sweep knows which points are done",
     "inputs": "it says where the deck's files are; start from the folder that holds them",
 }
+SHARE = "share"  # column of the table that is no variable: share of the time, for load spectra
 LONGEST = 160  # characters of a folder's name, well below the 255 of file systems
 SHOWN = 20  # complaints in one message
 
@@ -37,10 +39,11 @@ class TableError(RacewayError):
 
 class Point(NamedTuple):
     """One point: its folder's name and the deck's variables, in the deck's order, as written in the
-    table."""
+    table; its share of the time in a load spectrum, "" where the table has none."""
 
     name: str
     variables: dict[str, str]
+    share: str = ""
 
 
 def deck_variables(deck: FilePath) -> dict[str, str]:
@@ -97,7 +100,7 @@ def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
     for name in sorted(set(columns)):
         if name in OURS:
             wrong.append(f"column '{name}' cannot be swept: {OURS[name]}")
-        elif name not in variables:
+        elif name not in variables and name != SHARE:
             wrong.append(f"column '{name}' is no variable of the deck")
         if columns.count(name) > 1:
             wrong.append(f"column '{name}' is there {columns.count(name)} times")
@@ -107,6 +110,7 @@ def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
     if len(lines) == 1:
         raise TableError(f"{table} has no row below its columns")
     points, seen, order = [], {}, [name for name in variables if name in columns]
+    shared = SHARE in columns and SHARE not in order
     for number, cells in lines[1:]:
         cells = [cell.strip() for cell in cells]
         if len(cells) != len(columns):
@@ -119,6 +123,9 @@ def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
                 f"line {number}: {name} is "
                 + (f"'{row[name]}', must be one word or number" if row[name] else "empty")
             )
+        if shared and not _positive(row[SHARE]):
+            wrong.append(f"line {number}: {SHARE} is '{row[SHARE]}', must be a number above 0")
+            continue
         if bad:
             continue
         same = tuple(_value(row[name]) for name in order)
@@ -127,7 +134,7 @@ def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
             continue
         seen[same] = number
         point = {name: row[name] for name in order}
-        points.append(Point(folder_name(point), point))
+        points.append(Point(folder_name(point), point, row[SHARE] if shared else ""))
     if wrong:
         raise TableError(f"{table}: {_some(wrong)}")
     return points
@@ -162,6 +169,11 @@ def _lines(table):
         raise TableError(
             f"cannot read {table}: {getattr(error, 'strerror', None) or error}"
         ) from None
+
+
+def _positive(text):
+    value = _value(text)
+    return isinstance(value, float) and 0 < value < math.inf
 
 
 def _value(text):

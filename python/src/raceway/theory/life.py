@@ -22,8 +22,9 @@ PERMITTED = 4.2e9  # Pa, of the most loaded contact under the static load rating
 # kappa up to which a row holds, and its two constants (ISO 281:2007, eqs 31 to 33); the constants
 # of the second row make a_ISO continuous at 0.4 and 1
 _FACTOR = ((0.4, 2.2649, 0.054381), (1.0, 1.9987, 0.19087), (4.0, 1.9987, 0.071739))
-
-
+# of the loads whose means count: of the ring that turns against the load, and of the other one
+# (ISO/TS 16281, eqs 20 and 21)
+POWERS = (3.0, 10 / 3)
 # groove over ball diameter, inner and outer, up to which ISO 281 rates a bearing
 CONFORMITY = (0.52, 0.53)
 
@@ -123,14 +124,22 @@ def reference(
     loads = np.asarray(inner, float), np.asarray(outer, float)
     if any((one < 0).any() for one in loads) or not all(one.any() for one in loads):
         raise ValueError("loads of balls must be 0 or more, and some of them above 0")
-    rows = bearing.layout.tracks
-    raceways = [one.reshape(rows, -1) for one in loads]
-    equivalent = (
-        np.mean(raceways[0] ** 3, axis=1) ** (1 / 3),
-        np.mean(raceways[1] ** (10 / 3), axis=1) ** 0.3,
-    )
-    rated = ball_ratings(bearing, dynamic / rows**0.7, angle)
-    risks = [((q / c) ** (10 / 3)).sum() for c, q in zip(rated, equivalent)]
+    raceways = [one.reshape(bearing.layout.tracks, -1) for one in loads]
+    means = [np.mean(one**power, axis=1) for one, power in zip(raceways, POWERS)]
+    return of_means(bearing, dynamic, *means, angle)
+
+
+def of_means(
+    bearing: Bearing, dynamic: float, inner: ArrayLike, outer: ArrayLike, angle: float = 0.0
+) -> float:
+    """`reference` from the means (T,) over balls and positions of the `POWERS` of the loads (N) on
+    the T grooves of the `inner` and the `outer` ring, all rows together."""
+    means = np.atleast_1d(np.asarray(inner, float)), np.atleast_1d(np.asarray(outer, float))
+    rated = ball_ratings(bearing, dynamic / len(means[0]) ** 0.7, angle)
+    risks = [
+        ((mean ** (1 / power) / capacity) ** (10 / 3)).sum()
+        for capacity, mean, power in zip(rated, means, POWERS)
+    ]
     return float(sum(risks) ** (-9 / 10))
 
 

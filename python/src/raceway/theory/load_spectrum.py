@@ -3,7 +3,8 @@
 
 Damage adds up by revolutions (Palmgren-Miner, as in ISO 281 and ISO/TS 16281): 1/L is the sum of
 u_i/L_i, u_i the share of the revolutions at point i. The equivalent load is the steady one of that
-life, (sum u_i P_i^3)^(1/3).
+life, (sum q_i n_i P_i^p/sum q_i n_i)^(1/p) with the shares q_i of the time, the speeds n_i and
+p = 3 of ball bearings (makers' catalogues: NSK, average of fluctuating load; SEED guide, 4.4).
 """
 
 import csv
@@ -26,6 +27,8 @@ COLUMNS = {
 }
 LIFE = "life_reference_Mrev"
 KEYS = ("equivalent_load_N", LIFE, "dynamic_rating_N")
+# figures of a run that stand for columns of its sweep's table
+OF_RUN = {"load": "load_N", "rpm": "rpm"}
 
 
 class Duty(NamedTuple):
@@ -37,9 +40,13 @@ class Duty(NamedTuple):
     share: float  # of the time, in any unit
 
 
-def read(path: FilePath) -> list[Duty]:
-    """The points of the CSV file `path`: a head with names of `COLUMNS`, rpm among them, and a row
-    for each point. Raises `InputError` with the line and the value that is wrong."""
+def read(path: FilePath) -> tuple[list[Duty], list[dict[str, float]]]:
+    """The points of the CSV file `path`, and for `results.csv` of a sweep the equivalent load and
+    the rating of each by `KEYS`, else an empty list.
+
+    The head has names of `COLUMNS`, rpm among them, and there is a row for each point. A sweep's
+    table has more columns. Raises `InputError` with the line and the value that is wrong, also for
+    a point of a sweep that has not finished or has no equivalent load."""
     try:
         with open(path, newline="", encoding="utf-8-sig") as file:
             rows = [row for row in csv.reader(file) if any(row) and row[0].lstrip()[:1] != "#"]
@@ -48,19 +55,39 @@ def read(path: FilePath) -> list[Duty]:
             f"cannot read {path}: {getattr(error, 'strerror', None) or error}"
         ) from None
     head = [name.strip() for name in rows[0]] if rows else []
-    if unknown := [name for name in head if name not in COLUMNS]:
+    swept = {"point", "status"} <= set(head)
+    if not swept and (unknown := [name for name in head if name not in COLUMNS]):
         raise InputError(f"{path}: there is no column {unknown[0]}, but {', '.join(COLUMNS)}")
     if "rpm" not in head or len(set(head)) < len(head) or len(rows) < 2:
         raise InputError(f"{path}: give each column once, rpm among them, and a row for each point")
-    return [_duty(path, number, head, row) for number, row in enumerate(rows[1:], 1)]
+    for number, row in enumerate(rows[1:], 1):
+        if len(row) != len(head):
+            raise InputError(f"{path}: point {number} has {len(row)} cells, the head {len(head)}")
+    points = [dict(zip(head, row)) for row in rows[1:]]
+    found = [_run(path, number, one) for number, one in enumerate(points, 1)] if swept else []
+    return [_duty(path, number, one) for number, one in enumerate(points, 1)], found
 
 
-def _duty(path, number, head, row):
-    if len(row) != len(head):
-        raise InputError(f"{path}: point {number} has {len(row)} cells, the head {len(head)}")
-    found = {name: default for name, (*_, default) in COLUMNS.items()}
-    for name, text in zip(head, row):
-        low, high, unit, _ = COLUMNS[name]
+def _run(path, number, point):
+    """The figures of a sweep's point, whose rating may be missing."""
+    where = f"{path}: point {number} ({point['point']})"
+    if point["status"] != "finished":
+        raise InputError(f"{where} is {point['status']}: run the sweep again")
+    if not point.get(KEYS[0]):
+        raise InputError(
+            f"{where} has no {KEYS[0]}, which needs a record with contacts, an inner ring that"
+            " turns and a steady load; a table of load, axial, rpm and share does without runs"
+        )
+    return {key: float(point[key]) for key in KEYS if point.get(key)}
+
+
+def _duty(path, number, point):
+    found = {}
+    for name, (low, high, unit, default) in COLUMNS.items():
+        text = point.get(name) or point.get(OF_RUN.get(name, name))
+        if text is None:
+            found[name] = default
+            continue
         try:
             found[name] = float(text)
         except ValueError:
@@ -69,6 +96,27 @@ def _duty(path, number, head, row):
             span = f"from {low:g} to {high:g} {unit}".rstrip()
             raise InputError(f"{path}: point {number}: {name} is {text.strip()!r}, must be {span}")
     return Duty(**found)
+
+
+def of_sweep(
+    duties: Sequence[Duty], runs: Sequence[Mapping[str, float]], dynamic: float | None = None
+) -> dict[str, Any]:
+    """As `of_points` for the points of a sweep with the figures of their `runs`, by the loads that
+    the balls had there. `dynamic` is C in N of all rows, that of the runs unless given. Raises
+    `InputError` without a rating or with several."""
+    known = {one["dynamic_rating_N"] for one in runs if "dynamic_rating_N" in one}
+    rated = known if dynamic is None else {dynamic}
+    if len(rated) != 1:
+        said = " and ".join(f"{one:g} N" for one in sorted(rated)) or "none"
+        raise InputError(f"the points need one dynamic load rating and have {said}: give --C")
+    (rating,) = rated
+    loads = iter(runs)
+
+    def figures(_):
+        load = next(loads)["equivalent_load_N"]
+        return {KEYS[0]: load, LIFE: float(life.basic(rating, load)), KEYS[2]: rating}
+
+    return of_points(duties, figures)
 
 
 def of_points(
