@@ -18,6 +18,7 @@ from raceway import (
 from raceway.core import laws
 from references import film as film_reference
 from references import friction as reference
+from references import spin as gauss_points
 from scipy.optimize import brentq
 
 GROOVE, BALL, PITCH = 6.552e-3, 6.3e-3, 30.3e-3
@@ -363,7 +364,7 @@ def test_spin_beside_differential_slip(physics, part):
     curve = edge / free.a**2
     slips = np.linspace(0.0, 0.15, 31) * edge
     gauss = [
-        spin.with_slip(
+        gauss_points.with_slip(
             free.load, FRICTION, free.a, free.b, slip, 0.0, contact["spin_n"], curve=curve,
             width=1e-4 * edge,
         )

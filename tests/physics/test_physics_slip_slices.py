@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Slip and spin in slices of the ellipse: against dense Gauss points over it (python: theory/spin),
-against the closed forms at their limits, and the states of the part over a time step."""
+"""Slip and spin in slices of the ellipse: against fine Gauss points over it (references/spin),
+the closed forms at their limits, and what the states of the part do in a time step."""
 
 import itertools
 
@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from raceway import hertz, sliding, spin
 from raceway.core import laws
+from references import spin as reference
 from test_physics_rolling_friction import FRICTION, REST, of, radii, turning
 
 FREE = dict(along=0.0, across=0.0, spin=0.0, edge=1.0, aspect=1 / 8, least=1e-4)
@@ -22,7 +23,7 @@ def sums(**motion):
 
 def fine(along, across, turned, aspect=1 / 8):
     """Divided by mu Q and the semi-axis across the groove."""
-    return spin.with_slip(
+    return reference.with_slip(
         1.0, 1.0, 1.0, aspect, along, across, -turned, curve=1.0, width=1e-4, points=120
     )
 
@@ -51,7 +52,7 @@ def test_pure_spin(kappa, expected, bound):
     found = sums(spin=1.0, edge=0.0, aspect=1 / kappa, least=1e-6)
     assert found.moment == pytest.approx(expected, rel=bound)
     assert found.along == pytest.approx(0, abs=1e-12)
-    theory = spin.with_slip(1.0, 1.0, 1.0, 1 / kappa, 0.0, 0.0, 1.0, points=60)
+    theory = reference.with_slip(1.0, 1.0, 1.0, 1 / kappa, 0.0, 0.0, 1.0, points=60)
     assert theory.moment == pytest.approx(expected, rel=2e-5)
 
 
@@ -91,7 +92,7 @@ def steady(physics, part, **changes):
     edge = sliding.edge_slip(0.724764, free.a, r_d, radii(0)[0])
     contact = turning(spin_n=part * edge / free.a, **changes)
     curve = edge / free.a**2
-    gauss = spin.free_slip(
+    gauss = reference.free_slip(
         free.load, FRICTION, free.a, free.b, np.array([contact["spin_n"]]), curve, points=60
     )
     return free, edge, contact, gauss

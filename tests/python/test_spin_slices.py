@@ -8,6 +8,7 @@ import pytest
 from raceway import friction_torque, inputs, spin
 from raceway.theory.lubrication import lubricate, turning
 from raceway.theory.operating_point import figures
+from references import spin as gauss_points
 
 ROOT = Path(__file__).resolve().parents[2]
 OIL = ROOT / "inputs/lubricants/mineral"
@@ -40,13 +41,27 @@ def test_as_the_closed_forms(bearing):
 
 def test_free_slip_leaves_no_force():
     case = dict(load=2000.0, friction=0.05, a=2e-3, b=2.5e-4)
-    rates = np.array([0.0, 5.0, 20.0, 200.0])
-    found = spin.free_slip(**case, spin=rates, curve=1e4, points=24)
+    rates, edge = np.array([0.0, 5.0, 20.0, 200.0]), 1e4 * 4e-6
+    found = spin.free_slip(**case, spin=rates, curve=1e4)
     assert np.abs(found.along).max() < 5e-3 * 0.05 * 2000
-    edge = 1e4 * 4e-6
     assert found.power[0] == pytest.approx(0.161142 * 0.05 * 2000 * edge, rel=5e-3)
-    pure = spin.with_slip(**case, along=0.0, across=0.0, spin=200.0, points=24)
-    assert found.moment[-1] == pytest.approx(pure.moment, rel=0.02)
+    fine = gauss_points.free_slip(**case, spin=rates, curve=1e4, points=60)
+    assert found.moment == pytest.approx(fine.moment, abs=0.01 * 0.05 * 2000 * 2e-3)
+    assert found.power == pytest.approx(fine.power, rel=0.01)
+
+
+def test_power_of_slices_is_that_of_gauss_points():
+    """Sliding both ways beside spin and differential slip; to the accuracy of the slices at a/b 8
+    (docs/tribology)."""
+    case = dict(load=2000.0, friction=0.05, a=2e-3, b=2.5e-4, spin=30.0, curve=1e4)
+    limit = 0.05 * 2000
+    for along, across in ((0.01, 0.02), (-0.03, 0.0), (0.0, -0.1)):
+        found = spin.with_slip(**case, along=along, across=across)
+        fine = gauss_points.with_slip(**case, along=along, across=across, points=80)
+        assert found.along == pytest.approx(fine.along, abs=5e-3 * limit)
+        assert found.across == pytest.approx(fine.across, abs=2e-2 * limit)
+        assert found.moment == pytest.approx(fine.moment, abs=3e-3 * limit * 2e-3)
+        assert found.power == pytest.approx(fine.power, rel=5e-3)
 
 
 def test_figures_and_mistakes(bearing):

@@ -390,8 +390,7 @@ def _several(bearing, one, sides, ring, spin_law, fluid, surfaces):
     def resist(motion):
         each = zip(one.load, one.friction, one.a, one.b, *rates(motion), curve)
         return [
-            spin.with_slip(*four, slide, 0.0, rate, curve=bend, width=1e-3 * bend * four[2] ** 2)
-            for *four, slide, rate, bend in each
+            spin.with_slip(*four, slide, 0.0, rate, curve=bend) for *four, slide, rate, bend in each
         ]
 
     def pushed(scaled):

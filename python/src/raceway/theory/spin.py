@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Spin of a contact about its normal: Coulomb's moment in closed form, spin with slip by Gauss
-points over the contact ellipse."""
+"""Spin of a contact about its normal: Coulomb's moment in closed form, spin with slip in slices of
+the contact ellipse."""
 
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from raceway.arrays import Floats, Numbers
 from raceway.core import laws
@@ -40,63 +39,40 @@ def closed_slip(speed: Numbers, edge: Numbers) -> Numbers:
 
 
 def with_slip(
-    load: float,
-    friction: float,
-    a: float,
-    b: float,
-    along: ArrayLike,
-    across: ArrayLike,
-    spin: ArrayLike,
+    load: Numbers,
+    friction: Numbers,
+    a: Numbers,
+    b: Numbers,
+    along: Numbers,
+    across: Numbers,
+    spin: Numbers,
     *,
-    curve: float = 0.0,
-    width: float = 0.0,
-    points: int = 24,
+    curve: Numbers = 0.0,
+    least: float = sliding.LEAST,
 ) -> Spin:
-    """`Spin` of a contact with sliding speeds at its centre in m/s and a spin in rad/s.
+    """`Spin` of contacts with sliding speeds at their centre in m/s and a spin in rad/s, by the
+    slices of a run with `spin_law` "slices" (docs/tribology, Slip and spin in slices).
 
     At (x along, z across) the sliding is (along + spin z - curve z^2, across - spin x), with
-    `curve` = u/(2 R_d R_x) of differential slip, 1/(m s). Stress mu p along the sliding v, smoothed
-    as v/sqrt(v^2 + width^2) with `width` in m/s. Gauss-Legendre in the radius, `points` of it, and
-    four times as many even angles.
+    `curve` = u/(2 R_d R_x) of differential slip, 1/(m s). Friction is proportional to sliding below
+    `least`, m/s.
     """
-    along, across, spin = np.broadcast_arrays(
-        *(np.asarray(v, float) for v in (along, across, spin))
-    )
-    node, weight = np.polynomial.legendre.leggauss(points)
-    # r = sin(t) takes the square root out of the pressure
-    t = (node + 1) * np.pi / 4
-    radius, angle = np.sin(t)[:, None], (np.arange(4 * points) + 0.5) * np.pi / (2 * points)
-    share = weight * np.pi / 4 * np.cos(t) ** 2 * np.sin(t) * 1.5 / np.pi * np.pi / (2 * points)
-    share = np.broadcast_to(share[:, None], (points, 4 * points))
-    x, z = b * radius * np.cos(angle), a * radius * np.sin(angle)
-    end = (..., None, None)
-    v_x = along[end] + spin[end] * z - curve * z**2
-    v_z = across[end] - spin[end] * x
-    size = np.sqrt(v_x**2 + v_z**2 + width**2)
-    size = np.where(size > 0, size, 1.0)
-    force = friction * load * share / size
-    parts = force * v_x, force * v_z, force * (z * v_x - x * v_z), force * (v_x**2 + v_z**2)
-    return Spin(*(part.sum((-2, -1))[()] for part in parts))
+    speed, edge = spin * a, curve * np.square(a)
+    found = laws.slip_slices(along, across, -speed, edge, b / a, least)
+    moment = -found.moment
+    lost = found.along * along + found.across * across + moment * speed + found.couple * edge
+    limit = friction * load
+    return Spin(limit * found.along, limit * found.across, limit * a * moment, limit * lost)
 
 
 def free_slip(
-    load: float,
-    friction: float,
-    a: float,
-    b: float,
-    spin: Floats,
-    curve: float,
-    *,
-    points: int = 16,
+    load: Numbers, friction: Numbers, a: Numbers, b: Numbers, spin: Floats, curve: Numbers
 ) -> Spin:
     """`with_slip` of contacts that spin at `spin` rad/s, (n,), and slide along rolling as far as
-    leaves no force there, between the slip of differential slip alone and none. Halved 20 times;
-    stresses smoothed over 1e-3 of the slip at the edge."""
-    edge = curve * a**2
-    low, high = np.zeros_like(spin), np.full_like(spin, edge)
-    options = dict(curve=curve, width=1e-3 * edge, points=points)
+    leaves no force there, between the slip of differential slip alone and none. Halved 20 times."""
+    low, high = np.zeros_like(spin), np.full_like(spin, curve * a**2)
     for _ in range(20):
         middle = (low + high) / 2
-        pushed = with_slip(load, friction, a, b, middle, 0.0, spin, **options).along > 0
+        pushed = with_slip(load, friction, a, b, middle, 0.0, spin, curve=curve).along > 0
         low, high = np.where(pushed, low, middle), np.where(pushed, middle, high)
-    return with_slip(load, friction, a, b, (low + high) / 2, 0.0, spin, **options)
+    return with_slip(load, friction, a, b, (low + high) / 2, 0.0, spin, curve=curve)
