@@ -49,7 +49,7 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   // Called when a bearing with these balls and cage balls was created: they need a pair_coeff ...
   // sphere.
   void expect_sphere(int ball_type, int cage_type);
-  int table_build() const { return builds_; }    // number of changes of local indices in the table
+  int table_build() const { return builds_; }     // number of changes of local indices in the table
   bigint table_fill() const { return fills_; }    // number of times it was filled
 
   void indices_changed() override;

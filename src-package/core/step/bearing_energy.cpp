@@ -66,9 +66,9 @@ double BearingIntegrator::power_of_gravity(double old_share) const
 {
   Lane power = {};
   for (const BodyGroup &g : bodies_.groups)
-    power += where(g.used,
-                   g.mass * dot(g.v + (g.v_from - g.v) * old_share, g.now.local(bodies_.gravity)),
-                   0.0);
+    power +=
+        where(g.used,
+              g.mass * dot(g.v + (g.v_from - g.v) * old_share, g.now.local(bodies_.gravity)), 0.0);
   return sum(power);
 }
 
