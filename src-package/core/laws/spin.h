@@ -4,9 +4,9 @@
 //
 // If the contact also slides, the couple at small spin is proportional to the spin. Gauss points
 // over the ellipse (tests/references/spin.py) give the width: omega a = 0.78 s_e with differential
-// slip, omega a = 1.9 s with gross sliding. Spin in turn reduces the couple of differential slip, by the
-// factor 1 - 1.35 (omega a/s_e)^2. Moment and power agree with the Gauss points within 5 % of mu Q
-// a and mu Q s_e.
+// slip, omega a = 1.9 s with gross sliding. Spin in turn reduces the couple of differential slip,
+// by the factor 1 - 1.35 (omega a/s_e)^2. Moment and power agree with the Gauss points within 5 %
+// of mu Q a and mu Q s_e.
 #ifndef RACEWAY_SPIN_H
 #define RACEWAY_SPIN_H
 
