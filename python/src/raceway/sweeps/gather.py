@@ -15,11 +15,10 @@ KEYS = ("point", "status", "message")
 
 
 def gather(folder: FilePath) -> pd.DataFrame:
-    """A row per point of the sweep in `folder`: `point`, `status` (finished, failed, pending),
-    `message`, the variables that were set, and every key of `raceway.summary.summary` (SI units),
-    the losses as `loss_rolling_W` and so on.
-    Sorted by the variables, whose names are `attrs["variables"]`. Raises `RacewayError` for no
-    point.
+    """One row for each point of the sweep in `folder`: `point`, `status` (finished, failed,
+    pending), `message`, the variables that were set, and every key of `raceway.summary.summary` (SI
+    units), the losses as `loss_rolling_W` and so on. Sorted by the variables, whose names are
+    `attrs["variables"]`. Raises `RacewayError` if there is no point.
     """
     rows, variables = [], {}
     for path in sorted(Path(folder).glob("*/point.yaml")):
@@ -41,7 +40,7 @@ def gather(folder: FilePath) -> pd.DataFrame:
     if not rows:
         raise RacewayError(f"{folder} holds no point of a sweep (no */point.yaml)")
     table = pd.DataFrame(rows)
-    for name in variables:  # numbers where all are numbers, so that 5e3 stands behind 600
+    for name in variables:  # as numbers if all values are numbers, so that 5e3 comes after 600
         try:
             table[name] = pd.to_numeric(table[name])
         except (ValueError, TypeError):

@@ -2,7 +2,7 @@
 """Both gaps of every ball as capacitors: contact patch and surroundings of a loaded contact, rigid
 gap of an unloaded one. Arrays with one value per ball, SI units. Derived on docs/electric.
 
-A ball between the rings always has both capacitors. One without load lies on the outer raceway
+A ball between the rings always has both capacitors. An unloaded one lies on the outer raceway
 under its centrifugal load Q_u, and its play is the gap to the inner one.
 """
 
@@ -27,7 +27,7 @@ from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.static import Contacts, Equilibrium
 from raceway.theory.validity import Shoulders
 
-LEAST = 0.1  # N, least Q_u, for a ball that does not orbit
+LEAST = 0.1  # N, lower limit of Q_u, for a ball that does not orbit
 ROUGHNESS = ("none", "gamma")
 # oil-filled share of the gap outside the patch
 WET_SHARE = {"flooded": 1.0, "cavitated": 0.5, "dry": 0.0}
@@ -54,7 +54,7 @@ class Capacitors(NamedTuple):
     area: Floats  # m^2, of the Hertz ellipse
     plates: Floats  # F, of the ellipse; zero without load
     outside: Floats  # F, of the gap around it
-    paths: Floats  # m: of a uniform current through the oil, resistivity over resistance
+    paths: Floats  # m: for a uniform current through the oil, resistivity over resistance
 
     @property
     def total(self) -> Floats:
@@ -80,7 +80,8 @@ class BearingCapacitors(NamedTuple):
 
     @property
     def plates(self) -> float:
-        """F, of the ellipses alone: a ball without load on either raceway adds nothing (eq 12)."""
+        """F, of the ellipses alone: a ball that is unloaded on either raceway adds nothing (eq
+        12)."""
         loaded = self.inner.load > 0
         return float(np.sum(self.of_plates[loaded]))
 
@@ -91,13 +92,13 @@ class BearingCapacitors(NamedTuple):
 
     @property
     def unloaded(self) -> float:
-        """F, of the balls without load on the inner raceway."""
+        """F, of the balls that are unloaded on the inner raceway."""
         return float(np.sum(self.ball[self.inner.load <= 0]))
 
 
 def quiet_load(bearing: Bearing, orbit: float, density: float = 7850.0) -> float:
-    """Q_u = m r omega^2 in N of a ball without other load, at least 0.1; `orbit` the cage speed in
-    rad/s, `density` in kg/m^3."""
+    """Q_u = m r omega^2 in N of a ball without other load, at least 0.1; `orbit` is the cage speed
+    in rad/s, `density` in kg/m^3."""
     mass = 4 / 3 * np.pi * bearing.ball_radius**3 * density
     return max(LEAST, mass * bearing.pitch_radius * orbit**2)
 
@@ -138,7 +139,7 @@ def of_raceway(
 
     def shape(which):
         lean = angle[which]
-        if np.ptp(lean) == 0:  # the shape of one contact serves all
+        if np.ptp(lean) == 0:  # one contact's shape applies to all
             lean = lean[0]
         return lean, *bearing.effective_radii(raceway, lean, clearance)
 
@@ -183,8 +184,8 @@ def of_raceway(
 def separation(
     thickness: Callable[[Floats], Floats], load: ArrayLike, play: ArrayLike, quiet: float
 ) -> Floats:
-    """The one separation of a gap through loss and return of contact, m: h_c of the larger of load
-    and `quiet` Q_u (N), and at least the `play` (m; negative or zero under load).
+    """The common separation of a gap through loss and return of contact, m: h_c of the larger of
+    load and `quiet` Q_u (N), and at least the `play` (m; negative or zero under load).
 
     `thickness` gives h_c in m by the contact loads in N. Arrays of one shape.
     """
@@ -205,10 +206,10 @@ def of_statics(
     factor: Callable[[Floats], Floats] | None = None,
     scale: float = 1.0,
 ) -> BearingCapacitors:
-    """`BearingCapacitors` of an `Equilibrium` whose balls turn, the inner ring at `spin` rad/s.
+    """`BearingCapacitors` of an `Equilibrium` with rotating balls, the inner ring at `spin` rad/s.
 
-    `quiet` is `quiet_load` in N; clearance and `factor` as `lubrication.lubricate`'s; `scale`
-    multiplies every film. Raises `ValueError` without speed: then there is no film.
+    `quiet` is `quiet_load` in N; clearance and `factor` as in `lubrication.lubricate`; `scale`
+    multiplies every film. Raises `ValueError` at zero speed, where there is no film.
     """
     if not spin:
         raise ValueError("spin = 0 rad/s: balls that do not turn have no film")

@@ -2,8 +2,8 @@
 """Life and equivalent load under a spectrum of loads: points with shares of the time.
 
 Damage adds up by revolutions (Palmgren-Miner, as in ISO 281 and ISO/TS 16281): 1/L is the sum of
-u_i/L_i, u_i the share of the revolutions at point i. The equivalent load is the steady one of that
-life, (sum u_i P_i^3)^(1/3).
+u_i/L_i, u_i the share of the revolutions at point i. The equivalent load is the steady load with
+that life, (sum u_i P_i^3)^(1/3).
 """
 
 import csv
@@ -38,8 +38,8 @@ class Duty(NamedTuple):
 
 
 def read(path: FilePath) -> list[Duty]:
-    """The points of the CSV file `path`: a head with names of `COLUMNS`, rpm among them, and a row
-    for each point. Raises `InputError` with the line and the value that is wrong."""
+    """The points of the CSV file `path`: a heading with names of `COLUMNS`, including rpm, and one
+    row for each point. Raises `InputError` with the line and the wrong value."""
     try:
         with open(path, newline="", encoding="utf-8-sig") as file:
             rows = [row for row in csv.reader(file) if any(row) and row[0].lstrip()[:1] != "#"]
@@ -74,9 +74,9 @@ def _duty(path, number, head, row):
 def of_points(
     duties: Sequence[Duty], figures: Callable[[Duty], Mapping[str, Any]]
 ) -> dict[str, Any]:
-    """Figures by name of the spectrum `duties`, SI units; `points` has those of each.
+    """Figures by name for the spectrum `duties`, SI units; `points` has those of each.
 
-    `figures` gives those of a point (`operating_point.figures`). Raises `InputError` where they
+    `figures` gives those of a point (`operating_point.figures`). Raises `InputError` if they
     have no life because the bearing has no rating.
     """
     points: list[dict[str, Any]] = []

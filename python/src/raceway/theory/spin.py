@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Spin of a contact about its normal: Coulomb's moment in closed form, spin with slip by Gauss
+"""Spin of a contact about its normal: Coulomb's moment in closed form, spin with slip from Gauss
 points over the contact ellipse."""
 
 from typing import NamedTuple
@@ -13,10 +13,10 @@ from raceway.theory import sliding
 
 
 class Spin(NamedTuple):
-    """Force and moment that resist, arrays of the shape of the slip and spin given."""
+    """Resisting force and moment, arrays of the shape of the given slip and spin."""
 
-    along: Numbers  # N, against the slip along rolling
-    across: Numbers  # N, against the slip across
+    along: Numbers  # N, opposing the slip along rolling
+    across: Numbers  # N, opposing the slip across
     moment: Numbers  # N m, against the spin
     power: Numbers  # W, lost
 
@@ -28,14 +28,16 @@ def moment(load: Numbers, friction: Numbers, a: Numbers, second: Numbers) -> Num
 
 
 def closed_moment(pure: Numbers, speed: Numbers, edge: Numbers) -> Numbers:
-    """Moment in N m against spin beside differential slip, a fit: `pure` of pure spin (N m), less
-    where the `speed` omega a is small against `edge` s_e, both in m/s (`sliding.edge_slip`)."""
+    """Moment in N m against spin in the presence of differential slip, a fit: `pure` of pure spin
+    (N m), reduced if the `speed` omega a is small compared with `edge` s_e, both in m/s
+    (`sliding.edge_slip`)."""
     width = np.maximum(edge, sliding.LEAST)
     return pure * laws.spin_shares(np.abs(speed), width, 0.0).spin
 
 
 def closed_slip(speed: Numbers, edge: Numbers) -> Numbers:
-    """Share of the couple of differential slip that spin leaves; arguments of `closed_moment`."""
+    """Factor by which spin reduces the couple of differential slip; arguments as in
+    `closed_moment`."""
     return laws.spin_shares(np.abs(speed), np.maximum(edge, sliding.LEAST), 0.0).slip
 
 
@@ -56,14 +58,14 @@ def with_slip(
 
     At (x along, z across) the sliding is (along + spin z - curve z^2, across - spin x), with
     `curve` = u/(2 R_d R_x) of differential slip, 1/(m s). Stress mu p along the sliding v, smoothed
-    as v/sqrt(v^2 + width^2) with `width` in m/s. Gauss-Legendre in the radius, `points` of it, and
-    four times as many even angles.
+    as v/sqrt(v^2 + width^2) with `width` in m/s. Gauss-Legendre in the radius with `points` points,
+    and four times as many equidistant angles.
     """
     along, across, spin = np.broadcast_arrays(
         *(np.asarray(v, float) for v in (along, across, spin))
     )
     node, weight = np.polynomial.legendre.leggauss(points)
-    # r = sin(t) takes the square root out of the pressure
+    # r = sin(t) removes the square root of the pressure
     t = (node + 1) * np.pi / 4
     radius, angle = np.sin(t)[:, None], (np.arange(4 * points) + 0.5) * np.pi / (2 * points)
     share = weight * np.pi / 4 * np.cos(t) ** 2 * np.sin(t) * 1.5 / np.pi * np.pi / (2 * points)
@@ -89,8 +91,8 @@ def free_slip(
     *,
     points: int = 16,
 ) -> Spin:
-    """`with_slip` of contacts that spin at `spin` rad/s, (n,), and slide along rolling as far as
-    leaves no force there, between the slip of differential slip alone and none. Halved 20 times;
+    """`with_slip` of contacts that spin at `spin` rad/s, (n,), and slide along rolling such that
+    no force remains there, between the slip of differential slip alone and zero. 20 bisections;
     stresses smoothed over 1e-3 of the slip at the edge."""
     edge = curve * a**2
     low, high = np.zeros_like(spin), np.full_like(spin, edge)
