@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Builds the library of laws (src-package/core/interface) into the package, and into a wheel the
-LAMMPS plugin of the folder RACEWAY_PLUGIN, if that is set; pyproject.toml has the rest."""
+"""Builds the library of laws (src-package/core/interface) into the package, and into a wheel also
+the LAMMPS plugin of the folder RACEWAY_PLUGIN, if that is set; pyproject.toml has the other
+settings."""
 
 import os
 import re
@@ -16,7 +17,7 @@ from setuptools.errors import CCompilerError
 
 try:
     from setuptools.command.bdist_wheel import bdist_wheel
-except ImportError:  # before setuptools 70.1, which builds no wheels itself
+except ImportError:  # before setuptools 70.1, which does not build wheels itself
     bdist_wheel = None
 
 HERE = Path(__file__).resolve().parent
@@ -28,7 +29,7 @@ BUILT = HERE / "src" / "raceway" / "core" / "lib" / "libraceway_core.so"
 
 
 class Core(build_ext):
-    """A plain shared library: it needs a C++ compiler, but nothing of Python or numpy."""
+    """A plain shared library: it needs a C++ compiler, but neither Python's headers nor numpy."""
 
     def get_ext_filename(self, name):
         return name.replace(".", os.sep) + ".so"
@@ -51,7 +52,7 @@ def up_to_date(library):
 
 def build(target, folder):
     """Compile the library to `target`, objects in `folder`. Raises `CCompilerError` without a
-    compiler, or with what it says."""
+    compiler, or with the compiler's output."""
     compiler = os.environ.get("CXX") or next(filter(shutil.which, ("g++", "clang++", "c++")), None)
     if compiler is None:
         raise CCompilerError("raceway needs a C++ compiler for its laws: install g++, or set CXX")
@@ -89,8 +90,8 @@ commands = {"build_ext": Core, "build_py": Package}
 if bdist_wheel:
 
     class Wheel(bdist_wheel):
-        """For any Python: the libraries use nothing of it. They need the C library they were built
-        with or a later one, which the tag says as PEP 600 has it."""
+        """For any Python: the libraries do not use it. They need the C library they were built
+        with or a later one, which the tag states according to PEP 600."""
 
         def get_tag(self):
             library, version = os.confstr("CS_GNU_LIBC_VERSION").split()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Types of lubrication: the share of rolling resistance that a short inlet leaves, oil around the
+"""Kinds of lubrication: the share of rolling resistance that a short inlet leaves, oil around the
 balls, and the asperity share of `full`, against quadrature and scipy."""
 
 import numpy as np

@@ -99,7 +99,7 @@ def test_free_spinning_disc():
     found = beam_motion.frequencies(whole, np.zeros_like(whole.stiffness), 50.0)
     slow = found[(found > 1.0) & (found < 1000)]
     assert slow == pytest.approx(50 * body.axial / body.transverse, rel=1e-4)
-    with pytest.raises(ValueError, match="9 modes: the shaft has 5 beside its bearings"):
+    with pytest.raises(ValueError, match="9 modes: the shaft has 5 in addition to its bearings"):
         beam_motion.reduced(whole, [0], 9)
 
 

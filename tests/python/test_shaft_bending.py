@@ -161,7 +161,7 @@ def test_file(tmp_path, capsys):
         assert np.abs(want.z - place).min() < 1e-9
     with pytest.raises(ValueError, match="0.5 m is not on the shaft"):
         shaft_motion.bending(case.shaft, rest, case.loads, places=[0.5])
-    with pytest.raises(ValueError, match="99 modes: the shaft has .* beside its kept places"):
+    with pytest.raises(ValueError, match="99 modes: the shaft has .* in addition to its kept"):
         shaft_motion.bending(case.shaft, rest, case.loads, modes=99)
 
 

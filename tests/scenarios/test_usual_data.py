@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A bearing given by catalogue data: pitch diameter, conformities, contact angle or clearance,
+"""A bearing given by its usual data: pitch diameter, conformities, contact angle or clearance,
 pocket play, bore and width."""
 
 import contextlib

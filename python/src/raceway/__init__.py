@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Ball bearings: runs of the simulation, read and drawn, and the theory to hold them against.
+"""Ball bearings: runs of the simulation, read and drawn, and the theory to compare them with.
 
-`simulate` runs a bearing, `open` reads a run. The other public names are loaded when first asked
-for.
+`simulate` runs a bearing, `open` reads a run. The other public names are loaded on first
+use.
 """
 
 from importlib import import_module
@@ -14,14 +14,14 @@ if TYPE_CHECKING:
     from raceway.runs.run import Run
     from raceway.sweeps.one_run import simulate as simulate
 
-# `raceway.NAME` is the module NAME of one of these rooms or of the package itself, or a class or
+# `raceway.NAME` is the module NAME of one of these folders or of the package itself, or a class or
 # function
 ROOMS = ("theory", "runs", "electric", "recordings")
 CLASSES = {"Run": "runs.run", "RunTables": "runs.tables", "simulate": "sweeps.one_run"}
 
 
 def _names() -> dict[str, str]:
-    """The public names, and the module below `raceway` that is or has each."""
+    """The public names, each with the module below `raceway` that it is or that defines it."""
     here, found = Path(__file__).parent, dict(CLASSES)
     for room in (*ROOMS, ""):
         for path in (here / room).iterdir():
@@ -36,9 +36,9 @@ __all__ = ["open", *NAMES]
 
 
 def open(folder: str | PathLike[str], samples: slice = slice(None)) -> "Run":
-    """The run in `folder` as one object; `samples`, a slice, keeps to some of its samples.
+    """The run in `folder` as one object; `samples`, a slice, restricts it to some of its samples.
 
-    Raises `raceway.errors.RunError` when the folder is not that of a run.
+    Raises `raceway.errors.RunError` if the folder does not contain a run.
     """
     # xarray takes longer to load than a static bearing to solve
     from raceway.runs.run import Run
@@ -48,7 +48,7 @@ def open(folder: str | PathLike[str], samples: slice = slice(None)) -> "Run":
 
 def __getattr__(name: str) -> Any:
     if name == "__version__":
-        from importlib.metadata import version  # takes longer to load than all of this
+        from importlib.metadata import version  # takes longer to load than all other modules
 
         return version("raceway")
     if name not in NAMES:

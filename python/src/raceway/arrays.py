@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Type hints for numbers and arrays, and how results show them. Shapes and units are in the
-docstrings."""
+"""Type hints for numbers and arrays, and the text that shows them in results. Shapes and units are
+in the docstrings."""
 
 from dataclasses import fields, is_dataclass
 from typing import Any
@@ -12,18 +12,18 @@ Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Numbers = float | Floats  # one number or an array of them
 
-SHOWN = 6  # numbers of an array that are shown one by one; of more, shape and range
+SHOWN = 6  # numbers of an array that are shown one by one; longer arrays by shape and range
 
 
 def short(result: Any) -> str:
-    """A dataclass or named tuple in a few lines, for its `__repr__`: a field a line; results
-    within it by the names of their fields."""
+    """A dataclass or named tuple in a few lines, for its `__repr__`: one line for each field;
+    nested results by the names of their fields."""
     lines = [f"  {name}: {_value(getattr(result, name))}" for name in _names(result)]
     return "\n".join([f"<{type(result).__name__}", *lines]) + ">"
 
 
 def _names(result):
-    """Names of its fields; none of another thing."""
+    """Names of its fields; none for other objects."""
     return [one.name for one in fields(result)] if is_dataclass(result) else result._fields
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The text file of a shaft that bends, for `fix bearing/shaft ... flexible` (docs/shaft.rst)."""
+"""The text file of a flexible shaft, for `fix bearing/shaft ... flexible` (docs/shaft.rst)."""
 
 from raceway import files
 from raceway.files import FilePath

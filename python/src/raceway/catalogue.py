@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Finds data by name: bearings and lubricants of the `inputs` folder, of the package, or a file of
-the user's own. `raceway.listing` searches the bearings."""
+"""Finds data by name: bearings and lubricants of the `inputs` folder, of the package, or a user's
+own file. `raceway.listing` searches the bearings."""
 
 import difflib
 from pathlib import Path
@@ -12,12 +12,12 @@ from raceway.inputs import InputError
 KINDS = {"bearings": "bearing", "lubricants": "lubricant"}
 # In a source tree this is a link to the folder inputs; a wheel has copies of the files.
 SHIPPED = Path(__file__).with_name("data")
-MANY = 20  # names that a message lists; of more it has those near the one asked for
+MANY = 20  # number of names in a message; if there are more, those similar to the requested one
 
 
 def folder(given: FilePath | None = None) -> Path:
-    """The inputs folder: `given`; else `inputs` here or in a folder above; else the files that come
-    with the package. Raises `InputError` when `given` is no folder."""
+    """The inputs folder: `given`; otherwise `inputs` here or in a folder above; otherwise the files
+    of the package. Raises `InputError` if `given` is not a folder."""
     if given is not None:
         if not Path(given).is_dir():
             raise InputError(f"there is no folder {given}")
@@ -30,11 +30,11 @@ def folder(given: FilePath | None = None) -> Path:
 
 
 def find(kind: str, name: str, inputs: FilePath | None = None) -> Path:
-    """Path of the data file `name` of a kind ("bearings" or "lubricants"); a name with a slash is a
-    path itself. Where a table in the folder has a row of that name and there is no such file,
-    `raceway.inputs` reads the row by this path.
+    """Path of the data file `name` of a kind ("bearings" or "lubricants"); a name with a slash is
+    itself a path. Where a table in the folder has a row of that name and there is no such file,
+    `raceway.inputs` reads the row under this path.
 
-    `inputs` is a folder or None, see `folder`. Raises `InputError` with what is there.
+    `inputs` is a folder or None, see `folder`. Raises `InputError` with the available names.
     """
     if "/" in name:
         path = Path(name)
@@ -53,7 +53,7 @@ def _there(path):
 
 
 def _names(path):
-    """Names in the folder of `path`; if there are many, similar ones only."""
+    """Names in the folder of `path`; if there are many, only similar ones."""
     names = data_table.names(path.parent)
     if len(names) > MANY:
         near = sorted(difflib.get_close_matches(path.name, names, n=5, cutoff=0.5))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The `raceway` command. Exit codes: 0 done, 1 a message says why not, 2 wrong command line."""
+"""The `raceway` command. Exit codes: 0 success, 1 failure with a message, 2 wrong command line."""
 
 import argparse
 import os
@@ -51,7 +51,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         return 1
     except (
         BrokenPipeError
-    ):  # the reader had enough: leave nothing for the interpreter to flush at exit
+    ):  # the reader has closed the pipe: leave nothing for the interpreter to flush at exit
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
     except OSError as error:
@@ -63,8 +63,8 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def modules() -> Iterator[ModuleType]:
-    """The subcommands, by name: the modules of `raceway.commands` with `add` and `run`. One that
-    begins with _ is a part of one and loads large packages."""
+    """The subcommands by name: the modules of `raceway.commands` with `add` and `run`. A module
+    that begins with _ belongs to another one and loads large packages."""
     for found in pkgutil.iter_modules(commands.__path__):
         if found.name.startswith("_"):
             continue

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A data file, `variable NAME index VALUE # comment`, its numbers within the ranges by which the
-decks check them (`sweeps.variable_table`)."""
+"""A data file, `variable NAME index VALUE # comment`, with numbers checked against the ranges of
+the decks (`sweeps.variable_table`)."""
 
 import math
 import re
@@ -19,7 +19,7 @@ REMARK = re.compile(r"\s*variable\s+(\w+)\s+index\s+\S+\s*#\s*(.*\S)")
 
 
 class Range(NamedTuple):
-    """Numbers that a variable may have."""
+    """Allowed numbers of a variable."""
 
     low: float
     high: float
@@ -39,8 +39,8 @@ class Range(NamedTuple):
 
 
 def text(path: FilePath) -> str:
-    """A data file, or the one that a row of a table in its folder stands for (`data_table`). Raises
-    `InputError` when there is neither or it cannot be read."""
+    """A data file, or the text that represents a row of a table in its folder (`data_table`).
+    Raises `InputError` if there is neither or it cannot be read."""
     path = Path(path)
     if not path.is_file() and (row := data_table.text(path)):
         return row
@@ -53,13 +53,13 @@ def text(path: FilePath) -> str:
 
 
 def values(path: FilePath) -> dict[str, str]:
-    """The index variables of a data file as {name: text}. Raises `InputError` when it cannot be
+    """The index variables of a data file as {name: text}. Raises `InputError` if it cannot be
     read."""
     return _matches(path, LINE)
 
 
 def comments(path: FilePath) -> dict[str, str]:
-    """Comments on the index variables of a data file, as {name: comment}. Raises `InputError` when
+    """Comments on the index variables of a data file, as {name: comment}. Raises `InputError` if
     it cannot be read."""
     return _matches(path, REMARK)
 
@@ -69,8 +69,8 @@ def _matches(path, pattern):
 
 
 def numbers(path: FilePath, *names: str) -> dict[str, float]:
-    """Numbers of a data file by name. Raises `InputError` for one that is missing, no number or out
-    of its range."""
+    """Numbers of a data file by name. Raises `InputError` for one that is missing, not a number or
+    out of its range."""
     data = values(path)
     if missing := [name for name in names if name not in data]:
         raise InputError(f"{path} has no variable {', '.join(missing)}")

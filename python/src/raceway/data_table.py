@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tables of data files, `FOLDER/*.csv`: a row has the data of a file of its name
+"""Tables of data files, `FOLDER/*.csv`: a row has the data of a file with its name
 (`docs/catalogue.rst` has the format)."""
 
 import re
@@ -8,13 +8,13 @@ from pathlib import Path
 
 from raceway.errors import InputError
 
-# a comment that says what a column or a source is
+# a comment that explains a column or a source
 SAID = re.compile(r"# (\w[\w ]*): (.+)")
 SIZES = ("bore_diameter", "outside_diameter", "bearing_width")
 
 
 def names(folder: Path) -> list[str]:
-    """The names of a folder's data: its files and the rows of its tables, sorted. None of a folder
+    """Names of a folder's data, sorted: its files and the rows of its tables. None for a folder
     that is not there."""
     if not folder.is_dir():
         return []
@@ -23,8 +23,8 @@ def names(folder: Path) -> list[str]:
 
 
 def text(path: Path) -> str | None:
-    """The data file that the row `path.name` of a table in `path.parent` stands for, with a comment
-    behind each value; None when there is no such row. Raises `InputError`."""
+    """Text of the data file that the row `path.name` of a table in `path.parent` represents, with a
+    comment behind each value; None if there is no such row. Raises `InputError`."""
     for table in _tables(path.parent):
         if path.name in table.rows:
             return table.text(path.name)
@@ -94,7 +94,7 @@ class _Table:
 
 
 def _filled(said, row):
-    """A comment with the notes of a row in its braces."""
+    """A comment with the notes of a row in place of its braces."""
     return re.sub(r"\{(\w+)\}", lambda note: row.get(note[1], note[0]), said)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The decks that come with the package, and their data files: list them, copy them."""
+"""The decks of the package and their data files: list and copy them."""
 
 from pathlib import Path
 
@@ -7,7 +7,8 @@ from raceway import catalogue, data_file, data_table, files
 from raceway.errors import InputError
 from raceway.files import FilePath
 
-INPUTS = "inputs"  # the folder in which decks look for their data, where they are started
+# the folder in which decks look for their data, relative to where they are started
+INPUTS = "inputs"
 
 
 def decks() -> dict[str, str]:
@@ -28,10 +29,10 @@ def bearings() -> list[str]:
 
 def copy(name: str, to: FilePath = ".") -> list[Path]:
     """Copy the deck, bearing or lubricant `name` into the folder `to`; return the files written. A
-    deck comes with the folder `inputs` of everything that it reads.
+    deck is copied with the folder `inputs` of everything that it reads.
 
-    A file that is there already with the same text is left alone. Raises `InputError` for a name
-    that is neither, and before anything is written where a file is there with another text.
+    An existing file with the same text is left alone. Raises `InputError` for an unknown
+    name, and, before anything is written, if a file exists with another text.
     """
     shipped, to = catalogue.SHIPPED, Path(to)
     if name in decks():
@@ -64,5 +65,5 @@ def _is(path, text):
 
 
 def _title(text):
-    """The first line, without its mark of a comment."""
+    """The first line without its comment mark."""
     return text.partition("\n")[0].lstrip("# ")

@@ -11,11 +11,11 @@ class RunError(RacewayError):
 
 
 class RunWarning(UserWarning):
-    """A run folder can be read, but not all of it."""
+    """A run folder can be read, but only in part."""
 
 
 class NoEquilibrium(RacewayError):
-    """The bearing cannot carry the load, or nothing determines where its ring sits."""
+    """The bearing cannot carry the load, or the position of its ring is indeterminate."""
 
 
 class InputError(RacewayError):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Files appear whole or not at all."""
+"""Files appear completely or not at all."""
 
 import os
 import stat
@@ -14,10 +14,10 @@ FilePath = str | os.PathLike[str]
 
 def whole(path: FilePath, write: Callable[[Path], object]) -> Path:
     """Let `write(part)` make a file in the folder of `path`, then rename it to `path`; return the
-    `Path`. A link stays, the file it leads to is written.
+    `Path`. A link is kept, and its target is written.
 
-    Raises `RunError` when it cannot be written and for a device, a pipe or a folder; what was there
-    before stays.
+    Raises `RunError` if it cannot be written and for a device, a pipe or a folder; existing content
+    is then unchanged.
     """
     path, part = Path(path), None
     try:
@@ -44,8 +44,8 @@ def text(path: FilePath, content: str) -> Path:
 
 
 def folder(path: FilePath) -> Path:
-    """Make the folder `path` and those above it; return it as a `Path`. Raises `RunError` when that
-    cannot be done."""
+    """Make the folder `path` and its parents; return it as a `Path`. Raises `RunError` if that
+    fails."""
     try:
         Path(path).mkdir(parents=True, exist_ok=True)
     except OSError as error:

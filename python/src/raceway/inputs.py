@@ -15,7 +15,7 @@ from raceway.theory.bearing import Bearing, DoubleRow
 from raceway.theory.lubricant import Fluid, Lubricant, Vogel, Walther
 from raceway.theory.validity import Shoulders
 
-# variables of a lubricant in the order of `Lubricant`, and those that give a `Fluid` outright
+# variables of a lubricant in the order of `Lubricant`, and those that define a `Fluid` directly
 PHYSICAL = (
     "oil_density_40",
     "oil_density_slope",
@@ -40,13 +40,13 @@ FLUID = {
 }
 
 
-# of `Bearing`, and what a bearing given by its usual data may leave out
+# variables of `Bearing`, and those that a bearing given by its usual data may omit
 RADII = ("inner_radius", "outer_radius", "inner_groove", "outer_groove")
 STEEL = {"ball_young": 210e9, "ball_poisson": 0.3}
 
 
 class Oil(NamedTuple):
-    """A lubricant at its temperature, and the surfaces it is between."""
+    """A lubricant at its temperature, with its surfaces."""
 
     viscosity: float  # Pa s
     pressure_viscosity: float  # 1/Pa
@@ -55,7 +55,7 @@ class Oil(NamedTuple):
 
 
 def _named(kind, path):
-    """The path of a data file; of a name without folder that is no file here, as
+    """The path of a data file; for a name without folder that is not a file here, as in
     `catalogue.find`."""
     from raceway import catalogue  # which imports this module
 
@@ -70,9 +70,9 @@ def bearing(
     double_row: DoubleRow | None = None,
     one_groove: str | None = None,
 ) -> Bearing:
-    """`Bearing` of a file of inputs/bearings or of a name of the catalogue, of four points where
-    the file or `four_point` (rad) says so, with two rows by `double_row`. `one_groove`, a reason,
-    refuses several grooves a ring. Raises `InputError`."""
+    """`Bearing` from a file of inputs/bearings or a name of the catalogue, with four-point contact
+    if the file or `four_point` (rad) requests it, with two rows by `double_row`. `one_groove`, a
+    reason, refuses several grooves a ring. Raises `InputError`."""
     path = _named("bearings", path)
     body = _one_groove(path)
     angle = four_point_angle(path) if four_point is None else four_point
@@ -117,16 +117,16 @@ def _one_groove(path):
 def held(
     path: FilePath, axial: float, clearance: float = 0.0, double_row: DoubleRow | None = None
 ) -> dict[str, float]:
-    """{"z": m} at which the decks hold the inner ring of a bearing of one row along its axis
-    without an `axial` load (N): where its balls are in contact at the contact angle of the file.
-    Empty with an axial load and of two rows. Raises `InputError`, also for a `clearance` (m) that
-    the decks refuse."""
+    """{"z": m}, the position at which the decks hold the inner ring of a single-row bearing along
+    its axis without an `axial` load (N): where its balls make contact at the contact angle of the
+    file. Empty with an axial load and for two rows. Raises `InputError`, also for a `clearance` (m)
+    that the decks refuse."""
     angle, body = nominal_angle(path), _one_groove(path)
     if angle and clearance:
         raise InputError(
             f"{path}: clearance {clearance:g} m must be 0: it follows from the contact angle"
         )
-    # as in create_bearing: half of it squeezes a ball, by at most 0.02 of its radius at a contact
+    # as in create_bearing: half of it compresses a ball, by at most 0.02 of its radius at a contact
     least, most = -0.08 * body.ball_radius, body.play(math.pi / 2)
     if not least <= clearance <= most:
         raise InputError(
@@ -137,14 +137,14 @@ def held(
 
 
 def ball_density(path: FilePath) -> float:
-    """Density of the balls (kg/m^3) of a file of inputs/bearings, that of steel where it states
-    none. Raises `InputError`."""
+    """Density of the balls (kg/m^3) of a file of inputs/bearings, or that of steel by
+    default. Raises `InputError`."""
     known = "ball_density" in values(path)
     return numbers(path, "ball_density")["ball_density"] if known else 7800.0
 
 
 def nominal_angle(path: FilePath) -> float:
-    """Contact angle (rad) of a file of inputs/bearings, 0 where it states none. Raises
+    """Contact angle (rad) of a file of inputs/bearings, 0 by default. Raises
     `InputError`."""
     if "contact_angle" not in values(path):
         return 0.0
@@ -152,15 +152,15 @@ def nominal_angle(path: FilePath) -> float:
 
 
 def four_point_angle(path: FilePath) -> float | None:
-    """Angle (rad) at which balls in the middle are in contact with both grooves of each ring, of a
-    file of inputs/bearings; None of a bearing with one groove a ring. Raises `InputError`."""
+    """Angle (rad) at which balls in the middle touch both grooves of each ring, for a
+    file of inputs/bearings; None for a bearing with one groove a ring. Raises `InputError`."""
     if "four_point" not in values(path):
         return None
     return math.radians(numbers(path, "four_point")["four_point"]) or None
 
 
 def _radii(path):
-    """Raceways and grooves from the usual data, as the command bearing has them (m)."""
+    """Raceways and grooves from the usual data, as in the command bearing (m)."""
     pitch, ball, inner, outer = numbers(
         path, "pitch_diameter", "ball_diameter", "inner_conformity", "outer_conformity"
     ).values()
@@ -175,7 +175,7 @@ def _radii(path):
 
 
 def boundary(path: FilePath) -> makers.Boundary | None:
-    """`makers.Boundary` of a file of inputs/bearings, None when it has no maker's data. Raises
+    """`makers.Boundary` of a file of inputs/bearings, None if it has no maker's data. Raises
     `InputError`."""
     names = ("bore_diameter", "outside_diameter", "bearing_width", "basic_static_load")
     if "series" not in values(path):
@@ -189,7 +189,7 @@ def boundary(path: FilePath) -> makers.Boundary | None:
 
 
 def size(path: FilePath) -> makers.Size | None:
-    """`makers.Size` of a file of inputs/bearings, None where it does not state bore and outside
+    """`makers.Size` of a file of inputs/bearings, None if it does not state bore and outside
     diameter. Raises `InputError`."""
     names = ("bore_diameter", "outside_diameter")
     if not values(path).keys() >= set(names):
@@ -200,8 +200,8 @@ def size(path: FilePath) -> makers.Size | None:
 
 
 def ratings(path: FilePath) -> life.Ratings | None:
-    """`life.Ratings` of a file of inputs/bearings, None when it does not state both load ratings.
-    Raises `InputError` for a rating that is none."""
+    """`life.Ratings` of a file of inputs/bearings, None if it does not state both load ratings.
+    Raises `InputError` for an invalid rating."""
     names = ("basic_dynamic_load", "basic_static_load")
     if not values(path).keys() >= set(names):
         return None
@@ -222,7 +222,7 @@ def ratings(path: FilePath) -> life.Ratings | None:
 
 def minimum_load(path: FilePath) -> tuple[float, float] | None:
     """(k_r, mean of bore and outside diameter in m) of a file of inputs/bearings for
-    `life.minimum_load`, None when it does not state the factor. Raises `InputError`."""
+    `life.minimum_load`, None if it does not state the factor. Raises `InputError`."""
     if "minimum_load_factor" not in values(path):
         return None
     names = ("minimum_load_factor", "bore_diameter", "outside_diameter")
@@ -233,8 +233,8 @@ def minimum_load(path: FilePath) -> tuple[float, float] | None:
 
 
 def shoulders(path: FilePath) -> Shoulders:
-    """`Shoulders` of a file of inputs/bearings, NaN for what it does not say. Raises `InputError`
-    for a diameter that is none."""
+    """`Shoulders` of a file of inputs/bearings, NaN for missing ones. Raises `InputError`
+    for an invalid diameter."""
     data = _one_groove(path)
     bottoms = {"inner": 2 * data.inner_radius, "outer": 2 * data.outer_radius}
     found = {}
@@ -254,8 +254,8 @@ def shoulders(path: FilePath) -> Shoulders:
 
 
 def oil(path: FilePath, temperature: float | None = None) -> Oil:
-    """`Oil` of a file of inputs/lubricants, or its name, at a `temperature` in degrees C, the
-    file's own unless given. Raises `InputError`, for the dry one too."""
+    """`Oil` of a file of inputs/lubricants, or its name, at a `temperature` in degrees C, by
+    default that of the file. Raises `InputError`, also for a dry one."""
     path = _named("lubricants", path)
     at = fluid(path, temperature)
     data = numbers(path, "roughness", "ball_roughness")
@@ -268,12 +268,13 @@ def oil(path: FilePath, temperature: float | None = None) -> Oil:
 
 
 def fluid(path: FilePath, temperature: float | None = None) -> Fluid:
-    """`Fluid` of a file of inputs/lubricants, or its name, at a `temperature` in degrees C, the
-    file's own unless given.
+    """`Fluid` of a file of inputs/lubricants, or its name, at a `temperature` in degrees C, by
+    default that of the file.
 
-    A file has physical data, from which the fluid follows at any temperature, or the fluid
-    outright, at one. A value given outright goes before physical data, as in a deck. What an older
-    file does not say is NaN. Raises `InputError`, also for a temperature a file has no values for.
+    A file has physical data, from which the fluid follows at any temperature, or the properties of
+    the fluid at one temperature. Direct values take precedence over physical data, as in a deck.
+    Values missing in older files are NaN. Raises `InputError`, also for a temperature without
+    values.
     """
     path = _named("lubricants", path)
     data = values(path)
@@ -296,7 +297,7 @@ def fluid(path: FilePath, temperature: float | None = None) -> Fluid:
 
 
 def physical(path: FilePath) -> bool:
-    """True if a file of inputs/lubricants has physical data, for any temperature."""
+    """True if a file of inputs/lubricants has physical data, valid at any temperature."""
     return "oil_density_40" in values(path)
 
 

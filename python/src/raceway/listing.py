@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearings of an inputs folder, files and rows of tables, and a search in them."""
+"""The bearings of an inputs folder (files and rows of tables), and a search in them."""
 
 import math
 from collections.abc import Iterable
@@ -9,7 +9,7 @@ from pathlib import Path
 from raceway import catalogue, data_table, inputs
 from raceway.files import FilePath
 
-# field of `Entry`: variable of a file, what a file states or not
+# field of `Entry`: variable of a file, stated or not
 STATED = {
     "bore_m": "bore_diameter",
     "outside_m": "outside_diameter",
@@ -25,14 +25,14 @@ STATED = {
 
 @dataclass(frozen=True)
 class Entry:
-    """One bearing. What its file does not state is None."""
+    """One bearing. Values that its file does not state are None."""
 
     name: str
     title: str  # first line of the file
     bore_m: float | None
     outside_m: float | None
     width_m: float | None
-    contact_angle_deg: float  # 0 of a deep groove ball bearing
+    contact_angle_deg: float  # 0 for a deep groove ball bearing
     dynamic_load_N: float | None  # C
     static_load_N: float | None  # C0
     fatigue_load_N: float | None  # Pu
@@ -52,7 +52,7 @@ class Entry:
 
 def entries(folder: FilePath | None = None) -> list[Entry]:
     """Every bearing of an inputs `folder` (see `catalogue.folder`), in order of bore, outside
-    diameter and name. Raises `InputError` for a file that is no bearing."""
+    diameter and name. Raises `InputError` for a file that is not a bearing."""
     shelf = catalogue.folder(folder) / "bearings"
     found = [entry(shelf / name) for name in data_table.names(shelf)]
     return sorted(
@@ -98,9 +98,9 @@ def search(
     dynamic_load_above: float | None = None,
     static_load_above: float | None = None,
 ) -> list[Entry]:
-    """The entries that have all `words` in name, title or marks (upper and lower case are alike),
-    whose name starts with `series`, of these sizes in m and contact angle in degrees, rated above
-    these loads in N. What a file does not state fits no demand."""
+    """The entries that contain all `words` in name, title or marks (ignoring case),
+    whose name starts with `series`, with these sizes in m and contact angle in degrees, and ratings
+    above these loads in N. Values that a file does not state match no condition."""
     sizes = {
         "bore_m": bore,
         "outside_m": outside,

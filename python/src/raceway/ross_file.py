@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A rotor of ROSS as a file: what `Rotor.save` writes (.toml, read by ROSS), or its matrices (.npz,
-read without ROSS)."""
+"""A rotor of ROSS as a file: the output of `Rotor.save` (.toml, read by ROSS), or its matrices
+(.npz, read without ROSS)."""
 
 import zipfile
 import zlib
@@ -23,7 +23,8 @@ class Read(NamedTuple):
     """Content of a file."""
 
     rotor: rotor_matrices.Rotor
-    bearings: list[float]  # m, places of the rotor's own, which are left out; an .npz has none
+    # m, positions of the rotor's own bearings, which are omitted; an .npz has none
+    bearings: list[float]
 
 
 def is_ross(path: FilePath) -> bool:
@@ -32,7 +33,7 @@ def is_ross(path: FilePath) -> bool:
 
 
 def read(path: FilePath) -> Read:
-    """The rotor of the file at `path`. Raises `RacewayError` for a file that is none, for a .toml
+    """The rotor of the file at `path`. Raises `RacewayError` for an invalid file, for a .toml
     without ROSS installed, and for a rotor that `rotor_matrices.rotor` refuses."""
     try:
         return _toml(path) if Path(path).suffix == ".toml" else _npz(path)
@@ -84,7 +85,7 @@ def _npz(path):
 
 
 def _check_sizes(path):
-    """Refuses arrays by their headers, before memory is taken for them. Raises `ValueError`."""
+    """Check arrays by their headers before memory is allocated for them. Raises `ValueError`."""
     with zipfile.ZipFile(path) as archive:
         for member in archive.namelist():
             name = member.removesuffix(".npy")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures as text: a line for each, under the headings of their topics."""
+"""Figures as text: one line for each, below the headings of their topics."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
@@ -12,12 +12,12 @@ class Row(NamedTuple):
 
     key: str
     label: str
-    unit: str | None  # SI unit, shown with a prefix; "" a plain number; None text
+    unit: str | None  # SI unit, shown with a prefix; "" for a plain number; None for text
     source: str = ""
     zero: str | None = None  # shown for the value 0
 
 
-# Figures that a run and statics both have: what they are called, in one place.
+# Figures that both runs and statics have, with their common names.
 FIGURES = {
     row.key: row
     for row in (
@@ -66,8 +66,8 @@ def lines(
     errors: Mapping[str, float] | None = None,
     ranges: Mapping[str, tuple[float, float]] | None = None,
 ) -> list[str]:
-    """The lines of a table of `topics` (`Row`s by heading); figures that are None are left out.
-    Where there are `errors` by key, in the unit of the figure, a column has them; `ranges` (low,
+    """The lines of a table of `topics` (`Row`s by heading); figures that are None are omitted.
+    If there are `errors` by key, in the unit of the figure, they form a column; `ranges` (low,
     high) by key end a line."""
     result = []
     for row in cells(figures, topics, errors, ranges):
@@ -111,7 +111,7 @@ def cells(
 def _value(row, value):
     if row.zero and value == 0:
         return row.zero
-    if row.unit is None or isinstance(value, str):  # text, or why there is no value
+    if row.unit is None or isinstance(value, str):  # text, or the reason why there is no value
         return value
     return _shown(value, row.unit, 4)
 

@@ -12,7 +12,7 @@ from raceway.theory import life
 from raceway.theory.beam import Disc, Section, Steel
 from raceway.theory.shaft import Load, Seat, Shaft
 
-# what a part of the file may have: name: (default or None for needed, least, most)
+# values of a part of the file: name: (default, or None if required; least, greatest)
 NUMBERS: Mapping[str, Mapping[str, tuple[float | None, float, float]]] = {
     "file": {"rpm": (0.0, 0.0, 1e5)},
     "steel": {
@@ -66,7 +66,8 @@ class Case(NamedTuple):
 
 def read(path: FilePath, folder: FilePath | None = None) -> Case:
     """`Case` of the YAML file at `path`; bearings are looked up in the inputs `folder`
-    (`catalogue.find`). Raises `InputError` with the place and the range of what is wrong."""
+    (`catalogue.find`). Raises `InputError` with the place and the allowed range of a wrong
+    value."""
     whole = _part(yaml_file.read(path), str(path), "file")
     steel = Steel(**_part(whole.get("steel", {}), f"{path}: steel", "steel"))
     sections = [Section(**one) for one in _parts(whole, path, "sections")]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Numbers for people: SI prefixes, written and read."""
+"""Numbers for display and input: SI prefixes, written and read."""
 
 import math
 import re
@@ -25,8 +25,8 @@ def prefixed(value: float, unit: str, digits: int = 4) -> str:
     return f"{value / 10.0**power:.{digits}g} {PREFIX[power]}{unit}"
 
 
-# Units that a value may be given in, by the unit it is wanted in; those with SI prefixes besides
-# the unit itself are in `SCALED`. Other units, such as passes, are no units of physics.
+# Accepted units of a value, by the requested unit; those with SI prefixes in addition to
+# the unit itself are in `SCALED`. Units such as passes accept no other unit.
 SPELLED = {
     "C": {"C": 1.0, "°C": 1.0, "degC": 1.0},
     "degrees": {"deg": 1.0, "°": 1.0, "degrees": 1.0, "arcmin": 1 / 60, "rad": 180 / math.pi},
@@ -40,14 +40,14 @@ SPELLED = {
     "rpm": {"rpm": 1.0, "krpm": 1e3, "1/min": 1.0, "Hz": 60.0},
 }
 SCALED = {"N", "N m", "m", "Hz", "V", "V/m", "F", "W/K", "ohm", "ohm m", "rad"}
-MILLI = {"mm": "m"}  # wanted in thousandths of another unit
+MILLI = {"mm": "m"}  # given in thousandths of another unit
 NUMBER = re.compile(r"([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)(.*)", re.DOTALL)
 
 
 def read(text: str, unit: str) -> float:
-    """The value of `text` in `unit`: a bare number, or one with a unit, such as 5kN or 10um.
+    """The value of `text` in `unit`: a plain number, or one with a unit, such as 5kN or 10um.
 
-    u and µ both mean micro. Raises `ValueError` for text that is no number, or in another unit.
+    u and µ both mean micro. Raises `ValueError` for text that is not a number, or in another unit.
 
     >>> read("5kN", "N"), read("0.05", "mm"), read("50um", "mm"), read("2krpm", "rpm")
     (5000.0, 0.05, 0.05, 2000.0)
@@ -61,7 +61,7 @@ def read(text: str, unit: str) -> float:
     if factor is None:
         raise ValueError(f"'{text}' is not a number{_hint(unit)}")
     value, power = float(match[1]), math.log10(factor)
-    # as written, 10um is 1e-05 to the last bit: a decimal number rounds once
+    # as written, 10um is 1e-05 to the last bit: a decimal number is rounded once
     if abs(power - round(power)) < 1e-12 and "e" not in match[1].lower():
         return float(f"{match[1]}e{round(power)}")
     return value * factor

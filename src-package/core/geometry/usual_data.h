@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A bearing from catalogue data; radii as in raceway.inputs. SI units.
+// A bearing from its usual data; radii as in raceway.inputs. SI units.
 //
 // The pitch diameter is that of the ball centres in contact with both raceways at the contact
 // angle, so above 0 the contact angle determines the clearance.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Types of lubrication: inlet length of a rolling contact, SKF's starvation constant
+// Kinds of lubrication: inlet length of a rolling contact, SKF's starvation constant
 // K_rs, and share of oil in the space around the balls (docs/tribology, Kinds of lubrication).
 #ifndef RACEWAY_LUBRICATION_H
 #define RACEWAY_LUBRICATION_H

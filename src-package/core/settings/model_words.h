@@ -22,7 +22,7 @@ struct ModelChoice {
   std::string models = "full";     // paper, film, full, eyring or none
   std::string without = "none";    // parts to leave out, joined by +
   std::string gap_film = "power", inlet_shear = "murch", spin_law = "closed";
-  std::string lubrication = "bath";    // type of lubrication (core/laws/lubrication.h)
+  std::string lubrication = "bath";    // kind of lubrication (core/laws/lubrication.h)
   double oil_level = 0.5;              // of a bath above the lowest raceway, over the ball diameter
 };
 
@@ -33,7 +33,7 @@ struct LubricatedBearing {
   double rpm = 0.0;
 };
 
-// Parameters of rolling resistance and drag for a type of lubrication
+// Parameters of rolling resistance and drag for a kind of lubrication
 struct LubricationWords {
   double starvation = 1.0, inlet = 0.0, share = 0.0;    // phi_rs; semi-axes b; X
 };

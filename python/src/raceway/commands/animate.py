@@ -9,17 +9,17 @@ from raceway.commands.quantity import number
 
 DESCRIPTION = """\
 Animate a run: rings, balls and cage from the front, cut in the middle plane so that the torus
-grooves are seen; the most loaded ball in section; the loads around the ring. Balls are coloured by
-what they carry. Motions of ring and balls, clearance and overlaps are too small to be seen: they
-are drawn larger by a factor, which the picture states. White dots turn with their balls and with
-the inner ring."""
+grooves are visible; the most loaded ball in section; the loads around the ring. Balls are coloured
+by their load. Motions of ring and balls, clearance and overlaps are too small to be seen: they are
+enlarged by a factor, which the picture states. White dots rotate with their balls and with the
+inner ring."""
 EXAMPLES = """\
 examples:
   raceway animate build/run/6208                                 build/run/6208/animation.gif
   raceway animate build/run/6208 --colour film --passes 1 --frames 40 --out film.gif
   raceway animate build/run/6208 --exaggerate 50 --out bearing.mp4    MP4 needs the program ffmpeg
 
-Exit codes: 0 done, 1 the run is broken, has not what is asked for, or ffmpeg is missing,
+Exit codes: 0 done, 1 the run is broken, lacks what is requested, or ffmpeg is missing,
 2 wrong command line."""
 COLOURS = ("load", "pressure", "film", "capacitance")
 

@@ -12,11 +12,12 @@ from raceway.commands.quantity import number
 
 HELP = "the bearings by name: sizes, ratings, balls; search"
 DESCRIPTION = """\
-Lists the bearings of inputs/bearings: its files and the rows of its tables. A name is what
---bearing takes, and -var bearing of a deck. A WORD is searched in names, titles and sources.
+Lists the bearings of inputs/bearings: its files and the rows of its tables. A name can be given to
+--bearing, and to -var bearing of a deck. A WORD is searched in names, titles and sources.
 
-The marks say where balls and ratings come from; "estimate": the balls of which ISO 281 and ISO 76
-give the ratings. --clearances adds the classes of ISO 5753 for each deep groove ball bearing."""
+The marks give the sources of balls and ratings; "estimate" means that the balls were derived from
+the ratings by ISO 281 and ISO 76. --clearances adds the classes of ISO 5753 for each deep groove
+ball bearing."""
 EXAMPLES = """\
 examples:
   raceway catalogue
@@ -143,7 +144,7 @@ def _write(arguments):
 
 
 def _clearances(row):
-    """{column: m} of the classes, the columns of all bearings alike."""
+    """{column: m} of the classes, with the same columns for all bearings."""
     from raceway import clearance_classes
 
     known = {}

@@ -9,11 +9,11 @@ from raceway.commands.quantity import takes_negative
 
 DESCRIPTION = """\
 Repeats a run of the main deck with a tenth of the tolerance (velocity Verlet: half the step), with
-twice the samples, and settled for 20 more ball passes. The difference of a figure is its error. The
-repeats are in DIR/check, the errors in DIR/check.json. `raceway summary DIR` then shows their sum
-beside each figure.
+twice the samples, and with 20 more ball passes of settling. The difference of a figure is its
+error. The repeats are in DIR/check, the errors in DIR/check.json. `raceway summary DIR` then shows
+their sum next to each figure.
 
-This is the error of the numbers, not of the model."""
+This is the numerical error, not the error of the model."""
 EXAMPLES = """\
 examples:
   build/liggghts -in inputs/in.6208 -var load 2000 -var out build/run/own

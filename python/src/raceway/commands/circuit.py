@@ -9,15 +9,15 @@ from raceway.commands import Commands, one_run
 from raceway.commands.quantity import each, number, positive, takes_negative
 
 DESCRIPTION = """\
-The circuit of a bearing that ran: every ball floats between two films, and an outer circuit lies
+The circuit of a bearing in a run: every ball floats between two films, and an outer circuit lies
 between the rings. It is one of
   --motor CWR CRF   capacitances of winding to rotor and of rotor to frame; needs a voltage
   --source OHM      a resistance; needs a voltage
   --floating V      the charge that this voltage puts on the inner ring
 The voltage is --constant, --sine, --common-mode or --table.
 
-A film that has --strength fails where its voltage exceeds that times its local thickness, h less
-three times the roughness. Without --strength no film fails."""
+With --strength, a film fails where its voltage exceeds that strength times its local thickness, h
+minus three times the roughness. Without --strength no film fails."""
 EXAMPLES = """\
 examples:
   raceway circuit build/run/6208 --motor 50e-12 1e-9 --common-mode 560 2000 50 0.8 --strength 30e6
@@ -171,7 +171,7 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.resistivity is not None or arguments.metal is not None:
         leak = Leak(arguments.resistivity, arguments.metal, arguments.metal_share)
     opened = one_run.opened(arguments)
-    try:  # a ValueError: what goes with nothing, or not with the run
+    try:  # a ValueError: an option without its partner, or unsuited to the run
         result = circuit.run(
             opened,
             _outer_circuit(arguments),
@@ -219,7 +219,7 @@ def _outer_circuit(arguments):
 
 
 def _waveform(arguments):
-    """None where the command line has none."""
+    """None if the command line has none."""
     from raceway.electric import waveforms
 
     if arguments.constant is not None:

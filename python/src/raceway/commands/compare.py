@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway compare DIR FILE`: a run beside a recording of the real bearing."""
+"""`raceway compare DIR FILE`: a run compared with a recording of the real bearing."""
 
 import argparse
 import json
@@ -15,12 +15,12 @@ if TYPE_CHECKING:  # scipy takes longer to load than `--help` should
 
 HELP = "levels and lines of a run beside those of a recording"
 DESCRIPTION = """\
-Levels, and the lines in the spectrum of the envelope, of a run and of a recording of the bearing
-that it stands for. Lines are in orders of the shaft, each with its own speed; levels are those at
-the rate of the recording, to which a faster run is filtered. Both envelopes are of one band.
+Levels, and the lines in the envelope spectrum, of a run and of a recording of the
+bearing it represents. Lines are in orders of the shaft, each with its own speed; levels are those
+at the rate of the recording, to which a faster run is filtered. Both envelopes use the same band.
 
-A level depends on the path from the bearing to the sensor, which a run does not have; the orders do
-not."""
+A level depends on the path from the bearing to the sensor, which the run does not model; the orders
+do not."""
 EXAMPLES = """\
 examples:
   raceway compare build/run/twin 130.mat --rate 12000
@@ -53,7 +53,7 @@ def add(commands: Commands) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print both sides and draw them when asked. Raises `RacewayError`."""
+    """Print both sides and draw them on request. Raises `RacewayError`."""
     from raceway.recordings.compare import compare
     from raceway.recordings.recording import Recording
 

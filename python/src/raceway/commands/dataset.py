@@ -9,9 +9,9 @@ from raceway.commands.program import command, end_on_signals
 DESCRIPTION = """\
 Runs every flaw of the file SPEC under all of its conditions, with integrator vibration and a
 housing. Each run becomes a record: .mat files with the housing's acceleration at the rates of
-SPEC, and a row of DIR/labels.csv. DIR/README.md says what is physics and what is assumed.
+SPEC, and a row of DIR/labels.csv. DIR/README.md states what is simulated and what is assumed.
 
-The same command goes on after a stop. A folder of another SPEC is refused."""
+The same command continues after a stop. A folder of another SPEC is refused."""
 EXAMPLES = """\
 examples:
   raceway dataset inputs/datasets/small.yaml --check            how many runs, how long
@@ -54,7 +54,7 @@ def run(arguments: argparse.Namespace) -> None:
     if not arguments.out:
         arguments.complain("--out: say where the data set goes")
     runs = command(arguments)
-    from raceway.datasets.make import LABELS, make  # scipy and pandas take a while
+    from raceway.datasets.make import LABELS, make  # scipy and pandas are slow to import
 
     end_on_signals()
     table = make(spec, arguments.out, runs, jobs=arguments.jobs, keep=arguments.keep)

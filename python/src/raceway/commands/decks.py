@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway decks`: list and copy the decks, bearings and lubricants that come with the package."""
+"""`raceway decks`: list and copy the decks, bearings and lubricants of the package."""
 
 import argparse
 
@@ -8,7 +8,7 @@ from raceway.commands import Commands
 HELP = "list the decks and data files that come with raceway; copy them"
 DESCRIPTION = """\
 Without NAME, lists the decks, bearings and lubricants of the package. With names, copies them into
-DIR: a deck with the folder `inputs` of data files next to it, so that a host started in DIR runs
+DIR: a deck with the folder `inputs` of data files next to it, so that a host started in DIR can run
 it; a bearing or lubricant as a file to edit."""
 EXAMPLES = """\
 examples:
@@ -16,8 +16,8 @@ examples:
   raceway decks in.6208                 then: lmp -in in.6208
   raceway decks in.axial vg46 --to trial
 
-Files that are there already with the same text are left alone.
-Exit codes: 0 done, 1 no such name, or a file is there with another text, 2 wrong command line."""
+Existing files with the same text are left alone.
+Exit codes: 0 done, 1 no such name, or a file exists with a different text, 2 wrong command line."""
 
 
 def add(commands: Commands) -> None:

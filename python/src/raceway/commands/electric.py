@@ -16,22 +16,22 @@ from raceway.theory.models import CAPACITANCE
 
 HELP = "capacitance with everything that carries it, breakdown and impedance from theory"
 DESCRIPTION = """\
-With DIR the figures are those of a run over its time, from its record; the options of an operating
-point are then left out. Else they are of an operating point, without a simulation.
+With DIR the figures are those of a run over time, from its record; the options of an operating
+point are then omitted. Otherwise they are those of an operating point, without a simulation.
 
-All of the capacitance of a bearing at an operating point: contact ellipses, the gap around them,
-balls without load. Beside it the smallest voltage at which a film fails, the impedance, and the
+Total capacitance of a bearing at an operating point: contact ellipses, the gap around them,
+unloaded balls. In addition the smallest voltage at which a film fails, the impedance, and the
 bearing voltage ratio of a motor. Loads and films are those of `raceway static`; docs/electric
 derives the formulas.
 
 --speeds, --loads, --temperatures and --clearances take several values: a line for each. --measured
-goes back from a measured capacitance to the film thickness.
+calculates the film thickness from a measured capacitance.
 
 Pictures (--kind, with --out):
-  parts    capacitance by its parts, over the one quantity with several values; of a run over time
+  parts    capacitance by parts, over the quantity with several values; for a run over time
   field    field in the films around the ring, at --voltage
   bode     impedance over frequency, with --resistivity
-  reading  film thickness that an instrument reads, and its error; not of a run"""
+  reading  film thickness that an instrument would read, and its error; not for a run"""
 EXAMPLES = """\
 examples:
   raceway electric --load 3000 --rpm 1500
@@ -44,7 +44,7 @@ examples:
   raceway electric --load 1000 --rpm 3000 --csv reading.csv --kind reading --out reading.png
 
 Bearings and lubricants are the files of inputs/bearings and inputs/lubricants; a name with a slash
-is a file of your own, written as those are.
+is your own file in the same format.
 Exit codes: 0 done, 1 no equilibrium or unusable data, 2 wrong command line."""
 KINDS = ("parts", "field", "bode", "reading")
 PHASES = 12  # ball positions within a pitch, for the picture of the field

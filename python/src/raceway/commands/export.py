@@ -9,14 +9,14 @@ from raceway.commands.quantity import number, positive
 from raceway.errors import RacewayError
 
 DESCRIPTION = """\
-Write a run as files that other programs open as they are:
+Write a run as files for other programs:
   vtk   for ParaView: bearing.pvd, a time series of the balls (points with radius, velocity, spin,
         load, film, capacitance) and of the raceway tori (surfaces)
   xyz   for OVITO: bearing.xyz (extended XYZ, the same columns), inner_raceway.obj,
         outer_raceway.obj
   spice for SPICE: bearing.cir (subcircuits of capacitances that follow the run), bearing.pwl (a
         table of time, capacitance and leak resistance)
-Real positions, nothing exaggerated; SI units."""
+Real positions without exaggeration; SI units."""
 EXAMPLES = """\
 examples:
   raceway export build/run/6208 --format vtk              build/run/6208/vtk/bearing.pvd

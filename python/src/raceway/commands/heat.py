@@ -16,13 +16,14 @@ The temperature at which cooling carries away the heat of friction. Loads, film 
 friction torque are those of `raceway static` at that temperature. The lubricant must
 have physical data (vg32, vg46, vg68, vg100, pao8, grease110).
 
-Cooling is that of ISO 15312 unless --conductance gives it. --nodes gives three conductances: inner
-ring to ambient, outer ring to ambient, ring to balls. Then the parts have their own temperatures
+Cooling is that of ISO 15312 unless --conductance is given. --nodes gives three conductances: inner
+ring to ambient, outer ring to ambient, ring to balls. The parts then have their own temperatures,
 and the clearance follows from them.
 
 --runs N takes the friction from at most N short runs of the main deck with the same models, one
-after another, each at the temperature that follows from the last. The command stops early when the
-temperature settles. The runs are in the folder of --out; an interrupted command continues them."""
+after another, each at the temperature that follows from the previous one. The command stops early
+when the temperature settles. The runs are in the folder of --out; an interrupted command continues
+them."""
 EXAMPLES = """\
 examples:
   raceway heat --load 5000 --rpm 1910 --lubricant vg46

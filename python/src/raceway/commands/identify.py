@@ -16,16 +16,17 @@ if TYPE_CHECKING:  # scipy takes longer to load than `--help` should
 
 HELP = "clearance, thrust, oil temperature, cooling from lines, capacitance, temperatures"
 DESCRIPTION = """\
-State of a real bearing from what was read of it: lines in orders of the shaft (FTF, BPFO, BPFI,
-BSF), capacitance of the contacts in F, temperature in degrees C, or a recording whose lines are
+State of a real bearing from readings: lines in orders of the shaft (FTF, BPFO, BPFI,
+BSF), capacitance of the contacts in F, temperature in degrees C, or a recording in which lines are
 found. Each reading has its standard deviation, `within`, and its operating point. Least squares
-over statics, films and friction look for what is `unknown`, within the range given for it.
+over statics, films and friction determines the `unknown` quantities within their given ranges.
 
-One line leaves a valley of clearance and thrust: it is printed as such. A capacitance, a second
-load (`load_more`, `axial_more`) or a temperature with a known cooling (`conductance`) parts them.
+One line leaves a valley of clearance and thrust, which is printed. A capacitance, a second
+load (`load_more`, `axial_more`) or a temperature with a known cooling (`conductance`) separates
+them.
 
-In the model, the film in the gap takes its thickness off the clearance, and rolling on curved
-grooves speeds the cage, by up to 1e-3 of a line (models full). Where balls are without load, the
+In the model, the film in the gap reduces the clearance by its thickness, and rolling on curved
+grooves speeds up the cage, by up to 1e-3 of a line (models full). Where balls are unloaded, the
 play of the pockets slows the cage by an unknown amount, which widens the result."""
 EXAMPLES = """\
 examples:
@@ -51,7 +52,7 @@ NAMES = {
     "conductance": "cooling",
 }
 DECK = ("clearance", "load", "axial", "temperature")  # variables of the deck among the unknowns
-OUT = 3.0  # times its uncertainty: a reading that the result does not explain
+OUT = 3.0  # ratio to its uncertainty above which the result does not explain a reading
 
 
 def add(commands: Commands) -> None:
@@ -70,7 +71,7 @@ def add(commands: Commands) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print what the readings say. Raises `RacewayError`."""
+    """Print the result of the readings. Raises `RacewayError`."""
     from raceway.recordings import readings
     from raceway.recordings.identify import identify
 
@@ -109,7 +110,7 @@ def figures(given: "Readings", found: "Found") -> dict[str, Any]:
 
 
 def deck(given: "Readings", found: "Found") -> str:
-    """Words of a deck that make the twin of the first reading."""
+    """Deck settings for the twin of the first reading."""
     point, state = given.readings[0].point, dict(found.state)
     for name, own, more in (
         ("load", point.load, point.load_more),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway measured FILE`: a recording of a real bearing, its speed, levels and lines."""
+"""`raceway measured FILE`: speed, levels and lines of a recording of a real bearing."""
 
 import argparse
 import json
@@ -21,19 +21,20 @@ Reads a recording as `raceway spectrum` reads a run: channels with their levels,
 shaft from its own lines, and the lines of the bearing in the spectrum of the envelope.
 
 Files: .mat of Case Western Reserve University (X..._DE_time), of the MFPT society (bearing.gs), of
-Paderborn University (structure of X and Y) and of `raceway dataset`; .npz with a row a name; .csv
-of PRONOSTIA (acc_00001.csv), or columns, the first perhaps `time_s`; .wav. CWRU's .mat do not say
-their rate: give --rate 12000 or 48000. Accelerations in g are shown in m/s^2.
+Paderborn University (structure of X and Y) and of `raceway dataset`; .npz with one row for each
+name; .csv of PRONOSTIA (acc_00001.csv), or with columns, the first of which may be `time_s`; .wav.
+CWRU's .mat do not state their rate: give --rate 12000 or 48000. Accelerations in g are shown in
+m/s^2.
 
-The nominal speed of a file is often off by more than the slip of a cage. The true one is looked for
-within 1.5 % of it, in lines of the shaft that agree; --rpm sets it."""
+The nominal speed of a file often differs from the true one by more than the slip of a cage. The
+true speed is searched within 1.5 % of it, from lines of the shaft that agree; --rpm sets it."""
 EXAMPLES = """\
 examples:
   raceway measured 105.mat --bearing 6205 --rate 12000
   raceway measured vibration.csv --bearing 6208 --rate 48000 --rpm 1482 --out lines.png
   raceway measured 0002.mat --bearing 6205 --raw --kind time --out motion.png
 
-Exit codes: 0 done, 1 the file cannot be read or says too little, 2 wrong command line."""
+Exit codes: 0 done, 1 the file cannot be read or does not suffice, 2 wrong command line."""
 
 
 def add(commands: Commands) -> None:
@@ -76,7 +77,7 @@ def add(commands: Commands) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print what the recording says and draw it when asked. Raises `RacewayError`."""
+    """Print the results of the recording and draw them on request. Raises `RacewayError`."""
     from raceway.runs import envelope, spectrum
 
     if arguments.raw and arguments.band:

@@ -12,12 +12,12 @@ from raceway.commands.quantity import takes_negative
 from raceway.errors import RacewayError
 
 DESCRIPTION = """\
-Runs a scene with every part of the model and a fine integration. Then drops each part and coarsens
-each number alone, and says what that does to the figures and to the cost. Last it looks for the
-cheapest set that keeps what is wanted, runs that very set, and prints its -var words.
+Runs a scene with the full model and a fine integration. Then it omits each part and coarsens
+each setting alone, and shows the effect on the figures and on the cost. Finally it searches for the
+cheapest set that meets the wanted accuracy, runs that set, and prints its -var words.
 
-Runs are in folders named after their variables. A command that was stopped goes on when it is given
-again. The table is printed; DIR/needs.json and DIR/needs.png have the same."""
+Runs are in folders named after their variables. A command that was stopped continues when it is
+repeated. The table is printed; DIR/needs.json and DIR/needs.png contain the same."""
 EXAMPLES = """\
 examples:
   raceway needs inputs/in.6208 -var load 2000 --want torque=10% capacitance=5% load=1%

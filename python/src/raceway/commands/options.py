@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Options shared by several commands. They are added to a parser or to an option group, for which
-argparse has no public type."""
+"""Options shared by several commands. They are added to a parser or to an option group, which have
+no common public type in argparse."""
 
 import argparse
 import math
@@ -154,7 +154,7 @@ def supply_of(arguments: argparse.Namespace) -> Any:
 
 
 def models(to: Any, known: Sequence[str], said: str, default: str = DEFAULT) -> None:
-    """--models, one of `known`; `said` is what they are."""
+    """--models, one of `known`; `said` describes them."""
     to.add_argument("--models", choices=known, default=default, help=f"{said} (default: {default})")
 
 

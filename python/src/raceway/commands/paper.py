@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway paper`: every figure, table and checkable statement of the paper the model is from."""
+"""`raceway paper`: every figure, table and checkable statement of the paper that defines the
+model."""
 
 import argparse
 import os
@@ -11,15 +12,15 @@ from raceway.errors import RacewayError
 
 DESCRIPTION = """\
 Run the cases of S. O. Farah, M. Guessasma, E. Bellenger 2020 (inputs/paper/cases.yaml), draw its
-figures, write its tables, and judge its statements. Results of runs are kept and taken again as
-long as the program, the decks and the settings are the same."""
+figures, write its tables, and judge its statements. Results of runs are kept and reused as
+long as the program, the decks and the settings do not change."""
 EXAMPLES = """\
 examples:
   raceway paper                          everything, into build/paper
   raceway paper --figure 8a --figure 9   two figures and no run that they do not need
-  raceway paper --list                   what there is
+  raceway paper --list                   available products
 
-Exit codes: 0 done, 1 a case failed (it is named, and what does not need it is made all the same),
+Exit codes: 0 done, 1 a case failed (it is named, and products that do not need it are still made),
 2 wrong command line."""
 
 
@@ -81,7 +82,7 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def _make(products, plan, tree, outcome, out):
-    """Write all possible products; return the names of the others."""
+    """Write all products that can be made; return the names of the others."""
     from raceway.paper import press
     from raceway.paper.book import Book
     from raceway.paper.reading import Readings
@@ -103,7 +104,7 @@ def _make(products, plan, tree, outcome, out):
 def _progress(total):
     """Report every case on a terminal, otherwise every tenth, and every failure."""
     live = sys.stderr.isatty()
-    again = "\r\033[K" if live else ""  # over the line that is there
+    again = "\r\033[K" if live else ""  # overwrite the present line
 
     def tell(done, case, error):
         if error:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The parser of the command line: commands by group in the help, and near words for wrong ones."""
+"""The parser of the command line: commands by group in the help, and suggestions for wrong
+words."""
 
 import argparse
 import textwrap
@@ -8,12 +9,12 @@ from difflib import get_close_matches
 
 from raceway.commands import GROUPS, Commands
 
-REST = "Others"  # the heading of commands that no group has
+REST = "Others"  # the heading of commands that are in no group
 NAMES, WIDTH = 12, 80  # columns of the list
 
 
 class Parser(argparse.ArgumentParser):
-    """An `argparse` parser that names the commands or options a wrong word may have meant."""
+    """An `argparse` parser that suggests the commands or options a wrong word may have meant."""
 
     def _check_value(self, action, value):
         if action.choices is not None and value not in action.choices:
@@ -24,7 +25,7 @@ class Parser(argparse.ArgumentParser):
             )
 
     def refuse(self, unknown: Sequence[str]) -> None:
-        """End with a message on words that no option or argument takes."""
+        """End with a message about words that match no option or argument."""
         options = [word for action in self._actions for word in action.option_strings]
         wrong = next((word for word in unknown if word.startswith("-")), None)
         if wrong is None:

@@ -21,7 +21,7 @@ examples:
   raceway plot build/run/6208                            build/run/6208/overview.png
   raceway plot build/run/6208 --kind waterfall --out waterfall.png
 
-Exit codes: 0 done, 1 the run is broken or has not what the picture shows, 2 wrong command line."""
+Exit codes: 0 done, 1 the run is broken or lacks the data for the picture, 2 wrong command line."""
 
 
 def add(commands: Commands) -> None:

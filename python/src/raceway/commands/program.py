@@ -11,7 +11,7 @@ from raceway.sweeps import host_program
 
 
 def program(text: str) -> list[str]:
-    """Words of the program; instead of a default that is not here, of the one that
+    """Words of the program; if the default is not here, those of the program that
     `host_program.find` finds. Raises `RacewayError` if there is none."""
     absent = text == str(host_program.LIGGGHTS) and not host_program.LIGGGHTS.is_file()
     return host_program.find() if absent else host_program.words(text)
@@ -26,12 +26,12 @@ def command(arguments: argparse.Namespace) -> list[str]:
 
 
 def end_on_signals() -> None:
-    """Let SIGTERM and SIGHUP end the process as Ctrl-C does, with runs stopped and files
+    """Let SIGTERM and SIGHUP end the process like Ctrl-C, with runs stopped and files
     complete."""
     signal.signal(signal.SIGTERM, _terminated)
     signal.signal(signal.SIGHUP, _terminated)
 
 
 def _terminated(number, _):
-    signal.signal(number, signal.SIG_IGN)  # once is enough, stopping takes a moment
+    signal.signal(number, signal.SIG_IGN)  # once is enough: stopping takes a moment
     sys.exit(128 + number)

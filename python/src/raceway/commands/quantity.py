@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Numbers on the command line, bare or with a unit: range checks with a clear message."""
+"""Numbers on the command line, plain or with a unit: range checks with a clear message."""
 
 import argparse
 import re
@@ -10,7 +10,7 @@ from raceway import units
 
 
 def number(low: float, high: float, unit: str) -> Callable[[str], float]:
-    """An argparse type: a float from `low` to `high`, in `unit` unless the text has another one
+    """An argparse type: a float from `low` to `high`, in `unit` unless the text gives another one
     (`units.read`)."""
 
     def convert(text):
@@ -31,7 +31,7 @@ def positive(text: str) -> int:
 
 
 def each(*kinds: Callable[[str], Any]) -> type[argparse.Action]:
-    """An argparse action for an option with a value of each of the types `kinds`."""
+    """An argparse action for an option with one value for each of the types `kinds`."""
 
     class Each(argparse.Action):
         def __call__(self, parser, namespace, values, option_string=None):
@@ -45,7 +45,7 @@ def each(*kinds: Callable[[str], Any]) -> type[argparse.Action]:
 
 
 def inside(value: float, text: str, low: float, high: float, unit: str) -> float:
-    """`value`, or the complaint that it is not between `low` and `high`."""
+    """`value`, or an error message if it is not between `low` and `high`."""
     if not low <= value <= high:
         raise argparse.ArgumentTypeError(
             f"{text} is out of range: must lie from {low:g} to {high:g} {unit}".rstrip()
@@ -55,5 +55,5 @@ def inside(value: float, text: str, low: float, high: float, unit: str) -> float
 
 def takes_negative(parser: argparse.ArgumentParser) -> None:
     """Let `parser` read -20e-6 as a number: before Python 3.14 argparse accepts negative numbers
-    only without exponent."""
+    only without an exponent."""
     parser._negative_number_matcher = re.compile(r"-\.?[0-9]")

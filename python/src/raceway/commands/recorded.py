@@ -12,7 +12,7 @@ if TYPE_CHECKING:  # scipy takes longer to load than `--help` should
 
 
 def add(to: Any, bearing: bool = True) -> None:
-    """FILE, --rate, --rpm, --channel, --band and, with `bearing`, which bearing it is of."""
+    """FILE, --rate, --rpm, --channel, --band and, with `bearing`, the bearing's name."""
     to.add_argument(
         "file",
         metavar="FILE",

@@ -9,7 +9,7 @@ from raceway.errors import RacewayError
 
 DESCRIPTION = """\
 Writes a run or a sweep as one HTML page to send to a colleague: figures with their errors, pictures
-to zoom and read, warnings, what was set, and the command that repeats it. The page is a single file
+with zoom and values, warnings, settings, and the command that repeats it. The page is a single file
 and loads nothing."""
 EXAMPLES = """\
 examples:
@@ -36,7 +36,7 @@ def add(commands: Commands) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Write the page and print its path. Raises `RacewayError`."""
-    from raceway.report import of_run, of_sweep  # matplotlib takes a while
+    from raceway.report import of_run, of_sweep  # matplotlib is slow to import
 
     folder = Path(arguments.folder)
     if any((folder / name).exists() for name in ("run.yaml", "record.nc")):

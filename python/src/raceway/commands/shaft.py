@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway shaft FILE`: a shaft on several bearings at rest."""
+"""`raceway shaft FILE`: a shaft at rest on several bearings."""
 
 import argparse
 import json
@@ -13,11 +13,12 @@ from raceway.units import prefixed
 
 DESCRIPTION = """\
 A shaft on several ball bearings at rest, from theory: loads and tilt of every bearing, its
-rating life, displacements of the shaft. And what it is as a rigid body, and its natural frequencies
-on the bearings' stiffness at rest. The shaft is a Timoshenko beam, each bearing the statics of
+rating life, displacements of the shaft; and its rigid-body properties and natural frequencies
+with the bearings' stiffness at rest. The shaft is a Timoshenko beam, each bearing the statics of
 `raceway static`. The file names sections, bearings and loads in SI units (docs/shaft.rst).
 
-A rotor of ROSS (.toml), or its matrices (.npz), has --reduced and what it is as a free body."""
+For a rotor of ROSS (.toml), or its matrices (.npz), --reduced and the properties as a free body are
+available."""
 EXAMPLES = """\
 examples:
   raceway shaft inputs/shafts/motor
@@ -95,7 +96,7 @@ def add(commands: Commands) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the figures and draw when asked. Raises `RacewayError`."""
+    """Print the figures and draw on request. Raises `RacewayError`."""
     # scipy takes longer to load than --help to print
     from raceway import ross_file, shaft_file
     from raceway.errors import RacewayError

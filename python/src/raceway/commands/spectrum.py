@@ -19,19 +19,19 @@ if TYPE_CHECKING:  # xarray takes longer to load than `--help` should
     from raceway.runs.spectrum import Line
 
 DESCRIPTION = """\
-Spectrum of a column of a ring, and where the kinematic lines are in it. Measure enough ball
+Spectrum of a column of a ring, with the kinematic lines found in it. Measure enough ball
 passes: -var passes 40 separates all lines but FTF; the record must hold more than five periods of a
 line.
 
 --envelope takes the spectrum of the signal's envelope, in a band around a resonance: the rate at
-which flaws strike it, with the sidebands of the shaft and the cage.
+which flaws excite it, with the sidebands of the shaft and the cage.
 
 Kinematics are those of balls that roll at the measured contact angle. The last column compares with
-the run's own cage and balls, which slip. Where the outer ring turns, its own line and VC, balls
-past the load, are added, and FTF is the cage's speed as seen from the frame.
+the run's own cage and balls, which slip. Where the outer ring rotates, its own line and VC, the
+rate of balls past the load, are added, and FTF is the cage's speed relative to the frame.
 
 --kind time draws the signal, or its envelope, over time and frequency. Where the speed of the shaft
-changes by more than 1 %, orders of the shaft, the inner against the outer ring, take the place of
+changes by more than 1 %, orders of the shaft (inner relative to outer ring) replace the
 frequencies."""
 EXAMPLES = """\
 examples:
@@ -101,7 +101,7 @@ def add(commands: Commands) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the lines of the run and draw them when asked."""
+    """Print the lines of the run and draw them on request."""
     from raceway.runs import envelope
     from raceway.runs.spectrum import lines, of_run
 
@@ -154,8 +154,8 @@ def _over_time(arguments, opened):
 
 
 def table(run: "Source", spectrum: "xr.DataArray", found: Sequence["Line"]) -> str:
-    """The `Line`s `found` in `spectrum` of a run or recording as text; the last column, against its
-    own cage, where that is known."""
+    """The `Line`s `found` in `spectrum` of a run or recording as text; the last column, relative to
+    its own cage, where that is known."""
     unit, resolution, of = spectrum.attrs["units"], spectrum.attrs["resolution"], spectrum.dims[0]
     fine = prefixed(resolution, "Hz", 3) if of == "frequency" else f"{resolution:.3g} orders"
     rows = [f"{spectrum.attrs['long_name']}; resolution {fine}"]

@@ -17,11 +17,11 @@ DESCRIPTION = """\
 Quasi-static equilibrium of a ball bearing in five degrees of freedom (Jones, Harris): radial and
 axial load and two moments on the inner ring, free contact angles, centrifugal load of the balls.
 With a lubricant and a speed: film (Masjedi-Khonsari) and capacitance of every contact, rolling
-without slip, and the friction torque by part, beside that of the makers' formulas. --models
+without slip, and the friction torque by part, with the makers' formulas for comparison. --models
 paper has the publication's laws, which have no friction torque.
 
 x points along the radial load, z along the bearing's axis. As in a deck, the ring is held along z
-unless it has an axial load: at 0, or where its balls meet both raceways at their contact angle. It
+unless it has an axial load: at 0, or where its balls touch both raceways at their contact angle. It
 is held straight unless --moment frees its tilts or --tilt imposes them. Balls are counted from
 azimuth --phase, at 0 on the load line."""
 EXAMPLES = """\
@@ -39,7 +39,7 @@ examples:
   raceway static --bearing my/bearing --axial 500 --hold x=0 --hold y=0
 
 Bearings and lubricants are the files of inputs/bearings and inputs/lubricants; a name with a slash
-is a file of your own, written as those are.
+is your own file in the same format.
 Exit codes: 0 done, 1 no equilibrium or unusable data, 2 wrong command line."""
 HOLD = {
     "x": number(-1e-2, 1e-2, "m"),

@@ -11,10 +11,10 @@ from raceway.theory.models import CAPACITANCE
 
 DESCRIPTION = """\
 Stiffness and damping of a bearing's ring from statics and films: 5 x 5 matrices in x, y, z, rx, ry,
-their mean over a ball pass, and the least and most of it. A row for each radial load and speed.
-Damping is that of films and steel alone, and needs a lubricant.
+their mean over a ball pass, and its least and greatest values. One row for each radial load and
+speed. Damping comes from films and steel alone, and needs a lubricant.
 
---out writes them by the ending of the name:
+--out writes them in the format of the name's ending:
   .csv   a table, with units in its first line
   .json  all of it
   .toml  for ROSS, one load: ross.BearingElement.load(FILE); without tilting terms, see

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway sweep`: run the rows of a table, or write them out as a job array."""
+"""`raceway sweep`: run the rows of a table, or write them as a job array."""
 
 import argparse
 import re
@@ -31,7 +31,7 @@ examples:
   raceway sweep points.csv --out here --jobs 2
   raceway sweep points.csv --slurm job.sh           then: sbatch job.sh
 
-A table of four points is four lines like 5000,477.5,mineral under a first line load,rpm,lubricant.
+A table of four points has four lines like 5000,477.5,mineral below a first line load,rpm,lubricant.
 Exit codes: 0 all points finished, 1 a point failed or the table cannot be used, 2 wrong command
 line, 130 and 143 stopped."""
 SLURM = """\
@@ -136,7 +136,7 @@ def run(arguments: argparse.Namespace) -> None:
 def _write_array(arguments, out, points):
     tasks = min(arguments.tasks or 1000, points)
     for name in (str(out), arguments.slurm, arguments.table, arguments.deck, arguments.program):
-        if not name.isprintable():  # a line break would begin an #SBATCH line of its own
+        if not name.isprintable():  # a line break would start a new #SBATCH line
             raise RacewayError(f"{name!r} holds a line break or another control character")
     words = [
         sys.executable,
@@ -157,7 +157,7 @@ def _write_array(arguments, out, points):
         tasks=tasks,
         command=shlex.join(words + ["--retry"] * arguments.retry),
     )
-    files.folder(out)  # Slurm does not make the folder of its output
+    files.folder(out)  # Slurm does not create the folder of its output
     files.text(arguments.slurm, text)
     print(f"{arguments.slurm}: {points} points in {tasks} tasks")
 

@@ -8,14 +8,14 @@ from raceway.commands.identify import NAMES
 
 HELP = "state over hours from a series of readings: clearance, loads, oil temperature, cooling"
 DESCRIPTION = """\
-An unscented Kalman filter over a series of readings: as `raceway identify`, for a state that
-drifts. Each row of a csv file has a time in s, the speed, and what was read then; empty cells are
-allowed. Columns: time_s, rpm, load, axial, load_more, axial_more, at (temperature of the oil), FTF,
-BPFO, BPFI, BSF (orders), capacitance (F), temperature (C).
+An unscented Kalman filter over a series of readings: like `raceway identify`, for a drifting
+state. Each row of a csv file has a time in s, the speed, and the readings at that time; empty cells
+are allowed. Columns: time_s, rpm, load, axial, load_more, axial_more, at (temperature of the oil),
+FTF, BPFO, BPFI, BSF (orders), capacitance (F), temperature (C).
 
 The file is that of `raceway identify` with `series`, `within` and `drift` instead of `readings`:
-the name of the csv file, the standard deviation of each quantity, and how far each unknown may
-wander in an hour (standard deviation; 0 unless given: constant)."""
+the name of the csv file, the standard deviation of each quantity, and the possible drift of each
+unknown in an hour (standard deviation; default 0, constant)."""
 EXAMPLES = """\
 examples:
   raceway track hours.yaml

@@ -20,14 +20,14 @@ class NotBuilt(RacewayError, ImportError):
 
 @functools.cache
 def library() -> Library:
-    """The library, loaded when first asked for. Raises `NotBuilt`."""
+    """The library, loaded on first use. Raises `NotBuilt`."""
     if not PATH.exists():
         raise NotBuilt(f"{PATH} is missing: run `make build`, or `pip install ./python` again")
     return Library(PATH)
 
 
 class Laws:
-    """Each formula of the library as an attribute, found when first asked for."""
+    """Each formula of the library as an attribute, found on first use."""
 
     def __getattr__(self, name: str) -> Formula:
         found = library().formula(name)

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 PARAMETER = re.compile(r"(const )?(\w+) (\*?) ?(\w+)(\[\d*\])?$")
 FIELD = re.compile(r"(\w+)(?:\[(\d+)\])?$")
 NUMBERS = {"double": (ctypes.c_double, np.float64), "int": (ctypes.c_int, np.int32)}
-FEW = 2  # parameters that may be given without their names
+FEW = 2  # number of parameters that may be given by position
 
 
 class Parameter(NamedTuple):
@@ -38,7 +38,7 @@ class Function(NamedTuple):
 
 class Formula:
     """A function of single numbers, called with numbers or arrays that broadcast, by position or by
-    name. Returns one number or array, or a named tuple of them; of xarray's arrays, arrays of
+    name. Returns one number or array, or a named tuple of them; for xarray's arrays, arrays of
     xarray. Raises `TypeError` for a wrong number of values or an unknown name."""
 
     def __init__(
@@ -66,15 +66,15 @@ class Formula:
         return self._record(*outputs) if self._record else outputs[0]
 
     def _labelled(self, values):
-        import xarray  # takes longer to load than most formulas are called for
+        import xarray  # takes longer to import than most formulas to evaluate
 
         found = xarray.apply_ufunc(self, *values, output_core_dims=[[]] * self._outputs)
         return self._record(*found) if self._record else found
 
 
 class Library:
-    """The library at `path`: `call` runs a function, `formula` finds one over arrays, `record`
-    makes a record. Raises `TypeError` for names that the library does not have."""
+    """The library at `path`: `call` runs a function, `formula` finds one for arrays, `record`
+    creates a record. Raises `TypeError` for names that the library does not have."""
 
     def __init__(self, path: str | PathLike[str]) -> None:
         self.path, self.plain = path, ctypes.CDLL(str(path))
@@ -90,7 +90,7 @@ class Library:
                 kept[name] = Function(result, _read_parameters(name, parameters))
 
     def formula(self, name: str) -> Formula:
-        """The `Formula` of that name."""
+        """The `Formula` with that name."""
         if name not in self.formulas:
             raise AttributeError(f"{self.path} has no formula {name}")
         result, parameters = self.formulas[name]
@@ -100,7 +100,8 @@ class Library:
         return Formula(name, self.plain[name], tuple(p.name for p in parameters), record)
 
     def record(self, name: str, values: Mapping[str, Any]) -> ctypes.Structure:
-        """The record `name` with the fields `values`, a mapping: all of them and no others."""
+        """The record `name` with the fields `values`, a mapping that must contain exactly its
+        fields."""
         made = self.records[name]()
         _compare(f"record {name}", [field for field, _ in made._fields_], values)
         for field, value in values.items():
@@ -111,8 +112,8 @@ class Library:
         return made
 
     def call(self, name: str, *few: Any, **named: Any) -> Any:
-        """The result of the function `name` with the records and arrays of known size it fills, in
-        its order, alone or as a tuple; those given by name are filled in place."""
+        """The result of the function `name` with the records and arrays of fixed size that it
+        fills, in its order, single or as a tuple; those given by name are filled in place."""
         function = self.functions[name]
         outputs = [p for p in function.parameters if self._fills(p) and p.name not in named]
         inputs = [p.name for p in function.parameters if p not in outputs]
@@ -132,7 +133,7 @@ class Library:
         return results[0] if len(results) == 1 else tuple(results) or None
 
     def _fills(self, parameter):
-        """True for a result of known size."""
+        """True for a result of fixed size."""
         known = parameter.kind in self.records or parameter.kind in NUMBERS and parameter.size
         return bool(known) and not parameter.constant and parameter.size is not None
 
@@ -144,7 +145,8 @@ class Library:
     def _argument(self, parameter, value):
         name, kind, constant, size = parameter
         if kind in self.records:
-            given = isinstance(value, ctypes.Structure)  # one of `call` itself, to be filled
+            # argument to be filled, provided by `call` itself
+            given = isinstance(value, ctypes.Structure)
             fields = vars(value) if isinstance(value, Record) else value
             return ctypes.byref(value if given else self.record(kind, fields))
         if kind not in NUMBERS:  # internal to C++
@@ -181,7 +183,7 @@ def _structure(name, size, declarations):
 
 
 def _read_record(made):
-    """A record with its vectors as arrays; anything else as it is."""
+    """A record with its vectors as arrays; anything else unchanged."""
     if not isinstance(made, ctypes.Structure):
         return made
     values = ((field, getattr(made, field)) for field, _ in made._fields_)
@@ -218,7 +220,7 @@ def _result_type(text):
 
 
 def _compare(what, wanted, given):
-    """Raise `TypeError` with the names that are missing or not known."""
+    """Raise `TypeError` with the names that are missing or unknown."""
     missing = [name for name in wanted if name not in given]
     unknown = [name for name in given if name not in wanted]
     if missing or unknown:

@@ -12,17 +12,17 @@ TEXT = """\
 # {title}
 
 Simulated vibration of a bearing {bearing}, with labels. Made by `raceway dataset`, version
-{version}. {there} of {wanted} records of {seconds:g} s are there.
+{version}. It has {there} of {wanted} records of {seconds:g} s.
 
 ## Files
 
-- `labels.csv`: a row for each record. Lengths are in m, loads in N, speeds in rpm.
+- `labels.csv`: one row for each record. Lengths are in m, loads in N, speeds in rpm.
 - {folders}: the signals, {kinds}.
-- `dataset.json`: what was asked for.
+- `dataset.json`: the specification.
 - `runs/`: variables and figures of each run.
 
-A `.mat` file of record 12 has `X012_DE_time`, N x 1, and `X012RPM`, named as those of the bearing
-data center of Case Western Reserve University. Beside them are `fault`, `fault_size_m`, `load_N`,
+A `.mat` file of record 12 has `X012_DE_time`, N x 1, and `X012RPM`, named like those of the bearing
+data center of Case Western Reserve University, and in addition `fault`, `fault_size_m`, `load_N`,
 `sampling_Hz` and `unit`. A `.parquet` file has `time_s` and `acceleration_m_s2`. The signal is the
 acceleration of the housing along {axis}, in m/s^2. The
 load points along -y unless `load_azimuth` says otherwise.
@@ -32,24 +32,25 @@ load points along -y unless `load_azimuth` says otherwise.
 {classes}
 
 `size_m` is the length of a notch along rolling, or the amplitude of waves. `flaw_place` is
-on the clock: the load presses at 6. Lines (`BPFO_Hz` ...) are those of the run's own cage speed.
+given as on a clock: the load presses at 6. Lines (`BPFO_Hz` ...) are those of the run's own cage
+speed.
 
 ## What is physics
 
 Every ball, the cage and both rings move by contact forces in three dimensions. Contacts have
-elliptical Hertz elasticity, an oil film, film damping and friction. A flaw is a shape of the
-raceway. A ball reaches only a part of it, because it is round. Blows, load zones, slip and
-sidebands follow from that. No blow, line, jitter or sideband was put in by hand.
+elliptical Hertz elasticity, an oil film, film damping and friction. A flaw is a change of the
+raceway's shape. A ball reaches only a part of it, because it is round. Impacts, load zones, slip
+and sidebands follow from that. No impact, line, jitter or sideband was added by hand.
 
 ## What is assumed
 
-- The housing is one mass on springs and dampers along x and y{housing}. Its numbers are estimates.
-  Real structures have many modes and paths.
+- The housing is one mass on springs and dampers along x and y{housing}. Its parameters are
+  estimates. Real structures have many modes and paths.
 - Notches have rounded edges (`flaw_edge`) and no raised rim. They do not grow.
-- Rings are rigid between their contacts. Shaft, seals and other machines make no sound.
+- Rings are rigid between their contacts. Shaft, seals and other machines do not vibrate.
 - Raceways and balls are perfect except for the flaw. Bearing data: {bearing} of `inputs/bearings`.
 - Waviness has the orders Z - 1 and Z + 1 on both raceways.
-- Speed and load are constant. A seed draws where balls and flaws that turn start.
+- Speed and load are constant. A seed determines the initial positions of balls and rotating flaws.
 - {noise}
 - Records are at {oversampling} times the fastest rate, then filtered: flat to 0.4 of the
   rate of a file, 80 dB down from half of it on.
@@ -63,7 +64,7 @@ KINDS = {"mat": "MATLAB version 5 (`.mat`)", "parquet": "Apache Parquet (`.parqu
 
 
 def card(spec: Spec, table: pd.DataFrame, wanted: int) -> str:
-    """Text of README.md for the records of `table` (rows of labels.csv), of `wanted` ones."""
+    """Text of README.md for the records of `table` (rows of labels.csv), out of `wanted` ones."""
     classes, floor = [], "There is no record without a flaw, so the floor is not known here."
     if len(table):
         for kind, some in table.groupby("class", sort=False)["rms_m_s2"]:

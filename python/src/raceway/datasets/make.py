@@ -3,10 +3,10 @@
 
 The folder holds
 
-    dataset.json     what was asked for: files of another one are refused
+    dataset.json     the specification; files of another one are refused
     README.md        the card
-    labels.csv       a row for each record
-    48k/0001.mat     signals, a folder for each rate; or .parquet, or both
+    labels.csv       one row for each record
+    48k/0001.mat     signals, one folder for each rate; or .parquet, or both
     runs/0001/       the run: its variables, its figures, `label.json` once its files are written
 
 A record is complete once `label.json` exists, which is written last.
@@ -41,8 +41,8 @@ def make(
 ) -> pd.DataFrame:
     """Make the data set `spec` in `folder`, or resume it; return the table of labels.
 
-    `command` is a list: program, options, deck. `keep` leaves the records of the runs, which are
-    large. Raises `RacewayError` for a folder of another data set, and where runs fail.
+    `command` is a list: program, options, deck. `keep` preserves the records of the runs, which are
+    large. Raises `RacewayError` for a folder of another data set, and if runs fail.
     """
     folder, wanted = Path(folder), records(spec)
     if "parquet" in spec.files and importlib.util.find_spec("pyarrow") is None:
@@ -58,7 +58,7 @@ def make(
             if (where / run_record.NAME).exists():  # interrupted between the run and its files
                 _write(one, spec, folder, keep)
                 continue
-            (where / "summary.json").unlink()  # the record is gone and a file as well: run again
+            (where / "summary.json").unlink()  # the record and a file are both missing: run again
             (where / "run.yaml").unlink(missing_ok=True)
         missing.append(one.point)
     counts, *_ = sweep(
@@ -78,7 +78,7 @@ def make(
 
 
 def _claim(spec, folder):
-    """The folder is new, or of this data set."""
+    """Check that the folder is new or belongs to this data set."""
     asked = json.dumps(spec._asdict(), indent=2, ensure_ascii=False) + "\n"
     path = folder / ASKED
     if path.exists():
@@ -155,7 +155,7 @@ def _save_parquet(path, one, rate, values):
 
 def _matlab(one: Record, rate: int, values: np.ndarray) -> Mapping[str, Any]:
     """Variables of a .mat file. `X001_DE_time` and `X001RPM` are named as those of Case Western
-    Reserve University, drive end; the others say the rest."""
+    Reserve University, drive end; the others describe the record."""
     stem = f"X{one.number:03d}"
     return {
         f"{stem}_DE_time": values,

@@ -15,7 +15,7 @@ from raceway.sweeps.points import OURS, WORD, Point
 from raceway.theory import kinematics
 from raceway.theory.bearing import Bearing
 
-OVERSAMPLING = 4  # samples of a run for each of the fastest file
+OVERSAMPLING = 4  # samples of a run for each sample of the fastest file
 GUARD = 64  # samples of the slowest file at each end, affected by the filter
 # words of a flaw: {word: default, None if it is required}; lists are swept
 NOTCH: dict[str, Any] = {"length": None, "width": "round", "depth": 3e-4, "edge": 5e-5}
@@ -37,7 +37,7 @@ RANGES = {  # m, except for the place
     "amplitude": (1e-10, 1e-5),
     "place": (0, 12),  # o'clock
 }
-# where the file says nothing: signals of the paper's model, which damps contacts least
+# default: signals of the paper's model, which has the least contact damping
 USUAL = {"housing": "springs", "models": "paper", "settle": "1"}
 SET_HERE = {
     **OURS,
@@ -199,8 +199,9 @@ def _word(name, given):
 def records(spec: Spec) -> list[Record]:
     """The `Record`s of `spec`, in its order: every flaw under all conditions.
 
-    A seed draws the first ball's azimuth, where a flaw of the inner raceway or of a ball starts,
-    the number of that ball, and the phases of waves. Raises `RacewayError` for an unknown bearing.
+    A seed draws the azimuth of the first ball, the initial position of a flaw on the inner raceway
+    or a ball, the number of that ball, and the phases of waves. Raises `RacewayError` for an
+    unknown bearing.
     """
     path = catalogue.find("bearings", spec.bearing)
     bearing = inputs.bearing(path)
@@ -236,7 +237,7 @@ def records(spec: Spec) -> list[Record]:
 
 
 def azimuth(place: float) -> float:
-    """Azimuth (rad) of a `place` on the clock, 12 at the top; the load presses at 6 o'clock.
+    """Azimuth (rad) of a `place` on a clock, 12 at the top; the load presses at 6 o'clock.
 
     >>> print(f"{azimuth(6):.4f} {azimuth(3):.4f} {azimuth(12):.4f}")
     -1.5708 0.0000 1.5708

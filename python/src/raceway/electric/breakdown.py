@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Breakdown of films and the discharge that follows (docs/electric_circuit, Breakdown)."""
+"""Breakdown of films and the subsequent discharge (docs/electric_circuit, Breakdown)."""
 
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -18,7 +18,7 @@ SURFACES = ("rough", "smooth")
 class Breakdown:
     """A film fails where its voltage exceeds `strength` (V/m) times its local thickness.
 
-    The local thickness is that of the film less three times the composite roughness ("rough") or
+    The local thickness is that of the film minus three times the composite roughness ("rough") or
     the film's own ("smooth"), and at least `floor` (m). `roughness` (m) is the run's unless given.
     `arc` (ohm) is the resistance of a film while it fails; it gives the current of a failure and
     its duration.
@@ -64,9 +64,9 @@ class Breakdown:
 
 
 def threshold(films: Films, limit: Floats, bridged: float = 0.0) -> Floats:
-    """The smallest voltage between the rings at which a film fails, (n,) V, with no charge on the
-    balls; `limit` (n, 2, Z) V of each film. Infinite where no film can fail, 0 where one has no
-    more than the limit `bridged` (V)."""
+    """The smallest voltage between the rings at which a film fails, (n,) V, with uncharged
+    balls; `limit` (n, 2, Z) V of each film. Infinite where no film can fail, 0 where a film has at
+    most the limit `bridged` (V)."""
     n, _, z = films.capacitance.shape
     found = np.empty(n)
     core.library().call(
@@ -82,7 +82,7 @@ def threshold(films: Films, limit: Floats, bridged: float = 0.0) -> Floats:
 
 
 class Failure(NamedTuple):
-    """One film that failed, raceway and place of the ball among Z."""
+    """One failed film: raceway and index of the ball among Z."""
 
     time: float  # s
     discharge: int  # its number, from 1

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The circuit of a bearing that runs: voltages, currents and discharges (docs/electric_circuit)."""
+"""The circuit of a bearing over a run: voltages, currents and discharges
+(docs/electric_circuit)."""
 
 import warnings
 from typing import NamedTuple
@@ -21,7 +22,7 @@ from raceway.theory.film_voltage import field
 
 RACEWAYS = ("inner", "outer")
 MOST = 100_000_000  # films at all points
-LATE = 3  # field over strength of a film that fails
+LATE = 3  # field over strength of a failing film
 MEANINGS = {  # variables and their units
     "bearing_voltage": ("V", "voltage of the inner ring to the outer ring"),
     "driving_voltage": ("V", "voltage of the outer circuit"),
@@ -70,7 +71,7 @@ class Result(NamedTuple):
     """Result of `run`."""
 
     data: xr.Dataset  # (time, raceway, ball), units and meanings in `attrs`
-    events: pd.DataFrame  # a row per film that failed; units in `attrs["units"]`
+    events: pd.DataFrame  # one row for each failed film; units in `attrs["units"]`
 
 
 def run(
@@ -114,7 +115,7 @@ def run(
 
 
 def _points(coarse, outer, points):
-    """A sample, with an eye on the shortest period of the voltage."""
+    """Circuit points in a sample; the default follows from the shortest period of the voltage."""
     longest, shortest = np.diff(coarse.time).max(), outer.waveform.shortest
     least = int(np.ceil(min(FEWEST * longest / shortest * (1 - 1e-9), MOST)))
     if points is None:
@@ -221,7 +222,7 @@ def _events(fine, s: Solution, breakdown):
 
 
 def _warn_of_late(events, sudden, breakdown):
-    """Warn of steps so long that films fail far above their strength, other than at the `sudden`
+    """Warn of steps so long that films fail far above their strength, except at the `sudden`
     times and after another film."""
     gradual = ~np.isin(events.time, sudden) & (events.order == 1)
     field = events.field[gradual].abs().max()
@@ -235,7 +236,7 @@ def _warn_of_late(events, sudden, breakdown):
 
 
 def _unbridged(local, breakdown):
-    """Local thickness; NaN of a film at the floor, which peaks of the surfaces bridge."""
+    """Local thickness; NaN for a film at the floor, bridged by peaks of the surfaces."""
     return np.where(local > breakdown.floor, local, np.nan)
 
 

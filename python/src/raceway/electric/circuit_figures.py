@@ -126,10 +126,10 @@ def table(figures: dict[str, float | None]) -> str:
 
 
 def write(result: Result, out: FilePath) -> list[Path]:
-    """Write the tables circuit.csv (a row per point of time) and events.csv (a row per film that
-    failed) into the folder `out`; return their paths.
+    """Write the tables circuit.csv (one row for each point of time) and events.csv (one row for
+    each failed film) into the folder `out`; return their paths.
 
-    Headings have the units. Raises `RunError` when that cannot be done.
+    Headings include units. Raises `RunError` if that fails.
     """
     out = folder(out)
     return [
@@ -142,7 +142,7 @@ def write(result: Result, out: FilePath) -> list[Path]:
 
 def over_time(data: xr.Dataset) -> pd.DataFrame:
     """The bearing's variables in the dataset of a circuit, and the capacitance (F) and voltage (V)
-    of every film, a row per point of time. Headings include the units."""
+    of every film, one row for each point of time. Headings include the units."""
     units = {name: variable.attrs["units"] for name, variable in data.data_vars.items()}
     whole_bearing = [name for name in data.data_vars if data[name].dims == ("time",)]
     parts = {"time (s)": data.time.to_numpy()}
@@ -164,7 +164,7 @@ def _csv(frame, path):
 
 
 def _at_the_floor(thickness):
-    """Share of the films; None without any."""
+    """Share of the films; None if there are none."""
     there = thickness.notnull()
     low = there & (thickness <= thickness.attrs["floor"])
     return float(low.sum() / there.sum()) if there.any() else None
@@ -175,7 +175,7 @@ def _largest(values):
 
 
 def _before(values, events):
-    """The largest size, that of just before a discharge too."""
+    """The largest magnitude, also just before a discharge."""
     return max(_largest(values) or 0.0, _finite(events.abs().max()) or 0.0)
 
 
@@ -184,8 +184,8 @@ def _finite(value):
 
 
 def _place(events):
-    """Mean direction of the places, weighted with energy; None without any, or for places evenly
-    distributed around the ring."""
+    """Mean direction of the positions, weighted with energy; None without any, or for positions
+    evenly distributed around the ring."""
     weight = events.energy.to_numpy(dtype=float)
     total = (weight * np.exp(1j * events.from_load_line.to_numpy(dtype=float))).sum()
     if not len(events) or not np.abs(total) > 1e-9 * weight.sum():

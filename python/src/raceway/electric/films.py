@@ -30,10 +30,10 @@ class Films:
     thickness: Floats  # (n, 2, Z) m; NaN where there is none
     conductance: Floats  # (n, 2, Z) S
     azimuth: Floats  # (n, Z) rad, of the balls from x
-    from_load_line: Floats  # (n, Z) rad, from the centre of the loaded zone
+    from_load_line: Floats  # (n, Z) rad, from the centre of the load zone
     balls: Integers  # (Z,) atom numbers
     roughness: float = 0.0  # m, composite
-    leaking: bool = False  # True if a film without metallic contact conducts
+    leaking: bool = False  # True if films conduct even without metallic contact
     metallic: Floats | None = None  # (n, 2, Z) 1 where asperities conduct
     hertz_area: Floats | None = None  # (n,) m^2 of all contact ellipses
 
@@ -46,7 +46,7 @@ class Films:
                 raise ValueError(f"{name} of a film must be 0 or more, and finite")
 
     def every(self, count: int) -> "Films":
-        """One in `count` points of the same films, from the first on."""
+        """Every `count`-th point of the same films, starting with the first."""
         kept = {name: getattr(self, name) for name in (*OVER_TIME, *ANGLES)}
         thin = {name: x if x is None else x[::count] for name, x in kept.items()}
         return replace(self, **thin)
@@ -126,12 +126,13 @@ def of_dataset(
     name: str = "the dataset",
 ) -> Films:
     """The films of a dataset with dimensions time, raceway and ball, such as `run.contacts`. The
-    two films of a ball on a ring with two grooves are one: in parallel, and the thinner one fails.
+    two films between a ball and a ring with two grooves are merged: in parallel, and the thinner
+    one fails.
 
     `permittivity` (1) is that of the lubricant at rest, `roughness` (m) that of both surfaces.
     `balls` has the azimuths of balls without contact; without it `contacts` has the azimuths. The
     columns a and b give the Hertz area.
-    `name` is for messages. Raises `RunError` where a column is missing or a value is no number.
+    `name` is for messages. Raises `RunError` if a column is missing or a value is not a number.
     """
     if not stray >= 0:
         raise ValueError(f"stray = {stray:g} F must be 0 or more")
@@ -194,7 +195,8 @@ def _angle(contacts, balls, name):
 
 
 def _between(values, points):
-    """`values` (n, ...) on n - 1 times `points` + 1 points, linear; the samples' own exactly."""
+    """`values` (n, ...) interpolated linearly to n - 1 times `points` + 1 points; the samples are
+    exact."""
     share = (np.arange(points) / points).reshape(1, -1, *(1,) * (values.ndim - 1))
     first, last = values[:-1, None], values[1:, None]
     fine = np.where(share == 0, first, first + share * (last - first))

@@ -44,8 +44,8 @@ class Leak:
     ) -> tuple[Floats, Floats | None]:
         """(conductance in S, 1 where asperities conduct) of films with `capacitance` (n, 2, Z), F.
 
-        The second is None without `metal`. `contacts` has the column `asperity_share` where metal
-        is asked for, else `RunError` with `name`.
+        The second is None without `metal`. `contacts` has the column `asperity_share` if metal
+        is requested, otherwise `RunError` with `name`.
         """
         conductance = np.zeros_like(capacitance)
         if self.resistivity is not None:
@@ -66,7 +66,7 @@ class Leak:
 
 
 def relaxation_time(resistivity: float, permittivity: float) -> float:
-    """R C of any gap that one lubricant fills, s: resistivity (ohm m) times permittivity.
+    """R C of any gap filled with one lubricant, s: resistivity (ohm m) times permittivity.
 
     >>> round(relaxation_time(1e9, 2.25), 6)
     0.019922

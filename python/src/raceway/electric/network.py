@@ -39,10 +39,11 @@ class Solution(NamedTuple):
 
 
 def solve(films: Films, terms: Terms, breakdown: Breakdown | None) -> Solution:
-    """The network of `films` and the outer circuit `terms`; films fail by `breakdown`, None: never.
+    """The network of `films` and the outer circuit `terms`; films fail by `breakdown`, never if
+    None.
 
     Balls start without charge. Raises `ValueError` for breakdown on a source without resistance,
-    `RunError` where a ball with charge loses both films.
+    `RunError` if a charged ball loses both films.
     """
     if breakdown and terms.stiff:
         raise ValueError("breakdown would short a source without resistance: give it a resistance")

@@ -2,8 +2,8 @@
 """A bearing as an element of SPICE: capacitances and leaks that follow a run, with linear
 interpolation between its samples (docs/electric_circuit, Export).
 
-A variable capacitance is written by its charge, Q = C(t) V: a capacitor with a `C=` expression
-would lack the current V dC/dt. Tested with ngspice.
+A variable capacitance is written through its charge, Q = C(t) V: a capacitor with a `C=` expression
+would omit the current V dC/dt. Tested with ngspice.
 """
 
 from collections.abc import Iterator
@@ -16,7 +16,7 @@ from raceway.electric.films import Films, series
 from raceway.files import FilePath, folder, whole
 
 RACEWAYS = ("inner", "outer")
-FARADS, SIEMENS = 1e-12, 1e-9  # a volt of a controlling node
+FARADS, SIEMENS = 1e-12, 1e-9  # one volt of a controlling node
 # gives every node a path for direct current; with 10 pF the time constant is 10 000 s
 LARGE = 1e15
 PER_LINE = 4
@@ -35,7 +35,7 @@ def element(films: Films, name: str = NAME) -> str:
 
 def write(films: Films, out: FilePath, name: str = NAME) -> Path:
     """Write `element` as `name`.cir and the table of `write_lines` as `name`.pwl into the folder
-    `out`; return the path of the first. Raises `RunError` when that cannot be done."""
+    `out`; return the path of the first. Raises `RunError` if that fails."""
     out = folder(out)
     write_lines(films, out / f"{name}.pwl")
     text = element(films, name)
@@ -43,8 +43,9 @@ def write(films: Films, out: FilePath, name: str = NAME) -> Path:
 
 
 def write_lines(films: Films, path: FilePath) -> None:
-    """Write the bearing as one to the text file `path`: time (s), capacitance (F), resistance of
-    the leak (ohm, inf without one), a row a sample. Raises `RunError` when that cannot be done."""
+    """Write the bearing as one element to the text file `path`: time (s), capacitance (F),
+    resistance of the leak (ohm, inf without one), one row for each sample. Raises `RunError` if
+    that fails."""
     with np.errstate(divide="ignore"):
         table = np.stack(
             [films.time, series(films.capacitance).bearing, 1 / leak(films)],

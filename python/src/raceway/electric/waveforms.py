@@ -2,8 +2,8 @@
 """Voltages over time that drive an outer circuit (docs/electric_circuit).
 
 A waveform is called with an array of times (s) and returns volts. `shortest` is the shortest time
-(s) over which it changes, infinite if it does not limit the step. `edges` are the times between at
-which it kinks or jumps.
+(s) over which it changes, infinite if it does not limit the step. `edges` are the times within a
+range at which it kinks or jumps.
 """
 
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ from raceway.files import FilePath
 
 SINE, COMMON_MODE = 1, 2  # Waveform::Kind of src-package/core/electric/waveform.h
 HIGHEST = 1e6  # V
-PER_CYCLE, FEWEST = 20, 8  # points per period by default, and at least
+PER_CYCLE, FEWEST = 20, 8  # points per period: default, and minimum
 
 
 class Waveform(Protocol):
@@ -113,7 +113,7 @@ class CommonMode(Waveform):
         )
 
     def edges(self, time: Floats) -> Floats:
-        """(k, 3) time (s), voltage before and after (V): one leg each."""
+        """(k, 3) time (s), voltage before and after (V): one row for each leg that switches."""
         most = 3 * int(2 * self.carrier * (time[-1] - time[0]) + 2)
         found = np.empty((most, 3))
         count = core.library().call(
@@ -162,9 +162,9 @@ class Table(Waveform):
 
 
 def read_table(path: FilePath) -> Table:
-    """The `Table` in the text file `path`: a row `s V` per point, `#` starts a comment.
+    """The `Table` in the text file `path`: a row `s V` for each point, `#` starts a comment.
 
-    Raises `RunError` where the file cannot be read or is no such table.
+    Raises `RunError` if the file cannot be read or is not such a table.
     """
     try:
         rows = np.loadtxt(path, ndmin=2)

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The raceway tori as meshes: the strip of the groove between shoulders as high as a fifth of a
-ball."""
+"""The raceway tori as meshes: the strip of the groove between shoulders with a height of a fifth of
+a ball diameter."""
 
 import numpy as np
 
 from raceway.arrays import Floats, Integers
 from raceway.theory.bearing import INNER, Bearing
 
-SHOULDER = 0.2  # height of a shoulder over the ball's diameter
+SHOULDER = 0.2  # height of a shoulder divided by the ball's diameter
 AROUND, ACROSS = 96, 9  # cells, points
 
 
@@ -15,7 +15,7 @@ def mesh(bearing: Bearing, raceway: int, clearance: float = 0.0) -> tuple[Floats
     """(points (n, 3) in m, quads (m, 4) of point numbers) of a groove centred at the origin, axis
     z; normals towards the balls.
 
-    Points are `AROUND` rows of `ACROSS`, so a point's azimuth is that of its row.
+    Points are `AROUND` rows of `ACROSS`; all points of a row have the same azimuth.
     """
     groove, sign = bearing.groove(raceway), 1 if raceway == INNER else -1
     bottom = bearing.inner_radius if raceway == INNER else bearing.outer_radius + clearance / 2

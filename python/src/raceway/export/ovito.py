@@ -3,8 +3,8 @@
 raceways as `.obj` surfaces.
 
 Columns have OVITO's standard names (species, id, pos, radius, velo); the others become
-properties of their own. Where a ball has no film, -1 is written: not every reader of text takes a
-NaN.
+properties of their own. Where a ball has no film, -1 is written, since not every reader of text
+accepts NaN.
 """
 
 from pathlib import Path
@@ -27,8 +27,8 @@ def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
     """Write the run `tables` into the folder `out`; return the path of `bearing.xyz`.
 
     A frame's comment line has the cell, `Time` (s), `sample`, `ring_x`, `ring_y`, `ring_z` (m,
-    where the inner ring is). The raceways are drawn at rest, the outer one with its clearance.
-    Raises `RunError` when the run's files are broken or `out` cannot be written.
+    position of the inner ring). The raceways are drawn at rest, the outer one with its clearance.
+    Raises `RunError` if the run's files are broken or `out` cannot be written.
     """
     out = files.folder(out)
     for side, name in ((INNER, "inner"), (OUTER, "outer")):

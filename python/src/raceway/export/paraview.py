@@ -19,7 +19,7 @@ def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
 
     Balls are points with the `data` of `particles.frames` (part 0), raceways surfaces with the
     `azimuth` of their points in the ring (rad; parts 1 inner, 2 outer). The inner one moves and
-    turns; its tilt is left out. Raises `RunError` when the run's files are broken or
+    rotates; its tilt is omitted. Raises `RunError` if the run's files are broken or
     `out` cannot be written.
     """
     out, entries, clearance = files.folder(out), [], tables.settings["clearance_m"]
@@ -45,7 +45,7 @@ def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
     for old in (
         path for pattern in ("balls_*.vtu", "inner_raceway_*.vtu") for path in out.glob(pattern)
     ):
-        if old.name not in kept:  # left from an earlier, longer export
+        if old.name not in kept:  # left over from an earlier, longer export
             old.unlink()
     return _text(out / "bearing.pvd", vtu.series(entries))
 

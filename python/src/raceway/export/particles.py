@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Balls and cage balls of a run, sample by sample, with what their contacts carry."""
+"""Balls and cage balls of a run, sample by sample, with the data of their contacts."""
 
 from collections.abc import Iterator
 from typing import Any, NamedTuple
@@ -24,19 +24,19 @@ class Frame(NamedTuple):
     time: float  # s
     position: Floats  # (n, 3)
     data: dict[str, NDArray[Any]]  # name: (n,) or (n, 3)
-    ring: Floats  # (3,), where the inner ring is
-    ring_turned: float  # rad, about its axis since the first sample
+    ring: Floats  # (3,), position of the inner ring
+    ring_turned: float  # rad, rotation about its axis since the first sample
 
 
 def frames(tables: RunTables, every: int | None = None) -> Iterator[Frame]:
-    """Yield every `every`th sample of the run `tables` as a `Frame`, in bounded memory; None: so
-    many that at most `FRAMES` are left.
+    """Yield every `every`th sample of the run `tables` as a `Frame`, in bounded memory; None
+    chooses it so that at most `FRAMES` are left.
 
-    `data` has id, type (1 ball, 2 cage ball), radius, velocity, spin, load (the largest of a
-    ball's), for each column of `CARRIED` that the run has its value on either raceway (`load_inner`
-    ..., or `load_inner_0` ... of rings with two grooves), and capacitance (both in series). Where
-    there is no contact: 0 for what vanishes with it, NaN for what it does not have. Raises
-    `RunError` when a file is broken.
+    `data` has id, type (1 ball, 2 cage ball), radius, velocity, spin, load (the larger one of a
+    ball), the values of each column of `CARRIED` in the run on either raceway (`load_inner`
+    ..., or `load_inner_0` ... for rings with two grooves), and capacitance (both in series).
+    Without contact: 0 for quantities that vanish with it, NaN for undefined ones. Raises `RunError`
+    if a file is broken.
     """
     if every is None:
         every = max(1, -(-(tables.last - tables.first) // FRAMES))

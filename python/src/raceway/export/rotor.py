@@ -27,10 +27,10 @@ from raceway.theory.small_motion import SLOW
 from raceway.theory.static import FREEDOMS, STRAIGHT
 
 PER_METRE = (1, 1, 1, 0, 0)  # powers of 1/m by row and column of the matrices: a sum of 2 is N/m
-TAKEN = ("xx", "xy", "yx", "yy", "zz")  # entries that ROSS's BearingElement takes
+TAKEN = ("xx", "xy", "yx", "yy", "zz")  # entries accepted by ROSS's BearingElement
 ROSS_FREEDOMS = 6  # degrees of freedom of a node: ours and the rotation about z
 TILTS = ("held", "free")
-NOISE = 1e-9  # rounding of entries that are 0 by symmetry, fraction of the diagonal
+NOISE = 1e-9  # rounding error of entries that are 0 by symmetry, as a fraction of the diagonal
 
 
 class Point(NamedTuple):
@@ -58,15 +58,16 @@ def points(
     double_row: DoubleRow | None = None,
     **options: Any,
 ) -> list[Point]:
-    """A `Point` for each radial `load` (N, along x), and for each `rpm` of the inner ring in it.
+    """A `Point` for each radial `load` (N, along x), and for each `rpm` of the inner ring at each
+    load.
 
-    `bearing` is a `Bearing` or, as `lubricant`, a file of the inputs `folder` or a path, with
-    `four_point` and `double_row` as `inputs.bearing` has them; without a lubricant there is no
+    `bearing` is a `Bearing` or, like `lubricant`, a file of the inputs `folder` or a path, with
+    `four_point` and `double_row` as in `inputs.bearing`; without a lubricant there is no
     damping. `models` is paper or full, `temperature` in degrees C.
-    `frequency` of the vibration is in rad/s; it is the shaft's speed unless given, as rotor
-    programs read their tables. `axial` is in N; `options` are those of `static.equilibrium`
+    `frequency` of the vibration is in rad/s; by default it is the shaft's speed, as rotor
+    programs assume in their tables. `axial` is in N; `options` are those of `static.equilibrium`
     (clearance, held, moment). Without them tilts are held at 0. The ring of a file is held along z
-    where there is no axial load (`inputs.held`). Raises `RacewayError`, and
+    if there is no axial load (`inputs.held`). Raises `RacewayError`, and
     `ValueError` for a number out of range.
     """
     if models not in LAWS:
@@ -112,8 +113,8 @@ def points(
 
 def at_rest(carried: Carried, rpm: ArrayLike, **options: Any) -> list[Point]:
     """`points` of a bearing of a shaft at rest (`shaft.rest`) at each `rpm`, under the loads and at
-    the tilts that it has there. So the matrices have the axes of the shaft, whatever the load's
-    direction. `options` are those of `points`, such as lubricant and temperature."""
+    the tilts that it has there. The matrices therefore have the axes of the shaft, whatever the
+    load's direction. `options` are those of `points`, such as lubricant and temperature."""
     x, y, z = carried.load[:3].tolist()
     tilts = dict(zip(FREEDOMS[3:], carried.place[3:].tolist()))
     place = dict(load_azimuth=math.atan2(y, x), held=tilts, clearance=carried.seat.clearance)
@@ -124,11 +125,11 @@ def ross(
     bearing: str, load: float, rpm: ArrayLike, *, tilts: str = "held", **options: Any
 ) -> dict[str, float | list[float]]:
     """Keyword arguments of ROSS's `BearingElement` except the node: kxx, kyy, kxy, kyx, kzz, the
-    same of c, and, of several `rpm`, `frequency` in rad/s. All are Python floats or lists of them.
+    same for c and, for several `rpm`, `frequency` in rad/s. All are Python floats or lists of them.
 
     `load` in N is radial, along x; `options` are those of `points`. With `tilts` "held" they are
-    entries of the 5 x 5 matrices, and `add_rest` brings the others. "free" is what the ring feels
-    when nothing but the bearing holds its tilts, and there is no rest to add. Warns where ROSS's
+    entries of the 5 x 5 matrices, and `add_rest` adds the others. "free" gives the stiffness of the
+    ring when only the bearing holds its tilts; then there is no rest to add. Warns if ROSS's
     smoothing of a table of more than four speeds changes an entry by more than 1 %.
 
     >>> one = ross("6208", 3000.0, 0.0, clearance=10e-6, phases=1)
@@ -139,7 +140,7 @@ def ross(
 
 
 def ross_of(points: Sequence[Point], tilts: str = "held") -> dict[str, float | list[float]]:
-    """As `ross`, of `points` of one load and rising speed. Raises `ValueError` for others."""
+    """As `ross`, for `points` of one load and rising speed. Raises `ValueError` for others."""
     speeds = [one.rpm for one in points]
     if len({(one.load, one.axial) for one in points}) != 1 or np.any(np.diff(speeds) <= 0):
         raise ValueError("ROSS takes the points of one load and of rising speed")
@@ -158,7 +159,7 @@ def ross_of(points: Sequence[Point], tilts: str = "held") -> dict[str, float | l
 
 def translations(point: Point, tilts: str = "held") -> tuple[Floats, Floats]:
     """(K in N/m, C in N s/m), both (3, 3), of the ring's translations; `tilts` as in `ross`. Raises
-    `ValueError` for another word, or free tilts that nothing holds."""
+    `ValueError` for another word, or for free tilts that are not held by anything."""
     if tilts not in TILTS:
         raise ValueError(f"tilts '{tilts}' is none of {', '.join(TILTS)}")
     mean = point.over.mean
@@ -172,7 +173,8 @@ def translations(point: Point, tilts: str = "held") -> tuple[Floats, Floats]:
 
 
 def rest(point: Point) -> tuple[Floats, Floats]:
-    """(K, C), both (6, 6) for a node of ROSS: what `BearingElement` has no names for."""
+    """(K, C), both (6, 6), for a node of ROSS: the terms for which `BearingElement` has no
+    names."""
     result = []
     for matrix in point.over.mean:
         whole = np.zeros((ROSS_FREEDOMS, ROSS_FREEDOMS))
@@ -184,10 +186,12 @@ def rest(point: Point) -> tuple[Floats, Floats]:
 
 
 def add_rest(rotor: Any, node: int, point: Point) -> None:
-    """Add `rest` to the matrices K0 and C0 of a ROSS `rotor`, before its first analysis: it keeps
-    what it has computed. The rest does not change with speed there, so take a `point` amid yours.
+    """Add `rest` to the matrices K0 and C0 of a ROSS `rotor` before its first analysis, because it
+    caches its results. The rest does not change with speed there, so choose a `point` in the middle
+    of your range.
 
-    Raises `RacewayError` for a rotor whose nodes have not six degrees of freedom (ROSS before 2.0).
+    Raises `RacewayError` for a rotor whose nodes do not have six degrees of freedom (ROSS before
+    2.0).
     """
     if rotor.number_dof != ROSS_FREEDOMS:
         raise RacewayError(
@@ -227,8 +231,8 @@ def columns() -> list[str]:
 
 
 def write_csv(points: Sequence[Point], path: FilePath) -> Path:
-    """A row a point: mean K and C over the ball pass, row by row in x, y, z, rx, ry, and least and
-    most of K's diagonal. SI units."""
+    """One row for each point: mean K and C over the ball pass, row by row in x, y, z, rx, ry, and
+    the least and greatest values of K's diagonal. SI units."""
     lines = [",".join(columns())]
     for one in points:
         mean, least, most = one.over
@@ -239,7 +243,8 @@ def write_csv(points: Sequence[Point], path: FilePath) -> Path:
 
 
 def write_json(points: Sequence[Point], path: FilePath) -> Path:
-    """The same as one JSON object, with matrices as lists of rows, and all of least and most."""
+    """The same as one JSON object, with matrices as lists of rows, and all least and greatest
+    values."""
     return files.text(path, json.dumps(as_mapping(points), indent=1, allow_nan=False) + "\n")
 
 
@@ -274,7 +279,7 @@ def _unit(a: int, b: int, second: str = "") -> str:
 
 
 def _cleaned(one):
-    """Without what rounding left of entries that are 0 by symmetry."""
+    """Without the rounding errors of entries that are 0 by symmetry."""
     result = []
     for matrix in one:
         scale = np.sqrt(np.abs(np.diag(matrix)))

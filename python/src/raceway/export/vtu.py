@@ -2,7 +2,7 @@
 """VTK's XML format for points and quads, and the list of a time series (VTK User's Guide, "VTK File
 Formats").
 
-Written here because it is these few lines; the libraries that write it bring a mesh database or a
+Written here because it is a few lines; the libraries that write it require a mesh database or a
 renderer. The tests read it with meshio.
 """
 
@@ -23,7 +23,7 @@ ORDER = "LittleEndian" if sys.byteorder == "little" else "BigEndian"
 
 def grid(points: Floats, cells: ArrayLike, data: Mapping[str, NDArray[Any]]) -> str:
     """The text of a .vtu file: `points` (n, 3), `cells` (m, 1) vertices or (m, 4) quads of point
-    numbers, `data` {name: (n,) or (n, 3)} of the points."""
+    indices, `data` {name: (n,) or (n, 3)} at the points."""
     cells = np.asarray(cells)
     kind = QUAD if cells.shape[1] == 4 else VERTEX
     parts = [

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What `raceway paper` runs: inputs/paper/cases.yaml, its lists multiplied out and its names turned
-into the decks'."""
+"""The runs of `raceway paper`: inputs/paper/cases.yaml with its lists expanded and its names
+converted to those of the decks."""
 
 import itertools
 from collections.abc import Iterable
@@ -28,7 +28,7 @@ class Case:
 
     deck: str
     settings: tuple[tuple[str, str], ...]  # (name, text), sorted
-    given: dict[str, Any] = field(compare=False)  # as in the file, for looking up
+    given: dict[str, Any] = field(compare=False)  # as in the file, for searching
 
     @property
     def label(self) -> str:
@@ -54,7 +54,7 @@ class Plan:
 
 
 def plan(root: Path) -> Plan:
-    """`Plan` of the source tree `root`. Raises `InputError` for a file that is not one."""
+    """`Plan` of the source tree `root`. Raises `InputError` if its file is invalid."""
     path = root / FILE
     try:
         data = yaml.safe_load(path.read_text())
@@ -82,7 +82,7 @@ def _combinations(settings):
 
 
 def _case(root, deck, given):
-    """Turn entrainment, clearance_ratio and total_curvature into what the decks take."""
+    """Convert entrainment, clearance_ratio and total_curvature to the decks' variables."""
     known = deck_variables(root / deck)
     own = {name: value for name, value in OF_THE_PAPER.items() if name in known} | given
     ours = {
@@ -93,9 +93,7 @@ def _case(root, deck, given):
     bearing = inputs.bearing(root / "inputs/bearings" / str(own.get("bearing", 6208)))
     if "entrainment" in ours:
         own["rpm"] = rpm(bearing, ours["entrainment"])
-    if ours.get(
-        "clearance_ratio"
-    ):  # none is the decks' default: the same run as a case that does not name it
+    if ours.get("clearance_ratio"):  # none is the decks' default: the same run as a case without it
         own["clearance"] = ours["clearance_ratio"] * bearing.ball_diameter
     if "total_curvature" in ours:
         own["inner_groove"] = own["outer_groove"] = groove(bearing, ours["total_curvature"])
@@ -109,7 +107,8 @@ def _case(root, deck, given):
 
 
 def rpm(bearing: Bearing, entrainment: float) -> float:
-    """Inner ring speed in rpm at which balls that roll entrain at `entrainment` in m/s."""
+    """Inner ring speed in rpm at which rolling balls have the entrainment speed `entrainment` in
+    m/s."""
     return entrainment / kinematics.entrainment(bearing, 1.0) * 30 / np.pi
 
 

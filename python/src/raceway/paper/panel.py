@@ -19,7 +19,7 @@ AZIMUTH = "azimuth ψ from the load line (°)"
 
 
 def page(title: str, note: str, columns: int = 1) -> tuple[Figure, NDArray[Any]]:
-    """(figure, axes) with a title and a line on what was run."""
+    """(figure, axes) with a title and a line that describes the run."""
     figure, axes = plt.subplots(
         1,
         columns,
@@ -63,7 +63,8 @@ def legend(axes: Axes, where: str, **options: Any) -> Legend:
 
 
 def regimes(axes: Axes, top: float, at: float) -> None:
-    """Bands of the lambda ratio up the y axis; their names at `at` of the width."""
+    """Bands of the lambda ratio along the y axis, with their names at the fraction `at` of the
+    width."""
     for low, high, name, colour in REGIMES:
         if low < top:
             axes.axhspan(low, min(high, top), color=colour, lw=0, zorder=0.1)
@@ -89,7 +90,7 @@ def marks(
 
 
 def whole(axes: Axes, x: ArrayLike, y: ArrayLike, colour: str, label: str | None = None) -> None:
-    """The simulation with all of the capacitance: crosses."""
+    """The simulation with the total capacitance: crosses."""
     axes.plot(x, y, "+", ms=9, mew=1.7, color=colour, label=label, zorder=5)
 
 
@@ -106,5 +107,5 @@ def theory(
 
 
 def scale(values: ArrayLike) -> float:
-    """Top of an axis that starts at zero."""
+    """Upper limit of an axis that starts at zero."""
     return 1.08 * float(np.nanmax(values))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Passage of the lambda ratio through a value, by theory: speed and capacitance there, and the
-roughness for a given capacitance.
+"""Operating points where the lambda ratio passes a given value, by theory: speed and capacitance,
+and the roughness for a given capacitance.
 
 The contact is that of the inner raceway under a ball on the load line, which has the thinnest film.
 """
@@ -52,7 +52,7 @@ def roughness(
     whole: bool = True,
     printed: bool = False,
 ) -> float:
-    """Composite roughness in m for which the capacitance is `value` in F where Lambda = 1."""
+    """Composite roughness in m for which the capacitance is `value` in F at Lambda = 1."""
     return float(
         np.exp(
             brentq(

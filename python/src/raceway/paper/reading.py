@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Numbers out of finished runs: the one place where the paper's products look into a run's tables.
+"""Numbers from finished runs: the only place where the paper's products read a run's tables.
 
 Azimuths are degrees from the load line, -180 to 180. In one ball pass the nine balls of a 6208
-sweep the whole ring, so a quantity of one ball around the ring is that of all balls side by side.
+sweep the whole ring, so a quantity of one ball around the ring is that of all balls together.
 """
 
 import re
@@ -32,7 +32,7 @@ GRID = np.arange(-180.0, 181.0)
 
 
 class Reading:
-    """One run of a radially loaded, turning bearing."""
+    """One run of a radially loaded, rotating bearing."""
 
     def __init__(self, case: Case, folder: FilePath, filling: Filling = FLOODED) -> None:
         self.case, self.given, self.tables = case, case.given, RunTables(folder)
@@ -76,7 +76,7 @@ class Reading:
     @cached_property
     def _whole(self):
         run = Run(self.tables.folder)
-        run.tables = self.tables  # whose contacts are read already
+        run.tables = self.tables  # whose contacts have been read already
         found = whole_capacitance.over_time(run, self.filling)
         line = run.balls["from_load_line"].sel(time=found["time"])
         return _sorted(
@@ -84,15 +84,15 @@ class Reading:
         ), float(found["bearing"].mean())
 
     def whole_ball_capacitance(self) -> tuple[Floats, Floats]:
-        """(psi in degrees, F), sorted: every ball with all that carries its capacitance."""
+        """(psi in degrees, F), sorted: every ball with its total capacitance."""
         return self._whole[0]
 
     def whole_top_capacitance(self) -> float:
-        """Capacitance in F of a ball on the load line, with all that carries it."""
+        """Capacitance in F of a ball on the load line, with its surroundings."""
         return float(np.interp(0.0, *self.whole_ball_capacitance()))
 
     def whole_capacitance(self) -> float:
-        """Mean capacitance in F of the bearing, with all that carries it."""
+        """Mean capacitance in F of the bearing, with all surroundings."""
         return self._whole[1]
 
     def permittivity(self, raceway: int) -> tuple[Floats, Floats]:
@@ -130,13 +130,14 @@ class Reading:
         return float((contacts["friction"].abs() / (contacts["mu"] * contacts["normal"])).max())
 
     def spin(self) -> float:
-        """Mean spin in rad/s of a ball about the bearing's axis, against the inner ring's sense."""
+        """Mean spin in rad/s of a ball about the bearing's axis, opposite to the inner ring's
+        sense."""
         balls = self.tables.balls
         return -float(balls.loc[balls["type"] == BALL, "omegaz"].mean())
 
 
 def gridded(psi: Floats, values: Floats) -> Floats:
-    """Values on whole degrees; zero where no sample is near, as beyond the loaded zone."""
+    """Values at whole degrees; zero where no sample is near, as outside the load zone."""
     result = np.interp(GRID, psi, values, period=360)
     gap = np.min(np.abs((GRID[:, None] - psi[None, :] + 180) % 360 - 180), axis=1)
     return np.where(gap < 0.5, result, 0.0)
@@ -171,7 +172,7 @@ class Readings:
         self.plan, self.folders, self._kept = plan, folders, {}
 
     def filling(self, bearing: str) -> Filling:
-        """Oil everywhere, and the shoulders of a bearing of inputs/."""
+        """Flooded surroundings, and the shoulders of a bearing of inputs/."""
         path = self.plan.root / "inputs/bearings" / bearing
         return FLOODED._replace(shoulders=inputs.shoulders(path))
 
@@ -184,7 +185,7 @@ class Readings:
         return [self._reading(case) for case in self.plan.cases[name]]
 
     def some(self, name: str, **given: Any) -> list[Reading]:
-        """The `Reading`s of a set whose settings are as given."""
+        """The `Reading`s of a set with the given settings."""
         return [
             one
             for one in self.all(name)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs cases side by side and keeps what they wrote, by program, input files and settings."""
+"""Runs cases in parallel and stores their results by program, input files and settings."""
 
 import hashlib
 import os
@@ -22,11 +22,11 @@ TIMEOUT = 600  # s; a case takes about half a second
 
 
 class CaseError(RacewayError):
-    """A case did not run to its end."""
+    """A case did not finish."""
 
 
 def root() -> Path:
-    """The source tree around the present folder. Raises `RacewayError` when there is none or it is
+    """The source tree around the present folder. Raises `RacewayError` if there is none or it is
     not built."""
     here = Path.cwd()
     for folder in (here, *here.parents):
@@ -49,8 +49,8 @@ class Outcome:
 
 
 class Runner:
-    """Runs the cases of one source tree; results stay in `store`, a folder for each state of
-    program and inputs."""
+    """Runs the cases of one source tree; results are stored in `store`, one folder for each state
+    of program and inputs."""
 
     def __init__(self, tree: Path, store: FilePath) -> None:
         self.tree, self.state = tree, _digest(tree)[:16]
@@ -68,7 +68,7 @@ class Runner:
                 shutil.rmtree(old, ignore_errors=True)
 
     def run(self, case: Case) -> Path:
-        """Run one case unless its results are there; return its folder. Raises `CaseError`."""
+        """Run one case unless its results exist; return its folder. Raises `CaseError`."""
         final = self.folder(case)
         if final.is_dir():
             return final
@@ -79,7 +79,7 @@ class Runner:
             self._execute(case, part)
             try:
                 part.rename(final)
-            except OSError:  # another command was faster with the same case
+            except OSError:  # another command has finished the same case earlier
                 if not final.is_dir():
                     raise
         finally:
@@ -92,7 +92,7 @@ class Runner:
         jobs: int,
         progress: Callable[[int, Case, CaseError | None], object],
     ) -> Outcome:
-        """Run `cases`, `jobs` at a time; `progress(done, case, error)` after each. Returns an
+        """Run `cases`, `jobs` at a time; call `progress(done, case, error)` after each. Returns an
         `Outcome`."""
         outcome, lock = Outcome({}, {}), threading.Lock()
 
@@ -160,7 +160,7 @@ class Runner:
 
 
 def _digest(tree):
-    """Changes when the program, a deck or a data file does: old results are not taken for new."""
+    """Changes if the program, a deck or a data file changes, so that old results are not reused."""
     state = hashlib.sha256()
     decks = (
         path

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Change of results over the plausible range of data lost from the paper's text: its oils (table
+"""Change of results over the plausible range of data missing from the paper's text: its oils (table
 2) and the roughness.
 
-By theory, at 5 kN, 0.41 m/s, no clearance; two runs with other oils show that the simulation moves
-alike.
+By theory, at 5 kN, 0.41 m/s, no clearance; two runs with other oils show that the simulation
+changes in the same way.
 """
 
 import itertools
@@ -61,7 +61,7 @@ def outcome(book: Book, oil: Oil) -> dict[str, float]:
 
 
 def table(book: Book) -> pd.DataFrame:
-    """Sensitivity to what is lost: oils and roughness.
+    """Sensitivity to the missing data: oils and roughness.
 
     DataFrame: oil, property, value, by (theory or simulation), and the columns of `outcome`.
     """
@@ -97,7 +97,7 @@ def table(book: Book) -> pd.DataFrame:
 def power(book: Book, what: str, ball: Callable[[Oil], float] | None = None) -> float:
     """Sensitivity of a ball's capacitance to one property of the mineral oil: d log C/d log
     property.
-    `ball` gives its capacitance in F, that of its plates unless given."""
+    `ball` gives its capacitance in F, by default that of its plates."""
     oil, step, of = book.oils["mineral"], 1.01, ball or _plates(book)
     more, less = (
         of(oil._replace(**{what: getattr(oil, what) * factor})) for factor in (step, 1 / step)
@@ -108,8 +108,8 @@ def power(book: Book, what: str, ball: Callable[[Oil], float] | None = None) -> 
 def oils_ratio(
     book: Book, first: str, second: str, ball: Callable[[Oil], float] | None = None
 ) -> tuple[float, float]:
-    """(least, largest) ratio of the oils' capacitances of a ball on the load line over all corners
-    of their ranges; `ball` as `power`'s."""
+    """(least, greatest) ratio of the oils' capacitances of a ball on the load line over all corners
+    of their ranges; `ball` as in `power`."""
     ends, of = ranges(book), ball or _plates(book)
 
     def corners(name):

@@ -16,23 +16,21 @@ RULE = re.compile(r"(\w+)\s*([<>=])\s*(\S+)(?:\s+within\s+(\S+))?$")
 
 
 class Statement(NamedTuple):
-    """A statement of the paper, and what decides it."""
+    """A statement of the paper, and the rules for its verdict."""
 
     where: str
     says: str
-    about: str  # "print" when the printed formulas decide both columns
+    about: str  # "print" if the printed formulas decide both columns
     rules: tuple[str, ...]
     show: tuple[str, ...]
     why: str
-    whole: Mapping[str, Any] = MappingProxyType(
-        {}
-    )  # with all of the capacitance: other rules, show
+    whole: Mapping[str, Any] = MappingProxyType({})  # with the total capacitance: other rules, show
     found: tuple[str, str, str] = (UNKNOWN, SAME, SAME)  # corrected, printed, whole in `Judged`
 
 
 class Judged(NamedTuple):
-    """A statement with its verdicts: from the corrected and from the printed formulas, and with all
-    that carries capacitance."""
+    """A statement with its verdicts: from the corrected formulas, from the printed formulas, and
+    with the total capacitance."""
 
     where: str
     says: str
@@ -85,7 +83,7 @@ def holds(rule: str, numbers: Mapping[str, float]) -> bool:
 
 
 def names(rule: str) -> tuple[str, ...]:
-    """The quantities a rule speaks of."""
+    """The quantities that a rule uses."""
     name, _, other, _ = RULE.match(rule).groups()
     return (name,) if _is_number(other) else (name, other)
 
@@ -97,9 +95,9 @@ def judge(
     whole: Mapping[str, Quantity] = MappingProxyType({}),
 ) -> Judged:
     """`Judged` of a statement, from {name: `Quantity`} of the corrected and of the printed
-    formulas, and of those that stand in for the corrected ones with all of the capacitance.
+    formulas, and of those that replace the corrected ones with the total capacitance.
 
-    `statement.whole` has rules and numbers of the last where they are others.
+    `statement.whole` has the rules and numbers for the total capacitance where they differ.
     """
     words = {name: quantity.text for name, quantity in {**whole, **corrected}.items()}
     first, shown = _verdict(statement, corrected)
@@ -128,7 +126,7 @@ def judge(
 
 
 def _other(statement, corrected, others):
-    """Verdict and numbers where `others` stand in for some of those that `statement` uses."""
+    """Verdict and numbers if `others` replace some of those that `statement` uses."""
     used = {name for rule in statement.rules for name in names(rule)} | set(statement.show)
     if used & set(others):
         return _verdict(statement, {**corrected, **others})
@@ -165,5 +163,5 @@ def markup(text: str) -> str:
 
 
 def plain(text: Any) -> Any:
-    """Text with $formulas$ without the marks."""
+    """Text without the marks of $formulas$."""
     return re.sub(r"[${}]", "", text) if isinstance(text, str) else text

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The tables: each a function of a `Book` that returns a DataFrame."""
+"""The tables: each is a function of a `Book` that returns a DataFrame."""
 
 import pandas as pd
 

@@ -17,7 +17,9 @@ from raceway.theory import capacitance, film, hertz, static
 from raceway.theory.bearing import INNER, OUTER, Bearing
 
 PHASES = (
-    20  # places of the first ball between two balls: the mean over a ball pass to better than 1e-3
+    # positions of the first ball between two balls: the mean over a ball pass is accurate to better
+    # than 1e-3
+    20
 )
 
 
@@ -41,7 +43,7 @@ def contact(
     clearance: float = 0.0,
     printed: bool = False,
 ) -> Contact:
-    """`Contact` of loads in N at an entrainment speed in m/s; unloaded ones have no film (nan) and
+    """`Contact` for loads in N at an entrainment speed in m/s; unloaded ones have no film (nan) and
     no capacitance."""
     r_x, r_y = bearing.effective_radii(raceway, clearance=clearance)
     ellipse = hertz.hamrock_brewe(r_x, r_y, printed=True) if printed else hertz.exact(r_x, r_y)
@@ -90,9 +92,9 @@ def ball(
 def loads(
     bearing: Bearing, radial_load: float, clearance: float = 0.0
 ) -> tuple[Floats, Floats, float]:
-    """(psi in degrees, load in N, shift in m) of all balls over a ball pass, `PHASES` places of Z
-    balls, and the mean shift along the load. The load is that of both raceways: no centrifugal
-    load."""
+    """(psi in degrees, load in N, shift in m) of all balls over a ball pass, `PHASES` positions of
+    Z balls, and the mean shift along the load. The load is that of both raceways, without
+    centrifugal load."""
     turns = [
         static.equilibrium(
             bearing, radial_load, clearance=clearance, phase=phase, finite_shift=True
@@ -122,6 +124,7 @@ def bearing_capacitance(
     printed: bool = False,
 ) -> float:
     """Mean of the bearing's capacitance in F over a ball pass (eq 12). `printed` keeps the loads:
-    at no clearance a stiffness that differs by one factor everywhere shares the load alike."""
+    without clearance, a stiffness that differs by the same factor everywhere shares the load in the
+    same way."""
     _, load, _ = loads(bearing, radial_load, clearance)
     return float(ball(bearing, oil, load, speed, clearance, printed).sum(axis=1).mean())

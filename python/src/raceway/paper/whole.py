@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""All of the capacitance by statics, oil everywhere: what `theory` says of the plates alone, with
-the gap around them and the balls without load."""
+"""Total capacitance from statics, flooded: as in `theory`, which has the plates alone, but with
+the gap around them and the unloaded balls."""
 
 from functools import lru_cache
 
@@ -11,7 +11,8 @@ from raceway.theory import capacitors, kinematics, lubrication
 from raceway.theory.bearing import Bearing
 from raceway.theory.capacitors import Filling
 
-PHASES = 6  # places of the first ball between two balls: the mean to better than 1e-3
+# positions of the first ball between two balls: the mean is accurate to better than 1e-3
+PHASES = 6
 
 
 @lru_cache(maxsize=256)
@@ -36,7 +37,7 @@ def ball(bearing: Bearing, oil: Oil, radial_load: float, speed: float, filling: 
 def bearing_capacitance(
     bearing: Bearing, oil: Oil, radial_load: float, speed: float, filling: Filling
 ) -> float:
-    """Mean capacitance in F of the bearing over a ball pass, as `ball`."""
+    """Mean capacitance in F of the bearing over a ball pass, arguments as in `ball`."""
     return float(
         np.mean(
             [

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearing in motion: a GIF, or an MP4 where there is an ffmpeg."""
+"""The bearing in motion: a GIF, or an MP4 if ffmpeg is available."""
 
 import shutil
 import subprocess
@@ -37,9 +37,9 @@ def animation(
     """Animate the run `tables` to `path`, which ends in .gif or .mp4; return the `Path`.
 
     `passes` ball passes (None: all measured, at most 4) in `frames` pictures, evenly in time,
-    `rate` a second, `width` dots wide; `colour` and `factor` as `scene.scene`'s. The same run gives
-    the same GIF to the bit. Raises `RunError` when the run's files are broken, hold fewer passes,
-    or the animation cannot be written.
+    `rate` a second, `width` dots wide; `colour` and `factor` as in `scene.scene`. The same run
+    gives the same GIF to the bit. Raises `RunError` if the run's files are broken, hold fewer
+    passes, or the animation cannot be written.
     """
     kind = str(path).lower().rpartition(".")[2]
     if kind not in WRITERS:
@@ -72,7 +72,7 @@ def _window(tables, passes, frames):
         raise RunError(f"{tables.folder} holds no sample to draw")
     way = tables.passes(tables.first + np.arange(have))
     way = way - way[0]
-    # the cage slips: the number of passes that the deck asked for is accepted
+    # the cage slips: the number of passes requested by the deck is accepted
     if passes is not None and passes > max(way[-1], tables.settings["passes"]) + 0.5 / have:
         raise RunError(f"{tables.folder} has {way[-1]:.3g} ball passes, fewer than {passes:g}")
     wanted = max(int(np.searchsorted(way, 4.0 if passes is None else passes)), 1)
@@ -87,7 +87,7 @@ def _pictures(sheet, count):
         sheet.show(k)
         sheet.figure.canvas.draw()
         progress.line(f"frame {k + 1} of {count}", k + 1 == count)
-        # a copy: the canvas draws over it
+        # a copy, because the canvas draws over it
         yield np.array(sheet.figure.canvas.buffer_rgba())[..., :3]
 
 
@@ -109,8 +109,8 @@ def _gif(part, pictures, rate):
 
 
 def _palette():
-    """One for all pictures: what is unchanged from one to the next then costs nothing. Pictures are
-    in few colours."""
+    """One palette for all pictures: parts that do not change from one to the next then cost
+    nothing. Pictures have few colours."""
     scale = plt.get_cmap(style.MAP)(np.linspace(0, 1, COLOURS))[:, :3]
     grey = np.repeat(np.linspace(0, 1, GREYS)[:, None], 3, axis=1)
     flat = to_rgba_array([STEEL, CAGE, IDLE, style.INK, style.SOFT, style.FAINT])[:, :3]
@@ -151,7 +151,7 @@ def _mp4(part, pictures, rate):
                     program.stdin.write(np.ascontiguousarray(picture[:height, :width]).tobytes())
                 program.stdin.close()
             except BrokenPipeError:
-                pass  # it has stopped, and said why
+                pass  # it has stopped and printed the reason
         if program.returncode:
             said.seek(0)
             raise RunError(

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Panels around the ring: load and film of every ball against its azimuth, the load line pointing
-down."""
+"""Panels around the ring: load and film of every ball against its azimuth, with the load line
+pointing down."""
 
 from collections.abc import Sequence
 
@@ -19,11 +19,11 @@ from raceway.units import axis
 
 
 def loads(axes: Axes, tables: RunTables) -> float:
-    """Contact loads of the run `tables` on polar `axes`; returns the factor from newtons to what is
-    drawn."""
+    """Contact loads of the run `tables` on polar `axes`; returns the factor from newtons to the
+    drawn unit."""
     largest = tables.contacts["load"].max()
     factor, unit = axis(largest, "N")
-    # outer first and wider: without much centrifugal load the inner curve lies on it
+    # outer first and wider: without much centrifugal load the inner curve covers it
     width = {OUTER: 5, INNER: 1.6}
     for side in (OUTER, INNER):
         for psi, load in tracks(tables, side, "load"):
@@ -51,7 +51,7 @@ def film(axes: Axes, tables: RunTables) -> float:
     factor, unit = axis(loaded["h_c"].max(), "m")
     unity = tables.settings["roughness_m"] * factor  # the thickness at which lambda is one
     edge = thickest = 1.12 * loaded["h_c"].max() * factor
-    for mark in (1, 3):  # show a limit that is near; do not squash the film for one that is far
+    for mark in (1, 3):  # show a limit that is near; do not compress the film for one that is far
         if mark * unity < 3 * thickest:
             edge = max(edge, 1.12 * mark * unity)
     around = np.linspace(0, 2 * np.pi, 361)
@@ -76,7 +76,7 @@ def film(axes: Axes, tables: RunTables) -> float:
                 zorder=5,
                 bbox={"facecolor": "white", "edgecolor": "none", "pad": 1, "alpha": 0.75},
             )
-    # not dashes: those of many balls would fill each other's gaps
+    # not dashed: the dashes of many balls would fill each other's gaps
     width = {"h_c": 3.2, "h_min": 1.3}
     for column in width:
         for side in (OUTER, INNER):

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearing itself: from the front, cut in its middle plane so that the grooves are seen, and in
-section.
+"""The bearing itself: from the front, cut in its middle plane so that the grooves are visible, and
+in section.
 
-The grooves are the simulated tori; how thick and wide the rings are beyond them and how high their
-shoulders, no run says: they are drawn in proportion to the balls.
+The grooves are the simulated tori; runs contain neither the thickness and width of the rings beyond
+them nor the height of the shoulders, which are drawn in proportion to the balls.
 """
 
 import matplotlib.pyplot as plt
@@ -35,7 +35,7 @@ def bearing(
     """Draw the run `tables` at the sample with the largest contact load to the PNG `path`; `colour`
     and `factor` as `scene`'s.
 
-    Raises `RunError` when the run's files are broken or the picture cannot be written.
+    Raises `RunError` if the run's files are broken or the picture cannot be written.
     """
     tables = shown(tables)
     contacts = tables.contacts
@@ -47,8 +47,8 @@ def bearing(
 
 
 class Sheet:
-    """A figure of the `Scene` `what` of the run `tables`; `show(k)` puts everything where it is at
-    the k-th of its samples."""
+    """A figure of the `Scene` `what` of the run `tables`; `show(k)` moves everything to its
+    position at the k-th of its samples."""
 
     def __init__(self, tables: RunTables, what: Scene, colour: str, dpi: int = 110) -> None:
         self.tables, self.scene, self.geometry = tables, what, tables.geometry
@@ -220,7 +220,7 @@ class Sheet:
         axes.grid(True)
 
     def show(self, k: int) -> None:
-        """Everything at the k-th sample."""
+        """Move everything to the k-th sample."""
         what, radius = self.scene, self.geometry.ball_radius
         colours = self.map(self.norm(np.ma.masked_invalid(what.values[k] * self.factor)))
         shift = what.ring[k] * MM
@@ -274,7 +274,7 @@ def _mark(axes):
 
 
 def _groove(race, sign, geometry, side):
-    """(radius, shade) down the groove's wall as seen from the front, from its bottom `race` to its
+    """(radius, shade) along the groove's wall as seen from the front, from its bottom `race` to its
     shoulder; `sign` 1 outwards."""
     groove = geometry.groove(side)
     for height in np.linspace(0, SHOULDER * geometry.ball_diameter, SHADES):

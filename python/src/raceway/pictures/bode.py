@@ -24,7 +24,7 @@ def frequencies(resistivity: float, count: int = 400) -> Floats:
 
 def bode(point: Point, names: Mapping[str, Any], resistivity: float, path: FilePath) -> None:
     """Draw modulus and phase of a bearing's impedance in oil of `resistivity` (ohm m) over
-    frequency to the PNG `path`, and those of its plates. Raises `RunError` when it cannot be
+    frequency to the PNG `path`, and those of its plates. Raises `RunError` if it cannot be
     written."""
     found = point.capacitors()
     loaded = found.inner.load > 0
@@ -54,6 +54,6 @@ def bode(point: Point, names: Mapping[str, Any], resistivity: float, path: FileP
 
 
 def _plates(side, loaded):
-    """The ellipses of the balls that are `loaded` alone."""
+    """The contact ellipses of the `loaded` balls alone."""
     part = type(side)(*(values[loaded] for values in side))
     return part._replace(outside=0 * part.outside, paths=part.area / part.separation)

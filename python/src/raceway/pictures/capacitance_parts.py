@@ -12,7 +12,7 @@ from raceway.pictures.electric_page import LEFT, RIGHT, head, plain_ticks
 from raceway.pictures.style import PALETTE, STYLE, save
 from raceway.units import axis
 
-# what a bearing's capacitance can be drawn over: label, factor
+# quantities over which a bearing's capacitance can be drawn: label, factor
 OVER = {
     "rpm": ("inner ring speed (rpm)", 1.0),
     "load_N": ("radial load (N)", 1.0),

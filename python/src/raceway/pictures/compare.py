@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Picture of a run beside a recording: both envelopes over orders of the shaft, lines marked."""
+"""Picture of a run and a recording: both envelopes over orders of the shaft, with lines marked."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -10,7 +10,7 @@ from raceway.pictures.style import INK, SOFT, STYLE, save
 from raceway.recordings.compare import Comparison
 from raceway.units import axis
 
-DECADES = 4  # shown below the strongest line
+DECADES = 4  # range shown below the strongest line
 
 
 def picture(found: Comparison, path: FilePath) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A map of the discharges of a circuit: their place around the ring, energy and voltage."""
+"""A map of the discharges of a circuit: their position around the ring, energy and voltage."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -19,9 +19,9 @@ RACEWAYS = ("inner", "outer")
 def picture(run: Run, result: Result, path: FilePath) -> None:
     """Draw the discharges of `result`, the circuit of `run`, to the PNG `path`.
 
-    A dot is a discharge, with the colour of the raceway where the first film failed. Left its
-    azimuth from the load line, and its energy as the radius. Right the bearing voltage before it,
-    over the voltage that is left and the threshold voltage. Raises `RunError` when the picture
+    A dot is a discharge, with the colour of the raceway where the first film failed. Left: its
+    azimuth from the load line, and its energy as the radius. Right: the bearing voltage before it,
+    over the remaining voltage and the threshold voltage. Raises `RunError` if the picture
     cannot be written.
     """
     with plt.rc_context(style.STYLE):

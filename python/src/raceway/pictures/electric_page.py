@@ -17,8 +17,8 @@ LEFT, RIGHT = 0.085, 0.965  # fractions of the figure's width
 
 
 def head(figure: Figure, names: Mapping[str, Any], title: str, without: str = "") -> None:
-    """Title and, under it, what bearing and operating point it is: `names` of
-    `electric_point.figures`, not the quantity `without`."""
+    """Title and, below it, bearing and operating point: `names` of
+    `electric_point.figures`, except the quantity `without`."""
     height = figure.get_figheight()
     warm = names["temperature_C"]
     words = {
@@ -51,7 +51,7 @@ def head(figure: Figure, names: Mapping[str, Any], title: str, without: str = ""
 
 
 def plain_ticks(axes: Axes, x: Floats) -> None:
-    """Numbers as 100, 200, 500 on a logarithmic axis over `x`."""
+    """Tick labels such as 100, 200, 500 on a logarithmic axis over `x`."""
     low, high = np.floor(np.log10(x.min())), np.ceil(np.log10(x.max()))
     ticks = [m * 10.0**d for d in np.arange(low, high + 1) for m in (1, 2, 5)]
     ticks = [tick for tick in ticks if 0.999 * x.min() <= tick <= 1.001 * x.max()]

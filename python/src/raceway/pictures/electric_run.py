@@ -98,8 +98,8 @@ def field(run: Run, fields: xr.Dataset, voltage: float, path: FilePath) -> None:
 
 def bode(run: Run, whole: xr.Dataset, resistivity: float, path: FilePath) -> None:
     """Draw modulus and phase of the impedance of a `run` over frequency, in oil of `resistivity`
-    (ohm m), to the PNG `path`: its mean and what it takes over time. `whole` is of
-    `whole_capacitance.over_time`. Raises `RunError` when it cannot be written."""
+    (ohm m), to the PNG `path`: its mean and its range over time. `whole` is from
+    `whole_capacitance.over_time`. Raises `RunError` if it cannot be written."""
     frequency = frequencies(resistivity, 120)
     z = film_figures.spectrum(whole, frequency, resistivity).to_numpy()
     with plt.rc_context(STYLE):
@@ -128,7 +128,7 @@ def _below(text, data):
 
 
 def _largest(which, values):
-    """(BINS,), NaN where there is none."""
+    """(BINS,), NaN for empty ones."""
     found = np.full(BINS, -np.inf)
     np.maximum.at(found, which, np.where(np.isfinite(values), values, -np.inf))
     return np.where(np.isfinite(found), found, np.nan)

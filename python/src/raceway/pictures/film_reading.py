@@ -14,8 +14,8 @@ from raceway.theory.film_reading import Reading
 
 
 def reading(curve: Reading, names: Mapping[str, Any], path: FilePath) -> None:
-    """Draw the film thickness that an instrument reads against that of the model, and the error, to
-    the PNG `path`. Raises `RunError` when it cannot be written."""
+    """Draw the film thickness that an instrument would read against that of the model, and the
+    error, to the PNG `path`. Raises `RunError` if it cannot be written."""
     lines = (
         (curve.by_plates, "all of it taken for plates", PALETTE[5], "-"),
         (curve.less_constant, "after a constant was taken off", PALETTE[0], (0, (4, 2))),

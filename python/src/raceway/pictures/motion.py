@@ -78,14 +78,15 @@ def _tilt(axes, tables):
 
 
 def _torque(axes, tables):
-    # its mean, the friction torque, is far below the ripple; the summary derives it from the losses
+    # its mean, the friction torque, is far below the ripple, so the summary derives it from the
+    # losses
     torque = -tables.rings["mz"] * np.sign(tables.motion.shaft)
     _lines(axes, tables, {"balls on the inner ring": torque}, "N m")
     axes.set_title("Moment against the spin", pad=10)
 
 
 def _cage(axes, tables):
-    # contacts of the cage are short, and known at the ends of the host's steps only
+    # contacts of the cage are short, and recorded at the ends of the host's steps only
     force = tables.totals["cage_force"].dropna()
     factor, unit = axis(force.max() or 1.0, "N")
     time = tables.passes(force.index.to_numpy())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Picture of `raceway needs`: what each choice does to each figure, and its cost."""
+"""Picture of `raceway needs`: the effect of each choice on each figure, and its cost."""
 
 import math
 
@@ -12,12 +12,12 @@ from raceway.pictures.style import INK, MAP, PALETTE, SOFT, STYLE, save
 from raceway.sweeps.needs import Needs
 from raceway.sweeps.needs_shown import percent
 
-LEAST, MOST = 1e-4, 1.0  # relative effects, ends of the scale
+LEAST, MOST = 1e-4, 1.0  # relative effects, limits of the scale
 
 
 def picture(found: Needs, path: FilePath) -> None:
-    """Write the picture of `found` to the PNG `path`. Raises `RunError` when that cannot be
-    done."""
+    """Write the picture of `found` to the PNG `path`. Raises `RunError` if that
+    fails."""
     words = list(found.figures)
     rows = [(one.picked[0].label, one) for one in found.single]
     rows.append(("cheapest set that keeps what is wanted", found.best))

@@ -82,7 +82,7 @@ def _pressures(axes, tables):
     factor, unit = axis(largest, "Pa")
     for side in (OUTER, INNER):
         for psi, pressure in tracks(tables, side, "pressure"):
-            # back to one turn, without a line across the panel
+            # back by one turn, without a line across the panel
             turn = 2 * np.pi * np.round(psi / (2 * np.pi))
             breaks = np.flatnonzero(np.diff(turn) != 0) + 1
             axes.plot(
@@ -133,6 +133,6 @@ def _ring(axes, tables):
     against_time(axes, tables, len(shift))
     finish(axes, "Radial displacement along the load", None, [])
     low, high = shift.min() * factor, shift.max() * factor
-    # a variation below one per cent is shown as steady
+    # a variation below one per cent is drawn as steady
     half = max(0.75 * (high - low), 0.01 * abs(high)) or 1
     axes.set_ylim((low + high) / 2 - half, (low + high) / 2 + half)

@@ -19,12 +19,12 @@ LEFT, RIGHT = 0.075, 0.965  # fractions of the figure's width
 
 
 def quantity(meaning: str) -> str:
-    """The `meaning` of a signal for a title: without what explains it, after the first comma."""
+    """The `meaning` of a signal for a title: without the explanation after the first comma."""
     return meaning.partition(",")[0]
 
 
 def head(figure: Figure, tables: RunTables, below: str, size: float = 17) -> None:
-    """Write the title of the run `tables` and, under it, the text `below` at the top of
+    """Write the title of the run `tables` and, below it, the text `below` at the top of
     `figure`."""
     height, scale = figure.get_figheight(), size / 17
     fit(
@@ -45,7 +45,7 @@ def head(figure: Figure, tables: RunTables, below: str, size: float = 17) -> Non
 
 
 def fit(text: Text, share: float) -> None:
-    """Let a long `text` shrink to that `share` of its figure's width: it does not run off the
+    """Shrink a long `text` to that `share` of its figure's width, so that it stays on the
     page."""
     width = text.get_window_extent(text.figure.canvas.get_renderer()).width
     text.set_fontsize(text.get_fontsize() * min(1, share * text.figure.bbox.width / width))
@@ -63,7 +63,7 @@ def against_time(axes: Axes, tables: RunTables, samples: int) -> None:
 
 
 def finish(axes: Axes, title: str, top: float | None, handles: Sequence[Artist]) -> None:
-    """Title, grid, legend and, unless None, the top of a y axis from zero."""
+    """Title, grid, legend and, unless None, the upper limit of a y axis from zero."""
     axes.set_title(title, pad=10)
     axes.grid(True)
     if top is not None:

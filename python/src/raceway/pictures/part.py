@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Part of a run in a picture, and the tracks of its balls around the ring.
+"""The drawn part of a run, and the tracks of its balls around the ring.
 
-Every ball is drawn as it passes the sampled places, so a curve around the ring overlays all balls;
-the width of the band shows the influence of the positions of the other balls.
+Every ball is drawn as it passes the sampled positions, so a curve around the ring overlays all
+balls; the width of the band shows the influence of the positions of the other balls.
 """
 
 import warnings
@@ -14,14 +14,14 @@ from raceway.arrays import Floats
 from raceway.errors import RunError, RunWarning
 from raceway.runs.tables import RunTables
 
-LIGHT = 0.01  # fraction of the largest load: below, film thickness grows without bound
+LIGHT = 0.01  # fraction of the largest load below which film thickness grows without bound
 # size of a record in bytes above which only some ball passes are drawn
 LARGE, PASSES = (200 << 20, 20)
 
 
 def shown(tables: RunTables, note: str = "") -> RunTables:
-    """The drawn part of the run `tables`: all, unless the curves are too many for memory or paper.
-    Then a warning is issued, and `note` is set."""
+    """The drawn part of the run `tables`: all, unless there are too many curves for memory or
+    paper. Then a warning is issued, and `note` is set."""
     path = tables.record.path
     if tables.stop is not None or path.stat().st_size < LARGE:
         return tables
@@ -56,7 +56,7 @@ def need(tables: RunTables, column: str, what: str) -> None:
 def tracks(
     tables: RunTables, raceway: int, column: str, above: float = 0.0
 ) -> Iterator[tuple[Floats, Floats]]:
-    """(psi, values) of each ball's way past one raceway; psi in rad, unwrapped; NaN where it lost
+    """(psi, values) of each ball's path past one raceway; psi in rad, unwrapped; NaN where it lost
     contact.
 
     Contacts that carry no more than `above` of the largest load count as lost."""

@@ -15,17 +15,15 @@ from raceway.pictures.style import COLOUR, SIDES
 from raceway.runs.tables import RunTables
 from raceway.theory.lubrication import lubricate, turning
 
-PHASES = 4  # positions of the set of balls within one ball pass at which theory is asked
-STRAIGHT = (
-    0.01  # rad: contacts at larger angles carry more than the radial load that `run.yaml` tells
-)
+PHASES = 4  # positions of the set of balls within one ball pass at which theory is evaluated
+STRAIGHT = 0.01  # rad: contacts at larger angles carry more than the radial load in `run.yaml`
 
 
 def polar(tables: RunTables, path: FilePath) -> None:
     """Draw the run `tables` to the PNG `path`: contact load and, with a lubricant, film thickness
     against azimuth.
 
-    Dots: `theory`. Raises `RunError` when the run's files are broken or the picture cannot be
+    Dots: `theory`. Raises `RunError` if the run's files are broken or the picture cannot be
     written.
     """
     tables = shown(tables)
@@ -65,7 +63,7 @@ def polar(tables: RunTables, path: FilePath) -> None:
 
 def theory(tables: RunTables) -> dict[int, dict[str, Floats]]:
     """{side: {"psi": rad, "load": N, "h_min": m, "h_c": m}} of the loaded contacts at `PHASES`
-    positions of the balls; no films when dry. Empty where theory does not know the load: contacts
+    positions of the balls; no films when dry. Empty if the load is unknown to theory: contacts
     at an angle, or no equilibrium.
     """
     if "angle" in tables.contacts and np.abs(tables.contacts["angle"]).max() > STRAIGHT:

@@ -38,7 +38,7 @@ class Scene:
     turned: Floats  # (n, Z), of the balls about z since the first sample
     ring_turned: Floats  # (n,), of the inner ring
     values: Floats  # (n, Z), what balls are coloured by, NaN where a ball has none
-    load: Floats  # (n, Z), N, the larger contact load
+    load: Floats  # (n, Z), values for the colours of balls, NaN where a ball has none
 
 
 def scene(
@@ -94,7 +94,7 @@ def scene(
 
 
 def nice(seen: float, largest: float) -> float:
-    """The largest of 1, 2, 5, 10, 20 ... that makes `largest` no larger than `seen`, at least 1.
+    """The largest of 1, 2, 5, 10, 20 ... that keeps `largest` at or below `seen`, at least 1.
 
     >>> nice(0.75e-3, 34.8e-6), nice(0.75e-3, 2e-3), nice(0.75e-3, 0.0)
     (20.0, 1.0, 1.0)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Picture of a shaft at rest: displacement along it in both planes, and where bearings carry."""
+"""Picture of a shaft at rest: displacement along it in both planes, and positions of the
+bearings."""
 
 import matplotlib.pyplot as plt
 import numpy as np

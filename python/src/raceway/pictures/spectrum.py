@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Picture of a spectrum with the kinematic lines marked: found ones by name, the others by a dotted
-line."""
+"""Picture of a spectrum with the kinematic lines marked: found ones by name, the others with a
+dotted line."""
 
 from collections.abc import Sequence
 from itertools import cycle
@@ -19,12 +19,12 @@ from raceway.units import axis
 COLOUR = dict(zip((*NAMES.values(), SHAFT, OUTER_RING, COMPLIANCE), cycle(PALETTE)))
 WIDE, NARROW = 0.075, 0.014  # fractions of the axis: a label across, a label along its line
 PAPER = {"facecolor": "white", "edgecolor": "none", "pad": 1.5, "alpha": 0.85}
-DECADES = 6  # shown below the strongest line
-ROOM = 9.0  # on the axis of amplitudes, for a row of labels
+DECADES = 6  # range shown below the strongest line
+ROOM = 9.0  # position on the axis of amplitudes of a row of labels
 
 
 def of_flaw(line: Line) -> str:
-    """The line that a sideband belongs to, or its own name."""
+    """The line to which a sideband belongs, or its own name."""
     return line.name.split("+")[0].split("-")[0]
 
 

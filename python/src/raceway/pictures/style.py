@@ -14,8 +14,8 @@ import numpy as np
 from raceway import files
 from raceway.theory.bearing import INNER, OUTER
 
-# Okabe and Ito's palette, told apart by colour-blind readers; the two raceways differ in lightness
-# as well
+# Okabe and Ito's palette, distinguishable by colour-blind readers; the two raceways differ in
+# lightness as well
 PALETTE = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00")
 COLOUR = {INNER: PALETTE[0], OUTER: PALETTE[1]}
 NAME = {INNER: "inner raceway", OUTER: "outer raceway"}
@@ -49,8 +49,8 @@ REGIMES = (
 
 
 def save(figure: Figure, path: FilePath) -> None:
-    """Write `figure` to the PNG `path` and forget it. Raises `RunError` when that cannot be
-    done."""
+    """Write `figure` to the PNG `path` and close it. Raises `RunError` if that
+    fails."""
     try:
         files.whole(path, lambda part: figure.savefig(part, format="png", facecolor="white"))
     finally:

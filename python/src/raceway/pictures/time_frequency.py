@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Picture of a signal over time and frequency, or order: the kinematic lines named at its side,
-the shaft's speed above."""
+"""Picture of a signal over time and frequency, or order, with the kinematic lines named at its side
+and the shaft's speed above."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -19,7 +19,7 @@ DECADES = 2.5  # range of the colours, below the largest amplitude
 POWER = 0.98  # share of a signal's power below the top of its picture
 MOST = 800  # rows and columns drawn
 LABEL = 0.036  # height of a name, fraction of the axis
-HARMONICS = {"BPFO": (1, 2, 3), "BPFI": (1, 2, 3), "BSF": (2,)}  # of others the first
+HARMONICS = {"BPFO": (1, 2, 3), "BPFI": (1, 2, 3), "BSF": (2,)}  # number of others, the first ones
 
 
 def picture(run: Source, found: xr.DataArray, path: FilePath) -> None:
@@ -60,7 +60,7 @@ def picture(run: Source, found: xr.DataArray, path: FilePath) -> None:
         above.set(ylabel="shaft (rpm)", ylim=(0, 1.15 * speed.max()))
         above.grid(True)
         above.tick_params(labelbottom=False)
-        # below: the names of the lines stand at the right
+        # below: the names of the lines are on the right
         bar = figure.colorbar(mesh, ax=main, location="bottom", shrink=0.4, aspect=40, pad=0.01)
         bar.set_label(f"amplitude ({unit})" if unit else "amplitude")
         bar.outline.set_edgecolor(FAINT)
@@ -70,7 +70,8 @@ def picture(run: Source, found: xr.DataArray, path: FilePath) -> None:
 
 
 def _lines(run, found):
-    """{(name, harmonic): place on the upright axis} of the lines with the run's own cage speed."""
+    """{(name, harmonic): position on the vertical axis} of the lines from the run's own cage
+    speed."""
     which = 0 if found.attrs["orders"] else 1
     return {
         (name, n): place[which]
@@ -91,9 +92,9 @@ def _top(found, places):
 
 
 def _name(axes, places, top):
-    """Dotted lines, and their names at the right of the picture."""
+    """Dotted lines, with their names on the right of the picture."""
     if not places or max(places.values()) < 0.15 * top:
-        return  # all at the foot of the picture
+        return  # all at the lower edge of the picture
     row = levels(list(places.values()), LABEL * top)
     for ((name, n), place), level in zip(places.items(), row):
         axes.axhline(place, color="white", lw=0.8, ls=(0, (1, 5)))

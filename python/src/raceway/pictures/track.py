@@ -13,7 +13,7 @@ from raceway.units import axis
 
 
 def picture(found: Track, names: Mapping[str, str], path: FilePath) -> None:
-    """Draw `found` to the PNG `path`; `names` has the words of the unknowns. Raises `RunError` when
+    """Draw `found` to the PNG `path`; `names` maps the unknowns to words. Raises `RunError` if
     it cannot be written."""
     with plt.rc_context(STYLE):
         size = len(found.names)

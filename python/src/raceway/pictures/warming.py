@@ -16,7 +16,7 @@ LONG = 600.0  # s, above which the axis is in minutes
 
 
 def warming(tables: RunTables, path: FilePath) -> None:
-    """Draw the run `tables` to the PNG `path`. Raises `RunError` without a table of jumps."""
+    """Draw the run `tables` to the PNG `path`. Raises `RunError` without a table of time jumps."""
     found = transient(tables.folder)
     time = found["thermal_time"].to_numpy()
     minutes = time[-1] > LONG

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Capacitance over azimuth and time: a band a ball, beside it the bearing's total, above it one
-ball's way around."""
+"""Capacitance over azimuth and time: one band for each ball, next to it the bearing's total, above
+it one ball's path around the ring."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -18,7 +18,7 @@ from raceway.runs.tables import RunTables
 from raceway.units import axis
 
 WIDTH = 0.5  # width of a band, in ball pitches
-ROWS = 600  # more samples than a page has dots are drawn in steps
+ROWS = 600  # if there are more samples than a page has dots, some are skipped
 IDLE = "#ececec"  # a ball that is not loaded on both raceways
 
 
@@ -26,7 +26,7 @@ def waterfall(tables: RunTables, path: FilePath) -> None:
     """Draw the capacitance of every ball of the run `tables` over azimuth and time to the PNG
     `path`.
 
-    Raises `RunError` for a run without capacitance or with broken files, or when the picture cannot
+    Raises `RunError` for a run without capacitance or with broken files, or if the picture cannot
     be written.
     """
     need(tables, "capacitance", "the waterfall")
@@ -84,7 +84,7 @@ def waterfall(tables: RunTables, path: FilePath) -> None:
             beside = figure.add_subplot(grid[1, 1], sharey=main)
             factor, unit_all = axis(total.max(), "F")
             beside.plot(total * factor, times, color=INK, lw=1.8)
-            # a ripple of a per cent can be seen, and is small
+            # a ripple of a per cent is visible but small
             half = max(0.6 * np.ptp(total), 0.025 * total.max()) * factor or 1
             beside.set(
                 xlabel=f"bearing ({unit_all})",
@@ -134,7 +134,7 @@ def _bands(axes, times, psi, each, balls):
     for way, values in zip(np.degrees(psi).T, np.ma.masked_invalid(each).T):
         for turn in range(
             round(way.min() / 360), round(way.max() / 360) + 1
-        ):  # the same ball, back after a turn
+        ):  # the same ball, after a full turn
             columns = _edges(way)[:, None] - 360 * turn + [-half, half]
             mesh = axes.pcolormesh(
                 columns, rows, values[:, None], norm=norm, cmap=colours, rasterized=True

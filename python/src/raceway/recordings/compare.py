@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run beside a recording: levels, and the lines of their envelopes in orders of the shaft."""
+"""A run compared with a recording: levels, and the lines of their envelopes in orders of the
+shaft."""
 
 from typing import NamedTuple
 
@@ -12,7 +13,7 @@ from raceway.runs import envelope, sensor, spectrum
 from raceway.runs.run import Run
 from raceway.runs.source import Signal, Source
 
-WITHIN = 0.01  # of the frequency, where a line of the recording is looked for
+WITHIN = 0.01  # relative width of the search for a line in the recording
 
 
 class Side(NamedTuple):
@@ -57,10 +58,10 @@ def compare(
     harmonics: int = 3,
 ) -> Comparison:
     """`Comparison` of a column of a `ring` of `run` with a `channel` of a `recording` of the same
-    bearing. The run is resampled at the rate of the recording (`sensor.decimated`) where it is
-    faster; the envelope of both is of one `band` (Hz, Hz), by default the recording's most
-    impulsive. Raises `RunError` as `envelope.of_run` does, and for a band that the run's signal
-    does not have."""
+    bearing. The run is resampled at the rate of the recording (`sensor.decimated`) if it is
+    faster; the envelopes of both use one `band` (Hz, Hz), by default the recording's most
+    impulsive one. Raises `RunError` as `envelope.of_run` does, and for a band outside the range of
+    the run's signal."""
     heard = recording.signal(channel)
     found = envelope.of_run(recording, channel, band, orders=False)
     chosen = found.attrs["band"]

@@ -19,23 +19,23 @@ class Channel(NamedTuple):
     """A channel of a file."""
 
     values: Floats  # (N,)
-    rate: float  # Hz, NaN where the file does not say
+    rate: float  # Hz, NaN if the file does not state it
     units: str
     meaning: str
 
 
 class Contents(NamedTuple):
-    """A file as read; NaN for what it does not say."""
+    """A file as read; NaN for values that it does not state."""
 
     kind: str  # of file
     channels: dict[str, Channel]
-    rpm: float = math.nan  # of the inner ring, as the file has it
+    rpm: float = math.nan  # of the inner ring, as stated in the file
     load: float = math.nan  # N, radial
 
 
 def channel(path: FilePath, name: str, values: ArrayLike, rate: float, **words: Any) -> Channel:
     """`Channel` of `values`, a row or a column; `scale` into SI `units`, and the `meaning`. Raises
-    `RunError` for values that are no finite numbers, and for another shape."""
+    `RunError` for values that are not finite numbers, and for another shape."""
     try:
         row = np.ravel(np.asarray(values, float)) * words.get("scale", 1.0)
     except (TypeError, ValueError):

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """State of a bearing from readings: clearance, loads, oil temperature, cooling, each with its
-uncertainty, and what the readings cannot tell apart.
+uncertainty, and the combinations that the readings cannot separate.
 
-Least squares over statics, friction and films within the ranges of the unknowns. A range counts as
-all that is known of an unknown beforehand. Where readings leave one direction open, as one line
-does of clearance and thrust, the valley is traced and shown: its points explain them all.
+Least squares over statics, friction and films within the ranges of the unknowns. A range is treated
+as the only prior knowledge of an unknown. Where readings leave one direction open, as one line does
+for clearance and thrust, the valley is traced and shown: all its points explain the readings.
 """
 
 import math
@@ -19,16 +19,16 @@ from raceway.errors import NoEquilibrium
 from raceway.recordings.prediction import Model, residuals
 from raceway.recordings.readings import Readings
 
-TRIED = 8  # starts an unknown; the best are refined until one explains the readings
+TRIED = 8  # starting points for each unknown; the best are refined until one explains the readings
 REFINED = 4
-STEP = 1e-4  # of a range, for derivatives
+STEP = 1e-4  # share of a range, for derivatives
 UNIFORM = 1 / math.sqrt(12)  # standard deviation of a range of 1
-OPEN = 0.35  # of it: an unknown or direction that is left with so much is not determined
+OPEN = 0.35  # share of it above which an unknown or direction counts as not determined
 VALLEY = 7  # points traced
 CHI = 3.84  # rise of the sum of squares at 95 %, one unknown
 TWO_SIDED = 1.96
-FAR = 1e3  # residual of a state that carries no load
-WIDE = 10.0  # highest over lowest: such a range is searched by its logarithm
+FAR = 1e3  # residual of a state that cannot carry the load
+WIDE = 10.0  # ratio of its ends above which a range is searched logarithmically
 
 
 class Value(NamedTuple):
@@ -37,32 +37,33 @@ class Value(NamedTuple):
     best: float
     low: float  # of the 95 % interval, within the range given
     high: float
-    determined: bool  # by the readings; otherwise it lies on the valley
+    determined: bool  # determined by the readings; otherwise it lies on the valley
 
 
 class Found(NamedTuple):
     """Result of `identify`."""
 
     values: dict[str, Value]
-    state: dict[str, float]  # best values and what is known
-    residuals: Floats  # (readings,), over their uncertainties
+    state: dict[str, float]  # best values and known values
+    residuals: Floats  # (readings,), divided by their uncertainties
     predicted: Floats  # (readings,)
-    valley: list[dict[str, float]]  # states that explain the readings as well; empty: one point
-    idle: int  # most balls without load at any point
+    # states that explain the readings equally well; empty: one point
+    valley: list[dict[str, float]]
+    idle: int  # largest number of unloaded balls at any point
 
     @property
     def chi(self) -> float:
-        """Sum of the squares of the residuals: near the number of readings less that of determined
-        unknowns, or a reading or the model is wrong."""
+        """Sum of the squares of the residuals: about the number of readings minus that of
+        determined unknowns, unless a reading or the model is wrong."""
         return float(self.residuals @ self.residuals)
 
 
 def identify(readings: Readings) -> Found:
-    """`Found` from `readings`. Raises `NoEquilibrium` when no state within the ranges carries the
+    """`Found` from `readings`. Raises `NoEquilibrium` if no state within the ranges carries the
     loads."""
     search = _Search(readings)
     best = search.best()
-    if search.idle(best).any():  # the play of the pockets counts there
+    if search.idle(best).any():  # the play of the pockets matters there
         search.slip = search.lag(best)
         best = search.refine(best)
     names = list(readings.unknown)
@@ -107,7 +108,7 @@ def share_of(of: Readings, name: str, value: float) -> float:
 
 
 class _Search:
-    """The unknowns as numbers from 0 to 1 of their ranges."""
+    """The unknowns as fractions, 0 to 1, of their ranges."""
 
     def __init__(self, readings):
         self.readings, self.model = readings, Model(readings)
@@ -179,7 +180,7 @@ class _Search:
         return np.transpose(columns)
 
     def spread(self, place):
-        """Standard deviations (unknowns,), shares of their ranges."""
+        """Standard deviations (unknowns,) as fractions of their ranges."""
         slopes = self.slopes(place)
         known = slopes.T @ slopes + np.eye(len(place)) / UNIFORM**2
         return np.sqrt(np.diag(np.linalg.inv(known)))
@@ -192,7 +193,7 @@ class _Search:
         return np.minimum(np.sqrt((strong**2).sum(1)), UNIFORM)
 
     def valley(self, best, along):
-        """States that explain the readings as well as the best does, along the unknown of the
+        """States that explain the readings as well as the best one, along the unknown with the
         number `along`."""
         limit = float((self.residuals(best) ** 2).sum()) + CHI
         side, places = np.linspace(0, 1, VALLEY), []

@@ -2,7 +2,8 @@
 """MATLAB files: Case Western Reserve University (also those of `raceway dataset`), Machinery
 Failure Prevention Technology society, Paderborn University.
 
-Each is told by its variables. Accelerations in g become m/s^2, loads in pounds N.
+Each is recognised by its variables. Accelerations in g are converted to m/s^2, loads in pounds to
+N.
 """
 
 import math
@@ -24,7 +25,7 @@ SHOWN = 8  # variables that a message lists
 
 
 def read(path: Path) -> Contents:
-    """`Contents` of a .mat file. Raises `RunError` for a damaged file and one of unknown
+    """`Contents` of a .mat file. Raises `RunError` for a damaged file and one with unknown
     variables."""
     try:
         found = io.loadmat(path, simplify_cells=True)
@@ -52,7 +53,7 @@ def _has(value, *names):
 
 
 def _cwru(path, data):
-    """Channels of the first bearing number that has a drive end; a few files have a second one."""
+    """Channels of the first bearing number with a drive end; a few files have a second one."""
     numbers = sorted({m[1] for m in map(CWRU.fullmatch, data) if m}, key=int)
     stem = path.stem.lstrip("0")
     number = next((one for one in numbers if one.lstrip("0") == stem), numbers[0])
@@ -84,7 +85,7 @@ def _mfpt(path, data: Mapping[str, Any]):
 
 
 def _paderborn(path, data: Mapping[str, Any]):
-    """Channels by name; the rate of each from the time base of its raster, or of its length."""
+    """Channels by name; the rate of each from the time base of its raster, or from its length."""
     bases = [one for one in _list(data["X"]) if _has(one, "Data")]
     found: dict[str, Channel] = {}
     for one in _list(data["Y"]):

@@ -15,22 +15,22 @@ from raceway.theory import kinematics
 from raceway.theory.bearing import Bearing
 
 LINES = ("FTF", "BPFO", "BPFI", "BSF")
-WITHIN = 0.01  # of the frequency, where a line is looked for
-SAME = 5e-4  # of the order: harmonics of one line
+WITHIN = 0.01  # relative width of the search for a line
+SAME = 5e-4  # relative difference of the orders of harmonics of one line
 
 
 class Order(NamedTuple):
     """Order of a line, a multiple of the shaft's speed."""
 
     value: float
-    uncertainty: float  # one standard deviation, that of the shaft's speed included
+    uncertainty: float  # one standard deviation, including that of the shaft's speed
     harmonics: int  # found
 
 
 class Angle(NamedTuple):
     """Contact angle of balls that roll without slip."""
 
-    value: float  # rad; 0 where the line lies on the side of slip
+    value: float  # rad; 0 if the line is explained by slip
     low: float  # rad, two standard deviations
     high: float
     slip: float  # share of the cage's speed that explains the line at contact angle 0
@@ -39,8 +39,8 @@ class Angle(NamedTuple):
 def of_recording(
     recording: Recording, channel: str = "", band: tuple[float, float] | None = None
 ) -> dict[str, Order]:
-    """`Order` of each line found in the envelope of a `channel`, in a `band` (Hz, Hz) as
-    `envelope.of_run` has it."""
+    """`Order` of each line found in the envelope of a `channel`, in a `band` (Hz, Hz) as in
+    `envelope.of_run`."""
     return of_spectrum(recording, envelope.of_run(recording, channel, band, orders=False))
 
 
@@ -102,7 +102,7 @@ def _cosine(bearing, name, order):
 
 
 def words(bearing: Bearing, found: Mapping[str, Order]) -> str:
-    """The orders of lines and their contact angles as text, a line each."""
+    """The orders of lines and their contact angles as text, one line for each."""
     rows = [f"  {'line':<8}{'order':>10}{'+-':>10}{'angle':>10}{'from':>8}{'to':>8}"]
     for name, one in found.items():
         at = angle(bearing, name, one.value, one.uncertainty)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Files of plain columns: csv, those of the PRONOSTIA rig (FEMTO) too, wav, and npz as CWRU's
-recordings come in."""
+"""Files of plain columns: csv, also those of the PRONOSTIA rig (FEMTO), wav, and npz as distributed
+for CWRU's recordings."""
 
 import math
 import re
@@ -20,11 +20,11 @@ FEMTO_RATE = {"acc": 25600.0, "temp": 10.0}  # Hz, as published
 NPZ = re.compile(r"(\d{4})_.*?(?:_(DE12|DE48|FE))?\.npz")
 NPZ_RATE = {"DE12": 12e3, "DE48": 48e3, "FE": 12e3}
 TIMES = ("time", "time_s", "t", "t_s", "seconds")
-EVEN = 1e-3  # of the mean: largest change of the step of a column of times
+EVEN = 1e-3  # relative to the mean: largest variation of the steps in a column of times
 
 
 def read_csv(path: Path) -> Contents:
-    """`Contents` of a csv file, with a heading or without; a first column named time, time_s, t or
+    """`Contents` of a csv file, with or without a heading; a first column named time, time_s, t or
     seconds gives the rate. Raises `RunError`."""
     if told := FEMTO.fullmatch(path.name):
         return _femto(path, told[1])
@@ -45,7 +45,7 @@ def read_csv(path: Path) -> Contents:
 
 
 def _unit(name):
-    """Unit at the end of a column's name, as raceway itself writes them."""
+    """Unit at the end of a column's name, in the form that raceway itself writes."""
     for end, units in (("_m_s2", "m/s^2"), ("_g", "g")):
         if name.endswith(end):
             scale = GRAVITY if units == "g" else 1.0
@@ -94,10 +94,11 @@ def _rate(path, time):
 
 
 def read_wav(path: Path) -> Contents:
-    """`Contents` of a wav file; whole numbers are taken over their largest. Raises `RunError`."""
+    """`Contents` of a wav file; integers are divided by their largest value. Raises `RunError`."""
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore", wavfile.WavFileWarning)  # chunks that it does not read
+            # chunks that the reader ignores
+            warnings.simplefilter("ignore", wavfile.WavFileWarning)
             rate, values = wavfile.read(path)
     except (ValueError, OSError) as error:
         raise RunError(f"cannot read {path}: {error}") from None

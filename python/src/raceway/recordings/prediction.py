@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Readings as statics predict them from the state of a bearing."""
+"""Readings predicted by statics from the state of a bearing."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -19,9 +19,9 @@ class Predicted(NamedTuple):
     """A reading as predicted."""
 
     value: float
-    error: float  # of the model, one standard deviation, in the unit of the reading
-    lag: float  # largest slip by pocket play, share of the cage's speed
-    idle: int  # balls without load
+    error: float  # standard deviation of the model, in the unit of the reading
+    lag: float  # largest slip due to pocket play, share of the cage's speed
+    idle: int  # unloaded balls
 
 
 class Model:
@@ -49,7 +49,7 @@ class Model:
         oil = point.at if point.at is not None else state.get("temperature", math.nan)
         if reading.quantity == "temperature" and "conductance" not in state:
             return Predicted(oil, 0.0, 0.0, 0)
-        if math.isnan(oil):  # friction at the temperature that was read
+        if math.isnan(oil):  # friction at the temperature read
             oil = reading.value
         key = point._replace(at=oil)
         if key not in solved:
@@ -100,13 +100,14 @@ class Model:
 
 
 def residuals(readings: Readings, found: list[Predicted], slip: Floats) -> Floats:
-    """(predicted - read)/uncertainty of each reading (N,), with the model's error in the
-    uncertainty; `slip` (N,) is the largest lag of the cage at each: half of it is taken off, and
+    """(predicted - read)/uncertainty of each reading (N,), including the model's error in the
+    uncertainty; `slip` (N,) is the largest lag of the cage for each: half of it is subtracted, and
     its range counts as error."""
     rest = []
     for one, own, lag in zip(readings.readings, found, slip):
         slope = {"BPFI": -1.0}.get(one.quantity, 1.0)
-        size = own.error / cage_speed.ERROR  # of the line per share of the cage's speed
+        # change of the line per unit relative change of the cage's speed
+        size = own.error / cage_speed.ERROR
         shift, spread = -slope * size * lag / 2, size * lag / math.sqrt(12)
         rest.append((own.value + shift - one.value) / math.hypot(one.within, own.error, spread))
     return np.array(rest)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Readings of a real bearing, and what of its state is known: the file of `raceway identify`."""
+"""Readings of a real bearing, and the known part of its state: the file of `raceway identify`."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -14,7 +14,7 @@ from raceway.recordings import orders
 from raceway.recordings.recording import Recording
 from raceway.theory.cage_speed import MODELS
 
-# unknowns, with the range that each may have at all and its unit
+# unknowns, with their physically possible ranges and units
 STATE = {
     "clearance": (-50e-6, 200e-6, "m"),
     "load": (0.0, 1e6, "N"),
@@ -33,12 +33,12 @@ class ReadingsError(RacewayError):
 
 
 class Point(NamedTuple):
-    """Operating point of a reading; None for what is that of the whole file."""
+    """Operating point of a reading; None for values of the whole file."""
 
     rpm: float
     load: float | None = None  # N
     axial: float | None = None
-    load_more: float = 0.0  # N, on top of the load
+    load_more: float = 0.0  # N, in addition to the load
     axial_more: float = 0.0
     at: float | None = None  # C, of the oil
 
@@ -67,13 +67,13 @@ class Readings(NamedTuple):
 class Series(NamedTuple):
     """Readings over time."""
 
-    readings: Readings  # all of them, and what is known
+    readings: Readings  # all of them, and known values
     rows: list[tuple[float, list[Reading]]]  # time in s, readings
     drift: dict[str, float]  # standard deviation of an unknown after an hour
 
 
 def read(path: FilePath, inputs_folder: FilePath | None = None) -> Readings:
-    """The file of readings at `path`; names are looked up as `catalogue.find` does, recordings from
+    """The file of readings at `path`; names are looked up as in `catalogue.find`, recordings in
     the folder of the file. Raises `RacewayError`."""
     data = yaml_file.read(path, ReadingsError)
     try:
@@ -219,9 +219,9 @@ def _ranges(given):
 
 
 def series(path: FilePath, inputs_folder: FilePath | None = None) -> Series:
-    """The file of a series at `path`: as `read`, with `series`, a csv file beside it, instead of
-    `readings`; `within`, the standard deviation of each quantity; and `drift`, that of each unknown
-    after an hour. Raises `RacewayError`."""
+    """The file of a series at `path`: as in `read`, with `series`, a csv file in the same folder,
+    instead of `readings`; `within`, the standard deviation of each quantity; and `drift`, that of
+    each unknown after an hour. Raises `RacewayError`."""
     data = yaml_file.read(path, ReadingsError)
     try:
         own = {name: data.pop(name, None) for name in ("series", "within", "drift")}
@@ -258,7 +258,7 @@ def _table(path):
 
 
 def _rows(table, within):
-    """Readings of each row, as maps; empty cells are not read."""
+    """Readings of each row, as maps; empty cells are skipped."""
     found = []
     for row in table.to_dict("records"):
         known = {name: value for name, value in row.items() if value == value}

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A recording of a real bearing as a source of signals, as a run is one: `spectrum`, `envelope`,
-`time_frequency`, `passages` and their pictures take either."""
+"""A recording of a real bearing as a source of signals, like a run: `spectrum`, `envelope`,
+`time_frequency`, `passages` and their pictures accept either."""
 
 import math
 from collections.abc import Callable
@@ -30,8 +30,8 @@ READERS: dict[str, Callable[[Path], Contents]] = {
 
 
 def contents(path: FilePath) -> Contents:
-    """`Contents` of the file `path`, by the end of its name. Raises `RunError` for a missing or
-    damaged file and for an unknown kind."""
+    """`Contents` of the file `path`, by the ending of its name. Raises `RunError` for a missing or
+    damaged file and for an unknown type."""
     path = Path(path)
     if not path.is_file():
         raise RunError(f"there is no file {path}")
@@ -42,12 +42,12 @@ def contents(path: FilePath) -> Contents:
 
 
 class Recording:
-    """Signals in the file `path` of a `bearing` with its outer ring at rest.
+    """Signals in the file `path` from a `bearing` with its outer ring at rest.
 
-    `rpm` of the inner ring and `rate` in Hz go before what the file says; `nominal_angle` is the
-    contact angle in rad without load. Where the file's nominal speed is used, the true one is
-    looked for in the first channel (`shaft_speed.find`); a given `rpm` is taken as it is. Raises
-    `RunError` for a file that cannot be read, and when neither file nor argument has speed or rate.
+    `rpm` of the inner ring and `rate` in Hz take precedence over the file; `nominal_angle` is the
+    contact angle in rad without load. If the file's nominal speed is used, the true one is
+    searched in the first channel (`shaft_speed.find`); a given `rpm` is used as it is. Raises
+    `RunError` for a file that cannot be read, and if neither file nor argument has speed or rate.
 
     `load` (N, NaN if unknown) is the file's; `speed` the `shaft_speed.Speed` found, or None;
     `channels` maps names to `contents.Channel`.
@@ -81,7 +81,7 @@ class Recording:
 
     @cached_property
     def speed(self) -> shaft_speed.Speed | None:
-        """Speed found in the first channel; None where it is given or leaves no lines."""
+        """Speed found in the first channel; None if it is given or leaves no lines."""
         if self._given is not None:
             return None
         first = self.signal(next(iter(self.channels)))
@@ -89,7 +89,7 @@ class Recording:
 
     @property
     def rpm(self) -> float:
-        """Speed of the shaft: as given, as found, else as the file has it."""
+        """Speed of the shaft: as given, as found, or else from the file."""
         return 60 * self.speed.hertz if self.speed else self.nominal_rpm
 
     @property
@@ -104,7 +104,7 @@ class Recording:
 
     @property
     def motion(self) -> Motion:
-        """Mean speeds in rad/s: of the shaft; those of cage and balls are not known."""
+        """Mean speeds in rad/s: of the shaft; those of cage and balls are unknown."""
         return Motion(self.rpm * math.pi / 30, 0.0, math.nan, math.nan, math.nan)
 
     @property
@@ -116,7 +116,7 @@ class Recording:
 
     def signal(self, name: str = "", ring: str = "") -> Signal:
         """`Signal` of the channel `name`, by default the first. Raises `RunError` for an unknown
-        one and one of fewer than 32 values. `ring` is that of runs and has no meaning here."""
+        channel and one with fewer than 32 values. `ring` exists for runs and is ignored here."""
         name = name or next(iter(self.channels))
         if name not in self.channels:
             raise RunError(f"{self.where} has no channel {name}; it has {', '.join(self.channels)}")

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Speed of the shaft from the harmonics that it leaves in a signal and in its envelope.
 
-The nominal speed of a motor under load is off by up to 1 %, which is ten times the slip of a cage.
-Unbalance, misalignment and a flaw of the inner raceway give lines at whole multiples of the true
-one. Mains and other machines give lines, too: the largest group of multiples that agree counts.
+The nominal speed of a motor under load is wrong by up to 1 %, which is ten times the slip of a
+cage. Unbalance, misalignment and a flaw of the inner raceway give lines at whole multiples of the
+true one. Mains and other machines cause lines, too: the largest group of consistent multiples
+counts.
 """
 
 from typing import NamedTuple
@@ -15,8 +16,8 @@ from raceway.arrays import Floats
 from raceway.runs import envelope, spectrum
 
 HARMONICS = 6
-AGREE = 0.04  # of the resolution, at the line itself: two lines of one shaft
-FINE = 0.02  # of the resolution: a line among noise, for the uncertainty
+AGREE = 0.04  # in units of the resolution, at the line itself: two lines of one shaft
+FINE = 0.02  # in units of the resolution: a line in noise, for the uncertainty
 
 
 class Speed(NamedTuple):
@@ -28,8 +29,8 @@ class Speed(NamedTuple):
 
 
 def find(values: ArrayLike, sample_s: float, nominal: float, within: float = 0.015) -> Speed | None:
-    """`Speed` of the shaft in evenly sampled `values` (N,), `sample_s` apart, no further than
-    `within` (relative) from the `nominal` one in Hz; None where fewer than two harmonics agree.
+    """`Speed` of the shaft in evenly sampled `values` (N,), `sample_s` apart, at most
+    `within` (relative) from the `nominal` one in Hz; None if fewer than two harmonics agree.
 
     >>> time = np.arange(120000) / 12000
     >>> tone = sum(np.sin(2 * np.pi * n * 29.53 * time + n) / n for n in (1, 2, 3))

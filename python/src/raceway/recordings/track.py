@@ -2,8 +2,8 @@
 """State of a bearing over hours: an unscented Kalman filter over a series of readings.
 
 The unknowns drift as random walks, and each row of readings corrects them through the steady model
-of `prediction`. Points that stand for mean and covariance are propagated through it, so it needs no
-derivatives (Julier and Uhlmann, Proc. IEEE 92 (2004) 401).
+of `prediction`. Sigma points that represent mean and covariance are propagated through it, so it
+needs no derivatives (Julier and Uhlmann, Proc. IEEE 92 (2004) 401).
 """
 
 import math
@@ -20,7 +20,7 @@ from raceway.recordings.readings import Reading, Readings
 
 HOUR = 3600.0  # s
 KAPPA = 3.0  # n + kappa of the points: 3 fits the fourth moment of a normal distribution
-EDGE = 1e-3  # share of a range: points stay so far inside
+EDGE = 1e-3  # share of a range by which points stay inside it
 
 
 class Row(NamedTuple):
@@ -45,9 +45,9 @@ def track(of: Readings, rows: Sequence[Row], drift: Mapping[str, float]) -> Trac
     """`Track` of the unknowns of `of` through `rows`; its own readings are not used.
 
     `drift` is the standard deviation of each unknown after an hour, in its unit, 0 unless given. At
-    the start an unknown is anywhere in its range. Raises `ValueError` for times that do not rise
-    and a drift of what is no unknown; `NoEquilibrium` when no state near the start carries the
-    loads.
+    the start an unknown may be anywhere in its range. Raises `ValueError` for times that do not
+    rise and a drift of something that is not an unknown; `NoEquilibrium` if no state near the start
+    carries the loads.
     """
     if strange := sorted(set(drift) - set(of.unknown)):
         raise ValueError(f"drift: {strange[0]} is no unknown")
@@ -75,8 +75,8 @@ def track(of: Readings, rows: Sequence[Row], drift: Mapping[str, float]) -> Trac
 def unscented(
     mean: Floats, covariance: Floats, see: Callable[[Floats], Floats], read: Floats, noise: Floats
 ) -> tuple[Floats, Floats, float]:
-    """(mean (n,), covariance (n, n), surprise) after one correction: `see` gives what a state (n,)
-    shows, (m,), `read` (m,) what was read, with the variances `noise` (m,).
+    """(mean (n,), covariance (n, n), surprise) after one correction: `see` predicts the readings
+    (m,) of a state (n,), `read` (m,) are the readings, with the variances `noise` (m,).
 
     For a linear `see` it is the Kalman filter:
 
@@ -111,7 +111,7 @@ def _correct(of, model, row, names, mean, covariance):
     def see(place):
         try:
             shown = model.predict(_state(of, names, place), row.readings)
-        except NoEquilibrium:  # as in the middle: such a point teaches nothing
+        except NoEquilibrium:  # same as in the middle, so such a point adds no information
             shown = centre
         return np.array([one.value for one in shown]) / scale
 
@@ -126,7 +126,7 @@ def _state(of, names, place):
 
 
 def _walk(of, name, share, drift):
-    """Standard deviation after an hour, share of the range at the present place."""
+    """Standard deviation after an hour, as a fraction of the range at the present value."""
     if not drift:
         return 0.0
     return abs(share_of(of, name, value_of(of, name, share) + drift) - share)

@@ -51,10 +51,10 @@ class Page:
         self._parts.append("\n".join([*lines, "</table></div>"]))
 
     def chart(self, title: str, chart: Mapping[str, Any]) -> None:
-        """A chart of `charts.js`. Values that are no finite numbers become gaps."""
+        """A chart of `charts.js`. Values that are not finite numbers become gaps."""
         self._charts += 1
         name = f"chart{self._charts}"
-        # no text may end the script
+        # no text may end the script element
         data = json.dumps(_plain(chart), ensure_ascii=False, allow_nan=False).replace(
             "<", "\\u003c"
         )
@@ -72,7 +72,7 @@ class Page:
         self._parts.append(f'<img src="{source}" alt="{escape(meaning)}">')
 
     def write(self, path: FilePath) -> Path:
-        """Write the page to `path`. Raises `RunError` when that cannot be done."""
+        """Write the page to `path`. Raises `RunError` if that fails."""
         own = resources("raceway") / "report"
         text = "\n".join(
             [

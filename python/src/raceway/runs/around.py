@@ -23,7 +23,7 @@ def around(
 
     `quantities` maps a name to a function that takes a table of contacts (`DataFrame`, columns of
     the record) and returns an array with one value per row. `from_load_line` is the middle of a
-    sector, in rad from the centre of the loaded zone. `contacts` is the number of contacts over
+    sector, in rad from the centre of the load zone. `contacts` is the number of contacts over
     all samples; where it is 0 the means are NaN. Raises `ValueError` for fewer than one bin.
     """
     if bins < 1:
@@ -44,7 +44,7 @@ def around(
         {"contacts": (dims, counts)}, coords={"raceway": list(SIDES), "from_load_line": middle}
     )
     result["from_load_line"].attrs.update(
-        units="rad", long_name="azimuth from the centre of the loaded zone"
+        units="rad", long_name="azimuth from the centre of the load zone"
     )
     for name, total in sums.items():
         result[name] = (

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A cage that is one rigid ring (fix bearing/cage/ring) in a run: its slip, orbit and pocket
+"""A one-piece cage (fix bearing/cage/ring) in a run: its slip, orbit and pocket
 forces."""
 
 import math
@@ -16,10 +16,10 @@ CAGE_RING_FIGURES = ("cage_slip", "cage_orbit_m", "pocket_force_max_N")
 
 
 def cage_figures(tables: "RunTables") -> dict[str, float]:
-    """`cage_slip`: 1 less the cage's speed over that of rolling at contact angle 0, both against
-    the outer ring, means of the measured passes; `cage_orbit_m`: largest distance of the cage's
-    centre from its mean place (m); `pocket_force_max_N`: largest force of a ball on its pocket at
-    the ends of steps (N). Empty without such a cage."""
+    """`cage_slip`: 1 minus the cage's speed over that of rolling at contact angle 0, both relative
+    to the outer ring, means of the measured passes; `cage_orbit_m`: largest distance of the cage's
+    centre from its mean position (m); `pocket_force_max_N`: largest force of a ball on its pocket
+    at the ends of steps (N). Empty without such a cage."""
     record = tables.record
     side = record.fixed("ring_raceway").tolist()
     if CAGE_RING not in side:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Envelope spectra: the rate of impacts that excite a resonance.
 
-A flaw strikes the structure once per ball pass, and each impact rings at a natural frequency of the
+A flaw excites the structure once per ball pass, and each impact rings at a natural frequency of the
 structure. The spectrum of the signal shows the ringing. The spectrum of its envelope in the band of
 the resonance shows the impact rate, with the sidebands of any modulation.
 """
@@ -19,8 +19,8 @@ from raceway.runs import spectrum
 from raceway.runs.source import Signal, Source
 
 LEVELS = 6  # the narrowest bands are 1/64 of half the sampling rate
-EDGE = 0.05  # fraction of the signal faded out and not counted at each end, for the bands
-ENOUGH = 64  # fewest values of an envelope for its kurtosis
+EDGE = 0.05  # fraction of the signal faded out and ignored at each end, for the bands
+ENOUGH = 64  # minimum number of values of an envelope for its kurtosis
 
 
 class Band(NamedTuple):
@@ -59,7 +59,8 @@ def bands(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> list[Ba
     from 0 to half the sampling rate; no band is narrower than `narrowest` in Hz.
 
     E|x|^4/(E|x|^2)^2 - 2 of the complex envelope x (Antoni, Mech. Syst. Signal Process. 21 (2007)
-    108), with brick-wall bands. The lowest band of each level is left out: it has the slow motion.
+    108), with brick-wall bands. The lowest band of each level is omitted: it contains the slow
+    motion.
     """
     values = signal.detrend(np.asarray(values, float))
     lines = fft.rfft(values * signal.get_window(("tukey", 2 * EDGE), len(values)))
@@ -79,7 +80,7 @@ def bands(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> list[Ba
 
 
 def best_band(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> Band:
-    """The most impulsive of `bands`. Raises `ValueError` when there are too few values for any."""
+    """The most impulsive of `bands`. Raises `ValueError` if there are too few values for any."""
     found = bands(values, sample_s, narrowest)
     if not found:
         raise ValueError(

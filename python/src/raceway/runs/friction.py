@@ -18,15 +18,15 @@ KEYS = (
     "torque_palmgren_N_m",
     "asperity_share",
 )
-STILL = 1e-9  # rad/s; rings that turn slower against each other stand still
+STILL = 1e-9  # rad/s of relative speed, below which rings count as standing still
 FEW = 1e-2  # fraction of the radial force: a smaller axial force is ripple
 
 
 def friction(tables: RunTables) -> dict[str, Any]:
     """Means over the window, SI units; None where the run has no value.
 
-    - `friction_torque_N_m`: power loss over the speed of the rings against each other, as in
-      statics; None with a warning of the summary below `STILL`
+    - `friction_torque_N_m`: power loss divided by the relative speed of the rings, as in
+      statics; below `STILL` None, with a warning of the summary
     - `power_loss_W`, `losses_W`: power lost in all contacts, and by kind of loss
       (`columns.LOSSES`)
     - `asperity_share`: share of the load on asperities, at the largest inner load

@@ -13,9 +13,10 @@ from raceway.runs.run import Run
 def losses(run: Run) -> xr.Dataset:
     """Dataset (time) of `run` (from `raceway.open`), at the samples common to rings and contacts:
 
-    - `torque` (N m): moment of the balls on the inner ring, against its turning from the outer one
-    - `power_in` (W): what both rings put in, moment against spin
-    - the power lost (W), by kind of loss: `friction_power`, `damping_power`, ... as far as the
+    - `torque` (N m): moment of the balls on the inner ring, opposite to its rotation relative to
+      the outer one
+    - `power_in` (W): power supplied by both rings, moment times spin
+    - the power lost (W), by kind of loss: `friction_power`, `damping_power`, ... if the
       contact law of the run has them (`columns.LOSSES`)
 
     Power in and power lost differ at any moment by the change of elastic and kinetic energy, and

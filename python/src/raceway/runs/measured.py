@@ -15,20 +15,20 @@ from raceway.theory import clearance
 from raceway.theory.bearing import INNER, OUTER
 from raceway.units import prefixed
 
-FEW = 0.05  # fraction of the radial load or displacement: above, the load is not purely radial
-LITTLE = 0.01  # fraction of a load; smaller values are not in the title
-TURNED = 0.1  # rad; a load that turns further does not stand still
+FEW = 0.05  # fraction of the radial load or displacement above which the load is not purely radial
+LITTLE = 0.01  # fraction of a load below which values are omitted from the title
+TURNED = 0.1  # rad; a load whose direction varies more does not count as steady
 
 
 def measured(tables: RunTables) -> dict[str, float | None]:
-    """Means over the window, SI units; None for quantities that the run did not write.
+    """Means over the window, SI units; None for quantities that the run did not record.
 
     - `force_x_N`, `force_y_N`, `force_z_N`: force of balls and cage on the inner ring
     - `moment_x_N_m`, `moment_y_N_m`: their moment on it
     - `shift_z_m`, `tilt_x_rad`, `tilt_y_rad`: its axial displacement and tilt
     - `rpm_inner`, `rpm_outer`: speeds of the rings, positive about the axis
-    - `rpm_least`, `rpm_most`: lowest and highest speed of the rings against each other
-    - `rpm_top`: that speed at the largest load on the inner raceway
+    - `rpm_least`, `rpm_most`: lowest and highest relative speed of the rings
+    - `rpm_top`: relative speed at the largest load on the inner raceway
     """
     rings = _window(tables)
     result = {
@@ -61,7 +61,7 @@ def rpm(tables: RunTables) -> tuple[Floats, Floats]:
 
 
 def speeds(tables: RunTables) -> str:
-    """Speed of the shaft in words, a range where it changes; of both rings if the outer turns."""
+    """Speed of the shaft as text, a range if it changes; of both rings if the outer one rotates."""
     inner, outer = (speed[_kept(tables)] for speed in rpm(tables))
     if outer.any():
         return f"inner {_range(inner)}, outer {_range(outer)}"
@@ -85,14 +85,14 @@ class Loading(NamedTuple):
 
 def loading(tables: RunTables) -> Loading | None:
     """Measured load on the inner ring, opposite to the force of the balls; None if the run did not
-    write forces."""
+    record forces."""
     rings = _window(tables)
     if "fx" not in rings or "fy" not in rings or not len(rings):
         return None
     force = rings["fx"].to_numpy() + 1j * rings["fy"].to_numpy()
     radial = float(np.abs(force).mean())
     axial = -float(rings["fz"].mean()) if "fz" in rings else 0.0
-    # ball-pass ripple turns the direction of a steady load by less
+    # ball-pass ripple turns the direction of a steady load by less than this
     return Loading(radial, axial, bool(abs(force.mean()) < math.cos(TURNED) * radial))
 
 

@@ -6,9 +6,9 @@ Films and capacitance: ends of the inputs, Masjedi-Khonsari or Hamrock-Dowson, a
 inlet shear by Murch, Wilson and Gupta. A run without inlet shear is isothermal; its lower limit is
 the film thinned by inlet shear. All are evaluated at the inner contact with the largest load and
 applied as factors; limits that act in the same direction are combined. Asperities: the three laws
-of `theory.asperity`. Torque: what is not known of its parts, and the makers' formulas. That is the
-inlet, from the shortest to a flooded one; alpha of hysteresis, 0.005 to 0.05; the share of the
-asperities; and drag, half to twice as much.
+of `theory.asperity`. Torque: the unknowns of its parts, and the makers' formulas. The unknowns are
+the inlet, from the shortest to a flooded one; alpha of hysteresis, 0.005 to 0.05; the share of the
+asperities; and drag, half to twice its value.
 """
 
 import math
@@ -90,7 +90,7 @@ def model_ranges(tables: RunTables, figures: Mapping[str, Any]) -> dict[str, Ran
 
 
 def _torques(tables, figures):
-    """Least and largest torque in N m by what is not known of the laws of friction."""
+    """Least and greatest torque in N m over the unknowns of the friction laws."""
     losses, share = figures.get("losses_W"), figures.get("asperity_share")
     if not losses or not figures.get("lambda") or share is None or not figures.get("h_c_m"):
         return []

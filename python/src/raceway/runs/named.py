@@ -11,8 +11,8 @@ class NamedDataset(xr.Dataset):
     """A dataset with second names for variables that cannot be attributes in Python:
     `Q` for `load` (N), `lambda_ratio` for `lambda`, `radial_displacement` for `shift` (m).
 
-    Both names work as keys, also in datasets that xarray derives from it by selection, reduction
-    or arithmetic.
+    Both names work as keys, also in datasets that xarray derives from this one by selection,
+    reduction or arithmetic.
     """
 
     __slots__ = ()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Order tracking: a signal resampled at even angles of the inner against the outer ring.
+"""Order tracking: a signal resampled at even angles of the inner relative to the outer ring.
 
 Lines at multiples of the shaft's speed then stay at their order while the speed changes.
 """
@@ -15,7 +15,7 @@ from raceway.errors import RunError
 from raceway.runs.source import Signal, Source
 from raceway.runs.turning import changes
 
-MOST = 50  # times the samples of the signal
+MOST = 50  # multiple of the number of samples of the signal
 
 
 def at_even_angles(values: ArrayLike, angle: ArrayLike) -> tuple[Floats, float]:
@@ -44,8 +44,8 @@ def changes_speed(of: Source, samples: int) -> bool:
 
 
 def tracked(of: Source, signal: Signal, orders: bool | None = None) -> tuple[Floats, float, bool]:
-    """(values (M,), their spacing, True for orders) of a `signal` of a run or recording `of`: as
-    they are, in s, or at even angles, in turns, where the speed changes or `orders` is true.
+    """(values (M,), their spacing, True for orders) of a `signal` of a run or recording `of`:
+    unchanged, in s, or at even angles, in turns, if the speed changes or `orders` is true.
 
     Raises `RunError` for a shaft that reverses or nearly stops.
     """

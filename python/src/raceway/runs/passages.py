@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Ball passages over a spall in an acceleration or contact load: time of entry and impact.
 
-From the entry on a ball loses load, with the square of the distance and, by damping, linearly with
-it (low frequencies). It strikes the far edge half-way or later (a sharp bend, high frequencies).
-`spall.length` and `kinematics.spall_length` convert the time between the two into a length (Sawalha
-and Randall, Mech. Syst. Signal Process. 25 (2011) 846).
+When a ball enters, its load decreases with the square of the distance and, because of damping,
+linearly with it (low frequencies). It hits the far edge half-way or later (a sharp bend, high
+frequencies). `spall.length` and `kinematics.spall_length` convert the time between the two into a
+length (Sawalha and Randall, Mech. Syst. Signal Process. 25 (2011) 846).
 """
 
 import warnings
@@ -20,27 +20,30 @@ from raceway.runs import spectrum
 from raceway.runs.source import Source
 from raceway.theory import kinematics
 
-QUIET = 0.25  # of the time before a blow, at its start: no entry yet
-SHARP, ABOVE = 4.0, 1.5  # times the sharpest bend of that quiet time: a blow, its begin
-ONSET = 0.2  # of the sharpest bend of a passage: its first blow
-STRONG = 0.7  # of the deepest dip of all: those under the load
-LEAST, FAINT = 0.02, 0.02  # of the largest value before the blow, and bend: no longer at rest
-CALM = (0.3, 0.6)  # of the time from entry to the strong bends: no blow yet
-SMOOTH = 0.5  # bend of that time over its size: below, it is ringing and not noise
-JUMP, FAINTEST = 3.0, 0.12  # times the largest jump of calm, of all: a blow begins
-RESTLESS = 0.04  # of the dip: entries may be lost
-REACH = 6.0  # times the time from first notice to there: where the entry is looked for
+QUIET = 0.25  # fraction of the time before an impact, at its start, that contains no entry
+# factor on the sharpest bend of that quiet time, from which an impact begins
+SHARP, ABOVE = 4.0, 1.5
+ONSET = 0.2  # fraction of the sharpest bend of a passage: its first impact
+STRONG = 0.7  # fraction of the deepest dip of all: passages under the load
+# fractions of the largest value before the impact, and of the bend: no longer at rest
+LEAST, FAINT = 0.02, 0.02
+CALM = (0.3, 0.6)  # fraction of the time from entry to the strong bends that contains no impact
+SMOOTH = 0.5  # bend of that time relative to its magnitude: below, it is ringing and not noise
+# factor on the largest jump of the quiet time, and fraction of all: an impact begins
+JUMP, FAINTEST = 3.0, 0.12
+RESTLESS = 0.04  # fraction of the dip above which entries may be lost
+REACH = 6.0  # factor on the time from the first sign to there: range of the search for the entry
 FOLDS = 4  # samples in a bin of the folded record
-FEWEST = 32  # samples around a blow
+FEWEST = 32  # samples around an impact
 
 
 class Passages(NamedTuple):
-    """Ball passages with an entry and a blow; arrays (N,)."""
+    """Ball passages with an entry and an impact; arrays (N,)."""
 
     entry: Floats  # s from the first value
     blow: Floats  # s
     dip: Floats  # first peak after the entry, in the signal's unit
-    unrest: Floats  # amplitude before the entry over the dip: earlier ringing, or noise
+    unrest: Floats  # amplitude before the entry relative to the dip: earlier ringing, or noise
 
     @property
     def seconds(self) -> Floats:
@@ -50,7 +53,7 @@ class Passages(NamedTuple):
     @property
     def strong(self) -> "Passages":
         """Passages with at least 0.7 of the deepest dip: a spall of the inner raceway rotates
-        through the loaded zone."""
+        through the load zone."""
         kept = self.dip >= STRONG * self.dip.max(initial=0.0)
         return Passages(*(values[kept] for values in self))
 
@@ -72,7 +75,7 @@ def find(
     impact is the jump of the second derivative; at a rounded edge, the start of the rounding. A
     contact load bends sooner than an acceleration: use a `share` of 0.1 and a reach of three times
     the time from entry to impact. Passages without a distinct impact, or with an entry lost in
-    noise, are left out.
+    noise, are omitted.
 
     Raises `ValueError` for a reach below 16 samples or above half a period, values shorter than a
     period, and a share outside 0 to 1.
@@ -109,7 +112,8 @@ def find(
 
 
 def _phase(turn, count):
-    """Place of the sharpest bend in a period of `count` samples, all periods folded; samples."""
+    """Position of the sharpest bend in a period of `count` samples, with all periods folded; in
+    samples."""
     bins = int(count / FOLDS)
     place = (np.arange(len(turn)) % count * bins / count).astype(int) % bins
     sharp = np.bincount(place, turn**2, bins)
@@ -117,7 +121,7 @@ def _phase(turn, count):
 
 
 def _passage(values, turn, share):
-    """(entry, blow, dip, unrest) in samples of the `values` around one blow, whose second
+    """(entry, impact, dip, unrest) in samples of the `values` around one impact, whose second
     differences are `turn`, or None."""
     bend = np.abs(turn)
     quiet = slice(0, int(0.5 * QUIET * len(values)))
@@ -128,11 +132,11 @@ def _passage(values, turn, share):
         return None
     blow = int(np.argmax(bend > max(ONSET * bend.max(), ABOVE * floor)))
     left = np.abs(away[quiet]).max()
-    # the square's own bend is constant: it shows beside ringing that is larger than the dip
+    # the square's own bend is constant: it is visible next to ringing that is larger than the dip
     notices = [(bend, FAINT * bend.max())]
     if floor > SMOOTH * left or left < LEAST * np.abs(away[: blow + 1]).max():
         notices.append((np.abs(away), LEAST * np.abs(away[: blow + 1]).max()))
-    else:  # earlier ringing: no line to go on with
+    else:  # earlier ringing: no line to extrapolate
         away = values
     found = [
         np.flatnonzero(one[: blow + 1] > max(ABOVE * one[quiet].max(), least))
@@ -173,7 +177,8 @@ def _entry(values, start, end, ringing):
     place = place[max(0, end - int(4 * np.pi / ringing + REACH * (end - start))) :]
     rest = [np.ones_like(place), place, *_waves(place, ringing)]
     values = values[-len(place) + end + 1 : end + 1]
-    # residual of the values and of the two terms after the fit of the rest, by their start
+    # residual of the values and of the two terms after the fit of the rest, as a function of their
+    # start
     base = np.linalg.qr(np.transpose(rest))[0]
     left = values - base @ (base.T @ values)
 
@@ -215,7 +220,7 @@ def of_run(
     by that distance before an impact. The period follows from the run's own cage speed, that of a
     recording from kinematics.
 
-    Warns if the signal before the entries moves by more than 4 % of their dips. Of 31 lengths in
+    Warns if the signal before the entries varies by more than 4 % of their dips. Of 31 lengths in
     runs of the 6205 and 6208 at 1000 to 6000 rpm, 15 had this warning, and nine of them were 7 % to
     150 % off; the other 16 were within 3.1 %.
 
@@ -230,7 +235,7 @@ def of_run(
     if not (spin and rate):
         raise RunError(f"{run.where}: a shaft that stands still has no ball passages")
     period = 1 / rate
-    # a ball strikes before it leaves the spall
+    # a ball hits the far edge before it leaves the spall
     reach = longest / float(kinematics.entrainment(bearing, spin)) / (1 - QUIET)
     try:
         found = find(values, sample_s, period, min(reach, 0.5 * period))

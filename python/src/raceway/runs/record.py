@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The record of a run: the file that fix bearing/record wrote, read in pieces.
+"""The record of a run: the file written by fix bearing/record, read in pieces.
 
 The file is netCDF classic: `xarray.open_dataset` opens it without this module. It may still be
 growing: each read sees the samples that its header counts at that moment.
@@ -25,7 +25,7 @@ BLOCK = 8 << 20  # bytes per read
 CHECKSUM = "checksum"  # attribute and variable, src-package/core/record/netcdf_header.h
 HEADER_SUM = re.compile(rb"sum ([0-9a-f]{8}) of (\d{10}) header bytes")
 BY_SCIPY = (TypeError, ValueError, LookupError, ArithmeticError, AttributeError, AssertionError)
-CAGE_RING = 2  # ring_raceway of a cage that is one ring
+CAGE_RING = 2  # ring_raceway of a one-piece cage
 NUMBERS = (("time",), ("time", "ring"), ("time", "bearing"))
 
 
@@ -42,10 +42,11 @@ class Record:
     """The record in `folder`: all its bearings, or the one with the number `bearing` (from 1).
 
     Vectors are along the axes of the bearings' frame (`runs.frame`), with z along their axis.
-    Places are from the seat of the one bearing; of all, from the origin of the host's box.
+    Positions are relative to the seat of the chosen bearing; of all, to the origin of the host's
+    box.
 
-    Arrays are read on demand, from sample `start` to `stop`. Every sample that is read is compared
-    with its checksum. `checked` is False for a record of a version without checksums. Raises
+    Arrays are read on demand, from sample `start` to `stop`. Every sample that is read is verified
+    by its checksum. `checked` is False for a record of a version without checksums. Raises
     `RunError` for a folder without record, a file that is broken or of another kind, and an unknown
     bearing number.
     """
@@ -86,7 +87,7 @@ class Record:
         self._numbers: tuple[tuple[int, int], dict[str, Floats]] = ((-1, -1), {})  # none yet
 
     def _check_length(self):
-        """A finished record has the samples that its header counts and nothing else; a growing one
+        """A finished record has exactly the samples that its header counts; a growing one
         may have more."""
         if (CHECKSUM in self.variables) != self.checked:
             raise RunError(f"{self.path} is damaged: its header has lost its checksum")
@@ -100,7 +101,7 @@ class Record:
             )
 
     def _check_samples(self, rows, first):
-        """Compare whole samples, from number `first` on, with their checksums."""
+        """Verify whole samples, from number `first` on, by their checksums."""
         if not self.checked:
             return
         wrong = np.flatnonzero(_sums(rows, len(rows), first) != rows[CHECKSUM].astype(np.uint32))
@@ -294,7 +295,7 @@ def _without_record(folder):
 
 
 def _check_header(path):
-    """Bytes of a header whose checksum is right, 0 of one that has none."""
+    """Number of bytes of a header with a valid checksum, 0 for one that has none."""
     with open(path, "rb") as file:
         head = file.read(1 << 16)
         if not (said := HEADER_SUM.search(head)):

@@ -12,14 +12,14 @@ from raceway.errors import RunError
 from raceway.runs.columns import ATOM
 from raceway.runs.record import CAGE_RING, Record
 
-# atom types; an inner ring has RINGS, an outer ring RINGS + 1, a cage that is one ring RINGS + 2
+# atom types; an inner ring has RINGS, an outer ring RINGS + 1, a one-piece cage RINGS + 2
 BALL, CAGE, RINGS = 1, 2, 3
 MOTION = list(ATOM)[2:]  # place, velocity and spin
 
 
 def contacts(record: Record, start: int, stop: int) -> pd.DataFrame:
-    """A row per live contact and sample; with `groove` for rings of two grooves. `attrs`: `first`
-    and the number of `samples`. Raises `RunError` if the record has no loads."""
+    """One row for each live contact and sample; with `groove` for rings of two grooves. `attrs`:
+    `first` and the number of `samples`. Raises `RunError` if the record has no loads."""
     record.need_contacts()
     if "load" not in record.contact_columns:
         raise RunError(f"{record.path} has no column load: record it with the other contacts")
@@ -51,8 +51,9 @@ def _rings_of_balls(record):
 
 
 def atoms(record: Record, start: int, stop: int) -> pd.DataFrame:
-    """A row per sample and ball, cage ball or ring. A ring's spin is about its own axis. `attrs`:
-    `first` and the number of `samples`. Raises `RunError` if the record has no ball motion."""
+    """One row for each sample and ball, cage ball or ring. A ring's spin is about its own axis.
+    `attrs`: `first` and the number of `samples`. Raises `RunError` if the record has no ball
+    motion."""
     if "ball_x" not in record.variables:
         raise RunError(f"{record.path} is a summary: it has no motion of balls")
     parts = []
@@ -98,11 +99,11 @@ def ring_place(record: Record, side: int, start: int, stop: int) -> list[Floats]
 
 
 def rings(record: Record, start: int, stop: int) -> pd.DataFrame:
-    """A row per sample: step, time, motion of the inner ring and forces on it."""
+    """One row for each sample: step, time, motion of the inner ring and forces on it."""
     record.need_one()
     inner = int(np.flatnonzero(record.fixed("ring_raceway") == 0)[0])
     for axis in "xyz":
-        record.variables[f"ring_{axis}"]  # raises if it is missing
+        record.variables[f"ring_{axis}"]  # raises if the ring is missing
     names = record.timed("ring_")
     data = record.read(["step", "time", *names], start, stop)
     table = pd.DataFrame({"step": data["step"], "time": data["time"]})
@@ -115,7 +116,7 @@ def rings(record: Record, start: int, stop: int) -> pd.DataFrame:
 
 
 def totals(record: Record, start: int, stop: int) -> pd.DataFrame:
-    """A row per sample, indexed by its number: sums and extremes over the bearing."""
+    """One row for each sample, indexed by its number: sums and extremes over the bearing."""
     record.need_one()
     for name in ("contacts", "loaded_balls", "pressure_inner", "pressure_outer", "cage_speed"):
         record.variables[f"bearing_{name}"]  # raises if it is missing

@@ -75,7 +75,7 @@ class Recorded:
 
     @property
     def _of_one(self):
-        """True for a single bearing: only then are ball passes and the loaded zone defined."""
+        """True for a single bearing: only then are ball passes and the load zone defined."""
         return self.record.bearing is not None
 
     def _labelled(self, data):
@@ -96,7 +96,7 @@ class Recorded:
         found = [("azimuth", azimuth, CONTACT["azimuth"].meaning)]
         if self._of_one:
             found.append(
-                ("from_load_line", from_load_line, "azimuth from the centre of the loaded zone")
+                ("from_load_line", from_load_line, "azimuth from the centre of the load zone")
             )
         for name, values, meaning in found:
             values.attrs = {"units": "rad", "long_name": meaning}

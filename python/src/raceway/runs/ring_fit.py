@@ -35,13 +35,13 @@ class Fit(NamedTuple):
     damping: Floats  # (n, n)
     stiffness_error: Floats  # (n, n), standard errors for residuals that are noise
     damping_error: Floats  # (n, n), likewise
-    left: Floats  # (n,), rms residual of each force over the rms of its variation
+    left: Floats  # (n,), rms residual of each force divided by the rms of its variation
 
 
 def fitted(
     place: ArrayLike, velocity: ArrayLike, force: ArrayLike, others: ArrayLike | None = None
 ) -> Fit:
-    """`Fit` of the places (N, n), velocities (N, n) and forces on the ring (N, n) of N samples.
+    """`Fit` of the positions (N, n), velocities (N, n) and forces on the ring (N, n) of N samples.
 
     `others` (N, k) are further functions of time in the force, for instance a sine of the ball
     pass. Raises `ValueError` for too few samples, or motions that are not independent.
@@ -90,10 +90,10 @@ def of_run(
     until: float = np.inf,
     lines: Sequence[float] = (),
 ) -> Fit:
-    """`Fit` of the inner ring of `run` in `freedoms` (of x, y, z, rx, ry), from the time `since`
-    on and before `until` (s), in the bearing's frame.
+    """`Fit` of the inner ring of `run` in `freedoms` (some of x, y, z, rx, ry), from the time
+    `since` on and before `until` (s), in the bearing's frame.
 
-    `lines` in rad/s are frequencies of the force that do not stem from the motion, such as the
+    `lines` in rad/s are frequencies of the force that do not come from the motion, such as the
     ball pass of a bearing under radial load. Velocities are derivatives of splines through the
     displacements, so samples must be evenly spaced, ten or more per period. Raises `ValueError` as
     `fitted` does, and `RunError` for an unknown degree of freedom or uneven samples.

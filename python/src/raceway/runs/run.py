@@ -34,14 +34,14 @@ class Run:
     `attrs`.
 
     - `contacts`: (time, raceway, ball) every recorded column of each contact; `azimuth` and
-      `from_load_line` (rad, the latter counted from the centre of the loaded zone) are coordinates
+      `from_load_line` (rad, the latter counted from the centre of the load zone) are coordinates
     - `balls`, `cage`: (time, ball) position (m), velocity (m/s), spin (rad/s) of balls and cage
       balls; `azimuth` and `from_load_line` about the outer ring
     - `rings`: (time) displacement, velocity and spin of the inner ring, force and moment of the
       balls on it
     - `bearing`: (time) sums and extremes over the contacts: capacitance, balls loaded, largest
       loads, losses
-    - `heat`: (thermal_time) temperatures, losses and clearance from jump to jump, of a run with
+    - `heat`: (thermal_time) temperatures, losses and clearance from jump to jump, for a run with
       fix bearing/heat
 
     Every variable is also an attribute: `run.contacts.mu`. Names that cannot be attributes have a
@@ -105,7 +105,7 @@ class Run:
     @property
     def flaws(self) -> dict[str, str]:
         """Words of fix bearing/profile by raceway, "inner" and "outer", and by ball, "ball 1" for
-        atom number 1; parts without flaws are left out. Raises `RunError` unless one bearing has
+        atom number 1; parts without flaws are omitted. Raises `RunError` unless one bearing has
         been chosen."""
         self.tables.record.need_one()
         return by_part(self.settings)
@@ -168,7 +168,7 @@ class Run:
 
     @property
     def nominal_angle(self) -> float:
-        """Contact angle of the bearing in rad without load, 0 where it states none."""
+        """Contact angle of the bearing in rad without load, 0 if its file states none."""
         return math.radians(self.settings.get("contact_angle_deg", 0))
 
     @property
@@ -187,16 +187,16 @@ class Run:
         return ring_signal.of_run(self, name, ring)
 
     def shaft_angle(self, samples: int | None = None) -> Floats:
-        """Angle (N,) in rad of the inner against the outer ring, at all samples or the first
+        """Angle (N,) in rad of the inner relative to the outer ring, at all samples or the first
         `samples`."""
         return self.tables.turning.shaft(self.tables.first, self.tables.last)[:samples]
 
     def shaft_speed(self, samples: int | None = None) -> Floats:
-        """Speed (N,) in rad/s of the inner against the outer ring, likewise."""
+        """Speed (N,) in rad/s of the inner relative to the outer ring, likewise."""
         return self.tables.turning.shaft_speed(self.tables.first, self.tables.last)[:samples]
 
     def universe(self) -> "Universe":
         """The run for MDAnalysis: `raceway.runs.universe`."""
-        from raceway.runs.universe import universe  # MDAnalysis takes a second to load
+        from raceway.runs.universe import universe  # MDAnalysis takes a second to import
 
         return universe(self.tables)

@@ -13,7 +13,7 @@ VARIABLES = "deck_variables"  # YAML may have removed quotation marks from other
 
 
 def need_same_run(record: Record, said: Mapping[str, Any]) -> None:
-    """Raise `RunError` where the `record` contradicts `said`, the texts of `run.yaml` by name: in
+    """Raise `RunError` if the `record` contradicts `said`, the texts of `run.yaml` by name: in
     a number, in the variables of the deck or, for a finished run, in its length."""
     for key, own in record.attrs.items():
         if key not in said:

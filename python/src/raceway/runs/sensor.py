@@ -2,7 +2,7 @@
 """Signal of an accelerometer on a ring or its housing: the record at a lower sampling rate.
 
 A record of integrator vibration has several samples for each sample of the sensor. A filter removes
-the frequencies above half the lower rate before samples are left out. Noise is optional.
+the frequencies above half the lower rate before samples are dropped. Noise is optional.
 """
 
 from collections.abc import Sequence
@@ -17,17 +17,17 @@ from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.runs.run import Run
 
-PASSED = 0.4  # pass band over the new rate: no change of the signal, within STOPPED
+PASSED = 0.4  # pass band relative to the new rate: no change of the signal, within STOPPED
 STOPPED = 80.0  # dB, attenuation from half the new rate on
 LARGEST = 1000  # bound on the whole numbers in the ratio of the two rates
 
 
 def decimated(values: ArrayLike, sample_s: float, rate: float) -> Floats:
-    """Evenly sampled `values` (N,), `sample_s` apart, resampled at `rate` in Hz: (M,), in their
+    """Evenly sampled `values` (N,), `sample_s` apart, resampled at `rate` in Hz: (M,), in the same
     unit, starting at the same time.
 
     A Kaiser-windowed FIR filter without delay is applied first: flat to 0.4 of the rate, 80 dB
-    down from half of it on. Its end effects reach about 25 values into either end.
+    down from half of it on. Its end effects extend over about 25 values at either end.
     Raises `ValueError` for a rate above that of the values, and for a ratio of the rates that is
     not one of whole numbers below 1000.
 
@@ -49,7 +49,7 @@ def decimated(values: ArrayLike, sample_s: float, rate: float) -> Floats:
     if share == 1:
         return values.copy()
     up, down = share.numerator, share.denominator
-    # half the new rate, over the rate of the filter, `up` times that of the values
+    # half the new rate, divided by the rate of the filter, `up` times that of the values
     edge = 1 / down
     taps, beta = signal.kaiserord(STOPPED, edge * (1 - 2 * PASSED))
     middle = edge * (0.5 + PASSED)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Settings of a run by the names of `run.yaml`: from the record, and those of its end from
+"""Settings of a run by the names of `run.yaml`: from the record, and those written at its end from
 `run.yaml` in the same folder.
 
 Load, speed and length are measured as means over the record if the deck did not note them.

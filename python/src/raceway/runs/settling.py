@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Settling of a run: how far its means still change from one ball pass to the next."""
+"""Settling of a run: remaining change of its means from one ball pass to the next."""
 
 import math
 
@@ -20,10 +20,10 @@ KEYS = {
 
 
 def settling(tables: RunTables) -> dict[str, float | None]:
-    """Changes between the last two ball passes of the window, or between its halves where it has
+    """Changes between the last two ball passes of the window, or between its halves if it has
     fewer than two: mean friction torque, largest load on either raceway and cage speed, relative;
-    `settling_spin_axis_rad`, the angle of the balls' mean spin axis, weighted by load. None where
-    the run has not written a quantity, or where the speed of the rings changes.
+    `settling_spin_axis_rad`, the angle of the balls' mean spin axis, weighted by load. None if
+    the run has not recorded a quantity, or if the speed of the rings changes.
 
     Formulas: `src-package/core/figures/settling.h`."""
     result: dict[str, float | None] = dict.fromkeys(KEYS.values())
@@ -36,7 +36,8 @@ def settling(tables: RunTables) -> dict[str, float | None]:
     first = last - 2 * half
     totals = tables.totals.loc[first : last - 1]
     losses = [totals[name] for name in LOSSES.values() if name in totals]
-    power = sum(losses).ffill().bfill() if losses else None  # the cage's is known once a step
+    # the cage's speed is recorded once a step
+    power = sum(losses).ffill().bfill() if losses else None
     balls = _balls(tables, first, last)
     found = library().call(
         "settling",
@@ -69,8 +70,8 @@ def _half(tables, first, last):
 
 
 def _balls(tables, first, last):
-    """Loads (N,), places from the bearing's centre (m) and spins (rad/s) by sample and ball; no
-    balls where the run has not recorded them."""
+    """Loads (N,), positions relative to the bearing's centre (m) and spins (rad/s) by sample and
+    ball; no balls if the run has not recorded them."""
     record, samples = tables.record, last - first
     try:
         load = record.read(["load"], first, last)["load"].sum(axis=1)

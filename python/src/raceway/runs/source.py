@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A bearing with signals: a run of the simulation, or a recording of a real one.
 
-Spectra, envelopes, pictures and lengths of spalls need a `Source` and no more, so that they read
-both in the same way.
+Spectra, envelopes, pictures and spall lengths need only a `Source`, so that they read
+runs and recordings in the same way.
 """
 
 from typing import NamedTuple, Protocol
@@ -16,12 +16,12 @@ class Signal(NamedTuple):
     """Evenly sampled values of one column or channel."""
 
     values: Floats  # (N,)
-    sample_s: float  # s from one to the next
+    sample_s: float  # s from one value to the next
     attrs: dict[str, str]  # units, long_name
 
 
 class Source(Protocol):
-    """What `Run` and `recording.Recording` have in common."""
+    """The common interface of `Run` and `recording.Recording`."""
 
     @property
     def geometry(self) -> Bearing:
@@ -29,7 +29,7 @@ class Source(Protocol):
 
     @property
     def motion(self) -> Motion:
-        """Mean speeds; NaN for what is not known."""
+        """Mean speeds; NaN for unknown ones."""
 
     @property
     def nominal_angle(self) -> float:
@@ -47,7 +47,7 @@ class Source(Protocol):
         """`Signal` of a column of a ring, or of a channel. Raises `RacewayError`."""
 
     def shaft_angle(self, samples: int) -> Floats:
-        """Angle (`samples`,) in rad of the inner against the outer ring at the samples of a
+        """Angle (`samples`,) in rad of the inner relative to the outer ring at the samples of a
         signal."""
 
     def shaft_speed(self, samples: int) -> Floats:

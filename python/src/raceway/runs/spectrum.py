@@ -2,12 +2,12 @@
 """Spectra of evenly sampled columns of a run, and the lines expected from the bearing's
 kinematics.
 
-A perfect bearing shows BPFO and its harmonics: its stiffness varies as the balls pass the load. The
-others (FTF, BSF, BPFI) need an irregularity, such as an odd ball or a flaw; without one they are
-reported as not found.
+A perfect bearing shows BPFO and its harmonics, because its stiffness varies as the balls pass the
+load. The others (FTF, BSF, BPFI) need an irregularity, such as an odd ball or a flaw; without one
+they are reported as not found.
 
-An order is a multiple of the inner ring's speed against the outer one. Where that speed changes,
-spectra are over orders (`runs.order_tracking`).
+An order is a multiple of the inner ring's speed relative to the outer one. Where that speed
+changes, spectra are over orders (`runs.order_tracking`).
 """
 
 import math
@@ -29,12 +29,13 @@ from raceway.theory.bearing import Bearing
 # wide (Harris, Proc. IEEE 66 (1978) 51).
 WINDOW, HALF_WIDTH = "blackmanharris", 4
 PAD = 8  # least number of values per bin of 1/duration
-RESOLVED = HALF_WIDTH + 1.5  # fewest periods in the record for a line distinct from the mean
-STANDS_OUT = 10.0  # least prominence of a line, times the median around it
-FAINT = 1e-4  # least amplitude over the strongest; side lobes of the window are at 2.5e-5
+# minimum number of periods in the record for a line distinct from the mean
+RESOLVED = HALF_WIDTH + 1.5
+STANDS_OUT = 10.0  # minimum prominence of a line, in multiples of the median around it
+FAINT = 1e-4  # minimum amplitude relative to the strongest; side lobes of the window are at 2.5e-5
 NAMES = {"cage": "FTF", "spin": "BSF", "outer": "BPFO", "inner": "BPFI"}
 SHAFT = "shaft"  # the inner ring: unbalance
-# where the outer ring turns: its rotation, and the balls that pass the load
+# where the outer ring rotates: its rotation, and the balls that pass the load
 OUTER_RING, COMPLIANCE = "outer ring", "VC"
 
 
@@ -43,15 +44,15 @@ class Line(NamedTuple):
 
     name: str  # FTF, BSF, BPFO, BPFI, shaft, outer ring, VC
     harmonic: int
-    order: float  # of the run: multiple of the inner ring's speed against the outer one
-    expected: float  # by rolling without slip, in `unit`
+    order: float  # of the run: multiple of the inner ring's speed relative to the outer one
+    expected: float  # from rolling without slip, in `unit`
     found: float  # nearest peak to `by_cage`; NaN without a distinct one
     difference: float  # found/expected - 1
     amplitude: float  # peak, or value of the spectrum at `by_cage`, in the unit of the signal
     prominence: float  # amplitude over the median of the spectrum around it
     note: str  # reason if nothing was found, or ""
     by_cage: float = math.nan  # expected from the run's own cage and balls, with their slip
-    unit: str = "Hz"  # of expected, found and by_cage; "order" where the speed changes
+    unit: str = "Hz"  # of expected, found and by_cage; "order" if the speed changes
 
 
 def spectrum(values: ArrayLike, sample_s: float) -> xr.DataArray:
@@ -88,11 +89,11 @@ def of_run(
     run: Source, name: str = "shift", ring: str = "inner", orders: bool | None = None
 ) -> xr.DataArray:
     """`spectrum` of a column of a ring of `run` (from `raceway.open`): `shift`, `x`, `fy`, `mz`,
-    `ay`, `capacitance` ... of the "inner" `ring`; the "outer" has those of motion and force. Of a
-    recording (`raceway.recording`), `name` is a channel.
+    `ay`, `capacitance` ... of the "inner" `ring`; the "outer" one has those of motion and force.
+    For a recording (`raceway.recording`), `name` is a channel.
 
-    Its dimension is frequency (Hz), or order where the speed of the shaft changes by more than 1 %;
-    `orders` overrides the choice. Raises `RunError` when the run has no such column, too few
+    Its dimension is frequency (Hz), or order if the speed of the shaft changes by more than 1 %;
+    `orders` overrides the choice. Raises `RunError` if the run has no such column, too few
     samples, or a shaft that reverses.
     """
     return of_signal(run, run.signal(name, ring), orders)
@@ -131,8 +132,8 @@ def expected(
     from it; with that of the balls relative to the cage, `spin`, BSF.
 
     `sidebands` adds the sidebands of a flaw modulated by load or cage: BPFI with the shaft, BPFO
-    with an outer ring that turns, and the even harmonics of BSF, the impact rate of a ball flaw,
-    with FTF. Orders are NaN for rings without speed against each other.
+    with a rotating outer ring, and the even harmonics of BSF, the impact rate of a ball flaw,
+    with FTF. Orders are NaN for rings without relative speed.
     """
     of = kinematics.frequencies(bearing, angle, inner, outer)._asdict()
     if cage is not None:
@@ -158,7 +159,7 @@ def expected(
 
 
 def contact_angle(of: Source) -> float:
-    """Contact angle of a run or recording in rad: measured, else the nominal one."""
+    """Contact angle of a run or recording in rad: the measured one, otherwise the nominal one."""
     measured = of.motion.angle
     return of.nominal_angle if np.isnan(measured) else measured
 
@@ -194,16 +195,16 @@ def lines(
     `found_in`: a list of `Line`.
 
     A line is found if a peak lies no further than `within` (relative to the frequency; or a tenth
-    of the resolution) from that of the run's own cage and balls, exceeds the median around it by a
-    factor of ten, is not 80 dB below the strongest, and is nearer to this than to another line. The
-    kinematics use the run's speeds and the contact `angle` in rad of `places`, without clearance.
-    `sidebands` as in `expected`.
+    of the resolution) from the line of the run's own cage and balls, exceeds the median around it
+    by a factor of ten, is not 80 dB below the strongest, and is nearer to this than to another
+    line. The kinematics use the run's speeds and the contact `angle` in rad of `places`, without
+    clearance. `sidebands` as in `expected`.
     """
     which = 0 if "order" in found_in.dims else 1
     rolling = places(run, angle, harmonics, sidebands, own=False)
     own_places = places(run, angle, harmonics, sidebands)
     here = {key: both[which] for key, both in own_places.items()}
-    # harmonics of balls and raceways beyond those asked for may be what is found, too
+    # the found peak may also be a harmonic of balls and raceways beyond the requested ones
     others = here | {
         key: both[which]
         for key, both in places(run, angle, 2 * harmonics).items()
@@ -228,7 +229,7 @@ def find(
     found_in: xr.DataArray, hertz: float, within: float = 0.005
 ) -> tuple[float, float, float, float, str]:
     """(frequency, difference from `hertz`, amplitude, prominence, note) of the line of a
-    `spectrum` near the frequency `hertz`, in Hz or orders as its axis."""
+    `spectrum` near the frequency `hertz`, in Hz or orders like its axis."""
     frequency, amplitude = found_in[found_in.dims[0]].to_numpy(), found_in.to_numpy()
     resolution, step = found_in.attrs["resolution"], frequency[1]
     nothing = (math.nan, math.nan)
@@ -237,7 +238,7 @@ def find(
     here = amplitude[int(round(hertz / step))]
     if hertz < RESOLVED * resolution:
         return *nothing, here, math.nan, f"fewer than {RESOLVED:g} periods in the record"
-    # an incomplete last period moves a peak by no more
+    # an incomplete last period moves a peak by less than this
     reach = max(within * hertz, resolution)
     low, high = int(np.ceil((hertz - reach) / step)), int(np.floor((hertz + reach) / step))
     top = low + int(np.argmax(amplitude[low : high + 1]))

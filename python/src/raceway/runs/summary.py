@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The figures of a run: `summary` as a mapping, `table` as text.
 
-The keys are a public interface for scripts: add, never rename.
+The keys are a public interface for scripts: they may be added, but never renamed.
 """
 
 import json
@@ -121,22 +121,23 @@ TOPICS = {
         Row("evaluations", "evaluations of the forces", "", "measured passes"),
     ),
 }
-# smaller values are rounding or ball-pass ripple and not shown in the table
+# smaller values are rounding errors or ball-pass ripple and are not shown in the table
 # fractions of the largest of them
 SHOWN = dict.fromkeys(("force_x_N", "force_y_N", "force_z_N"), 1e-2)
 STILL = dict.fromkeys(("shift_z_m", "tilt_x_rad", "tilt_y_rad"), 1e-9)  # m, rad
 STEADY = 1e-3  # fraction of the speed
-LOOKS = 1000  # samples checked for contact patches that pass the shoulder
+LOOKS = 1000  # samples checked for contact patches that extend beyond the shoulder
 CHECK = "check.json"  # in the run's folder, by `raceway check`
 
 
 def summary(tables: RunTables) -> dict[str, Any]:
-    """The figures of the run `tables` by name, SI units, text or numbers; None where the run has
-    no value. `absent` has the reason by key of those that the run's models leave out. `warnings` is
-    a list of texts: what is absent, and values outside the range of validity (`theory.validity`).
+    """The figures of the run `tables` by name, SI units, text or numbers; None if the run has
+    no value. `absent` has the reason by key for those that the run's models omit. `warnings` is
+    a list of texts: absent figures, and values outside the range of validity (`theory.validity`).
 
-    Reads the record in blocks; memory grows by a row of numbers per sample. Raises `RunError` for
-    an unfinished run, a broken record, no sample after the start, or no contact in any sample.
+    Reads the record in blocks; memory grows by one row of numbers for each sample. Raises
+    `RunError` for an unfinished run, a broken record, no sample after the start, or no contact in
+    any sample.
     """
     tables.need_finished()
     _need_window(tables)
@@ -195,8 +196,8 @@ def _need_window(tables):
 
 
 def _need_agreement(tables):
-    """The largest loads of the bearing must be those of its contacts. A checked record needs no
-    comparison."""
+    """Check that the largest loads of the bearing are those of its contacts. A record with
+    checksums needs no such check."""
     record = tables.record
     if record.checked or "load" not in record.contact_columns:
         return
@@ -331,7 +332,7 @@ def _plain(value):
 
 
 def table(figures: Mapping[str, Any]) -> str:
-    """The mapping of `summary` as text, one block per topic, without missing and negligible
+    """The mapping of `summary` as text, one block for each topic, without missing and negligible
     figures. Warnings come last."""
     warnings = ["", "Warnings", *(f"  {text}" for text in figures["warnings"])]
     ranges = figures.get("model_ranges") or {}

@@ -70,12 +70,12 @@ class RunTables:
 
     @property
     def finished(self) -> bool:
-        """The run came to its end; until then `settings` has no `step_s`, `simulated_s` and
+        """True if the run came to its end; until then `settings` has no `step_s`, `simulated_s` and
         `wall_s`."""
         return all(key in self.settings for key in AT_THE_END)
 
     def need_finished(self) -> None:
-        """Raise `RunError` for a run that has not come to its end."""
+        """Raise `RunError` for an unfinished run."""
         self.record.need_one()
         path = self.folder / "run.yaml"
         if not path.exists():
@@ -112,27 +112,28 @@ class RunTables:
 
     @cached_property
     def contacts(self) -> pd.DataFrame:
-        """A row per sample and live contact of a ball with a raceway."""
+        """One row for each sample and live contact of a ball with a raceway."""
         return record_tables.contacts(self.record, self.first, self.last)
 
     @cached_property
     def balls(self) -> pd.DataFrame:
-        """A row per atom and sample."""
+        """One row for each atom and sample."""
         return record_tables.atoms(self.record, self.first, self.last)
 
     @cached_property
     def rings(self) -> pd.DataFrame:
-        """A row per sample: position and motion of the inner ring."""
+        """One row for each sample: position and motion of the inner ring."""
         return record_tables.rings(self.record, self.first, self.last)
 
     @cached_property
     def totals(self) -> pd.DataFrame:
-        """A row per sample: sums and extremes over the bearing."""
+        """One row for each sample: sums and extremes over the bearing."""
         return record_tables.totals(self.record, self.first, self.last)
 
     @cached_property
     def pairs(self) -> pd.DataFrame:
-        """`pairs.pairs` of the contacts: a row per sample and ball loaded on both raceways."""
+        """`pairs.pairs` of the contacts: one row for each sample and ball loaded on both
+        raceways."""
         return pairs(self.contacts)
 
     @property
@@ -159,7 +160,7 @@ class RunTables:
             yield READERS[name](self.record, *part)
 
     def by_raceway(self, contacts: pd.DataFrame) -> dict[str, np.ndarray]:
-        """{"inner": which rows of `contacts`, "outer": ...}; with two grooves for a ball
+        """{"inner": mask of rows of `contacts`, "outer": ...}; with two grooves for a ball
         "inner_0", "inner_1", "outer_0", "outer_1"."""
         place = contacts["raceway"].to_numpy(int)
         if self.record.two_grooves:
@@ -167,18 +168,18 @@ class RunTables:
         return {name.replace(" ", "_"): place == k for k, name in enumerate(self.record.raceways)}
 
     def passes(self, sample: ArrayLike) -> Numbers:
-        """Ball passes, angles of the cage, from the start of the measured window to a sample
+        """Ball passes, from angles of the cage, from the start of the measured window to a sample
         (number or array)."""
         return self.turning.passes(sample)
 
     def from_load_line(self, azimuth: Numbers) -> Numbers:
-        """Azimuths in rad (number or array) counted from the centre of the loaded zone, within
+        """Azimuths in rad (number or array) counted from the centre of the load zone, within
         -pi..pi."""
         return np.mod(azimuth - self.settings["load_azimuth_rad"] + np.pi, 2 * np.pi) - np.pi
 
     def angles(self, contacts: pd.DataFrame) -> Floats:
-        """The azimuths of rows of contacts, in rad from the centre of the loaded zone. Raises
-        `RunError` where the run has not recorded them."""
+        """The azimuths of rows of contacts, in rad from the centre of the load zone. Raises
+        `RunError` if the run has not recorded them."""
         if "azimuth" not in contacts:
             raise RunError(f"{self.record.path} has no column azimuth: record it as well")
         return self.from_load_line(contacts["azimuth"].to_numpy())

@@ -15,7 +15,7 @@ from raceway.runs.source import Source
 WINDOW = "hann"
 OVERLAP = 0.9  # overlap of successive windows, fraction of their length
 PAD = 4  # values per bin of 1/window
-ENVELOPE, SIGNAL = 12.0, 0.25  # periods of BPFO in a window: lines apart, or blows apart
+ENVELOPE, SIGNAL = 12.0, 0.25  # periods of BPFO in a window, to separate lines or impacts
 COLUMNS = 4  # least number of windows in a record
 
 
@@ -72,7 +72,7 @@ def of_run(
     """`spectrogram` of a column of a `ring` of `run`, or of a channel of a recording; with a `band`
     (Hz, Hz), of its envelope.
 
-    Dimensions are frequency (Hz) and time (s), or order (of the shaft) and time where the speed
+    Dimensions are frequency (Hz) and time (s), or order (of the shaft) and time if the speed
     changes by more than 1 %; `orders` overrides the choice, and `attrs["orders"]` records it. A
     window has twelve periods of BPFO for an envelope, a quarter of one for the signal itself.
     Raises `RunError` as `spectrum.signal_of` does, for a record that is too short, and for a shaft

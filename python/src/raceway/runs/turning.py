@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Rotation angles of rings, cage and balls of a bearing during a run, and its ball passes.
 
-Speeds may change during a run. A line of a spectrum is thus a ratio of angles, and a ball pass is
-an angle of the cage.
+Speeds may change during a run. A line of a spectrum is therefore a ratio of angles, and a ball pass
+is an angle of the cage.
 """
 
 import math
@@ -21,7 +21,7 @@ SPINS = ("x", "y", "z")
 
 
 class Motion(NamedTuple):
-    """Mean speeds in rad/s, by the angles turned; positive about the axis."""
+    """Mean speeds in rad/s from the angles; positive about the axis."""
 
     inner: float
     outer: float
@@ -31,7 +31,7 @@ class Motion(NamedTuple):
 
     @property
     def shaft(self) -> float:
-        """Inner against outer ring; the unit of orders."""
+        """Inner relative to outer ring; the unit of orders."""
         return self.inner - self.outer
 
 
@@ -59,22 +59,22 @@ class Turning:
         return values - values[:1] if from_start else values
 
     def shaft(self, start: int = 0, stop: int | None = None) -> Floats:
-        """Angle (N,) in rad of the inner against the outer ring."""
+        """Angle (N,) in rad of the inner relative to the outer ring."""
         return self.ring(INNER, start, stop) - self.ring(OUTER, start, stop)
 
     def shaft_speed(self, start: int = 0, stop: int | None = None) -> Floats:
-        """Speed (N,) in rad/s of the inner against the outer ring."""
+        """Speed (N,) in rad/s of the inner relative to the outer ring."""
         return self.speed(INNER, start, stop) - self.speed(OUTER, start, stop)
 
     def cage(self, start: int = 0, stop: int | None = None) -> Floats:
-        """Speed (N,) in rad/s of the balls about the axis, their mean."""
+        """Mean speed (N,) in rad/s of the balls about the axis."""
         return np.nan_to_num(self.record.read(["bearing_cage_speed"], start, stop)[
             "bearing_cage_speed"
         ][:, 0])  # fmt: skip
 
     def passes(self, sample: ArrayLike) -> Floats:
         """Ball passes from the first sample of the record to `sample`, numbers of samples: the
-        cage's angle over that between two balls."""
+        cage's angle divided by that between two balls."""
         sample = np.asarray(sample)
         if not sample.size:
             return sample.astype(float)
@@ -111,7 +111,7 @@ class Turning:
         return float(total / (stop - start))
 
     def _angle(self, start, stop):
-        """Contact angle of the mean cosine over all contacts, weighted by load."""
+        """Contact angle from the mean cosine over all contacts, weighted by load."""
         if not {"angle", "load"} <= set(self.record.contact_columns):
             return math.nan
         cosine = weight = 0.0

@@ -69,7 +69,7 @@ class RunReader(ReaderBase):
         self._read_next_timestep()
 
     def close(self) -> None:
-        """Nothing stays open between frames."""
+        """No file stays open between frames."""
 
     def _reopen(self):
         self.ts = self._Timestep(self.n_atoms, velocities=True, **self._ts_kwargs)
@@ -82,7 +82,7 @@ class RunReader(ReaderBase):
     def _read_next_timestep(self):
         frame = self.ts.frame + 1
         if not 0 <= frame < self.n_frames:
-            # MDAnalysis ends an iteration on this
+            # MDAnalysis ends an iteration on this error
             raise OSError(f"no frame {frame} of {self.n_frames}")
         data = self.ts.data
         if not self._loaded[0] <= frame < self._loaded[1]:
@@ -146,7 +146,7 @@ def universe(tables: RunTables) -> MDAnalysis.Universe:
     """MDAnalysis `Universe` of the run `tables`: atoms named ball, cage, inner, outer, with their
     host's ids and types.
 
-    The trajectory is a `RunReader`. Raises `RunError` when a file is broken or MDAnalysis is not
+    The trajectory is a `RunReader`. Raises `RunError` if a file is broken or MDAnalysis is not
     installed.
     """
     reader = RunReader(str(tables.folder), tables.first, tables.stop, tables.record.bearing)

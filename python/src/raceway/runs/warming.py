@@ -36,9 +36,9 @@ ROWS = (
 
 
 def transient(folder: FilePath) -> "xr.Dataset":
-    """The jumps of the temperatures of the run in `folder`: a dataset over `thermal_time` in s,
-    with units and meanings in `attrs`. Raises `RunError` where the run has none."""
-    import xarray as xr  # takes longer to load than a summary to compute
+    """Temperatures of the run in `folder` from jump to jump: a dataset over `thermal_time` in s,
+    with units and meanings in `attrs`. Raises `RunError` if the run has none."""
+    import xarray as xr  # takes longer to import than a summary to compute
 
     path = Path(folder) / FILE
     try:
@@ -67,12 +67,12 @@ def _attributes(name):
 
 
 def heated(tables: RunTables) -> bool:
-    """The run has temperatures that follow its losses."""
+    """Whether the run has temperatures that follow its losses."""
     return "temperature_inner" in tables.totals
 
 
 def warm_clearance(tables: RunTables) -> float:
-    """Mean diametral clearance of the run in m: that of the warm parts, else the one that was
+    """Mean diametral clearance of the run in m: that of the warm parts, otherwise the one that was
     set."""
     cold = tables.settings["clearance_m"]
     if not heated(tables):
@@ -84,8 +84,8 @@ def warm_clearance(tables: RunTables) -> float:
 
 
 def figures(tables: RunTables) -> dict[str, float]:
-    """Figures of `ROWS`, SI units and degrees C; none of a run without heat. Those of the transient
-    only where it has a table."""
+    """Figures of `ROWS`, SI units and degrees C; none for a run without heat. Those of the
+    transient only where it has a table."""
     if not heated(tables):
         return {}
     found = {

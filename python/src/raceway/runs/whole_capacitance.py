@@ -278,7 +278,7 @@ def _separation(bearing, side, table, quiet, clearance) -> Floats:
     live = load > 0
     if not live.any():
         raise RunError(f"no ball is loaded on the {SIDES[side]} raceway in any sample")
-    # h_c Q^m of the largest load: the load-independent factor of the film
+    # h_c Q^m at the largest load: the load-independent factor of the film
     with np.errstate(invalid="ignore"):
         factor = np.where(live, thick * load**power, 0.0)
     top = np.take_along_axis(factor, load.argmax(1)[:, None], axis=1)

@@ -21,13 +21,13 @@ from raceway.runs.summary import CHECK, identity, summary
 from raceway.runs.tables import RunTables
 from raceway.sweeps.point_run import FAILED, FINISHED, run_point
 
-FINER = 0.1  # factor on the tolerance; velocity Verlet: half the step
+FINER = 0.1  # factor on the tolerance; for velocity Verlet, half the step
 MORE = 2  # factor on the number of samples
 LONGER = 20  # ball passes added to those of settling
 IMPLICIT = ("implicit", "damping", "vibration")  # integrators with a tolerance
 TOLERANCES = ("tolerance", "relative_tolerance", "cage_tolerance")
 OF_IMPLICIT = (*TOLERANCES, "step_error")
-# cost and settings: no figures
+# cost and settings, not figures
 LEFT_OUT = (
     *("wall_s", "real_time_factor", "processor_s", "evaluations"),
     *("step_s", "simulated_s", "passes"),
@@ -35,7 +35,7 @@ LEFT_OUT = (
     *("permittivity", "roughness_m"),
     *KEYS.values(),
 )
-# a repeat with other settings is another run: some -var value was not noted by the run
+# a repeat with other settings is another run: some -var value was not recorded by the run
 SAME = (
     *("load_N", "rpm", "load_azimuth_rad", "axial_N", "moment_x_N_m", "moment_y_N_m"),
     *("unbalance_kg_m", "clearance_m", "balls", "ball_diameter_m", "inner_radius_m"),
@@ -48,7 +48,7 @@ SAME = (
 
 def variables(tables: RunTables) -> dict[str, str]:
     """The main deck's variables of the run `tables`. Raises `RacewayError` for a run that did not
-    note them."""
+    record them."""
     said = tables.settings.get("deck_variables")
     if not isinstance(said, str):
         raise RacewayError(
@@ -95,10 +95,10 @@ def repeats(tables: RunTables) -> dict[str, dict[str, str]]:
 
 def check(folder: FilePath, command: Sequence[str], more: Mapping[str, str]) -> dict[str, Any]:
     """Errors by figure in SI units: {key: {"integration": error, "sampling": error, "settling":
-    error}}, written to `check.json` in `folder`, too.
+    error}}, also written to `check.json` in `folder`.
 
     `command` is a list: program, options, deck. `more` are variables of the run in addition to
-    those that it noted. An error is the difference of a figure between the run and its repeat.
+    those that it recorded. An error is the difference of a figure between the run and its repeat.
     Raises `RacewayError` if a repeat fails or is not the same run.
     """
     tables = RunTables(folder)

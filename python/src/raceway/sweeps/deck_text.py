@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A deck with other values of its variables, as its user would edit it."""
+"""A deck with other values of its variables, as a user would edit it."""
 
 import difflib
 import os
@@ -11,18 +11,20 @@ from raceway.errors import RacewayError
 from raceway.files import FilePath
 from raceway.sweeps.points import deck_variables
 
-# what a host reads as more than text
+# characters that a host interprets
 SPECIAL = re.compile(r"[\"'$&#\x00-\x1f\x7f]")
 LINE = r"^(\s*variable\s+{}\s+index\s+)(\"[^\"]*\"|\S+)([^\S\n]*)"
 FIRST = re.compile(r"^\s*variable\s", re.MULTILINE)
-# names of files: a path is from the folder of the caller, the decks' are from that of the inputs
+# names of files: a path is relative to the folder of the caller, the decks' are relative to that of
+# the inputs
 FILES = ("bearing", "lubricant")
 
 
 def values(deck: FilePath, given: Mapping[str, object]) -> dict[str, str]:
-    """The `given` values of variables of `deck` as text, without those that are None. Numbers keep
-    all their digits, True and False are yes and no; a bearing or lubricant with a slash is a path.
-    Raises `RacewayError` for a name that the deck has not and for a value that is no text."""
+    """The `given` values of variables of `deck` as text, except those that are None. Numbers keep
+    all their digits, True and False become yes and no; a bearing or lubricant with a slash is a
+    path. Raises `RacewayError` for a name that the deck does not have and for a value that cannot
+    be written."""
     known, found = deck_variables(deck), {}
     for name, value in given.items():
         if value is None:
@@ -56,9 +58,9 @@ def _text(name, value):
 
 
 def text(deck: FilePath, own: Mapping[str, str], heading: str) -> str:
-    """The deck at path `deck` with the values of `own` (text by variable) and a `heading`, a line
-    of comment. A variable that the deck leaves to its data files gets a line above the first of
-    the deck's own."""
+    """The deck at path `deck` with the values of `own` (text by variable) and a `heading`, a
+    comment line. A variable that the deck leaves to its data files gets a line above the first of
+    the deck's own variables."""
     with open(deck, encoding="utf-8") as file:
         found = file.read()
     added = []

@@ -51,7 +51,7 @@ def gather(folder: FilePath) -> pd.DataFrame:
     if not rows:
         raise RacewayError(f"{folder} holds no point of a sweep (no */point.yaml)")
     table = pd.DataFrame(rows)
-    for name in variables:  # numbers where all are numbers, so that 5e3 stands behind 600
+    for name in variables:  # as numbers if all values are numbers, so that 5e3 comes after 600
         try:
             table[name] = pd.to_numeric(table[name])
         except (ValueError, TypeError):

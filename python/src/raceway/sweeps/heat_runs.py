@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The steady temperature of a bearing with the friction of runs of the simulation.
+"""The steady temperature of a bearing with friction from simulation runs.
 
-Statics gives the decrease of friction with temperature, a run its magnitude: the friction of
+Statics gives the decrease of friction with temperature, a run gives its magnitude: the friction of
 statics, scaled to the last run, is balanced with cooling for the temperature of the next run. Every
-run has a folder named after its variables, so a stopped run is resumed there.
+run has a folder named after its variables, in which a stopped run is resumed.
 """
 
 import json
@@ -34,15 +34,15 @@ def by_runs(
     more: dict[str, str] | None = None,
     say: Callable[[str], None] = lambda line: None,
 ) -> dict[str, Any]:
-    """Figures of `steady_heat.figures`, friction scaled to that of at most `runs` runs with the
-    models of `case`; fewer when the temperature changes by less than `CLOSE` kelvin.
+    """Figures of `steady_heat.figures`, with friction scaled to that of at most `runs` runs with
+    the models of `case`; fewer if the temperature changes by less than `CLOSE` kelvin.
 
     `command` is a list: program, options, deck; `more` are further variables of the deck. Folders
-    of runs are in `folder`; those that are finished are not run again. `say` gets a line for each
-    run. The figures have also `runs`, and of the last run its temperature in degrees C, its power
-    loss in W, and that over the power loss of statics. `losses_W` is that of this run. With three
-    nodes the sides of a run share its friction as in statics. Raises `RacewayError` for a run that
-    fails or is stopped.
+    of runs are in `folder`; finished runs are not repeated. `say` gets a line for each
+    run. The figures also include `runs` and, for the last run, its temperature in degrees C, its
+    power loss in W, and the ratio to the power loss of statics. `losses_W` is that of this run.
+    With three nodes the sides of a run share its friction as in statics. Raises `RacewayError` for
+    a run that fails or is stopped.
     """
     if case.double_row is not None:
         raise RacewayError("friction from runs: the main deck has one row; leave --double-row out")

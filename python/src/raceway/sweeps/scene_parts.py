@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Choices of `raceway needs` to drop or coarsen: `scene_parts.yaml` as tuples, and sets of choices
+"""Choices of `raceway needs` to omit or coarsen: `scene_parts.yaml` as tuples, and sets of choices
 as variables of a deck."""
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -22,7 +22,7 @@ FIGURES = {  # words of --want: keys of the summary; the first one present count
 
 
 class Choice(NamedTuple):
-    """Something to drop or coarsen: a part to leave out, or variables to set."""
+    """Something to omit or coarsen: a part to leave out, or variables to set."""
 
     name: str
     label: str
@@ -83,7 +83,7 @@ def lubricated(scene: Mapping[str, str], default: str) -> bool:
 
 
 def variables(picked: Iterable[Choice]) -> dict[str, str]:
-    """The deck's variables of the reference with `picked` dropped and coarsened."""
+    """The deck's variables of the reference with `picked` omitted or coarsened."""
     result, without = dict(REFERENCE), []
     for choice in picked:
         result.update(choice.settings)
@@ -93,8 +93,8 @@ def variables(picked: Iterable[Choice]) -> dict[str, str]:
 
 
 def sets(available: Sequence[Choice]) -> list[tuple[Choice, ...]]:
-    """Every set of the choices that a deck can run: at most one of a group, and no part that the
-    models of the set do not have."""
+    """All sets of choices that a deck can run: at most one of a group, and no part that the
+    models of the set lack."""
     groups: dict[str, list[Choice | None]] = {}
     for choice in available:
         groups.setdefault(choice.group, [None]).append(choice)

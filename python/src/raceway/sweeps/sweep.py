@@ -32,10 +32,10 @@ def sweep(
     retry: bool = False,
     finished: Callable[[Point], object] | None = None,
 ) -> tuple[dict[str, int], int, Path]:
-    """Run `points` (of `read_points`) into `folder`, `jobs` at a time; return (number by status,
+    """Run `points` (from `read_points`) in `folder`, `jobs` at a time; return (number by status,
     points that were finished before, path of the table).
 
-    `command` is a list: program, options, deck. A bar shows progress where there is a terminal. On
+    `command` is a list: program, options, deck. A bar shows progress on a terminal. On
     KeyboardInterrupt or SystemExit runs are stopped (they leave a restart file), the table is
     written and the exception is re-raised. `finished` is called in this process with each point as
     it finishes. Raises `RacewayError` if a worker is killed.
@@ -103,7 +103,7 @@ class _Worker:
             signal.SIGINT,
             signal.SIGTERM,
             signal.SIGHUP,
-        ):  # reach the whole group; the sweep decides
+        ):  # the signals reach the whole group; the sweep handles them
             signal.signal(number, lambda *_: None)  # not SIG_IGN, which the runs would inherit
         os.close(writing)
         cls.stop, cls.parent = reading, os.getppid()

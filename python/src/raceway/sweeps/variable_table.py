@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The variables that decks take from the command line, as the C++ table has them
+"""The variables that decks take from the command line, from the C++ table
 (`runs/variables.json`, written by `make columns`)."""
 
 import json
@@ -18,7 +18,7 @@ def rows() -> list[dict[str, Any]]:
 
 
 def default(name: str) -> str:
-    """Default as text; empty: the command's own, or that of the data."""
+    """Default as text; empty for that of the command, or of the data."""
     return next((row["default"] for row in rows() if row["name"] == name), "")
 
 

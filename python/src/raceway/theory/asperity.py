@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Share L_a of the contact load carried by asperities, by the lambda ratio Lambda.
+"""Share L_a of the contact load carried by asperities, as a function of the lambda ratio Lambda.
 
 The laws differ: they give 0.26 to 0.67 at Lambda 0.30, and 0.05 to 0.17 at 1.41.
 """
@@ -13,7 +13,7 @@ from raceway.core import laws
 
 # composite roughness in m: B, C of Zhou and Hoeprich, for roller bearings
 ZHOU_HOEPRICH = {1.0e-7: (2.1, 0.85), 1.6e-7: (2.32, 0.97), 2.4e-7: (1.90, 0.99)}
-CONDUCTS = 0.01  # share above which a contact conducts and is no capacitor
+CONDUCTS = 0.01  # share above which a contact conducts and is not a capacitor
 
 
 def zhou_hoeprich(ratio: Numbers, b: float = 2.1, c: float = 0.85) -> Numbers:
@@ -28,7 +28,7 @@ def olver_spikes(ratio: Numbers) -> Numbers:
 
 
 def clarke(ratio: Numbers) -> Numbers:
-    """L_a = 1 - erf(Lambda) (Clarke et al. 2016), within 1.5e-7. That of the models `full`."""
+    """L_a = 1 - erf(Lambda) (Clarke et al. 2016), within 1.5e-7. The law of the models `full`."""
     return laws.complementary_error(ratio)
 
 
@@ -58,7 +58,7 @@ def greenwood_tripp(
     F_5/2(Lambda), with E* = E'/2, E' = `modulus` in Pa; `density` is eta beta sigma (0.03 to
     0.05), `slope` sigma/beta (1e-3 to 1e-2).
 
-    Under the pressure of a Hertz contact that is below 5 %: only its shape is of use.
+    This is below 5 % of the pressure of a Hertz contact: only its shape is useful.
     """
     factor = 16 * np.sqrt(2) * np.pi / 15 * density**2 * np.sqrt(slope)
     return factor * modulus / 2 * overlap_integral(ratio)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Equilibrium of the inner ring: energy of a bearing in the ring's five degrees of freedom, with
-the balls settled, and its minimum.
+the balls in equilibrium, and its minimum.
 
 Internally, tilts are multiplied by a length and moments divided by it, so that all five are in
 metres and newtons.
@@ -22,20 +22,20 @@ from raceway.theory.small_motion import condensed
 
 
 class Here(NamedTuple):
-    """The bearing with the ring at a place, the balls settled."""
+    """The bearing for a given position of the ring, with the balls in equilibrium."""
 
     energy: float  # J, up to a constant
     gradient: Floats  # (5,), in the ring's place
     touch: seat.Touch
 
     def hessian(self, metres: Floats) -> Floats:
-        """(5, 5), in the ring's place, lengths of tilts `metres`."""
+        """(5, 5), with respect to the ring's position, tilts as lengths in metres."""
         linear = seat.linear(self.touch)
         return condensed(linear.stiffness[linear.loaded]) / np.outer(metres, metres)
 
 
 class Balance:
-    """One bearing under one load, for contact stiffness given per contact and ball."""
+    """One bearing under one load, with the contact stiffness of each contact and ball."""
 
     def __init__(
         self,
@@ -49,8 +49,9 @@ class Balance:
         finite_shift: bool,
         film: FilmInGap | None = None,
     ) -> None:
-        """`force` (3,) N, `moment` (2,) N m; `held` (5,) imposed places in m and rad, NaN where the
-        ring is free; `azimuth` (Z,) rad and `centrifugal` (Z,) N of all balls, row after row."""
+        """`force` (3,) N, `moment` (2,) N m; `held` (5,) imposed displacements in m and rad, NaN
+        where the ring is free; `azimuth` (Z,) rad and `centrifugal` (Z,) N of all balls, row after
+        row."""
         self.bearing, self.clearance, self.azimuth = bearing, clearance, azimuth
         self.centrifugal = np.broadcast_to(np.asarray(centrifugal, float), azimuth.shape)
         self.moment, self.finite_shift = np.asarray(moment, float), finite_shift
@@ -69,16 +70,16 @@ class Balance:
             [np.full(outer.shape, bearing.groove_circle(OUTER, clearance)), outer], -1
         )
         self.gap = np.array([[bearing.groove_gap(side)] for side in bearing.raceways])
-        # m: rounding of the distances, a few last digits of the radius
+        # m: rounding error of the distances, a few last digits of the radius
         self.digits = 8 * np.spacing(bearing.pitch_radius)
-        # longest Newton step, m: small against the groove
+        # longest Newton step, m: small compared with the groove
         self.cap = 0.25 * (bearing.groove_gap(INNER) + bearing.groove_gap(OUTER))
         self.film = film
         self._bend(np.zeros((len(self.gap), len(azimuth))))
 
     def start(self) -> Floats:
-        """A place that takes up the play toward the load, plus a first guess of the squeeze.
-        Raises `NoEquilibrium` if the direction of the displacement is undetermined."""
+        """A position that takes up the play in the direction of the load, plus a first guess of the
+        compression. Raises `NoEquilibrium` if the direction of the displacement is undetermined."""
         loads = np.where(self.free, self.loads, 0)
         size = np.linalg.norm(loads)
         if self.free.any() and not size and not np.any(self.held):
@@ -94,7 +95,7 @@ class Balance:
         return np.where(self.free, free + direction * min(2 * squeeze, self.cap), self.held)
 
     def find(self) -> tuple[Floats, Here]:
-        """The place of a stable equilibrium, and the bearing there. Raises `NoEquilibrium`."""
+        """The position of a stable equilibrium, and the bearing there. Raises `NoEquilibrium`."""
         place = self.start()
         for _ in range(50):
             before, loads, was = self.stiffness, self.loads.copy(), place
@@ -117,7 +118,7 @@ class Balance:
         return place, found
 
     def settle(self, place: Floats) -> Floats:
-        """Place (5,) of a stable equilibrium for the present stiffness."""
+        """Position (5,) of a stable equilibrium for the present stiffness."""
         nudged, free = 0, self.free
         if not free.any():
             return place
@@ -127,7 +128,7 @@ class Balance:
             size = np.linalg.norm(gradient)
             scale = np.abs(self.loads[free]).max() + here.touch.load.max()
             value, vector = np.linalg.eigh(hessian)
-            # the residual may be the rounding of the distances times the stiffness
+            # the residual may be as large as the rounding of the distances times the stiffness
             if size <= 1e-11 * scale + self.digits * np.abs(value).max():
                 if value[0] >= -1e-9 * value[-1] or nudged == 5:
                     return place
@@ -152,18 +153,18 @@ class Balance:
         )
 
     def grooves(self, place: Floats) -> seat.Grooves:
-        """`seat.Grooves` with the ring at a place."""
+        """`seat.Grooves` for a given position of the ring."""
         inner = partial(self.reach, place=place / self.metres)
         return seat.Grooves(inner, self.outer, self.gap, self.stiffness, self.centrifugal, self.law)
 
     def at(self, place: Floats) -> Here:
-        """`Here` with the ring at a place."""
+        """`Here` for a given position of the ring."""
         grooves = self.grooves(place)
         ball = seat.settle(grooves)
         touch = seat.touch(grooves, ball)
         energy = seat.energy(grooves, touch, ball).sum() - self.loads[self.free] @ place[self.free]
         inner = len(touch.reach.distance)
-        # a ball with play touches nothing, wherever it was put
+        # a ball with play touches nothing, whatever its position
         lies = (touch.load[:inner] > 0).any(0) & (touch.load[inner:] > 0).any(0)
         lies |= self.centrifugal > 0
         touch = touch._replace(load=np.where(lies, touch.load, 0.0))
@@ -172,7 +173,7 @@ class Balance:
         return Here(energy, pull - self.loads, touch)
 
     def angles(self, touch: seat.Touch) -> Floats:
-        """Contact angles (C, Z), rad, each against its own ring; no minus zero."""
+        """Contact angles (C, Z), rad, each relative to its own ring; without negative zeros."""
         inner, outer = touch.reach.section, touch.direction[len(touch.reach.section) :]
         return (
             np.concatenate(
@@ -199,8 +200,8 @@ class Balance:
         )
 
     def _renew(self, place):
-        """Contact stiffness of the present angles; the moment's part along the tilts of the present
-        axis."""
+        """Contact stiffness at the present angles; the moment's component along the tilts of the
+        present axis."""
         self._bend(self.angles(self.at(place).touch))
         if self.finite_shift:
             tilt = (place / self.metres)[3:]
@@ -212,8 +213,8 @@ class Balance:
         return result
 
     def _moved(self, place, here, step):
-        """(place, `Here`) after the part of a step that reduces the energy or the residual force;
-        unchanged without one."""
+        """(position, `Here`) after the part of a step that reduces the energy or the residual
+        force; unchanged if there is none."""
         slope, part = here.gradient[self.free] @ step, 1.0
         size = np.linalg.norm(here.gradient[self.free])
         for _ in range(50):

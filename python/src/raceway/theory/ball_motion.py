@@ -3,9 +3,9 @@
 
 The rotation of a ball has components (radial, axial) in the plane through the bearing's axis, and
 its centre orbits. Sliding and spin of its contacts are linear in these three. Under Coulomb's law,
-forces and moments on the ball balance where the total power loss of all contacts is least. Spin
-counts with its moment in closed form. This power is piecewise linear, so its minimum is where three
-of the terms are 0.
+forces and moments on the ball are in equilibrium where the total power loss of all contacts is
+least. Spin contributes its moment in closed form. This power is piecewise linear, so its minimum is
+where three of the terms are 0.
 """
 
 from itertools import combinations
@@ -22,8 +22,8 @@ def rates(
     bearing: Bearing, raceways: Floats, angle: Floats, ring: float
 ) -> tuple[Floats, Floats, Floats]:
     """(lines (2 C, 3), goal (2 C,), ring speeds (C,)) of the C contacts of a ball on `raceways` at
-    contact angles (rad): `lines` times its motion less `goal` is how much faster than the ring it
-    goes at each contact in m/s, then how fast it spins on each in rad/s.
+    contact angles (rad): `lines` times its motion minus `goal` is its speed relative to the ring
+    at each contact in m/s, then its spin on each in rad/s.
 
     The motion is the rotation (radial, axial) in rad/s and the speed of the centre in m/s; the
     inner ring turns at `ring` rad/s, with surface speeds in m/s.
@@ -42,8 +42,8 @@ def gyroscopic(
     bearing: Bearing, state: Equilibrium, ring: float, orbit: float | Floats, density: float
 ) -> Floats:
     """(Z,) coefficient of friction that holds each ball against its gyroscopic moment J w_c w_r,
-    w_c its orbital speed and w_r the radial part of its rotation; 0 of a ball that one ring alone
-    loads. The ball rolls on its heavier contact with each ring and spins on both alike. Speeds in
+    w_c its orbital speed and w_r the radial part of its rotation; 0 for a ball that only one ring
+    loads. The ball rolls on its heavier contact with each ring and spins equally on both. Speeds in
     rad/s, density in kg/m^3."""
     contacts = [
         [np.atleast_2d(getattr(side, name)) for name in ("load", "angle")]
@@ -67,8 +67,8 @@ def gyroscopic(
 
 
 def least(lines: Floats, goal: Floats, weight: Floats, radius: float) -> Floats:
-    """The motion (3,) of `rates` with the least sum of `weight` (2 C,) times the sizes of all
-    slidings and spins."""
+    """The motion (3,) of `rates` with the least sum of `weight` (2 C,) times the magnitudes of all
+    sliding and spin speeds."""
     triples = np.array(list(combinations(range(len(goal)), 3)))
     size = np.array([radius, radius, 1.0])
     regular = triples[np.abs(np.linalg.det((lines / size)[triples])) > 1e-6 * radius**-2]
@@ -79,10 +79,10 @@ def least(lines: Floats, goal: Floats, weight: Floats, radius: float) -> Floats:
 def speeds(bearing: Bearing, ring: float, state: Equilibrium) -> tuple[Floats, Floats]:
     """(entrainment, rolling) speeds (C, Z) in m/s of all contacts of an `Equilibrium`, loaded or
     not. The first is half the sum of both surfaces' speeds, the second R_x times the rotation of
-    the ball against the ring about the axis of rolling: one number without sliding.
+    the ball relative to the ring about the rolling axis: the two are equal without sliding.
 
-    They are those of rolling at each contact's own angle, and where a ring has several grooves
-    those of the motion of each ball that both rings hold, with one coefficient of friction.
+    They are those of rolling at each contact's own angle, and for a ring with several grooves
+    those of the motion of each ball that both rings hold, with a common coefficient of friction.
     """
     angle = np.vstack([state.inner.angle, state.outer.angle])
     speed = kinematics.entrainment(bearing, ring, angle)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Stiffness of a round shaft of straight sections: Timoshenko's beam along z.
 
-A node has five degrees of freedom, as a ring has: x, y, z and the tilts rx, ry. A tilt of the
-cross-section is that of the ring on it, so dx/dz = ry and dy/dz = -rx where nothing shears.
+A node has five degrees of freedom, like a ring: x, y, z and the tilts rx, ry. A tilt of the
+cross-section is that of the ring on it, so dx/dz = ry and dy/dz = -rx without shear.
 """
 
 from collections.abc import Sequence
@@ -54,7 +54,7 @@ def second_moment(section: Section) -> float:
 
 
 def shear_coefficient(section: Section, poisson: float) -> float:
-    """Share of the cross-section that carries shear (Cowper, J. Appl. Mech. 33 (1966) 335).
+    """Shear coefficient of the cross-section (Cowper, J. Appl. Mech. 33 (1966) 335).
 
     >>> round(shear_coefficient(Section(1.0, 0.04), 0.3), 4)
     0.8864
@@ -65,15 +65,15 @@ def shear_coefficient(section: Section, poisson: float) -> float:
 
 
 def softness(section: Section, steel: Steel = STEEL) -> float:
-    """Displacement by shear over that by bending, of a piece clamped at one end and guided at the
-    other."""
+    """Ratio of the shear to the bending displacement of an element clamped at one end and guided at
+    the other."""
     modulus = steel.young / (2 * (1 + steel.poisson))
     shear = shear_coefficient(section, steel.poisson) * area(section) * modulus
     return 12 * steel.young * second_moment(section) / (shear * section.length**2)
 
 
 def element(section: Section, steel: Steel = STEEL) -> Floats:
-    """(10, 10) stiffness of a piece between two nodes, N/m, N and N m/rad."""
+    """(10, 10) stiffness of an element between two nodes, N/m, N and N m/rad."""
     length, bending = section.length, steel.young * second_moment(section)
     soft = softness(section, steel)
     k = bending / ((1 + soft) * length**3)
@@ -96,7 +96,7 @@ def element(section: Section, steel: Steel = STEEL) -> Floats:
 
 
 def divided(sections: Sequence[Section], places: Sequence[float]) -> tuple[Floats, list[Section]]:
-    """(nodes' z in m, pieces between them): the ends of the sections and `places` (m) are nodes.
+    """(nodes' z in m, elements between them): the ends of the sections and `places` (m) are nodes.
     Raises `ValueError` for a place off the shaft."""
     ends = np.concatenate([[0.0], np.cumsum([one.length for one in sections])])
     if off := [place for place in places if not 0 <= place <= ends[-1] * (1 + 1e-12)]:
@@ -110,7 +110,7 @@ def divided(sections: Sequence[Section], places: Sequence[float]) -> tuple[Float
 
 
 def stiffness(pieces: Sequence[Section], steel: Steel = STEEL) -> Floats:
-    """(5 N, 5 N) stiffness of N - 1 pieces in a row; node by node in x, y, z, rx, ry."""
+    """(5 N, 5 N) stiffness of N - 1 elements in series; node by node in x, y, z, rx, ry."""
     whole = np.zeros((FREEDOMS * (len(pieces) + 1),) * 2)
     for k, piece in enumerate(pieces):
         at = slice(FREEDOMS * k, FREEDOMS * (k + 2))
@@ -119,8 +119,8 @@ def stiffness(pieces: Sequence[Section], steel: Steel = STEEL) -> Floats:
 
 
 def weight(pieces: Sequence[Section], gravity: Floats, steel: Steel = STEEL) -> Floats:
-    """(5 N,) loads of the shaft's own weight under `gravity` (3,) in m/s^2, with the moments that
-    an even load gives an element's ends."""
+    """(5 N,) loads of the shaft's own weight under `gravity` (3,) in m/s^2, with the moments of
+    a uniform load at an element's ends."""
     loads = np.zeros(FREEDOMS * (len(pieces) + 1))
     for k, piece in enumerate(pieces):
         per_length = steel.density * area(piece) * np.asarray(gravity, float)

@@ -3,8 +3,8 @@
 
 Mass and gyroscopic matrices are consistent with Timoshenko's element: Przemieniecki, Theory of
 Matrix Structural Analysis, 1968, ch. 11; Friswell et al., Dynamics of Rotating Machines, 2010,
-ch. 5. The reduction is that of Craig and Bampton (AIAA J. 6 (1968) 1313): some nodes are kept as
-they are, and the rest moves with them and in its own modes while they are held.
+ch. 5. The reduction is that of Craig and Bampton (AIAA J. 6 (1968) 1313): some nodes are kept,
+and the others move with them and in their own modes while the kept nodes are held.
 """
 
 from collections.abc import Sequence
@@ -26,17 +26,17 @@ class Matrices(NamedTuple):
 
 
 class Reduced(NamedTuple):
-    """A shaft in 5 coordinates a kept node and one a mode."""
+    """A shaft with 5 coordinates for each kept node and one for each mode."""
 
     mass: Floats  # (n, n)
     gyroscopic: Floats  # (n, n), times spin
     stiffness: Floats  # (n, n)
-    shapes: Floats  # (5 N, n): places of all nodes for a unit of each coordinate
+    shapes: Floats  # (5 N, n): displacements of all nodes for a unit of each coordinate
     frequencies: Floats  # (modes,), rad/s, with the kept nodes held
 
 
 class Rigid(NamedTuple):
-    """A shaft that does not bend."""
+    """A rigid shaft."""
 
     mass: float  # kg
     centre: float  # m, of mass, along the shaft
@@ -45,8 +45,8 @@ class Rigid(NamedTuple):
 
 
 def _planes(section: Section, steel: Steel) -> tuple[Floats, Floats]:
-    """((4, 4) mass of displacements, (4, 4) of tilts, through a diameter) of an element in one
-    plane."""
+    """((4, 4) mass matrix of displacements, (4, 4) of tilts, for rotation through a diameter) of an
+    element in one plane."""
     length, soft = section.length, beam.softness(section, steel)
     one = steel.density * beam.area(section) * length / (1 + soft) ** 2
     a = 13 / 35 + 7 * soft / 10 + soft**2 / 3
@@ -65,7 +65,7 @@ def _planes(section: Section, steel: Steel) -> tuple[Floats, Floats]:
 
 
 def _element(section: Section, steel: Steel) -> tuple[Floats, Floats]:
-    """((10, 10) mass, (10, 10) gyroscopic matrix for 1 rad/s) of a piece between two nodes."""
+    """((10, 10) mass, (10, 10) gyroscopic matrix for 1 rad/s) of an element between two nodes."""
     moved, tilted = _planes(section, steel)
     mass = np.zeros((2 * FREEDOMS, 2 * FREEDOMS))
     picks = []
@@ -85,7 +85,7 @@ def _element(section: Section, steel: Steel) -> tuple[Floats, Floats]:
 def matrices(
     z: Floats, pieces: Sequence[Section], discs: Sequence[Disc] = (), steel: Steel = STEEL
 ) -> Matrices:
-    """`Matrices` of pieces between the nodes `z` (N,) in m (`beam.divided`), with `discs` at
+    """`Matrices` of elements between the nodes `z` (N,) in m (`beam.divided`), with `discs` at
     nodes."""
     stiffness = beam.stiffness(pieces, steel)
     mass, gyroscopic = np.zeros_like(stiffness), np.zeros_like(stiffness)
@@ -141,7 +141,7 @@ def reduced(whole: Matrices, kept: Sequence[int], modes: int) -> Reduced:
     held = np.concatenate([FREEDOMS * k + np.arange(FREEDOMS) for k in kept])
     rest = np.setdiff1d(np.arange(n), held)
     if modes > len(rest):
-        raise ValueError(f"{modes} modes: the shaft has {len(rest)} beside its bearings")
+        raise ValueError(f"{modes} modes: the shaft has {len(rest)} in addition to its bearings")
     shapes = np.zeros((n, len(held) + modes))
     shapes[held, np.arange(len(held))] = 1.0
     inner = np.ix_(rest, rest)
@@ -163,7 +163,7 @@ def reduced(whole: Matrices, kept: Sequence[int], modes: int) -> Reduced:
 
 
 def frequencies(whole: Matrices | Reduced, springs: Floats, spin: float = 0.0) -> Floats:
-    """(n,) natural frequencies in rad/s, rising, on `springs` (n, n); 0 for what is free.
+    """(n,) natural frequencies in rad/s, rising, on `springs` (n, n); 0 for free motions.
 
     >>> z, pieces = beam.divided([Section(0.1, 0.04)] * 12, [])
     >>> ends = np.zeros(5 * len(z))

@@ -18,7 +18,7 @@ from raceway.arrays import Floats, Numbers
 from raceway.core import laws
 
 INNER, OUTER = 0, 1
-MOST = 1.0  # m; larger balls are meant in millimetres
+MOST = 1.0  # m; larger values are assumed to be in millimetres
 ARRANGEMENTS = {"back_to_back": 1.0, "face_to_face": -1.0}
 
 
@@ -26,14 +26,15 @@ class DoubleRow(NamedTuple):
     """Two adjacent rows of a bearing; loads act midway between them."""
 
     spacing: float  # m, of the balls' planes
-    preload: float = 0.0  # m, how far each row is pushed along the axis after first contact
+    # m, distance by which each row is pushed along the axis after first contact
+    preload: float = 0.0
     arrangement: str = "back_to_back"  # one of `ARRANGEMENTS`
 
 
 @dataclass(frozen=True)
 class Layout:
     """Positions of rows and grooves along the axis, m, from the point where loads act; one row with
-    one groove a ring unless given."""
+    one groove a ring by default."""
 
     rows: tuple[float, ...] = (0.0,)  # planes of the balls, those of the outer ring
     # centres of curvature, by row and groove
@@ -57,7 +58,7 @@ class Bearing:
     value before clearance.
 
     Raises `ValueError` for a size that is not positive or a groove no wider than its ball, and
-    warns of a size in millimetres.
+    warns about a size in millimetres.
     """
 
     balls: int
@@ -110,11 +111,11 @@ class Bearing:
 
     def four_point(self, angle: float) -> "Bearing":
         """The four-point contact bearing with these balls, pitch and groove radii: two grooves a
-        ring, that at -z first, which balls in the middle meet at `angle` (rad). Clearance is then
-        that of such a ball.
+        ring, the one at -z first, which balls in the middle touch at `angle` (rad). Clearance is
+        then that of such a ball.
 
-        Raises `ValueError` for an angle that is not above 0 and below a right one, and for a
-        bearing that has several grooves already.
+        Raises `ValueError` for an angle that is not between 0 and a right angle, and for a
+        bearing that already has several grooves.
 
         >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
         >>> [round(1e6 * z, 1) for z in b.four_point(0.61).layout.inner[0]]  # um
@@ -136,10 +137,11 @@ class Bearing:
         )
 
     def double_row(self, rows: DoubleRow, angle: float = 0.0) -> "Bearing":
-        """`rows` of this bearing, which meet at its free contact `angle` (rad), 0 of deep grooves.
+        """`rows` of this bearing, which touch at its free contact `angle` (rad), 0 for deep
+        grooves.
 
-        Raises `ValueError` for an arrangement that is none of `ARRANGEMENTS`, rows that overlap,
-        and a bearing that has two rows already.
+        Raises `ValueError` for an arrangement that is not in `ARRANGEMENTS`, rows that overlap,
+        and a bearing that already has two rows.
         """
         spacing, preload, arrangement = rows
         if arrangement not in ARRANGEMENTS:
@@ -168,12 +170,12 @@ class Bearing:
         return (self.groove_gap(INNER) + self.groove_gap(OUTER)) * float(np.sin(angle))
 
     def play(self, angle: float) -> float:
-        """Diametral clearance in m that a free contact `angle` (rad) needs (eq A.3)."""
+        """Diametral clearance in m that gives a free contact `angle` (rad) (eq A.3)."""
         return 2 * (self.groove_gap(INNER) + self.groove_gap(OUTER)) * (1 - float(np.cos(angle)))
 
     @property
     def raceways(self) -> tuple[int, ...]:
-        """`INNER` or `OUTER` of each contact that a ball may have, inner grooves first."""
+        """`INNER` or `OUTER` for each possible contact of a ball, inner grooves first."""
         return (INNER,) * len(self.layout.inner[0]) + (OUTER,) * len(self.layout.outer[0])
 
     @property
@@ -193,7 +195,7 @@ class Bearing:
 
     @property
     def effective_modulus(self) -> float:
-        """E' = E/(1 - nu^2), Pa: Hamrock's 2/sum((1 - nu^2)/E) for like bodies (eq 2)."""
+        """E' = E/(1 - nu^2), Pa: Hamrock's 2/sum((1 - nu^2)/E) for identical bodies (eq 2)."""
         return self.young / (1 - self.poisson**2)
 
     def groove(self, raceway: int) -> float:
@@ -201,7 +203,7 @@ class Bearing:
         return self.inner_groove if raceway == INNER else self.outer_groove
 
     def groove_gap(self, raceway: int) -> float:
-        """r_c - R_b, m: how far a just-touching ball's centre is from the groove's centre of
+        """r_c - R_b, m: distance of a just-touching ball's centre from the groove's centre of
         curvature."""
         return self.groove(raceway) - self.ball_radius
 
@@ -221,14 +223,14 @@ class Bearing:
     def effective_radii(
         self, raceway: int, angle: Numbers = 0.0, clearance: float = 0.0
     ) -> tuple[Numbers, Numbers]:
-        """(R_x along rolling, R_y across the groove) in m, the shape of `angle` (contact angle,
-        rad).
+        """(R_x along rolling, R_y across the groove) in m, with the shape of `angle` (contact
+        angle, rad).
 
         gamma = R_b cos(angle)/r_pitch; R_x = R_b (1 - gamma) inner, R_b (1 + gamma) outer (eq 2,
         Harris 2.28).
         """
         inner = raceway == INNER
-        # the pitch of a ball at rest on that raceway: clearance has gone into the outer ring
+        # the pitch of a ball at rest on that raceway: clearance is assigned to the outer ring
         pitch = self.pitch_radius + (0.0 if inner else clearance / 2)
         return tuple(
             laws.effective_radii(

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Speed of a cage by statics, fine enough to hold against a measured line: 1e-4 of it.
+"""Speed of a cage by statics, accurate enough for comparison with a measured line: 1e-4 of it.
 
-`kinematics.frequencies` has one contact angle. Three things come to that: the angles at both
-raceways differ by the centrifugal load; the axis about which a ball turns is then not free of
-consequence; and a ball on a curved groove rolls on a circle of its ellipse where nothing slides
+`kinematics.frequencies` has one contact angle. Three effects are added: the angles at both
+raceways differ because of the centrifugal load; the axis about which a ball rotates then matters;
+and a ball on a curved groove rolls on a circle of its contact ellipse without sliding
 (Heathcote), not at the bottom.
 """
 
@@ -17,16 +17,16 @@ from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.static import Contacts, Equilibrium
 
 MODELS = ("paper", "full", "eyring")
-# Of the order, for one standard deviation: rolling resistance and drag hold the balls back by up to
-# 1e-4 where all of them are loaded (tests/hosts/test_identify.py has runs against it)
+# Relative to the order, one standard deviation: rolling resistance and drag retard the balls by up
+# to 1e-4 where all of them are loaded (tests/hosts/test_identify.py has runs against it)
 ERROR = 1e-4
-PLAY = 0.04  # of the ball's diameter: most pockets have less, along the pitch circle
-GRIP = 1.08  # slip of a cage with a play j, over j/(length of the loaded arc)
+PLAY = 0.04  # relative to the ball's diameter: most pockets have less, along the pitch circle
+GRIP = 1.08  # slip of a cage with a play j, relative to j/(length of the loaded arc)
 
 
 def order(bearing: Bearing, state: Equilibrium, models: str = "full") -> float:
-    """Speed of the cage over that of the inner ring at an equilibrium `state`, outer ring at rest:
-    the mean of all balls, weighted with their loads. Raises `ValueError` for other models.
+    """Speed of the cage relative to that of the inner ring at an equilibrium `state`, outer ring at
+    rest: the mean of all balls, weighted with their loads. Raises `ValueError` for other models.
 
     Each ball rolls at both contacts (Harris, Rolling Bearing Analysis, ch. 10)::
 
@@ -34,8 +34,8 @@ def order(bearing: Bearing, state: Equilibrium, models: str = "full") -> float:
                             B = (1 + g cos a_o)(cos a_i + tan b sin a_i)
 
     with g ball over pitch diameter. The angle b of its axis is 0 with models paper, where nothing
-    turns the axis out of that of the bearing; half the sum of both contact angles otherwise, where
-    pivoting costs the same at both. Then differential slip adds (1 - w_c/w)(e_i - e_o) of it,
+    tilts the axis out of that of the bearing; otherwise it is half the sum of both contact angles,
+    where pivoting costs the same at both. Differential slip then adds (1 - w_c/w)(e_i - e_o) of it,
     e = 0.1206 a^2/(2 R_d R_x), a the semi-axis of the ellipse across the groove.
 
     >>> from raceway.theory import static
@@ -64,19 +64,19 @@ def _along(angle: Floats, tilt: Floats | float) -> Floats:
 
 
 def _shortened(bearing: Bearing, side: int, contacts: Contacts) -> Floats:
-    """Speed deficit of the ring against the ball in free rolling, relative to the ball's speed."""
+    """Relative speed deficit of the ring compared with the ball in free rolling."""
     r_x, _ = bearing.effective_radii(side, contacts.angle)
     r_d = sliding.deformed_radius(bearing.groove(side), bearing.ball_radius)
     return sliding.free_slip(1.0, contacts.a, r_d, r_x)
 
 
 def lag(bearing: Bearing, state: Equilibrium) -> float:
-    """Largest slip of a cage by the play of its pockets, share of its speed; 0 where all balls are
-    loaded.
+    """Largest slip of a cage due to the play of its pockets, as a share of its speed; 0 if all
+    balls are loaded.
 
     Unloaded balls fall back to the rear of their pockets and loaded ones run ahead to the front,
     so a rigid cage loses 1.08 j over the length of the loaded arc; j is `PLAY` of a ball's
-    diameter, of which makers seldom say more. The arc is that of the loaded balls.
+    diameter, for which makers seldom give values. The arc is that of the loaded balls.
     """
     loaded = int(np.count_nonzero(np.atleast_2d(state.inner.load > 0).any(0)))
     if loaded >= len(state.azimuth) or not loaded:

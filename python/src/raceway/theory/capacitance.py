@@ -17,11 +17,11 @@ def density_ratio(pressure: Numbers) -> Numbers:
 
 
 def permittivity(ambient: Numbers, pressure: Numbers) -> Numbers:
-    """Relative permittivity under `pressure` in Pa of an oil that has `ambient` at rest (eqs 10,
-    11).
+    """Relative permittivity under `pressure` in Pa of an oil with the permittivity `ambient` at
+    rest (eqs 10, 11).
 
-    Clausius-Mossotti: (e - 1)/(e + 2) grows as the density. Raises `ValueError` for `ambient` below
-    one, or so large that no finite permittivity follows.
+    Clausius-Mossotti: (e - 1)/(e + 2) grows in proportion to the density. Raises `ValueError` for
+    `ambient` below one, or so large that no finite permittivity follows.
 
     >>> print(f"{permittivity(2.2, 0.0):.3f} at rest, {permittivity(2.2, 2.5e9):.3f} at 2.5 GPa")
     2.200 at rest, 2.719 at 2.5 GPa
@@ -33,7 +33,7 @@ def permittivity(ambient: Numbers, pressure: Numbers) -> Numbers:
 
 def mean_permittivity(ambient: Numbers, pressure: Numbers) -> Numbers:
     """Mean of `permittivity` over the area of a Hertz ellipse whose largest pressure is `pressure`
-    in Pa; raises `ValueError` as that.
+    in Pa; raises `ValueError` like that function.
 
     >>> print(f"{mean_permittivity(2.2, 1.5e9):.3f}, at its largest {permittivity(2.2, 1.5e9):.3f}")
     2.578, at its largest 2.654
@@ -44,8 +44,8 @@ def mean_permittivity(ambient: Numbers, pressure: Numbers) -> Numbers:
 
 def film_permittivity(ambient: Numbers, pressure: Numbers, at: str = "maximum") -> Numbers:
     """Relative permittivity of a film by the largest `pressure` of its ellipse in Pa: "maximum" at
-    that (the paper), "two_thirds" at two thirds of it, "mean" the area's mean. Raises `ValueError`
-    for another word."""
+    that pressure (the paper), "two_thirds" at two thirds of it, "mean" the area's mean. Raises
+    `ValueError` for another word."""
     if at not in PERMITTIVITY_AT:
         raise ValueError(f"permittivity_at '{at}' is none of {', '.join(PERMITTIVITY_AT)}")
     if at == "mean":
@@ -59,7 +59,7 @@ def contact(ambient: Numbers, pressure: Numbers, a: Numbers, b: Numbers, h_c: Nu
 
 
 def ball(inner: ArrayLike, outer: ArrayLike) -> Numbers:
-    """Inner and outer contact in series, F; zero where either is (eq 12). Arrays of one shape.
+    """Inner and outer contact in series, F; zero if either is (eq 12). Arrays of one shape.
 
     >>> ball([3e-10, 3e-10], [6e-10, 0.0]).tolist()
     [2e-10, 0.0]

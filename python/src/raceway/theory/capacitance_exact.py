@@ -3,7 +3,7 @@
 `capacitance_outside`; takes a few milliseconds per contact.
 
 The gap g of a loaded contact is Hertz's own (Carlson's integrals, DLMF 19.16; Johnson 1985, ch. 4;
-derived here: docs/electric). Its plane is that of the contact: x along rolling, without end, y
+derived here: docs/electric). Its plane is that of the contact: x along rolling, unbounded, y
 across to the shoulders.
 """
 
@@ -19,8 +19,8 @@ from raceway.theory.bearing import INNER, Bearing
 from raceway.theory.groove_width import shoulder_angle
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(10)
-# e-folds of the distance from an edge: where the steps along x end and how wide they are; how deep
-# and how wide the panels along y are
+# e-folds of the distance from an edge: where the steps along x end and how wide they are; depth
+# and width of the panels along y
 NEAR, FAR, STEP = -22.0, 22.0, 0.4
 DEEP, PANEL = 25.0, 2.5
 
@@ -37,8 +37,8 @@ class Hertz(NamedTuple):
 
 
 def contact(r_x: float, r_y: float, modulus: float, load: float) -> Hertz:
-    """`Hertz` of effective radii in m under `load` in N, E' = `modulus` in Pa. Raises `ValueError`
-    for a load that is not positive."""
+    """`Hertz` from effective radii in m under `load` in N, E' = `modulus` in Pa. Raises
+    `ValueError` for a load that is not positive."""
     if not load > 0:
         raise ValueError(f"load = {load} N must be positive")
     ellipse = hertz.exact(r_x, r_y)
@@ -61,7 +61,7 @@ def gap(one: Hertz, x: ArrayLike, y: ArrayLike) -> Numbers:
 
 
 def _gap(one, x, y, beyond):
-    """The gap where a^2 x^2 + b^2 y^2 - a^2 b^2 = `beyond`, which near the ellipse is no
+    """The gap where a^2 x^2 + b^2 y^2 - a^2 b^2 = `beyond`, which near the ellipse is not a
     difference of squares."""
     aa, bb, xx, yy = one.a**2, one.b**2, x * x, y * y
     half = (aa + bb - xx - yy) / 2
@@ -80,8 +80,8 @@ def _gap(one, x, y, beyond):
 def parabola(
     r_x: float, r_y: float, modulus: float, load: float, separation: ArrayLike, width: float
 ) -> Numbers:
-    """I in m around the ellipse, the groove a parabola to y = ± `width` (m); the shape of
-    `separation` h (m), whose gaps are all alike and cost once.
+    """I in m around the ellipse, with the groove as a parabola to y = ± `width` (m); the shape of
+    `separation` h (m); all share one gap, which is computed once.
 
     Raises `ValueError` for a load that is not positive.
 
@@ -105,12 +105,12 @@ def arc(
     depth: float,
     angle: float = 0.0,
 ) -> Numbers:
-    """I in m around the ellipse of a circular groove `depth` deep (m) at a contact angle (rad); the
-    shape of `separation` (m).
+    """I in m around the ellipse in a circular groove with a depth of `depth` (m) at a contact angle
+    (rad); the shape of `separation` (m).
 
-    Within the ellipse's width as `parabola`; beyond, the arc's gap over the parabola's is added to
-    it, and the radius along rolling follows the raceway. Raises `ValueError` for a load that is not
-    positive.
+    Within the ellipse's width as in `parabola`; beyond, the difference of the arc's and the
+    parabola's gap is added to it, and the radius along rolling follows the raceway. Raises
+    `ValueError` for a load that is not positive.
     """
     r_x, r_y = (float(value) for value in bearing.effective_radii(raceway, angle))
     one = contact(r_x, r_y, bearing.effective_modulus, load)
@@ -128,7 +128,7 @@ def arc(
         )
         bend = air - y**2 / (2 * r_y) - (start - one.a**2 / (2 * r_y))
         area = weight * (1 + air / (2 * bearing.ball_radius))
-        # side * psi leans to the shoulder the contact angle points to
+        # side * psi points towards the shoulder to which the contact angle leans
         slope = _along(bearing, raceway, psi if side < 0 else -psi, abs(angle))
         turned = slope - _along(bearing, raceway, 0.0, abs(angle))
         total = total + _strips(one, y, area, separation, bend, turned)
@@ -138,8 +138,9 @@ def arc(
 def rigid_arc(
     bearing: Bearing, raceway: int, separation: ArrayLike, depth: float, angle: float = 0.0
 ) -> Numbers:
-    """I in m of a ball `separation` (m) from the bottom of a circular groove `depth` deep (m),
-    without load; the shape of `separation`. Exact to 6e-5 for two eccentric cylinders."""
+    """I in m of an unloaded ball at `separation` (m) from the bottom of a circular groove with a
+    depth of `depth` (m); with the shape of `separation`. Exact to 6e-5 for two eccentric
+    cylinders."""
     gaps = np.atleast_1d(np.asarray(separation, float))
     total = np.zeros(gaps.shape)
     for place, g0 in np.ndenumerate(gaps):
@@ -154,7 +155,7 @@ def rigid_arc(
 
 
 def beside(ratio: ArrayLike) -> Numbers:
-    """G(H) of `capacitance_outside.beside` by its integral: strips of a line contact across the
+    """G(H) of `capacitance_outside.beside` from its integral: strips of a line contact across the
     ellipse."""
     ratio = np.atleast_1d(np.asarray(ratio, float))
     y, weight = _inward(1.0, 1.0)
@@ -166,7 +167,8 @@ def beside(ratio: ArrayLike) -> Numbers:
 
 
 def _arc_gap(bearing, raceway, g0, psi):
-    """From ball to groove along a ray at `psi` from the ball's centre, g0 at the bottom."""
+    """Distance from ball to groove along a ray at `psi` from the ball's centre, g0 at the
+    bottom."""
     groove, radius = bearing.groove(raceway), bearing.ball_radius
     c = groove - radius - g0
     return np.sqrt(groove**2 - (c * np.sin(psi)) ** 2) - c * np.cos(psi) - radius
@@ -198,7 +200,7 @@ def _strips(one, y, weight, separation, bend=0.0, turned=0.0):
 
 
 def _panels(length, last):
-    """Nodes and weights over distances from `length` down, in e-folds, `last` of them or more."""
+    """Nodes and weights over distances from `length` down, in e-folds, at least `last` of them."""
     count = int(np.ceil(last / PANEL))
     width = last / count
     start = width * np.arange(count)[:, None]
@@ -208,7 +210,7 @@ def _panels(length, last):
 
 
 def _inward(a, reach) -> tuple[Floats, Floats]:
-    """(y, weights) from 0 to `reach`, at most a, dense towards a."""
+    """(y, weights) from 0 to `reach`, at most a, denser towards a."""
     away, weight = _panels(a, DEEP)
     if reach < a:  # the groove ends within the ellipse
         half = reach / 2
@@ -217,6 +219,6 @@ def _inward(a, reach) -> tuple[Floats, Floats]:
 
 
 def _outward(a, reach) -> tuple[Floats, Floats]:
-    """(y, weights) from a to `reach`, dense towards a."""
+    """(y, weights) from a to `reach`, denser towards a."""
     away, weight = _panels(reach - a, DEEP)
     return a + away, weight

@@ -44,7 +44,7 @@ def loaded(
     """I in m around a loaded contact: `modulus` E' in Pa, R_x in m, load in N, `separation` h_c in
     m, `widths` of the groove.
 
-    I = 4 kappa E R (G + pi P sqrt(2 R_x g_s)/b), P the mean of both sides: E and R of the
+    I = 4 kappa E R (G + pi P sqrt(2 R_x g_s)/b), P the mean of both sides, E and R of the
     `Ellipse`. Raises `ValueError` for a load or separation that is not positive or an ellipse that
     is longer along rolling than across.
 
@@ -70,15 +70,15 @@ def rigid(
     widths: HalfWidths,
     play: Numbers | None = None,
 ) -> Numbers:
-    """I in m of a ball at `separation` g_0 (m) from the raceway's bottom, without load; R_x, ball
+    """I in m of an unloaded ball at `separation` g_0 (m) from the raceway's bottom; R_x, ball
     and `groove` radius in m, `ellipse` of the loaded contact. Raises `ValueError` for a separation
     that is not positive.
 
     4 pi sqrt(R_x R) asinh(S/sqrt(2 R g_0)), the mean of both sides. R = kappa^2 E R/(ln 4 kappa -
-    1), within 1 % of R_y, makes it the limit of `loaded` at no load; over 1 - play/(r_c - R_b),
-    because the centres of ball and groove come closer with the `play` (m). That is the separation
-    unless given; a film may hold less play farther apart. Past concentric circles the inverse sine
-    takes over.
+    1), within 1 % of R_y, makes it the limit of `loaded` for zero load. It is divided by 1 -
+    play/(r_c - R_b), because the centres of ball and groove come closer with the `play` (m). That
+    equals the separation by default; a film may separate surfaces with less play. Beyond concentric
+    circles the inverse sine applies.
 
     >>> one, width = hertz.exact(4.990476e-3, 163.8e-3), HalfWidths(5.85e-3, 5.85e-3)
     >>> round(1e3 * float(rigid(one, 4.990476e-3, 6.3e-3, 6.552e-3, 12e-6, width)), 1)  # mm
@@ -93,9 +93,9 @@ def rigid(
 def fill(permittivity: Numbers, kind: str = "flooded", outlet: float = 1.0) -> Numbers:
     """eps_s, the relative permittivity in the gap outside the contact patch.
 
-    "flooded": the oil's; "cavitated": the mean of the oil's and of what is in the downstream half,
-    `outlet` (1 air, between 1 and the oil's foam); "dry": 1. Raises `ValueError` for another kind
-    or an outlet that is not from 1 to the oil's.
+    "flooded": the oil's; "cavitated": the mean of the oil's and that of the medium in the
+    downstream half, `outlet` (1 for air, more for foam); "dry": 1. Raises `ValueError` for another
+    kind or an outlet outside 1 to the oil's value.
     """
     if kind not in FILLS:
         raise ValueError(f"fill '{kind}' is none of {', '.join(FILLS)}")

@@ -2,7 +2,7 @@
 """Both gaps of every ball as capacitors: contact patch and surroundings of a loaded contact, rigid
 gap of an unloaded one. Arrays with one value per ball, SI units. Derived on docs/electric.
 
-A ball between the rings always has both capacitors. One without load lies on the outer raceway
+A ball between the rings always has both capacitors. An unloaded one lies on the outer raceway
 under its centrifugal load Q_u, and its play is the gap to the inner one.
 """
 
@@ -27,7 +27,7 @@ from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.static import Contacts, Equilibrium
 from raceway.theory.validity import Shoulders
 
-LEAST = 0.1  # N, least Q_u, for a ball that does not orbit
+LEAST = 0.1  # N, lower limit of Q_u, for a ball that does not orbit
 ROUGHNESS = ("none", "gamma")
 # oil-filled share of the gap outside the patch
 WET_SHARE = {"flooded": 1.0, "cavitated": 0.5, "dry": 0.0}
@@ -54,7 +54,7 @@ class Capacitors(NamedTuple):
     area: Floats  # m^2, of the Hertz ellipse
     plates: Floats  # F, of the ellipse; zero without load
     outside: Floats  # F, of the gap around it
-    paths: Floats  # m: of a uniform current through the oil, resistivity over resistance
+    paths: Floats  # m: for a uniform current through the oil, resistivity over resistance
 
     @property
     def total(self) -> Floats:
@@ -89,7 +89,8 @@ class BearingCapacitors(NamedTuple):
 
     @property
     def plates(self) -> float:
-        """F, of the ellipses alone: a ball without load on either raceway adds nothing (eq 12)."""
+        """F, of the ellipses alone: a ball that is unloaded on either raceway adds nothing (eq
+        12)."""
         loaded = self.inner.load > 0
         return float(np.sum(self.of_plates[loaded]))
 
@@ -100,7 +101,7 @@ class BearingCapacitors(NamedTuple):
 
     @property
     def unloaded(self) -> float:
-        """F, of the balls without load on the inner raceway."""
+        """F, of the balls that are unloaded on the inner raceway."""
         return float(np.sum(self.ball[self.inner.load <= 0]))
 
 
@@ -147,7 +148,7 @@ def of_raceway(
 
     def shape(which):
         lean = angle[which]
-        if np.ptp(lean) == 0:  # the shape of one contact serves all
+        if np.ptp(lean) == 0:  # one contact's shape applies to all
             lean = lean[0]
         return lean, *bearing.effective_radii(raceway, lean, clearance)
 
@@ -192,8 +193,8 @@ def of_raceway(
 def separation(
     thickness: Callable[[Floats], Floats], load: ArrayLike, play: ArrayLike, quiet: float
 ) -> Floats:
-    """The one separation of a gap through loss and return of contact, m: h_c of the larger of load
-    and `quiet` Q_u (N), and at least the `play` (m; negative or zero under load).
+    """The common separation of a gap through loss and return of contact, m: h_c of the larger of
+    load and `quiet` Q_u (N), and at least the `play` (m; negative or zero under load).
 
     `thickness` gives h_c in m by the contact loads in N. Arrays of one shape.
     """
@@ -214,7 +215,7 @@ def of_statics(
     factor: Callable[[Floats], Floats] | None = None,
     scale: float = 1.0,
 ) -> BearingCapacitors:
-    """`BearingCapacitors` of an `Equilibrium` whose balls turn, the inner ring at `spin` rad/s.
+    """`BearingCapacitors` of an `Equilibrium` with rotating balls, the inner ring at `spin` rad/s.
 
     `quiet` is `quiet_load` in N, which the outer film carries at least; two grooves share it.
     `clearance` and `factor` as `lubrication.lubricate`'s; `scale` multiplies every film. Raises

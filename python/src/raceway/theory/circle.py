@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Distances of balls from the circles of an inner ring's groove centres, and their derivatives.
 
-The ring's place is (x, y, z, t_x, t_y): displacement of its centre in m and tilt about the two axes
-across in rad. Tilt turns the ring's axis to e = (sin t_y, -sin t_x, ...), so t_x and t_y are what
-`fix bearing/ring` reports. A ball's place is (radial, axial) in m in the plane through the outer
-ring's axis at the ball's azimuth. Derivatives are taken in these seven: ball first, then ring.
-Arrays have the shape ... of `azimuth` and of the circles' `height`, broadcast.
+The ring's position is (x, y, z, t_x, t_y): displacement of its centre in m and tilt about the two
+axes across in rad. Tilt rotates the ring's axis to e = (sin t_y, -sin t_x, ...), so t_x and t_y are
+the values reported by `fix bearing/ring`. A ball's position is (radial, axial) in m in the plane
+through the outer ring's axis at the ball's azimuth. Derivatives are with respect to these seven:
+ball first, then ring. Arrays have the shape ... of `azimuth` and of the circles' `height`,
+broadcast.
 """
 
 from typing import NamedTuple
@@ -17,7 +18,7 @@ from raceway.arrays import Floats, Numbers
 
 
 class Reach(NamedTuple):
-    """Distances of balls from circles, along the lines of the contacts."""
+    """Distances of balls from circles, along the contacts' lines of action."""
 
     distance: Floats  # (...), m
     slope: Floats  # (..., 7), first derivatives
@@ -33,7 +34,7 @@ def straight(
 ) -> Reach:
     """`Reach` after Jones and Harris: the circle's point at `azimuth` moves by the components of
     the ring's displacement and tilt in the ball's plane (Harris, ch. 7), as if the circle were
-    straight over the shift. `height` in m is that of the circle over the ring's centre.
+    straight over the shift. `height` in m is that of the circle above the ring's centre.
     """
     c, s, h = np.broadcast_arrays(np.cos(azimuth), np.sin(azimuth), height)
     both = np.zeros((*h.shape, 2, 7))
@@ -60,8 +61,8 @@ def straight(
 def exact(
     ball: Floats, place: Floats, azimuth: Floats, radius: float, height: Numbers = 0.0
 ) -> Reach:
-    """`Reach` of a circle that stays a circle, shifted and tilted, to its nearest point in space;
-    `height` as of `straight`."""
+    """`Reach` of a circle that remains a circle, shifted and tilted, to its nearest point in space;
+    `height` as in `straight`."""
     c, s, over = np.broadcast_arrays(np.cos(azimuth), np.sin(azimuth), height)
     axis, turn, bend = _axis(*place[3:])
     at = np.broadcast_to(ball, (*c.shape, 2))
@@ -99,14 +100,16 @@ def exact(
 
 
 def conjugate(moment: ArrayLike, tilt: Floats) -> Floats:
-    """The part (2,) of a moment (2,) or (3,) in N m, fixed in space, that works on the tilts (2,),
-    rad. Its component along the ring's axis works on none: the drive of the ring takes it."""
+    """The part (2,) of a moment (2,) or (3,) in N m, fixed in space, that does work on the tilts
+    (2,), rad. Its component along the ring's axis does none, since the drive of the ring takes
+    it."""
     axis, turn, _ = _axis(*tilt)
     return np.append(moment, 0.0)[:3] @ np.cross(axis, turn.T).T
 
 
 def _axis(t_x, t_y):
-    """The ring's axis (3,) and its first (3, 2) and second (3, 2, 2) derivatives in the tilts."""
+    """The ring's axis (3,) and its first (3, 2) and second (3, 2, 2) derivatives with respect to
+    the tilts."""
     x, y, dx, dy = np.sin(t_y), -np.sin(t_x), np.cos(t_y), -np.cos(t_x)  # dx by t_y, dy by t_x
     z = np.sqrt(1 - x * x - y * y)
     first = np.array([[0.0, dx], [dy, 0.0], [-y * dy / z, -x * dx / z]])

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Lubricant cleanliness for the rating life: the words of ISO 281 and their values."""
+"""Lubricant cleanliness for the rating life: the terms of ISO 281 and their values."""
 
 from collections.abc import Mapping
 
-# e_C of ISO 281:2007, table 13: pitch diameters below 100 mm, and from there on
+# e_C of ISO 281:2007, table 13: for pitch diameters below 100 mm, and for larger ones
 CLEANLINESS: Mapping[str, tuple[tuple[float, float], tuple[float, float]]] = {
     "extreme": ((1.0, 1.0), (1.0, 1.0)),
     "high": ((0.6, 0.8), (0.8, 0.9)),

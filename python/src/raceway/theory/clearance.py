@@ -8,8 +8,8 @@ from raceway.theory.bearing import Bearing
 
 
 def load_parameter(clearance: Numbers, shift: Numbers) -> Numbers:
-    """epsilon = (1 - P_d/(2 delta_r))/2 for lengths in m (appendix A). Raises `ValueError` without
-    a shift."""
+    """epsilon = (1 - P_d/(2 delta_r))/2 for lengths in m (appendix A). Raises `ValueError` for zero
+    shift."""
     if np.any(np.asarray(shift) == 0):
         raise ValueError("the load parameter of a ring that has not moved is undefined")
     return (1 - clearance / (2 * shift)) / 2

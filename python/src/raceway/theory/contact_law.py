@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Contact load by overlap for statics: Hertz alone, or with the film in the gap."""
+"""Contact load as a function of overlap for statics: Hertz alone, or with the film in the gap."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -42,14 +42,15 @@ def hertzian(stiffness: Floats) -> Law:
 class FilmInGap:
     """The film of Masjedi and Khonsari between rolling surfaces, thinned by inlet shear.
 
-    Below `film_gap.CUT` newtons it keeps its thickness, so contacts begin at a gap of that height.
+    Below `film_gap.CUT` newtons the film keeps its thickness, so contacts begin at a gap of that
+    height.
     """
 
     fluid: Fluid
     spin: float  # of the inner ring, rad/s
     starvation: float = 1.0  # factor on the thickness
     share: float = 1.0  # zeta
-    # (C, Z), m/s; that of rolling at each contact's angle unless given
+    # (C, Z), m/s; by default that of rolling at each contact's angle
     entrainment: Floats | None = None
 
     def factor(self, speed: Numbers) -> Numbers:

@@ -17,7 +17,7 @@ def film(viscosity: float, length: Numbers, radius: Numbers, h_min: Numbers) -> 
     """Squeeze film, 3 pi eta a/sqrt(2) (R/h)^1.5 (eq 5, Walford-Stone).
 
     `viscosity` in Pa s, `length` the semi-axis a across the groove (eq 5) or 2a, `radius` the
-    ball's R_b (eq 5) or the effective R_x, `h_min` in m. Raises `ValueError` where there is no
+    ball's R_b (eq 5) or the effective R_x, `h_min` in m. Raises `ValueError` if there is no
     film.
     """
     if np.any(np.asarray(h_min) <= 0):

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Stribeck-Harris distribution of a radial load over the balls (eq A.1), contact angle zero.
 
-The balls are thought spread evenly: a real bearing scatters about these values as the balls pass.
+The balls are treated as evenly distributed: a real bearing varies about these values as the balls
+pass.
 """
 
 import numpy as np
@@ -14,7 +15,7 @@ from raceway.theory.bearing import INNER, OUTER, Bearing
 
 
 def relative_load(azimuth: Numbers, parameter: float) -> Numbers:
-    """Q(psi)/Q_max = [1 - (1 - cos psi)/(2 epsilon)]^1.5, zero outside the loaded zone (eq A.1).
+    """Q(psi)/Q_max = [1 - (1 - cos psi)/(2 epsilon)]^1.5, zero outside the load zone (eq A.1).
 
     `azimuth` psi in rad from the load line, `parameter` epsilon > 0.
     """
@@ -24,14 +25,14 @@ def relative_load(azimuth: Numbers, parameter: float) -> Numbers:
 
 
 def radial_integral(parameter: float) -> float:
-    """J_r(epsilon) = 1/(2 pi) integral of Q/Q_max cos psi over the loaded zone (Harris 7.24)."""
+    """J_r(epsilon) = 1/(2 pi) integral of Q/Q_max cos psi over the load zone (Harris 7.24)."""
     if parameter >= 1:
         value, _ = quad(
             lambda psi: relative_load(psi, parameter) * np.cos(psi), 0, np.pi, epsrel=1e-11
         )
         return value / np.pi
 
-    def smooth(t):  # sin(psi/2) = sqrt(epsilon) sin(t) leaves no root at the edge of the zone
+    def smooth(t):  # sin(psi/2) = sqrt(epsilon) sin(t) removes the root at the edge of the zone
         part = parameter * np.sin(t) ** 2
         return np.cos(t) ** 4 * (1 - 2 * part) / np.sqrt(1 - part)
 

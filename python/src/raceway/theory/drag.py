@@ -8,7 +8,7 @@ from raceway.core import laws
 
 
 def coefficient(reynolds: Numbers) -> Numbers:
-    """C_D of a sphere by a table, straight in the logarithms; below Re 0.1 in proportion to 1/Re
+    """C_D of a sphere from a table, linear in the logarithms; below Re 0.1 proportional to 1/Re
     (Stokes), above 1e5 constant."""
     return laws.drag_coefficient(np.maximum(reynolds, 1e-300))
 

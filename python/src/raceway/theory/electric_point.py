@@ -26,9 +26,9 @@ from raceway.theory.validity import doubts, past_shoulder
 
 
 class Point(NamedTuple):
-    """A bearing at rest in its loads and turning."""
+    """A bearing in equilibrium with its loads, rotating."""
 
-    names: dict[str, Any]  # of `figures`: what it is a point of
+    names: dict[str, Any]  # arguments of `figures` that identify the point
     bearing: Bearing
     oil: inputs.Oil
     state: Equilibrium
@@ -57,7 +57,8 @@ class Point(NamedTuple):
 
 
 class Ask(NamedTuple):
-    """Requested quantities of a point in addition to its capacitance; None for not requested."""
+    """Requested quantities of a point in addition to its capacitance; None for quantities that are
+    not"""
 
     strength: float = film_voltage.STRENGTH  # of a film, V/m
     voltage: float | None = None  # V, between the rings
@@ -147,9 +148,9 @@ def solve(
 
 
 def figures(point: Point, ask: Ask = NOTHING) -> dict[str, Any]:
-    """Figures by name in SI units, angles in degrees; None for what was not asked. `balls` is a
-    list of one mapping a ball. Raises `ValueError` for a measured capacitance that no film of the
-    model has."""
+    """Figures by name in SI units, angles in degrees; None for quantities that were not requested.
+    `balls` is a list with one mapping for each ball. Raises `ValueError` for a measured capacitance
+    that no film of the model gives."""
     found, films, oil = point.capacitors(), point.films, point.oil
     top = int(np.argmax(found.inner.load))
     loaded = found.inner.load > 0

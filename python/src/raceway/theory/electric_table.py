@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The electrical figures of `electric_point` as text: `table` of one point, `curves` of several."""
+"""The electrical figures of `electric_point` as text: `table` for one point, `curves` for
+several."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -68,7 +69,7 @@ COLUMNS = (  # of `curves`: key, heading, factor
 
 
 def table(result: Mapping[str, Any]) -> str:
-    """The mapping of `figures` as text: a topic a block, then a row a ball."""
+    """The mapping of `figures` as text: one block for each topic, then one row for each ball."""
     shown = dict(result, hertz_area_m2=f"{1e6 * result['hertz_area_m2']:.4g} mm²")
     for key in ("threshold_azimuth_deg", "phase_deg"):
         shown[key] = shown[key] and round(shown[key], 2) + 0.0
@@ -98,7 +99,7 @@ def table(result: Mapping[str, Any]) -> str:
 
 
 def curves(results: Sequence[Mapping[str, Any]]) -> str:
-    """Several mappings of `figures` as text, a line each."""
+    """Several mappings of `figures` as text, one line each."""
     rows = [[heading for _, heading, _ in COLUMNS]]
     rows += [
         ["-" if one[key] is None else f"{scale * one[key]:.4g}" for key, _, scale in COLUMNS]

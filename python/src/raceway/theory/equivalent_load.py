@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Dynamic equivalent load P = X F_r + Y F_a of single-row ball bearings (ISO 281, table 3).
 
-The factors are quoted from memory: no copy of the standard was at hand. `life.of_loads` needs none
-of them: its equivalent load follows from the loads of the balls, with clearance, tilts and rows.
+The factors are quoted from memory: no copy of the standard was at hand. `life.of_loads` does not
+need them: its equivalent load follows from the loads of the balls, with clearance, tilts and rows.
 """
 
 import math
@@ -14,7 +14,7 @@ RELATIVE = (0.172, 0.345, 0.689, 1.03, 1.38, 2.07, 3.45, 5.17, 6.89)
 LIMIT = (0.19, 0.22, 0.26, 0.28, 0.30, 0.34, 0.38, 0.42, 0.44)
 AXIAL = (2.30, 1.99, 1.71, 1.55, 1.45, 1.31, 1.15, 1.04, 1.00)
 RADIAL = 0.56
-# angular contact, nominal angle in degrees: (e, X, Y); between them interpolated linearly
+# angular contact, nominal angle in degrees: (e, X, Y); intermediate angles interpolated linearly
 ANGLES = (20.0, 25.0, 30.0, 35.0, 40.0, 45.0)
 ANGULAR = (
     (0.57, 0.68, 0.80, 0.95, 1.14, 1.34),
@@ -27,7 +27,7 @@ def equivalent(
     radial: float, axial: float, *, angle: float, balls: int, ball_diameter: float
 ) -> float | None:
     """P in N under loads in N, `angle` the nominal contact angle in rad and the diameter in m. None
-    under an axial load at angles that the table does not have: below 20 degrees other than 0, and
+    under an axial load at angles outside the table: below 20 degrees except 0, and
     above 45. Without an axial load P is the radial load, at any angle.
 
     >>> point = dict(angle=0.0, balls=9, ball_diameter=12.6e-3)

@@ -3,8 +3,9 @@
 units. The formulas are those of src-package/core/laws/film.h.
 
 Every formula is R_x f(U, G, W, kappa) with U = eta U_r/(E' R_x), G = xi E' and W = Q/(E' R_x^2),
-where U_r is the entrainment speed, half the sum of both surface speeds. No film where the speed is
-zero; no load is an error, because the film of an unloaded contact is not an elastohydrodynamic one.
+where U_r is the entrainment speed, half the sum of both surface speeds. At zero speed there is no
+film; zero load is an error, because the film of an unloaded contact is not an elastohydrodynamic
+one.
 """
 
 from typing import NamedTuple
@@ -55,8 +56,8 @@ def h_min(r_x: Numbers, g: Group) -> Numbers:
 def h_c(r_x: Numbers, g: Group, printed: bool = False) -> Numbers:
     """Central thickness after Masjedi and Khonsari (eq 9); R_x in m, `g` a `Group`.
 
-    Equation 9 prints the exponents of kappa with a minus sign; with a plus the film agrees with
-    Hamrock-Dowson and tends to the line contact as kappa grows. `printed` takes the minus.
+    Equation 9 prints the exponents of kappa with a minus sign; with a plus sign the film agrees
+    with Hamrock-Dowson and tends to the line contact as kappa grows. `printed` uses the minus.
     """
     return r_x * laws.film_thickness(PRINTED if printed else MASJEDI_KHONSARI, *g).h_c
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Damping by the film of a rolling contact: one Maxwell branch in parallel with Hertz's spring.
 
-The linear response of a steady EHL line contact, carried to the ellipse: df/dt = k_m d(delta)/dt -
-f/tau, F_n = max(0, Q + f), k_m = 0.44 k h_c/delta_H, tau = 1.33 b/u. Good to 10 to 30 % for omega
-b/u below 1.2. Numbers or arrays of one shape, SI units.
+The linear response of a steady EHL line contact, applied to the ellipse: df/dt = k_m d(delta)/dt -
+f/tau, F_n = max(0, Q + f), k_m = 0.44 k h_c/delta_H, tau = 1.33 b/u. Accurate to 10 to 30 % for
+omega b/u below 1.2. Numbers or arrays of one shape, SI units.
 """
 
 from typing import NamedTuple
@@ -22,10 +22,10 @@ class Branch(NamedTuple):
 
 
 def branch(k: Numbers, h_c: Numbers, elastic: Numbers, b: Numbers, speed: Numbers) -> Branch:
-    """`Branch` of a contact of slope k = 1.5 Q/delta_H in N/m; h_c, `elastic` = delta_H and the
+    """`Branch` of a contact with slope k = 1.5 Q/delta_H in N/m; h_c, `elastic` = delta_H and the
     semi-axis b along rolling in m, u in m/s.
 
-    h_c/delta_H is taken at most 1: the fit is for thin films.
+    h_c/delta_H is limited to 1, since the fit is for thin films.
     """
     stiffness, rate = laws.film_branch(k, h_c, elastic, b, np.abs(speed))
     with np.errstate(divide="ignore"):
@@ -35,7 +35,7 @@ def branch(k: Numbers, h_c: Numbers, elastic: Numbers, b: Numbers, speed: Number
 def advance(
     force: Numbers, branch: Branch, approach: Numbers, step: Numbers
 ) -> tuple[Numbers, Numbers]:
-    """(f in N after `step` in s at a constant `approach` d(delta)/dt in m/s, its slope with the
+    """(f in N after `step` in s at a constant `approach` d(delta)/dt in m/s, its slope over the
     approach in N s/m), exact."""
     left, slope = laws.film_branch_step(branch.stiffness, 1 / branch.time, step, False)
     return left * force + slope * approach, slope

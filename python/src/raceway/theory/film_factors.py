@@ -31,7 +31,7 @@ def gupta_parts(
     loading: Numbers, pressure: Numbers, slide_roll: Numbers = 0.0
 ) -> tuple[Numbers, Numbers]:
     """(1/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), 13.2 P L^0.42) of `gupta`: the factor without
-    pressure and what the pressure takes from it."""
+    pressure and its reduction by the pressure."""
     return tuple(laws.gupta_parts(loading, pressure, slide_roll))
 
 
@@ -39,8 +39,8 @@ def gupta(loading: Numbers, pressure: Numbers, slide_roll: Numbers = 0.0) -> Num
     """Film factor (1 - 13.2 P L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), P = `pressure` = p_max
     over E' (Gupta et al. 1992; Zhu and Cheng).
 
-    `slide_roll` is S = s/u. For L below about 10. Raises `ValueError` where the pressure takes more
-    than `GUPTA_MOST` of it.
+    `slide_roll` is S = s/u. For L below about 10. Raises `ValueError` if the pressure reduces it by
+    more than `GUPTA_MOST`.
     """
     unpressed, lost = gupta_parts(loading, pressure, slide_roll)
     if np.any(lost > GUPTA_MOST):
@@ -65,10 +65,10 @@ def flooded_inlet(r_x: Numbers, b: Numbers, h_c: Numbers) -> Numbers:
 
 
 def rough_capacitance(ratio: Numbers) -> Numbers:
-    """<1/h> h_c = L^2/(L^2 - 1) with L = h_c/sigma: a rough film of gamma-distributed thickness
-    with standard deviation sigma over a smooth one.
+    """<1/h> h_c = L^2/(L^2 - 1) with L = h_c/sigma: a rough film with gamma-distributed thickness
+    and standard deviation sigma, relative to a smooth one.
 
-    Raises `ValueError` for L of one or less, where the surfaces meet and the contact conducts.
+    Raises `ValueError` for L of one or less, where the surfaces touch and the contact conducts.
     """
     if np.any(np.asarray(ratio) <= 1):
         raise ValueError(f"h_c/sigma = {ratio} must be above 1: the contact conducts")

@@ -3,7 +3,7 @@
 
 Q = K delta_H^1.5 with delta_H = delta + zeta h_c(Q), delta the overlap of the rigid bodies,
 negative in a gap. The left side grows with Q and h_c falls, so there is one root for any delta.
-zeta is 1.04 to 1.09 for a line contact by a transient EHL solver; 1 is the default.
+zeta is 1.04 to 1.09 for a line contact according to a transient EHL solver; 1 is the default.
 """
 
 from dataclasses import dataclass, replace
@@ -21,22 +21,22 @@ class Squeeze(NamedTuple):
     """A contact with its film, arrays of one shape."""
 
     load: Numbers  # Q, N
-    h_c: Numbers  # m; below the load that a cut begins at, the thickness there
+    h_c: Numbers  # m; below the load of the cut, the thickness at the cut
     elastic: Numbers  # delta_H, m; zero without load
     slope: Numbers  # dQ/d(delta), N/m
 
 
 @dataclass(frozen=True)
 class Law:
-    """A film over the load: `law(load in N)` is (h_c in m, m = -d(ln h_c)/d(ln Q)). Made by
-    `power_law`, `all_regimes` and `heated`."""
+    """A film as a function of the load: `law(load in N)` is (h_c in m, m = -d(ln h_c)/d(ln Q)).
+    Made by `power_law`, `all_regimes` and `heated`."""
 
     all_regimes: bool
     viscosity: Numbers  # Pa s
     pressure_viscosity: Numbers  # 1/Pa
     modulus: float  # E', Pa
     r_x: Numbers  # m
-    shape: Numbers  # R_y in m in all regimes, else kappa
+    shape: Numbers  # R_y in m in all regimes, otherwise kappa
     speed: Numbers  # m/s
     factor: Numbers
     loading: Numbers = 0.0  # L of Gupta's factor; 0 without it
@@ -75,8 +75,8 @@ def all_regimes(
     *,
     factor: Numbers = 1.0,
 ) -> Law:
-    """`Law` of Nijenbanning, Venner and Moes (`film_regimes.h_c`) times `factor`. No film at
-    rest."""
+    """`Law` of Nijenbanning, Venner and Moes (`film_regimes.h_c`) times `factor`. There is no film
+    at rest."""
     return Law(True, viscosity, pressure_viscosity, modulus, r_x, r_y, speed, factor)
 
 
@@ -86,8 +86,8 @@ def heated(
     """`law` times Gupta's factor (`film_factors.gupta`), which falls with the pressure of the load.
 
     `loading` is L; `peak` is p_max/E' under 1 N, p_max growing with Q^(1/3). Below the load `cut`
-    in N the factor is that at `cut`. Beyond the range of Gupta's factor the pressure takes
-    `GUPTA_MOST` of it. Raises `ValueError` where a power law is cut at another load.
+    in N the factor is that at `cut`. Beyond the range of Gupta's factor the pressure reduces it by
+    `GUPTA_MOST`. Raises `ValueError` if a power law is cut at another load.
     """
     if not law.all_regimes and law.cut != cut:
         raise ValueError(f"cut = {cut} N must be that of the power law, {law.cut} N")
@@ -95,10 +95,10 @@ def heated(
 
 
 def solve(overlap: ArrayLike, stiffness: Numbers, law: Law, share: float = 1.0) -> Squeeze:
-    """`Squeeze` of contacts of K in N/m^1.5 at an `overlap` in m of any sign; `share` is zeta.
+    """`Squeeze` of contacts with K in N/m^1.5 at an `overlap` in m of any sign; `share` is zeta.
 
-    dQ/d(delta) = 1.5 Q/(delta_H + 1.5 m zeta h_c). No load where the gap is wider than a film that
-    is cut.
+    dQ/d(delta) = 1.5 Q/(delta_H + 1.5 m zeta h_c). There is no load where the gap is wider than a
+    film that is cut.
     """
     return Squeeze(*laws.film_in_gap(overlap, stiffness, share, **vars(law)))
 
@@ -110,8 +110,8 @@ def energy(
     cut: float = 0.0,
     edge: Numbers = 0.0,
 ) -> Numbers:
-    """Energy in J of a contact at a fixed speed, where the film is a power law of the load with m =
-    `exponent`, above the load `cut` in N at which it is as thick as `edge` (m): 0.4 Q delta_H +
+    """Energy in J of a contact at constant speed, where the film is a power law of the load with m
+    = `exponent` above the load `cut` in N, at which its thickness is `edge` (m): 0.4 Q delta_H +
     zeta m/(1 - m) (h_c Q - edge cut)."""
     thinned = laws.thinning_work(share, exponent, squeeze.load, squeeze.h_c, cut, edge)
     return laws.hertz_energy(squeeze.load, squeeze.elastic) + thinned

@@ -14,19 +14,19 @@ FACTORS = np.geomspace(0.1, 10.0, 61)
 
 
 class Reading(NamedTuple):
-    """Arrays (N,) of one value a film: `h_c` of the largest inner load; the other films in
+    """Arrays (N,) with one value for each film: `h_c` of the largest inner load; the other films in
     proportion."""
 
     h_c: Floats  # m
     capacitance: Floats  # F, of the whole bearing
-    by_plates: Floats  # m: h_c if the plates had all the capacitance
-    less_constant: Floats  # m: the same after all but the plates at factor one was taken off
+    by_plates: Floats  # m: h_c if the plates were the whole capacitance
+    less_constant: Floats  # m: the same after subtraction of all but the plates at factor one
 
 
 def curve(point: Point, factors: ArrayLike = FACTORS) -> Reading:
     """`Reading` of a bearing at one operating point with its films `factors` times as thick.
 
-    The plates are in inverse proportion to the film, at constant permittivity. `less_constant` is
+    The plates are inversely proportional to the film, at constant permittivity. `less_constant` is
     the reading of a bridge zeroed with the surroundings of the model's film; NaN where nothing
     remains. Raises `ValueError` if no ball is loaded on both raceways.
     """

@@ -2,7 +2,7 @@
 """Central film thickness in all regimes, from a rigid isoviscous to an elastic piezoviscous contact
 (Nijenbanning, Venner, Moes 1994).
 
-Unlike the power laws of `film` it stays right as the load goes to zero.
+Unlike the power laws of `film` it remains valid as the load goes to zero.
 """
 
 from typing import NamedTuple
@@ -42,6 +42,6 @@ def group(
 
 
 def h_c(g: Moes) -> Numbers:
-    """Central thickness in m (the asymptotes read, the formula that joins them from memory,
-    unchecked)."""
+    """Central thickness in m (the asymptotes checked against the source, the formula that joins
+    them from memory, unchecked)."""
     return g.scale * laws.film_all_regimes(g.load, g.material, g.ratio)

@@ -4,7 +4,7 @@ energy of a discharge. Numbers or arrays of one shape, SI units.
 
 A smooth thin film fails at 15 to 60 V/um (from memory, unchecked). Measured bearings fail first at
 1.5 to 6 V over two films (Lubricants 2024, 12, 1, table A1), far below that, because of roughness:
-the local gap is the film less three standard deviations.
+the local gap is the film thickness minus three standard deviations.
 """
 
 from typing import NamedTuple
@@ -15,7 +15,7 @@ from raceway.arrays import Floats, Numbers
 from raceway.theory.asperity import CONDUCTS
 
 STRENGTH = 15e6  # V/m, the lower end of smooth thin films (from memory, unchecked)
-PEAKS = 3.0  # standard deviations of the roughness that a film is locally thinner
+PEAKS = 3.0  # standard deviations of the roughness by which a film is locally thinner
 # A/m^2 of peak current over Hertz area (from memory, unchecked)
 HARMLESS, HARMFUL = 0.1e6, 0.7e6
 HARDNESS = 7.5e9  # Pa, of bearing steel: 7 to 8 GPa (from memory, unchecked)
@@ -49,7 +49,7 @@ def shares(inner: Numbers, outer: Numbers) -> Shares:
 
 
 def local_gap(separation: Numbers, roughness: float = 0.0, floor: float = 0.0) -> Numbers:
-    """h - 3 sigma in m, `floor` (m) where the peaks meet."""
+    """h - 3 sigma in m, `floor` (m) where the peaks touch."""
     return np.maximum(separation - PEAKS * roughness, floor)
 
 
@@ -61,8 +61,9 @@ def field(voltage: Numbers, gap: Numbers) -> Numbers:
 
 
 def ring_voltages(limits: tuple[Numbers, Numbers], inner: Numbers, outer: Numbers) -> Floats:
-    """(2, ...) V between the rings at which inner and outer film have the voltages `limits`, by
-    capacitances: V_i (C_i + C_o)/C_o and V_o (C_i + C_o)/C_i. Infinite where a film takes none."""
+    """(2, ...) V between the rings at which inner and outer film have the voltages `limits`, from
+    the capacitances: V_i (C_i + C_o)/C_o and V_o (C_i + C_o)/C_i. Infinite for a film without
+    voltage."""
     share = np.stack(shares(inner, outer))
     limit = np.stack([np.broadcast_to(one, share.shape[1:]) for one in limits])
     return np.divide(limit, share, out=np.full(share.shape, np.inf), where=share > 0)
@@ -74,7 +75,7 @@ class Threshold(NamedTuple):
     bearing: float  # V, of the weakest ball
     ball: Numbers  # (Z,), V
     weakest: int  # index of that ball
-    first: Numbers  # (Z,), 0 inner or 1 outer film: which fails first; the other follows
+    first: Numbers  # (Z,), 0 for inner or 1 for outer film: which fails first; the other follows
 
 
 def threshold(
@@ -84,7 +85,7 @@ def threshold(
     roughness: float = 0.0,
 ) -> Threshold:
     """`Threshold` of a bearing from gaps (m) and capacitances (F) of inner and outer films, arrays
-    (Z,); a film fails where `strength` (V/m) times its local gap is reached.
+    (Z,); a film fails when its field over the local gap reaches `strength` (V/m).
 
     The smaller of E h_i (C_i + C_o)/C_o and E h_o (C_i + C_o)/C_i, then of all balls. Raises
     `ValueError` for a capacitance or strength that is not positive.
@@ -102,19 +103,20 @@ def threshold(
 
 
 def stored_energy(capacitance: Numbers, voltage: Numbers) -> Numbers:
-    """C V^2/2 in J, all of which a discharge may take: of the bearing and what hangs on it."""
+    """C V^2/2 in J, all of which a discharge may take: of the bearing and the capacitances parallel
+    to it."""
     return capacitance * np.square(voltage) / 2
 
 
 def apparent_current_density(current: Numbers, area: Numbers) -> Numbers:
-    """Peak `current` (A) over the Hertz area (m^2) of all contacts it may take, A/m^2. Up to 0.1
-    A/mm^2 is called harmless, from 0.7 harmful (from memory, unchecked)."""
+    """Peak `current` (A) over the Hertz area (m^2) of all contacts through which it may flow,
+    A/m^2. Up to 0.1 A/mm^2 is called harmless, from 0.7 harmful (from memory, unchecked)."""
     return current / _positive("area", area)
 
 
 def states(asperity_share: Numbers, loss: Numbers = 0.0) -> Numbers:
-    """Indices into `STATES`: metallic where asperities carry more than `CONDUCTS` of the load; else
-    leaking where `loss` = 1/(omega R C), conduction over displacement current, is above one.
+    """Indices into `STATES`: metallic if asperities carry more than `CONDUCTS` of the load;
+    otherwise leaking if `loss` = 1/(omega R C), conduction over displacement current, is above one.
 
     >>> states([0.0, 0.0, 0.3], [0.1, 5.0, 0.0]).tolist()
     [0, 1, 2]
@@ -125,7 +127,7 @@ def states(asperity_share: Numbers, loss: Numbers = 0.0) -> Numbers:
 
 
 def real_area(asperity_share: Numbers, load: Numbers, hardness: float = HARDNESS) -> Numbers:
-    """A_r = L_a Q/H_m in m^2 of metal that meets under the share L_a of a load in N."""
+    """A_r = L_a Q/H_m in m^2 of touching metal under the share L_a of a load in N."""
     return asperity_share * load / _positive("hardness", hardness)
 
 

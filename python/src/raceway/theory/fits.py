@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Reduction of the clearance of a bearing by interference fits (Lame's thick tubes).
 
-A ring counts as a tube that ends at the bottom of its groove, without shoulders. Shaft and housing
-are tubes as long as the ring. `heat.clearance_change` gives the effect of temperature.
+A ring is treated as a tube that ends at the bottom of its groove, without shoulders. Shaft and
+housing are tubes as long as the ring. `heat.clearance_change` gives the effect of temperature.
 """
 
 import math
@@ -36,11 +36,12 @@ def clearance_change(
     """Change of the diametral clearance, m: 0 or negative.
 
     `shaft` and `housing` are interferences in diameter (m) of the inner ring on its shaft and of
-    the outer ring in its housing; 0 or less, a loose fit, changes nothing. `bore` and `outside` are
+    the outer ring in its housing; 0 or less, a loose fit, has no effect. `bore` and `outside` are
     the bearing's diameters, `shaft_bore` that of a hollow shaft, `housing_outside` the housing's,
     all in m. Raises `ValueError` for diameters out of order.
 
-    A 6208 with 10 um on a solid steel shaft: the raceway grows by bore over its diameter.
+    A 6208 with 10 um on a solid steel shaft: the raceway grows in the ratio of bore to raceway
+    diameter.
 
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     >>> round(1e6 * clearance_change(b, 40e-3, 80e-3, shaft=10e-6), 3)

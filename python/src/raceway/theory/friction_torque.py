@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Friction torque of a bearing at rest in its loads: the power each contact loses while its balls
-roll freely, by part, over the speed of the ring.
+"""Friction torque of a bearing in static equilibrium: the power that each contact loses while its
+balls roll freely, by part, divided by the speed of the ring.
 
 rolling
     hydrodynamic, 2 f times the rolling speed and the factors of inlet shear and starvation
@@ -17,8 +17,8 @@ hysteresis
 drag
     of the balls in oil and air (`drag`)
 
-A ball with more than two contacts cannot roll on all of them (`ball_motion`). A ball on the outer
-ring alone loses rotation to rolling resistance and slides (`skidding`).
+A ball with more than two contacts cannot roll on all of them (`ball_motion`). A ball that only the
+outer ring touches loses rotation to rolling resistance and slides (`skidding`).
 """
 
 from dataclasses import dataclass
@@ -54,10 +54,10 @@ SPIN_LAWS = ("closed", "slices")
 
 @dataclass(frozen=True)
 class Surfaces:
-    """Parameters of the laws other than geometry, loads and oil."""
+    """Parameters of the laws except geometry, loads and oil."""
 
     boundary: float = 0.12  # mu_b, running (SKF)
-    film: float | None = 0.05  # mu of the film; None: that of Eyring's stress with its limit
+    film: float | None = 0.05  # mu of the film; None for Eyring's stress with its limit
     loss: float = 0.016  # alpha of hysteresis, 0.005 to 0.05
     oil_share: float = 0.05  # oil fraction of the space around the balls
     inlet: float = 0.0  # of rolling contacts, in semi-axes b; 0: flooded
@@ -117,10 +117,10 @@ def losses(
     surfaces: Surfaces | None = None,
     spin_law: str = "closed",
 ) -> Losses:
-    """`Losses` of an `Equilibrium` with its `Lubrication` and the `Fluid` of it; inner ring at
-    `ring` and balls around it at `orbit` rad/s, one number or (Z,), clearance in m. `spin_law`
-    "closed" has fits of how spin and differential slip lessen one another, "slices" takes both
-    together over the contact ellipse. ValueError for another law."""
+    """`Losses` of an `Equilibrium` with its `Lubrication` and `Fluid`; inner ring at
+    `ring` and balls at `orbit` rad/s, one number or (Z,), clearance in m. `spin_law`
+    "closed" has fits of the mutual reduction of spin and differential slip, "slices" integrates
+    both together over the contact ellipse. Raises `ValueError` for another law."""
     if spin_law not in SPIN_LAWS:
         raise ValueError(f"spin law '{spin_law}' is none of {', '.join(SPIN_LAWS)}")
     surfaces = surfaces or Surfaces()
@@ -156,7 +156,7 @@ def losses(
         both = _Pressed(*(value[pair, balls] for value in pressed))
         rates = _spin_rates(bearing, both.angle, ring, np.broadcast_to(orbit, two.shape)[two])
         at, turn = rates
-        alone = at - turn * (at / turn)[::-1]  # of a ball that does not spin at the other raceway
+        alone = at - turn * (at / turn)[::-1]  # for a ball that does not spin at the other raceway
         both = _sheared(both, _free(both), alone, fluid, surfaces)
         if spin_law == "closed":
             spins = _closed(both, rates)
@@ -203,7 +203,7 @@ def _free(pressed):
 
 
 def _sheared(pressed, along, rate, fluid, surfaces):
-    """`_Pressed` with the friction of its film at a slip (m/s) and a spin (rad/s), which shears a
+    """`_Pressed` with the friction of its film at a slip (m/s) and a spin (rad/s), which shear a
     film more than differential slip alone."""
     if surfaces.film is not None:
         return pressed
@@ -222,9 +222,9 @@ def surfaces(
     models: str = "full",
     supply: oil_supply.Supply = oil_supply.BATH,
 ) -> Surfaces:
-    """`Surfaces` of the `models` of a run, full or eyring, with the inlet, the share of oil and
-    SKF's starvation factor of a `supply`, the inner ring at `ring` rad/s; no such factor without
-    the `size` of the bearing."""
+    """`Surfaces` for the `models` of a run, full or eyring, with the inlet, the share of oil and
+    SKF's starvation factor of a `supply`, the inner ring at `ring` rad/s; this factor is omitted
+    without the `size` of the bearing."""
     found = oil_supply.numbers(supply, bearing, fluid.density)
     starved = 1.0
     if size is not None:
@@ -239,7 +239,7 @@ def surfaces(
 
 
 def _one(bearing, side, contact, film, fluid, clearance, surfaces, alone):
-    """`Losses` of a groove but spin and drag, (5, Z)."""
+    """`Losses` of a groove except spin and drag, (5, Z)."""
     live = contact.load > 0
     values = np.zeros((5, len(live)))
     load, a, b = contact.load[live], contact.a[live], contact.b[live]
@@ -298,8 +298,8 @@ def _one(bearing, side, contact, film, fluid, clearance, surfaces, alone):
 
 
 def _spin_rates(bearing, angle, ring, orbit):
-    """Spin of ball less ring in rad/s at both raceways, (2, Z), for one rotation of the ball that
-    rolls at both; and its change with 1 rad/s of the one rotation that keeps it rolling."""
+    """Spin of ball minus ring in rad/s at both raceways, (2, Z), for one rotation of the ball that
+    rolls on both; and its change for 1 rad/s of the only rotation that keeps it rolling."""
     inner, outer = angle
     radius, pitch = bearing.ball_radius, bearing.pitch_radius
     # in the cage's frame, (radial, axial)
@@ -323,7 +323,7 @@ def _closed(both, rates):
     """Spin (2, Z) in rad/s at both raceways of balls that roll on both, where the moments of the
     closed law balance."""
     at, turn = rates
-    ends = -at / turn  # without spin at one raceway
+    ends = -at / turn  # rotations without spin at one raceway
     low, high = ends.min(0), ends.max(0)
     edge = _edge(both)
     for _ in range(60):
@@ -336,10 +336,10 @@ def _closed(both, rates):
 
 
 def _together(both, rates, ball):
-    """(slip, spin) of one ball, powers at both raceways: the rotation at which both together lose
-    least is that at which their moments balance. Slip along rolling leaves no force."""
+    """(slip, spin) powers of one ball at both raceways: the rotation with the least total
+    loss is that at which their moments balance. Slip along rolling leaves no force."""
     at, turn = (one[:, ball] for one in rates)
-    bounds = -at / turn  # without spin at one raceway
+    bounds = -at / turn  # rotations without spin at one raceway
     tried = np.linspace(*bounds, 17)
     one = _Pressed(*(value[:, ball] for value in both))
     curve = one.speed / (2 * one.r_d * one.r_x)
@@ -362,15 +362,16 @@ def _together(both, rates, ball):
 
 
 def _several(bearing, one, sides, ring, spin_law, fluid, surfaces):
-    """(slip, spin) of one ball with more than two contacts (C,), powers at each, as it moves by
-    `ball_motion`; by slices, where the forces and moments of both together balance."""
+    """(slip, spin) powers of one ball with more than two contacts (C,), at each contact, with the
+    motion from `ball_motion`; with slices, where the forces and moments of both together
+    balance."""
     lines, goal, _ = ball_motion.rates(bearing, sides, one.angle, ring)
 
     def least(one):
         weight = np.concatenate([one.friction * one.load, one.spin_moment])
         return ball_motion.least(lines, goal, weight, bearing.ball_radius)
 
-    # of the ball's surface past the contact
+    # speed of the ball's surface past the contact
     way = np.where(sides == INNER, 1.0, -1.0) * np.sign(ring)
     size = np.array([bearing.ball_radius, bearing.ball_radius, 1.0])
 

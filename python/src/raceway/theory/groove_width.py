@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Width of a raceway's groove around a ball: the angle of its shoulder and the half-width of the
-parabola with the groove's capacitance. Lengths in m, angles in rad."""
+"""Width of a raceway's groove around a ball: the angle of its shoulder and the half-width of a
+parabola with the same capacitance. Lengths in m, angles in rad."""
 
 from typing import NamedTuple
 
@@ -13,9 +13,9 @@ USUAL_DEPTH = 0.18  # fraction of the ball's diameter, for unknown shoulders
 
 
 class HalfWidths(NamedTuple):
-    """Half-widths S of the parabola to both sides of a contact, m; alike at no contact angle."""
+    """Half-widths S of the parabola to both sides of a contact, m; equal at zero contact angle."""
 
-    near: Numbers  # to the shoulder that the contact is nearer to
+    near: Numbers  # on the side of the nearer shoulder
     far: Numbers
 
 
@@ -23,7 +23,7 @@ def depth(
     bearing: Bearing, raceway: int, shoulder: float = np.nan, clearance: float = 0.0
 ) -> float:
     """t in m: from the groove's bottom to its shoulder of diameter `shoulder` (m), 0.18 of the
-    ball's diameter where that is NaN. The diametral `clearance` (m) goes into the outer groove.
+    ball's diameter if that is NaN. The diametral `clearance` (m) is assigned to the outer groove.
 
     Raises `ValueError` for a shoulder that is not between the bottom and the centre of the groove.
     """
@@ -60,14 +60,15 @@ def half_widths(
     clearance: float = 0.0,
     semi_axis: Numbers = 0.0,
 ) -> HalfWidths:
-    """`HalfWidths` of a groove `depth` deep (m) at a contact angle (rad), around an ellipse of the
-    `semi_axis` a across the groove (m), 0 without load; the shape of these two. `clearance` is
-    diametral, m.
+    """`HalfWidths` of a groove with the depth `depth` (m) at a contact angle (rad), around an
+    ellipse with the `semi_axis` a across the groove (m), 0 without load; with the shape of these
+    two. `clearance` is diametral, m.
 
-    S = R_b (4 tan(t/4) ± 0.09 gamma) with t = theta_b -/+ angle, + inner, - outer: of the parabola
-    that has the capacitance of the arc (derived here: docs/electric). Zero past the shoulder.
-    Within the ellipse the groove is the parabola already: what the arc adds there comes off, 4 R_b
-    q_a - a of the first term and (q_a/q)^2 of the second, with q = tan(t/4), q_a = tan(a/(4 R_b)).
+    S = R_b (4 tan(t/4) ± 0.09 gamma) with t = theta_b -/+ angle, + inner, - outer: for the parabola
+    that has the capacitance of the arc (derived here: docs/electric). Zero beyond the shoulder.
+    Within the ellipse the groove is the parabola already, so the excess of the arc there is
+    subtracted, 4 R_b q_a - a of the first term and (q_a/q)^2 of the second, with q = tan(t/4), q_a
+    = tan(a/(4 R_b)).
 
     A groove of four points ends in the middle plane, where the other one of its ring begins: far
     from its shoulder t is the contact angle, and without the term of 0.09. At `offset` G of its

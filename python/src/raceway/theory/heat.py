@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Temperatures of a bearing: cooling, heat balance of one node or of ring, balls and ring,
-clearance by temperature, flash temperature. SI units, temperatures in degrees C.
+"""Temperatures of a bearing: cooling, heat balance with one node or with ring, balls and ring,
+clearance as a function of temperature, flash temperature. SI units, temperatures in degrees C.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -23,8 +23,8 @@ REFERENCE_VISCOSITY = 12.0  # mm^2/s at 70 C, ISO 15312
 
 
 def cooling(bore: float, outside: float, width: float) -> float:
-    """W_s = q_r pi B (D + d)/50 K in W/K (ISO 15312): what seats and housing of a radial bearing of
-    these sizes (mm) carry away per degree above ambient, at the reference conditions."""
+    """W_s = q_r pi B (D + d)/50 K in W/K (ISO 15312): conductance of seats and housing of a radial
+    bearing of these sizes (mm), per kelvin above ambient, at the reference conditions."""
     return float(laws.iso_15312_conductance(1e-3 * bore, 1e-3 * outside, 1e-3 * width))
 
 
@@ -38,8 +38,8 @@ def balance(
     """Temperature in degrees C, to `tolerance`, where `power`(T) in W equals `conductance` in W/K
     times T - T_a.
 
-    Raises `ValueError` when the bearing is still heating at `hottest`. A power that falls with
-    temperature, as with every oil, has one such temperature.
+    Raises `ValueError` if the bearing is still heating at `hottest`. For a power that falls with
+    temperature, as with every oil, there is exactly one such temperature.
     """
 
     def surplus(temperature):
@@ -71,7 +71,7 @@ def network(
     ambient: float = 20.0,
 ) -> dict[str, Any]:
     """The heat network of a bearing, for `steady` and `advance`: `capacity` in J/K of inner ring,
-    balls, outer ring and housing (0: none of its own). Conductances in W/K: `contacts` from the
+    balls, outer ring and housing (0: no housing). Conductances in W/K: `contacts` from the
     inner and the outer ring to all balls, `shaft` from inner ring to ambient, `seat` from outer
     ring to housing (0: perfect), `housing` from there to ambient; `ambient` in degrees C."""
     inner, outer = contacts
@@ -95,7 +95,7 @@ def advance(
 ) -> tuple[float, Floats]:
     """Heat in J carried to ambient and temperatures in degrees C (4) after `time` seconds from the
     temperatures `start`, with `heat` in W into the nodes (4) of a `network` that is constant or
-    goes evenly to `end`; exact."""
+    varies linearly to `end`; exact."""
     return library().call(
         "heat_advance",
         net=of,
@@ -114,7 +114,7 @@ def steady(of: Mapping[str, Any], heat: ArrayLike) -> tuple[float, Floats]:
 
 def conductances(state: Equilibrium, films: Lubrication) -> tuple[float, float]:
     """Conductances in W/K from the inner and from the outer ring to all balls through their moving
-    contacts: of each 0.874 2a sqrt(2 k rho c b u/pi)."""
+    contacts: for each 0.874 2a sqrt(2 k rho c b u/pi)."""
     sides = ((state.inner, films.inner), (state.outer, films.outer))
     return tuple(
         float(laws.contact_conductance(at.a, at.b, film.entrainment)[at.load > 0].sum())
@@ -149,23 +149,23 @@ def three_nodes(
 
 
 def clearance_change(bearing: Bearing, inner: Numbers, balls: Numbers, outer: Numbers) -> Numbers:
-    """Change of the diametral clearance in m by rises in K of inner ring, balls and outer ring:
-    -12e-6 (D_i dT_i + 2 D_w dT_b - D_e dT_e)."""
+    """Change of the diametral clearance in m for temperature rises in K of inner ring, balls and
+    outer ring: -12e-6 (D_i dT_i + 2 D_w dT_b - D_e dT_e)."""
     radii = bearing.inner_radius, bearing.outer_radius, bearing.ball_radius
     return laws.clearance_change(*radii, inner, balls, outer)
 
 
 def flash(flux: Numbers, b: Numbers, speed: Numbers) -> Numbers:
-    """Rise in K of a surface by `flux` in W/m^2 into it: 1.128 q sqrt(2b/(k rho c u)), b the
-    semi-axis along rolling in m, `speed` u in m/s (Blok, Jaeger)."""
+    """Temperature rise in K of a surface for a `flux` in W/m^2 into it: 1.128 q sqrt(2b/(k rho c
+    u)), b the semi-axis along rolling in m, `speed` u in m/s (Blok, Jaeger)."""
     steel = laws.steel_of_bearings()
     conductor = float(steel.conductivity * steel.density * steel.heat)
     return 1.128 * flux * np.sqrt(2 * b / (conductor * speed))
 
 
 def film_rise(flux: Numbers, thickness: Numbers, conductivity: Numbers) -> Numbers:
-    """Rise in K of the film's middle over the surfaces: q_total h/(8 k_f), q_total in W/m^2 made in
-    the film."""
+    """Temperature rise in K of the film's middle above the surfaces: q_total h/(8 k_f), q_total in
+    W/m^2 generated in the film."""
     return flux * thickness / (8 * conductivity)
 
 
@@ -182,10 +182,10 @@ def greatest_flux(friction: Numbers, pressure: Numbers, edge: Numbers) -> Number
 
 def reference_speed(boundary: makers.Boundary, level: float = 0.0) -> float:
     """Thermal reference speed in rpm: SKF's friction at ISO 15312's conditions, F_r = 0.05 C0, 12
-    mm^2/s, equals what cooling carries away at 50 K.
+    mm^2/s, equals the cooling at 50 K.
 
-    `level` of an oil bath in mm, 0 for none. ISO 15312 has the oil up to the middle of the lowest
-    ball (from memory, unchecked). Raises `ValueError` when there is no such speed.
+    `level` of an oil bath in mm, 0 for none. ISO 15312 assumes oil up to the middle of the lowest
+    ball (from memory, unchecked). Raises `ValueError` if there is no such speed.
     """
 
     def surplus(speed):

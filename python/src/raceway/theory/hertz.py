@@ -2,7 +2,7 @@
 """Elliptical Hertz contact (eq 2).
 
 The ellipse has semi-axis a across the groove and b along rolling; kappa = a/b may be below one.
-Everything takes and returns numbers or arrays that broadcast, SI units. The formulas are those of
+All functions take and return numbers or arrays that broadcast, SI units. The formulas are those of
 src-package/core/laws/hertz.h.
 """
 
@@ -52,7 +52,7 @@ def exact(r_x: Numbers, r_y: Numbers) -> Ellipse:
 
 def hamrock_brewe(r_x: Numbers, r_y: Numbers, printed: bool = False) -> Ellipse:
     """`Ellipse` by Hamrock and Brewe's fit for alpha = R_y/R_x >= 1: kappa = alpha^(2/pi), E = 1 +
-    q/alpha, F = pi/2 + q ln(alpha), q = pi/2 - 1. `printed` takes the paper's F = 1 + q ln(alpha)
+    q/alpha, F = pi/2 + q ln(alpha), q = pi/2 - 1. `printed` uses the paper's F = 1 + q ln(alpha)
     (eq 2 as printed).
     """
     if np.any(r_y < r_x):
@@ -86,5 +86,5 @@ def pressure(ellipse: Ellipse, modulus: float, load: Numbers) -> Numbers:
 def sphere_stiffness(modulus: float, radius: float) -> float:
     """K = 4/3 E* sqrt(R*) of two spheres, N/m^1.5; E* in Pa with 1/E* = sum((1 - nu^2)/E), R* in m.
 
-    Equation 3 prints a further 1/(1 - nu); Hertz has none."""
+    Equation 3 prints an additional factor 1/(1 - nu), which Hertz does not have."""
     return laws.sphere_stiffness(2 * radius, 2 * radius, 2 * modulus)

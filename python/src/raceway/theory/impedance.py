@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Impedance of a film or bearing, and back: capacitance, resistance and film thickness from what an
-instrument reads. Numbers or arrays of one shape, SI units; frequencies in Hz.
+"""Impedance of a film or bearing, and the inverse: capacitance, resistance and film thickness from
+instrument readings. Numbers or arrays of one shape, SI units; frequencies in Hz.
 
 A film is a capacitor with its leak in parallel: Z = 1/(1/R + j omega C).
 """
@@ -21,7 +21,7 @@ THINNEST, THICKEST = 1e-3, 1e3  # factors on a guessed film, search range of `fi
 
 def leak(resistivity: Numbers, paths: Numbers) -> Numbers:
     """R in ohm of oil of `resistivity` (ohm m) between surfaces whose `paths` are pi a b/h + I of
-    the part that oil fills, m. For one uniform fill R C = rho eps_0 eps in any geometry."""
+    the oil-filled part, m. For one uniform filling R C = rho eps_0 eps in any geometry."""
     return resistivity / paths
 
 
@@ -53,14 +53,14 @@ def of_films(
     resistivity: float = np.inf,
 ) -> complex | np.ndarray:
     """The same from `capacitances` (F) and `paths` (m) of the inner and of the outer films, arrays
-    (..., Z); the frequency is of the shape of the rest. Raises as `impedance`."""
+    (..., Z); the frequency has the shape of the leading dimensions. Raises as in `impedance`."""
     _positive(frequency)
     return 1 / _admittance(capacitances, paths, resistivity, frequency)
 
 
 def leak_of_films(paths: Sequence[Floats], resistivity: float) -> Numbers:
     """R in ohm of a bearing at direct current, `paths` (m) of its inner and outer films (..., Z).
-    Infinite where nothing leaks."""
+    Infinite if nothing leaks."""
     with np.errstate(divide="ignore"):
         return 1 / _admittance(np.zeros_like(paths), paths, resistivity, 0.0).real
 
@@ -87,7 +87,8 @@ def _positive(frequency):
 
 
 def _admittance(capacitances, paths, resistivity, frequency):
-    """S of the balls in parallel from F and m of inner and outer films (..., Z), and Hz."""
+    """Admittance in S of the balls in parallel from F and m of inner and outer films (..., Z), and
+    Hz."""
     capacitance, conductance, frequency = np.broadcast_arrays(
         np.stack(capacitances, axis=-2),
         np.stack(paths, axis=-2) / resistivity,
@@ -109,14 +110,14 @@ def _admittance(capacitances, paths, resistivity, frequency):
 
 
 def plates_thickness(capacitance: Numbers, area: Numbers, permittivity: Numbers) -> Numbers:
-    """h in m of C read as plates alone: eps_0 eps A/C, A = pi a b in m^2. Too small if C includes
-    other capacitance."""
+    """h in m from C interpreted as plates alone: eps_0 eps A/C, A = pi a b in m^2. Too small if C
+    includes other capacitance."""
     return VACUUM * permittivity * area / capacitance
 
 
 def film_scale(capacitance: float, whole: Callable[[float], float]) -> float:
     """Common factor on all films of a model that gives a measured `capacitance` (F); `whole` is the
-    model's capacitance in F by that factor, decreasing.
+    model's capacitance in F as a decreasing function of that factor.
 
     Raises `ValueError` if no factor from 1e-3 to 1e3 fits: the reading then includes something
     else.

@@ -17,7 +17,7 @@ class Frequencies(NamedTuple):
     cage: Numbers  # FTF, positive where the inner ring's speed is
     outer: Numbers  # BPFO, ball passes over a point of the outer ring
     inner: Numbers  # BPFI, over a point of the inner ring
-    spin: Numbers  # BSF, turns of a ball relative to the cage
+    spin: Numbers  # BSF, rotations of a ball relative to the cage
 
 
 def frequencies(
@@ -44,7 +44,8 @@ def frequencies(
 def entrainment(bearing: Bearing, spin: Numbers, angle: Numbers = 0.0) -> Numbers:
     """Entrainment speed in m/s, the same at both raceways, for an inner ring at `spin` rad/s.
 
-    U_r = omega r_pitch (1 - gamma^2)/2: half the sum of both surface speeds seen from the contact.
+    U_r = omega r_pitch (1 - gamma^2)/2: half the sum of both surface speeds relative to the
+    contact.
     """
     ball, pitch = bearing.ball_radius * np.cos(angle), bearing.pitch_radius
     orbit = laws.pure_rolling(ball, pitch, np.abs(spin), 0.0).orbit
@@ -54,12 +55,12 @@ def entrainment(bearing: Bearing, spin: Numbers, angle: Numbers = 0.0) -> Number
 def spall_length(
     bearing: Bearing, spin: Numbers, seconds: Numbers, angle: Numbers = 0.0
 ) -> Numbers:
-    """Length in m of a spall along rolling, from the `seconds` between a ball's entry and its blow;
-    the inner ring turns at `spin` rad/s.
+    """Length in m of a spall along rolling, from the `seconds` between a ball's entry and its
+    impact; the inner ring turns at `spin` rad/s.
 
     The impact comes when the ball is half-way (Sawalha and Randall, Mech. Syst. Signal Process. 25
-    (2011) 846). A ball that loses its load over the spall is late, and the length too large;
-    `spall.length` accounts for its flight.
+    (2011) 846). A ball that loses its load over the spall hits late, and the length is
+    overestimated; `spall.length` accounts for its flight.
 
     >>> from raceway.theory.bearing import Bearing
     >>> paper = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Rating life of a radial or angular contact ball bearing: ISO 281:2007 and, from the loads of its
-balls, ISO/TS 16281:2008. Lives are for a reliability of 90 %, of which `RELIABILITY` has others.
+balls, ISO/TS 16281:2008. Lives are for a reliability of 90 %; `RELIABILITY` has factors for others.
 
 The reference life uses the loads of statics or of a run and so includes clearance, tilt, moments
 and centrifugal loads. The life of ISO 281 itself depends only on the load on the whole bearing.
@@ -18,8 +18,8 @@ from raceway.theory.cleanliness import contamination
 # a_1 of ISO 281:2007, table 12: reliability in percent
 RELIABILITY: Mapping[float, float] = {90: 1, 95: 0.64, 96: 0.55, 97: 0.47, 98: 0.37, 99: 0.25}
 LARGEST_FACTOR = 50.0  # limit of a_ISO
-PERMITTED = 4.2e9  # Pa, of the most loaded contact under the static load rating (ISO 76)
-# kappa up to which a row holds, and its two constants (ISO 281:2007, eqs 31 to 33); the constants
+PERMITTED = 4.2e9  # Pa, for the most loaded contact under the static load rating (ISO 76)
+# kappa up to which a row applies, and its two constants (ISO 281:2007, eqs 31 to 33); the constants
 # of the second row make a_ISO continuous at 0.4 and 1
 _FACTOR = ((0.4, 2.2649, 0.054381), (1.0, 1.9987, 0.19087), (4.0, 1.9987, 0.071739))
 # of the loads whose means count: of the ring that turns against the load, and of the other one
@@ -67,8 +67,8 @@ def basic(dynamic: float, load: ArrayLike) -> np.ndarray:
 
 
 def wide_grooves(bearing: Bearing) -> np.ndarray:
-    """(2,) factors on the ball ratings of grooves wider than `CONFORMITY`, 1 for others: (2 f/(2 f
-    - 1))^0.41 over its value there, f the groove radius over the ball's diameter (Lundberg and
+    """(2,) factors on the ball ratings for grooves wider than `CONFORMITY`, 1 for others: (2 f/(2 f
+    - 1))^0.41 over its value there, f the ratio of groove radius to ball diameter (Lundberg and
     Palmgren 1947). ISO 281 rates narrower grooves no higher."""
     groove, limit = (
         np.array([bearing.inner_groove, bearing.outer_groove]) / bearing.ball_diameter,
@@ -79,7 +79,7 @@ def wide_grooves(bearing: Bearing) -> np.ndarray:
 
 
 def ball_ratings(bearing: Bearing, dynamic: float, angle: float = 0.0) -> tuple[float, float]:
-    """(Q_ci, Q_ce) in N: the ball load at which the inner and the outer raceway live 1e6
+    """(Q_ci, Q_ce) in N: the ball load for which the inner and the outer raceway last 1e6
     revolutions (ISO/TS 16281, eqs 16 to 19). `dynamic` is C, N, of the bearing with grooves no
     wider than `CONFORMITY`; wider ones have the factors of `wide_grooves`. `angle` is the nominal
     contact angle, rad."""
@@ -106,11 +106,11 @@ def reference(
     angle: float = 0.0,
 ) -> float:
     """L_10r in 1e6 revolutions, from the loads (N) of the `inner` and `outer` contacts (..., Z) of
-    one or many positions of the balls; the inner ring turns (ISO/TS 16281, eqs 20 to 22).
+    one or many positions of the balls; the inner ring rotates (ISO/TS 16281, eqs 20 to 22).
 
     Loads of several rows and grooves are those of `static.Equilibrium`. Two grooves a ring count as
     two rows: `dynamic` is that of all, and raceways of all rows add up. Makers rate four-point
-    contact bearings so.
+    contact bearings in this way.
 
     Raises `ValueError` for a load below 0 or none at all.
 
@@ -144,9 +144,10 @@ def of_means(
 
 
 def of_duties(lives: ArrayLike, shares: ArrayLike) -> float:
-    """Life under several operating points in turn, in the unit of `lives` (N,): 1/sum(share/life)
-    with the `shares` (N,) of the revolutions (Palmgren-Miner; ISO/TS 16281, clause 5). Shares of
-    time go with lives in hours. Raises `ValueError` for shares that do not add up to 1.
+    """Life under several operating points in succession, in the unit of `lives` (N,):
+    1/sum(share/life) with the `shares` (N,) of the revolutions (Palmgren-Miner; ISO/TS 16281,
+    clause 5). Shares of time apply to lives in hours. Raises `ValueError` for shares that do not
+    add up to 1.
 
     >>> round(of_duties([1000.0, 100.0], [0.9, 0.1]), 1)
     526.3
@@ -159,7 +160,7 @@ def of_duties(lives: ArrayLike, shares: ArrayLike) -> float:
 
 def reference_viscosity(rpm: ArrayLike, pitch_diameter: float) -> np.ndarray:
     """nu_1 in mm2/s at which kappa is 1 (ISO 281:2007, eqs 28 and 29); `pitch_diameter` in m. It
-    jumps by 2 % at 1000 rpm, as the standard's does."""
+    jumps by 2 % at 1000 rpm, as in the standard."""
     speed = np.asarray(rpm, float)
     slow, fast = 45000 * speed**-0.83, 4500 * speed**-0.5
     return np.where(speed < 1000, slow, fast) * (1e3 * pitch_diameter) ** -0.5
@@ -167,8 +168,8 @@ def reference_viscosity(rpm: ArrayLike, pitch_diameter: float) -> np.ndarray:
 
 def factor(viscosity_ratio: float, contamination: float) -> float:
     """a_ISO of a radial ball bearing, 0.1 to 50 (ISO 281:2007, eqs 31 to 33). `viscosity_ratio` is
-    kappa, counted as 4 above 4; `contamination` is e_C C_u/P. Below kappa = 0.1 the standard gives
-    none: the result is 0.1 there.
+    kappa, limited to 4; `contamination` is e_C C_u/P. Below kappa = 0.1 the standard gives
+    no value: the result is 0.1 there.
 
     >>> round(factor(0.8, 0.3), 4)
     6.8198
@@ -186,9 +187,9 @@ def factor(viscosity_ratio: float, contamination: float) -> float:
 
 
 def static_safety(pressure: float) -> float:
-    """s_0: how often the load fits into that at which the most loaded contact has `PERMITTED`; a
-    pressure (Pa) grows with the third root of the load (ISO 76:2006, clause 4, for the loads of the
-    balls as they are)."""
+    """s_0: factor on the load at which the most loaded contact has `PERMITTED`; a
+    pressure (Pa) grows with the cube root of the load (ISO 76:2006, clause 4, for the actual loads
+    of the balls)."""
     return (PERMITTED / pressure) ** 3
 
 
@@ -198,7 +199,7 @@ def minimum_load(factor: float, viscosity: float, rpm: float, mean_diameter: flo
 
     `factor` is k_r of the maker's product table, `viscosity` nu in mm2/s, `mean_diameter` that of
     bore and outside in m. The symbols are those of SKF's pages on loads of deep groove bearings.
-    The formula itself is quoted from memory: take it as information.
+    The formula itself is quoted from memory and serves as information.
 
     >>> round(minimum_load(0.025, 46.0, 1500.0, 0.060), 1)
     151.4

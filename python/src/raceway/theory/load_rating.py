@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Basic load ratings of a row of balls, C (ISO 281:2007) and C_0 (ISO 76:2006), and the balls that
-have given ratings.
+"""Basic load ratings of a row of balls, C (ISO 281:2007) and C_0 (ISO 76:2006), and balls for
+given ratings.
 
-The tables of f_c and f_0 hold for grooves no wider than 0.52 (inner) and 0.53 (outer) of the ball.
-They are as public calculators print them; the pages of the standards were not at hand. One prints
-15.7 for f_0 at 0.06, where its neighbours make 15.9.
+The tables of f_c and f_0 hold for grooves no wider than 0.52 (inner) and 0.53 (outer) of the ball
+diameter. They are taken from public calculators; the pages of the standards were not at hand. One
+calculator has f_0 = 15.7 at 0.06, where interpolation between its neighbours gives 15.9.
 """
 
 import math
@@ -28,10 +28,10 @@ _FC = (
     *(55.3, 54.6, 53.9, 53.2, 52.4, 51.7, 50.9, 50.0, 49.2, 48.4),
 )
 _STEP = 0.01
-MATERIAL = 1.3  # b_m of ISO 281 for ball bearings of today's steel
-LARGE = 25.4  # mm: C of larger balls grows with another power (from memory)
+MATERIAL = 1.3  # b_m of ISO 281 for ball bearings of modern steel
+LARGE = 25.4  # mm: above this C grows with another power of the ball diameter (from memory)
 FULLEST = 0.95  # largest share of the pitch circle for balls; the rest is for the cage
-# mm: balls are made in steps of 1/64 in; where none is near enough, in steps of 0.5 mm
+# mm: balls are made in steps of 1/64 in; if none is close enough, in steps of 0.5 mm
 INCH_STEP, METRIC_STEP, NEAR = 25.4 / 64, 0.5, 0.015
 
 
@@ -84,8 +84,8 @@ def dynamic(number: int, ball: float, pitch: float, angle: float = 0.0, *, rows:
 
 
 def number(static_rating: float, ball: float, pitch: float, angle: float = 0.0) -> int:
-    """The whole number of balls of diameter `ball` (m) whose C_0 is nearest to a rating in N; other
-    arguments as `dynamic`.
+    """The number of balls of diameter `ball` (m) whose C_0 is nearest to a rating in N; other
+    arguments as in `dynamic`.
 
     >>> number(17100.0, 7.938e-3, 54e-3, math.radians(25))
     19
@@ -102,11 +102,12 @@ def balls(
     *,
     rows: int = 1,
 ) -> Balls:
-    """The `Balls` of a row of a bearing with these ratings (N) on a `pitch` circle (m).
+    """The `Balls` of a row in a bearing with these ratings (N) on a `pitch` circle (m).
 
-    For each number, C_0 gives the diameter. The number is that with which C by ISO 281, times the
-    maker's `dynamic_factor`, comes nearest. The diameter is then rounded: to the nearest multiple
-    of 1/64 in if that is within 1.5 %, else of 0.5 mm. Raises `ValueError` when no balls fit.
+    For each number, C_0 gives the diameter. The chosen number is the one for which C by ISO 281,
+    times the maker's `dynamic_factor`, is nearest to the rating. The diameter is then rounded: to
+    the nearest multiple of 1/64 in if that is within 1.5 %, otherwise of 0.5 mm. Raises
+    `ValueError` if no balls fit.
 
     JTEKT's 7208B, 40 degrees:
 
@@ -117,7 +118,7 @@ def balls(
     found = {}
     for count in range(4, 60):
         largest = pitch * math.sin(FULLEST * math.pi / count)
-        # above the smallest of the tables; a larger ball than 0.4 of the pitch is in no table
+        # above the smallest of the tables; a ball larger than 0.4 of the pitch is in no table
         low, high = 0.011 * pitch / math.cos(angle), min(largest, 0.39 * pitch / math.cos(angle))
 
         def excess(ball, count=count):

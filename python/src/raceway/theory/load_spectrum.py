@@ -122,9 +122,9 @@ def of_sweep(
 def of_points(
     duties: Sequence[Duty], figures: Callable[[Duty], Mapping[str, Any]]
 ) -> dict[str, Any]:
-    """Figures by name of the spectrum `duties`, SI units; `points` has those of each.
+    """Figures by name for the spectrum `duties`, SI units; `points` has those of each.
 
-    `figures` gives those of a point (`operating_point.figures`). Raises `InputError` where they
+    `figures` gives those of a point (`operating_point.figures`). Raises `InputError` if they
     have no life because the bearing has no rating.
     """
     points: list[dict[str, Any]] = []

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Oils by temperature and pressure: Walther, Vogel, Roelands, Barus. Temperatures in degrees C.
+"""Oils as functions of temperature and pressure: Walther, Vogel, Roelands, Barus. Temperatures in
+degrees C.
 
 A `Lubricant` holds physical data, `Lubricant.at` gives the `Fluid` at a temperature. Ambient
 pressure unless a pressure is given. Numbers or arrays of one shape, SI units except for kinematic
@@ -39,7 +40,7 @@ class Fluid(NamedTuple):
 class Walther:
     """lg lg(nu + 0.7) = A - B lg T through kinematic viscosities in mm^2/s at 40 and 100 C.
 
-    ASTM D341. Raises `ValueError` unless low > high > 0.3, where the double logarithm ends.
+    ASTM D341. Raises `ValueError` unless low > high > 0.3, the limit of the double logarithm.
     """
 
     low: float  # at 40 C
@@ -83,7 +84,7 @@ class Lubricant:
 
     law: Walther | Vogel
     density: float  # at 40 C, kg/m^3
-    thinning: float  # kg/(m^3 K): the density falls by it
+    thinning: float  # kg/(m^3 K): decrease of the density
     pressure_viscosity: float  # at 40 C, 1/Pa
     pressure_viscosity_hot: float  # at 100 C, 1/Pa
     permittivity: float  # at 40 C
@@ -93,7 +94,7 @@ class Lubricant:
     limiting_traction: float = 0.047
 
     def at(self, temperature: Numbers) -> Fluid:
-        """The `Fluid` at a temperature in degrees C. Raises `ValueError` beyond -40 to 200 C."""
+        """The `Fluid` at a temperature in degrees C. Raises `ValueError` outside -40 to 200 C."""
         warm = np.asarray(temperature, float)
         if not np.all((warm >= -40) & (warm <= 200)):
             raise ValueError(f"temperature = {temperature} C must lie from -40 to 200 C")
@@ -143,5 +144,5 @@ def roelands(viscosity: Numbers, pressure_viscosity: Numbers, pressure: Numbers)
 
 
 def barus(viscosity: Numbers, pressure_viscosity: Numbers, pressure: Numbers) -> Numbers:
-    """eta_0 exp(xi p) in Pa s (Barus 1893): for the inlet only, far too stiff at Hertz pressure."""
+    """eta_0 exp(xi p) in Pa s (Barus 1893): for the inlet only, far too steep at Hertz pressure."""
     return viscosity * np.exp(pressure_viscosity * pressure)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film and capacitance of a bearing at rest in its loads and rolling without slip: statics,
+"""Film and capacitance of a bearing in static equilibrium, rolling without slip: statics,
 kinematics and film together.
 
-Each contact has the entrainment speed of pure rolling at its own contact angle, or of how its ball
-moves on several grooves (`ball_motion`), the film of its elastic load after Masjedi and Khonsari
+Each contact has the entrainment speed of pure rolling at its own contact angle, or of the motion of
+its ball on several grooves (`ball_motion`), the film of its elastic load after Masjedi and Khonsari
 (eqs 6, 7, 9) and the capacitance of eqs 8, 10-12.
 """
 
@@ -54,8 +54,7 @@ def lubricate(
     factor: Callable[[Floats], Floats] | None = None,
 ) -> Lubrication:
     """`Lubrication` of an `Equilibrium` with an `inputs.Oil`, the inner ring at `spin` rad/s;
-    `clearance` as there, m; `factor` on the thickness at an entrainment speed in m/s, 1 unless
-    given.
+    `clearance` as there, m; `factor` on the thickness at an entrainment speed in m/s, by default 1.
 
     >>> from raceway.theory.bearing import Bearing
     >>> from raceway.inputs import Oil
@@ -106,15 +105,15 @@ def _film(bearing, side, contact, speeds, oil, clearance, factor):
 def orbit(bearing: Bearing, state: Equilibrium, spin: float) -> float | Floats:
     """Orbital speed of the balls in rad/s for an inner ring at `spin` rad/s: rolling at the mean
     contact angle, weighted with the loads of both raceways, since one cage carries all balls of a
-    row (Harris, ch. 10). Of several rows one speed a ball (Z,). Raises `NoEquilibrium` if no ball
-    carries."""
+    row (Harris, ch. 10). For several rows one speed for each ball (Z,). Raises `NoEquilibrium` if
+    no ball carries load."""
     load = np.vstack([state.inner.load, state.outer.load])
     if not load.any():
         raise NoEquilibrium("no ball carries: the ring is held where it touches none")
     cosine = np.cos(np.vstack([state.inner.angle, state.outer.angle]))
     if len(bearing.layout.rows) == 1:
         mean = np.average(cosine, weights=load)
-    else:  # a row without load rolls as all others do
+    else:  # a row without load rolls like all others
         rows = [bearing.row == row for row in range(len(bearing.layout.rows))]
         loads = [load * row if (load * row).any() else load for row in rows]
         mean = np.array([np.average(cosine, weights=one) for one in loads])[bearing.row]
@@ -125,8 +124,9 @@ def turning(
     bearing: Bearing, spin: float, *loads: float, **options: Any
 ) -> tuple[Equilibrium, float | Floats]:
     """(`Equilibrium`, `orbit` in rad/s) with the centrifugal load of balls that roll at `spin`
-    rad/s of the inner ring; loads and options as those of `static.equilibrium`. The contact angles
-    decide the speed and the speed the angles. Likewise for the film in the gap of several grooves.
+    rad/s of the inner ring; loads and options as in `static.equilibrium`. The contact angles
+    determine the speed and the speed the angles. The same applies to the film in the gap of several
+    grooves.
     """
     speed, film = spin * kinematics.frequencies(bearing).cage, options.get("film")
     for _ in range(30):

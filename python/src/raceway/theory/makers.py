@@ -4,7 +4,7 @@
 In the units of the catalogues: mm, N, rpm, mm^2/s, and N mm. SKF's model is that of Rolling
 bearings 10000 EN 2013 (pages 105 and 106) for deep-groove ball bearings and for single-row angular
 contact ball bearings, whose constants are in the General Catalogue 6000, 2006 (page 92 of the
-Russian edition, read in the text layer of github.com/ArtemFilin1990/Mar).
+Russian edition, from the text layer in github.com/ArtemFilin1990/Mar).
 """
 
 from dataclasses import dataclass
@@ -31,7 +31,7 @@ SAME = {"630": "60", "622": "62", "623": "63", "161": "160", "628": "618"}
 BOUNDARY, MINERAL, SYNTHETIC = 0.12, 0.05, 0.04  # mu_bl, and mu_EHL by oil
 OIL, GREASE = 3e-8, 6e-8  # K_rs: low oil bath and jet; grease and oil-air
 K_Z, K_Z_ANGULAR = 3.1, 4.4  # deep-groove and single-row angular contact ball bearings
-# of the diagram, read off: level over mean diameter, V_M
+# values read from the diagram: level over mean diameter, V_M
 LEVEL = np.array([0, 0.065, 0.109, 0.148, 0.193, 0.252, 0.365, 0.5, 0.66, 0.87, 1.07, 1.2])
 CHURNING = 1e-5 * np.array([0, 2.9, 7.35, 13.8, 21.7, 31.6, 44.6, 56.6, 67.5, 83.6, 100.7, 124.6])
 
@@ -100,9 +100,9 @@ def skf(
     """`Torque` under `radial` and `axial` load in N at `speed` in rpm with an oil of `kinematic`
     viscosity in mm^2/s.
 
-    `replenishment` is K_rs, `boundary` and `film` are mu_bl and mu_EHL, `level` the height of the
-    oil above the lowest raceway in mm (0: no drag; up to 1.2 d_m, which raises `ValueError`
-    beyond), `seal` in N mm (0 for an open bearing).
+    `replenishment` is K_rs, `boundary` and `film` are mu_bl and mu_EHL, `level` is the height of
+    the oil above the lowest raceway in mm (0: no drag; up to 1.2 d_m, `ValueError` beyond), `seal`
+    in N mm (0 for an open bearing).
     """
     d, outside, mean = bearing.bore, bearing.outside, bearing.mean
     rolled, slid = _geometric(bearing, radial, np.abs(axial), speed)
@@ -126,7 +126,7 @@ def _geometric(bearing, radial, axial, speed):
             s1 * mean**0.26 * ((radial + s3 * thrown) ** (4 / 3) + s2 * axial ** (4 / 3)),
         )
     r1, r2, s1, s2 = CONSTANTS[SAME.get(bearing.series, bearing.series)]
-    # degrees; any angle where there is no axial load, it is multiplied by zero
+    # degrees; without axial load any angle will do, since it is multiplied by zero
     angle = 24.6 * (np.where(axial > 0, axial, 1.0) / bearing.static_rating) ** 0.24
     sine = np.sin(np.radians(angle))
     slid = np.where(

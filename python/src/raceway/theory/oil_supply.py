@@ -14,14 +14,14 @@ class Supply(NamedTuple):
     """How a bearing is lubricated."""
 
     kind: str = "bath"  # one of `KINDS`
-    level: float = 0.5  # of a bath above the lowest raceway, over the ball diameter
+    level: float = 0.5  # level of a bath above the lowest raceway, in ball diameters
 
 
 BATH = Supply()  # to the middle of the lowest ball
 
 
 class Numbers(NamedTuple):
-    """Numbers of friction that a `Supply` sets."""
+    """Friction parameters determined by a `Supply`."""
 
     inlet: float  # in semi-axes b along rolling; 0: flooded, 1: the shortest
     replenishment: float  # K_rs of SKF's starvation factor; 0: none
@@ -29,8 +29,8 @@ class Numbers(NamedTuple):
 
 
 def numbers(supply: Supply, bearing: Bearing, density: float) -> Numbers:
-    """`Numbers` of a bearing with oil of a `density` in kg/m^3. Raises `ValueError` for another
-    kind or a level below 0."""
+    """`Numbers` of a bearing with oil of a `density` in kg/m^3. Raises `ValueError` for an unknown
+    type or a level below 0."""
     if supply.kind not in KINDS:
         raise ValueError(f"lubrication '{supply.kind}' is none of {', '.join(KINDS)}")
     if not supply.level >= 0:

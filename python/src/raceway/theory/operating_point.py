@@ -64,21 +64,22 @@ def figures(
     double_row: DoubleRow | None = None,
     supply: Supply = BATH,
 ) -> dict[str, Any]:
-    """Figures by name in SI units, text, numbers or None; `balls` is a list of one mapping a ball.
+    """Figures by name in SI units, text, numbers or None; `balls` is a list with one mapping for
+    each ball.
 
     `bearing` and `lubricant` are names or paths of data files, looked up in the inputs `folder`
     (`catalogue.find`); the other arguments are those of `static.equilibrium`, with `rpm` of the
-    inner ring and the load along x. What is not `held` is free. `models` is one of
-    `models.STATICS`: "full" has the film in the gap, inlet shear and the friction torque, with the
-    `spin_law` of `friction_torque.losses`; "eyring" has Eyring's stress with its limit in the film
-    as well. `temperature` of the lubricant is in degrees C, its file's unless given. `cleanliness`
-    is a word of `cleanliness.CLEANLINESS`. `four_point` in rad makes it a four-point contact
-    bearing with that angle, as its file may, too. Each of `balls` then has a list of `contacts`.
-    `double_row` gives it two rows, whose `balls` follow one another. `dynamic` is C in N of a row,
-    instead of the file's. `supply` is the kind of lubrication. `absent` has the reason by key of
-    figures that the models leave out.
+    inner ring and the load along x. Degrees of freedom that are not `held` are free. `models` is
+    one of `models.STATICS`: "full" has the film in the gap, inlet shear and the friction torque,
+    with the `spin_law` of `friction_torque.losses`; "eyring" also has Eyring's stress with its
+    limit in the film. `temperature` of the lubricant is in degrees C, by default that of its file.
+    `cleanliness` is a word of `cleanliness.CLEANLINESS`. `four_point` in rad makes it a four-point
+    contact bearing with that angle, as its file may do. Each of `balls` then has a list of
+    `contacts`. `double_row` gives it two rows, whose `balls` follow one another. `dynamic` is C in
+    N of a row, replacing the file's. `supply` is the kind of lubrication. `absent` has the reason
+    by key for figures that the models omit.
 
-    As in a deck, the ring is held along z where there is no axial load (`inputs.held`).
+    As in a deck, the ring is held along z if there is no axial load (`inputs.held`).
 
     Raises `RacewayError`: `NoEquilibrium`, or `InputError` for a data file; `ValueError` for other
     models or another word.
@@ -137,12 +138,13 @@ def figures(
     if double_row is not None:
         result.update(zip(("row_spacing_m", "row_preload_m", "arrangement"), double_row))
     result.update(_ring(state, load, axial, moment, held, clearance, body.pitch_radius))
-    if nominal:  # the loaded zone depends on the axial load, too
+    if nominal:  # the load zone depends on the axial load, too
         result["load_parameter"] = None
     result.update(_loads(state))
     pressure = max(result["p_max_inner_Pa"], result["p_max_outer_Pa"])
     result.update(static_safety=life.static_safety(pressure))
-    # ratings of a file are not those of a deep groove bearing that an option gives more grooves
+    # the file's ratings are those of a deep groove bearing, not of one to which an option adds
+    # grooves
     if four_point == stated or dynamic is not None:
         angle = nominal if four_point is None else four_point
         result.update(_life(path, body, state, rpm, fluid, cleanliness, angle, dynamic))
@@ -259,7 +261,7 @@ def _complete(fluid, models):
 
 
 def _makers(body, boundary, load, axial, rpm, viscosity):
-    """Torque of the makers' formulas, which are of one groove a ring, where the file has their
+    """Torque of the makers' formulas, which apply to one groove a ring, if the file has their
     data."""
     if boundary is None or body.layout != Layout():
         return dict(torque_skf_N_m=None, torque_palmgren_N_m=None)
@@ -271,7 +273,7 @@ def _makers(body, boundary, load, axial, rpm, viscosity):
 
 
 def _basic_life(body, figures, angle):
-    """L_10 of ISO 281: the table of its load factors is of one row and one groove a ring."""
+    """L_10 of ISO 281: the table of its load factors applies to one row and one groove a ring."""
     axial, layout = figures["axial_N"], body.layout
     if axial and layout != Layout():
         return {}
@@ -288,7 +290,7 @@ def _basic_life(body, figures, angle):
 
 
 def _life(path, body, state, rpm, fluid, cleanliness, angle, dynamic):
-    """Life of a bearing with a basic `dynamic` load rating in N, that of its file unless given."""
+    """Life of a bearing with a basic `dynamic` load rating in N, by default that of its file."""
     result = {}
     stated, rows = inputs.minimum_load(path), len(body.layout.rows)
     if rows == 1 and stated and rpm and fluid is not None and not math.isnan(fluid.kinematic):
@@ -301,7 +303,7 @@ def _life(path, body, state, rpm, fluid, cleanliness, angle, dynamic):
         rated = life.Ratings(dynamic, math.nan, math.nan)
     elif dynamic is not None:
         rated = rated._replace(dynamic=dynamic)
-    # of all rows, from those of one
+    # for all rows, from those of one
     rated = life.Ratings(rated.dynamic * rows**0.7, rated.static * rows, rated.fatigue * rows)
     known = fluid is not None and not math.isnan(fluid.kinematic + rated.fatigue)
     viscosity = fluid.kinematic if known else None
@@ -389,7 +391,7 @@ def _rounded(values):
 
 
 def _plain(value):
-    """`value` for JSON; None for the capacitance of contacts without film, which is no number."""
+    """`value` for JSON; None for NaN, as for the capacitance of contacts without film."""
     if isinstance(value, dict):
         return {key: _plain(one) for key, one in value.items()}
     if isinstance(value, list):

@@ -124,7 +124,7 @@ CONTACT_COLUMNS = (  # of the table of contacts with several grooves a ring
 
 
 def table(result: Mapping[str, Any]) -> str:
-    """The mapping of `figures` as text: a topic a block, then a row a ball."""
+    """The mapping of `figures` as text: one block for each topic, then one row for each ball."""
     filled = {row.key: result.get(row.key) for rows in TOPICS.values() for row in rows}
     filled.update({key: why for key, why in result["absent"].items() if key in models.HEADLINES})
     filled.update({f"loss_{part}_W": loss for part, loss in (result["losses_W"] or {}).items()})
@@ -140,7 +140,7 @@ def table(result: Mapping[str, Any]) -> str:
 
 
 def _table_of_balls(balls):
-    """A row a ball; of several grooves a ring, a row for each that is loaded."""
+    """One row for each ball; with several grooves a ring, one row for each loaded contact."""
     if "contacts" in balls[0]:
         columns = CONTACT_COLUMNS
         found = [

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Stiffness and damping of a bearing's ring from statics and films: at one place of the balls, and
-their mean and spread over a ball pass.
+"""Stiffness and damping of a bearing's ring from statics and films: at one position of the balls,
+and their mean and spread over a ball pass.
 
-Damping is that of the films and of the contacts' steel alone. Seats, housing and grease are left
-out, and so is friction.
+Damping comes from the films and the contacts' steel alone. Seats, housing, grease and friction are
+omitted.
 """
 
 import math
@@ -23,7 +23,7 @@ from raceway.theory.models import DEFAULT
 from raceway.theory.small_motion import Response, response
 from raceway.theory.static import Equilibrium, equilibrium
 
-PHASES = 8  # places of the balls over a ball pass
+PHASES = 8  # positions of the balls over a ball pass
 # contact dampers by models
 LAWS = {
     "paper": "steel and squeeze film, eqs 4 and 5",
@@ -40,7 +40,7 @@ class Dampers(NamedTuple):
 
 
 class OverPass(NamedTuple):
-    """`Response` over a ball pass; least and most are entry by entry."""
+    """`Response` over a ball pass; least and greatest values are entry by entry."""
 
     mean: Response
     least: Response
@@ -57,10 +57,10 @@ def dampers(
     clearance: float = 0.0,
     frequency: float = 0.0,
 ) -> Dampers:
-    """`Dampers` of the contacts of a rest and its films. `models` is a key of `LAWS`, and they are
-    those of the simulation with these models. `clearance` is in m, as of `state`.
+    """`Dampers` of the contacts of an equilibrium and its films. `models` is a key of `LAWS`, and
+    they are those of the simulation with these models. `clearance` is in m, as for `state`.
 
-    The film branch is softer the faster the motion, so it needs the `frequency` of the motion in
+    The film branch becomes softer with faster motion, so it needs the `frequency` of the motion in
     rad/s. Raises `ValueError` for other models.
     """
     if models not in LAWS:
@@ -80,7 +80,7 @@ def dampers(
                 oil.viscosity, contact.a[live], bearing.ball_radius, floor
             )
             continue
-        live &= film.h_c > 0  # balls that stand still on a raceway have no film there
+        live &= film.h_c > 0  # balls at rest on a raceway have no film there
         load = contact.load[live]
         ellipse = hertz.exact(*bearing.effective_radii(side, contact.angle[live], clearance))
         elastic = (load / hertz.stiffness(ellipse, bearing.effective_modulus)) ** (2 / 3)
@@ -94,7 +94,7 @@ def dampers(
 
 
 def over_pass(at: Callable[[float], Response], balls: int, phases: int = PHASES) -> OverPass:
-    """`OverPass` of `at`(phase in rad) at even `phases` of the ball pass of `balls` balls.
+    """`OverPass` of `at`(phase in rad) at equidistant `phases` of the ball pass of `balls` balls.
 
     >>> from raceway.theory.bearing import Bearing
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
@@ -127,7 +127,7 @@ def turning_ring(
 ) -> OverPass:
     """`OverPass` under a radial load along x and an axial one, N, the inner ring at `spin` rad/s.
 
-    Without an `oil` there is no damping. "full" `models` take the `fluid`, too. `frequency` of the
+    Without an `oil` there is no damping. "full" `models` also need the `fluid`. `frequency` of the
     motion is in rad/s, 0 for slow. `options` are those of `static.equilibrium`: clearance, moment,
     held and others. Raises `NoEquilibrium`.
     """
@@ -137,11 +137,12 @@ def turning_ring(
             raise ValueError("models full need the fluid")
         film = FilmInGap(fluid, spin)
     clearance = options.get("clearance", 0.0)
-    # a film hardly turns the contact angles, and takes long to solve
+    # a film hardly affects the contact angles, and takes long to solve
     _, orbit = turning(bearing, spin, load, axial, **options)
 
     def at(phase):
-        if film is not None and len(bearing.raceways) > 2:  # its balls draw the oil in otherwise
+        # otherwise the balls' motion determines the entrainment
+        if film is not None and len(bearing.raceways) > 2:
             state, _ = turning(bearing, spin, load, axial, phase=phase, film=film, **options)
         else:
             state = equilibrium(

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Resistance to rolling: hydrodynamic, in the inlet of the film, and by hysteresis of the steel.
+"""Resistance to rolling: hydrodynamic, in the inlet of the film, and from hysteresis of the steel.
 
-Both are couples about the axis of the relative rolling velocity w, against it, equal and opposite
+Both are couples about the axis of the relative rolling velocity w, opposing it, equal and opposite
 on ball and ring. Numbers or arrays of one shape, SI units; fully flooded and isothermal.
 """
 
@@ -27,7 +27,7 @@ def hydrodynamic(
 
 
 def inlet(length: float, h_c: Numbers, b: Numbers, r_x: Numbers) -> Numbers:
-    """Share of `hydrodynamic` that an inlet of the `length` in semi-axes b leaves, 1/2 to 1; 0 is
+    """Share of `hydrodynamic` that remains with an inlet of `length` in semi-axes b, 1/2 to 1; 0 is
     flooded, 1 the shortest. h_c, b and R_x in m."""
     return laws.rolling_inlet(length, h_c, b, r_x)
 
@@ -47,6 +47,6 @@ def hysteresis(load: Numbers, b: Numbers, loss: float) -> Numbers:
 
 
 def hysteresis_strips(load: Numbers, b: Numbers, loss: float) -> Numbers:
-    """3/16 alpha Q b in N m: the line contact's couple taken strip by strip over the ellipse, 12 %
-    less than `hysteresis`."""
+    """3/16 alpha Q b in N m: the line contact's couple integrated strip by strip over the ellipse,
+    12 % less than `hysteresis`."""
     return 3 / 16 * loss * load * b

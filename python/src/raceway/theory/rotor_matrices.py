@@ -2,8 +2,8 @@
 """A rotor given as matrices by a rotor dynamics program, and its bending modes.
 
 A node has x, y, z, rx, ry, rz (ROSS since 2.0) or x, y, rx, ry (before), right-handed, z along the
-shaft. M q'' + (C + spin G) q' + K q = f in kg, m, s, N and rad, spin in rad/s. Nothing may hold the
-rotor: its bearings are those of the simulation.
+shaft. M q'' + (C + spin G) q' + K q = f in kg, m, s, N and rad, spin in rad/s. The rotor must be
+free: its bearings are those of the simulation.
 """
 
 from collections.abc import Sequence
@@ -16,7 +16,8 @@ from raceway.arrays import Floats
 from raceway.theory import beam_motion, shaft_bending
 from raceway.theory.beam import FREEDOMS
 
-OURS = {4: (0, 1, 3, 4), 6: (0, 1, 2, 3, 4)}  # by degrees of freedom of their node: places in ours
+# positions in our order, by number of degrees of freedom of a node
+OURS = {4: (0, 1, 3, 4), 6: (0, 1, 2, 3, 4)}
 THEIRS = {4: (0, 1, 2, 3), 6: (0, 1, 2, 3, 4)}
 SMALL = 1e-9  # rounding tolerance, fraction of the largest number
 NEAR = 1e-6  # m, tolerance of a node's position
@@ -24,7 +25,7 @@ PROPER = 1e-6  # limit of modal coupling by damping, fraction of the diagonal
 
 
 class Rotor(NamedTuple):
-    """A rotor of N nodes that nothing holds."""
+    """A free rotor with N nodes."""
 
     z: Floats  # (N,), m, rising
     whole: beam_motion.Matrices  # (5 N, 5 N)
@@ -40,8 +41,8 @@ def rotor(
 ) -> Rotor:
     """`Rotor` of nodes at `z` (N,) in m and matrices (n, n), n = 4 N or 6 N, without bearings.
 
-    Raises `ValueError` for what `fix bearing/shaft` cannot have: matrices that are not symmetric
-    (G: not antisymmetric), planes that are not alike, stiffness or damping that holds the rotor.
+    Raises `ValueError` for properties that `fix bearing/shaft` does not support: matrices that are
+    not symmetric (G: not antisymmetric), unequal planes, stiffness or damping that holds the rotor.
 
     >>> from raceway.theory.beam import Section, divided
     >>> z, pieces = divided([Section(0.4, 0.04)], [0.1, 0.2, 0.3])
@@ -74,13 +75,14 @@ def bending(
     damping: float = 0.0,
     places: Sequence[float] = (),
 ) -> shaft_bending.Bending:
-    """How `of` bends, as `shaft_bending.bending` says it, with its own damping and the `damping`
+    """Bending of `of`, as in `shaft_bending.bending`, with its own damping and the `damping`
     ratio of every mode.
 
     The nodes at `kept` (m) respond exactly to steady loads. Stations are these, the centre of mass
     and `places` (m) anywhere on the rotor. Between two nodes they follow from Timoshenko's beam
-    without loads: exact for an element whose section does not change. Raises `ValueError` for a
-    kept place without a node, a place off the rotor, too many modes, and damping that couples them.
+    without loads: exact for an element with constant section. Raises `ValueError` for a
+    kept position without a node, a position off the rotor, too many modes, and damping that couples
+    them.
     """
     nodes = sorted({node(of, place) for place in kept})
     if not nodes:
@@ -101,7 +103,7 @@ def bending(
 
 
 def node(of: Rotor, place: float) -> int:
-    """The number of the node at `place` (m). Raises `ValueError` where there is none."""
+    """The number of the node at `place` (m). Raises `ValueError` if there is none."""
     nearest = int(np.argmin(np.abs(of.z - place)))
     if not abs(of.z[nearest] - place) <= NEAR:
         raise ValueError(
@@ -112,7 +114,7 @@ def node(of: Rotor, place: float) -> int:
 
 
 def _ours(name, matrix, nodes):
-    """(5 N, 5 N) of one of their matrices."""
+    """(5 N, 5 N) matrix in our degrees of freedom."""
     sizes = [freedoms * nodes for freedoms in OURS]
     if matrix.shape not in [(size, size) for size in sizes]:
         raise ValueError(
@@ -132,7 +134,7 @@ def _ours(name, matrix, nodes):
 
 
 def _check(of):
-    # in one unit, so that one number says what is small: tilts as lengths over an element
+    # in one unit, so that one number defines what is small: tilts as lengths over an element
     length = np.diff(of.z).mean()
     unit = np.tile([1.0, 1.0, 1.0, 1 / length, 1 / length], len(of.z))
     one, other = shaft_bending.planes(len(of.z))
@@ -150,7 +152,7 @@ def _check(of):
 
 
 def _faults(name, matrix, one, other, rigid):
-    """(what is wrong, what must be 0 of it) of a matrix; `one` and `other` pick its planes, and
+    """(error text, entries that must be 0) of a matrix; `one` and `other` select its planes, and
     `rigid` has the motions of a rigid body in one."""
     own, both = one.T @ matrix @ one, one.T @ matrix @ other
     if name == "G":
@@ -158,7 +160,7 @@ def _faults(name, matrix, one, other, rigid):
         yield "is not alike in the planes of x and y", both - both.T
         return
     yield "is not symmetric", matrix - matrix.T
-    if name != "M":  # before the planes: bearings often differ in them
+    if name != "M":  # before the planes are compared, since bearings often differ in them
         yield (
             "holds the rotor: a motion as a rigid body must be free. Leave bearings, seals and"
             " axial forces out; ROSS has M0, K0, C0 and G0 without bearings",
@@ -169,13 +171,13 @@ def _faults(name, matrix, one, other, rigid):
 
 
 def _element(of, k):
-    """(4, 4) block of stiffness in the plane of x between the nodes k and k + 1."""
+    """(4, 4) stiffness block in the plane of x between the nodes k and k + 1."""
     at = np.array([FREEDOMS * k, FREEDOMS * k + 4])
     return of.whole.stiffness[np.ix_(at, at + FREEDOMS)]
 
 
 def _shape(of, shape, place):
-    """(n, 2) displacement and tilt at `place` (m) of the modes `shape` (n, N, 2) at the nodes.
+    """(n, 2) displacement and tilt at `place` (m) of the modes with `shape` (n, N, 2) at the nodes.
     Static shapes of Timoshenko's element: Przemieniecki 1968, ch. 5."""
     k = int(np.clip(np.searchsorted(of.z, place) - 1, 0, len(of.z) - 2))
     length = of.z[k + 1] - of.z[k]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Mean of 1/gap of a rough film over that of a smooth one, by L = h/sigma: h the mean gap, sigma
-the rms composite roughness. Numbers or arrays of one shape.
+"""Mean of 1/gap of a rough film relative to a smooth one, as a function of L = h/sigma: h the mean
+gap, sigma the rms composite roughness. Numbers or arrays of one shape.
 
 A profilometer's sigma is an upper bound: under pressure long waves are flattened.
 """
@@ -14,19 +14,19 @@ from raceway.arrays import Numbers
 from raceway.core import laws
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(200)
-HIGHEST = 8.0  # sigmas above the mean that count
+HIGHEST = 8.0  # number of sigmas above the mean that are included
 
 
 class Clipped(NamedTuple):
-    """A film of Gaussian gap that is solid where it is thinner than a boundary film."""
+    """A film with a Gaussian gap that is solid where it is thinner than a boundary film."""
 
     factor: Numbers  # of the open part
     closed: Numbers  # share of the area
 
 
 def factor(ratio: Numbers) -> Numbers:
-    """L^2/(L^2 - 1) of a gamma-distributed film, held at its value for L = 2.5 below that: thinner
-    films are partly closed and are no capacitor there (`clipped`).
+    """L^2/(L^2 - 1) for a gamma-distributed film, constant below L = 2.5: thinner
+    films are partly closed and not capacitors there (`clipped`).
 
     >>> [round(float(factor(L)), 4) for L in (3.0, 10.0)]
     [1.125, 1.0101]
@@ -35,8 +35,8 @@ def factor(ratio: Numbers) -> Numbers:
 
 
 def gauss_cut(ratio: Numbers, cut: float = 3.0) -> Numbers:
-    """The same of a Gaussian height that is cut at `cut` sigmas and renormalised: the reference for
-    the gamma film. Raises `ValueError` unless L > `cut`: uncut, the mean is infinite.
+    """The same for a Gaussian height that is cut at `cut` sigmas and renormalised: the reference
+    for the gamma film. Raises `ValueError` unless L > `cut`: uncut, the mean is infinite.
 
     >>> [round(float(gauss_cut(L)), 4) for L in (4.0, 5.0, 6.0, 10.0)]
     [1.0755, 1.0441, 1.0294, 1.01]
@@ -50,13 +50,13 @@ def gauss_cut(ratio: Numbers, cut: float = 3.0) -> Numbers:
 
 
 def clipped(ratio: Numbers, boundary: Numbers) -> Clipped:
-    """`Clipped` of a Gaussian gap: where it is below `boundary`, in sigmas (a boundary film of 2 to
-    10 nm), the surfaces meet. Raises `ValueError` for a boundary that is not positive.
+    """`Clipped` for a Gaussian gap: where it is below `boundary`, in sigmas (a boundary film of 2
+    to 10 nm), the surfaces touch. Raises `ValueError` for a boundary that is not positive.
     """
     ratio, boundary = np.broadcast_arrays(np.asarray(ratio, float), np.asarray(boundary, float))
     if not np.all(boundary > 0):
         raise ValueError(f"boundary = {boundary} must be positive")
-    # the gap as a variable grows as the exponential of the step: 1/gap is then smooth
+    # the gap as a variable grows exponentially with the step, which makes 1/gap smooth
     low, high = np.log(boundary), np.log(np.maximum(ratio + HIGHEST, 2 * boundary))
     middle, half = (low + high) / 2, (high - low) / 2
     gap = np.exp(middle[..., None] + half[..., None] * NODES)

@@ -2,9 +2,10 @@
 """Equilibrium position of a ball between the grooves of an inner and an outer ring, in the plane
 through the bearing's axis (Jones 1960).
 
-Coordinates are (radial, axial) in m. Each of Z balls has C contacts, one a groove, inner grooves
-first. Each contact is a spring by its `contact_law` whose energy is convex in the ball's place, and
-so is their sum with the centrifugal load. So a ball goes from groove to groove without a jump.
+Coordinates are (radial, axial) in m. Each of Z balls has C contacts, one for each groove, inner
+grooves first. Each contact is a spring with its `contact_law` whose energy is convex in the ball's
+position, and so is their sum with the centrifugal load. A ball therefore moves from groove to
+groove without a jump.
 """
 
 from collections.abc import Callable
@@ -37,19 +38,19 @@ class Touch(NamedTuple):
     distance: Floats  # (C, Z), m, ball to centre of curvature
     direction: Floats  # (C, Z, 2), from ball to raceway
     load: Floats  # (C, Z), N
-    along: Floats  # (C, Z), N/m: stiffness of each contact along its line
+    along: Floats  # (C, Z), N/m: stiffness of each contact along its line of action
     energy: Floats  # (C, Z), J
     elastic: Floats  # (C, Z), m: compression of the steel
     reach: circle.Reach  # of the inner grooves
 
     @property
     def carried(self) -> Floats:
-        """(Z,), bool: balls with an inner contact; the others hold no ring."""
+        """(Z,), bool: balls with an inner contact; the others do not hold a ring."""
         return (self.load[: len(self.reach.distance)] > 0).any(0)
 
     @property
     def curve(self) -> Floats:
-        """(C, Z, 2, 2): second derivatives of the distances in the ball's place."""
+        """(C, Z, 2, 2): second derivatives of the distances with respect to the ball's position."""
         inner = len(self.reach.distance)
         line = self.direction[inner:, :, :, None] * self.direction[inner:, :, None, :]
         outer = (np.eye(2) - line) / np.maximum(self.distance[inner:], 1e-300)[..., None, None]
@@ -67,7 +68,7 @@ def touch(grooves: Grooves, ball: Floats) -> Touch:
 
 
 def energy(grooves: Grooves, touch: Touch, ball: Floats) -> Floats:
-    """Energy (Z,) in J of all springs, less the centrifugal load's work."""
+    """Energy (Z,) in J of all springs, minus the work of the centrifugal load."""
     return touch.energy.sum(0) - grooves.centrifugal * (ball[:, 0] - grooves.outer[0, :, 0])
 
 
@@ -102,15 +103,15 @@ def _springs(along, line, load, curve):
 
 
 def nearest(grooves: Grooves) -> tuple[Floats, ...]:
-    """Inner and outer groove that squeeze each ball most, or leave it the least play: (squeeze (Z,)
-    m, negative with play, unit vector (Z, 2) from the outer centre to the inner one, their distance
-    (Z,), outer centre (Z, 2), contacts (2, Z) by their numbers)."""
+    """Inner and outer groove that compress each ball most, or leave it the least play: (compression
+    (Z,) m, negative with play, unit vector (Z, 2) from the outer centre to the inner one, their
+    distance (Z,), outer centre (Z, 2), contacts (2, Z) by index)."""
     pairs, inner = [], None
     for k, outer in enumerate(grooves.outer):
         inner = grooves.inner(outer)
         count = len(inner.distance)
         gap = grooves.gap[:count] + grooves.gap[count + k]
-        # exact where the circle lies in the plane
+        # exact if the circle lies in the plane
         line = -inner.distance[..., None] * inner.slope[..., :2]
         number = np.broadcast_to([[[i], [count + k]] for i in range(count)], (count, 2, len(outer)))
         centre = np.broadcast_to(outer, line.shape)
@@ -122,38 +123,38 @@ def nearest(grooves: Grooves) -> tuple[Floats, ...]:
 
 
 def settle(grooves: Grooves) -> Floats:
-    """Places (Z, 2) where every ball is in balance. Raises `NoEquilibrium` should Newton's method
-    not find one."""
+    """Positions (Z, 2) where every ball is in equilibrium. Raises `NoEquilibrium` if Newton's
+    method does not find one."""
     centrifugal, stiffness = grooves.centrifugal, grooves.stiffness
     tight, line, distance, outer, pair = nearest(grooves)
     balls = np.arange(len(outer))
     squeeze, play = np.maximum(tight, 0), np.minimum(tight, 0)
     soft, hard = stiffness[pair, balls]
     gap = grooves.gap[pair, 0]
-    # of the inner contact: equal and opposite loads on one line; a ball with play is in the middle
+    # for the inner contact: equal and opposite loads on one line; a ball with play is in the middle
     share = squeeze / (1 + (soft / hard) ** (2 / 3)) + play / 2
     between = outer + line * (1 - (gap[0] + share) / distance)[:, None]
     thrown = outer.copy()
     thrown[:, 0] += gap[1] + (centrifugal / hard) ** (2 / 3)
     ball = np.where(((squeeze > 0) | (centrifugal == 0))[:, None], between, thrown)
     scale = centrifugal + hertz.load(hard, squeeze)
-    longest = 0.25 * gap[:, 0].sum()  # longest step, small against the groove
-    # keeps a ball that has lost a groove, or both, movable
+    longest = 0.25 * gap[:, 0].sum()  # longest step, small compared with the groove
+    # keeps a ball movable that has lost one or both grooves
     floor = (1e-9 * scale.max() + 1e-30) / longest * np.eye(2)
     digits = 8 * np.spacing(outer[:, 0])
     now = touch(grooves, ball)
     for _ in range(200):
         slope = gradient(grooves, now)
         size = np.linalg.norm(slope, axis=-1)
-        # distances are known to some last digits of the circle's radius; also where a contact has
-        # just closed
+        # distances have errors of a few last digits of the circle's radius, also where a contact
+        # has just closed
         rounding = 1.5 * (stiffness * np.sqrt(now.elastic + digits)).sum(0) * digits
         left = size > 1e-12 * scale + rounding
         if not left.any():
             break
         step = -np.linalg.solve(hessian(now) + floor, slope[..., None])[..., 0]
         step *= np.minimum(1, longest / np.maximum(np.linalg.norm(step, axis=-1), 1e-300))[:, None]
-        step[~left] = 0.0  # rounding would hold up the others
+        step[~left] = 0.0  # rounding would delay the others
         before, (ball, now) = ball, _moved(grooves, ball, step, slope, now)
         if np.array_equal(before, ball):
             break
@@ -164,8 +165,8 @@ def settle(grooves: Grooves) -> Floats:
 
 
 def _moved(grooves, ball, step, slope, now):
-    """(balls, `Touch`) after each ball's step from the `Touch` now, halved until the energy, or the
-    force left, comes down."""
+    """(balls, `Touch`) after each ball's step from the present `Touch`, halved until the energy or
+    the residual force decreases."""
     here, descent, size = (
         energy(grooves, now, ball),
         (slope * step).sum(-1),

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A shaft on several ball bearings at rest: displacements, loads and tilts of the bearings.
 
-The shaft is a beam (`beam`), each bearing the full statics of five degrees of freedom (`static`).
-The balance of all nodes
+The shaft is a beam (`beam`), each bearing has the full statics of five degrees of freedom
+(`static`). The equilibrium of all nodes
 
     K q + sum of bearing forces(q) = loads
 
 is solved by Newton iteration with the bearings' own stiffness matrices. A bearing with clearance
-carries no load at first, so soft springs to the ground are added and removed in steps.
+carries no load initially, so soft springs to the ground are added and removed in steps.
 """
 
 from collections.abc import Sequence
@@ -21,21 +21,21 @@ from raceway.theory import beam, static
 from raceway.theory.beam import FREEDOMS, Disc, Section, Steel
 from raceway.theory.bearing import Bearing
 
-HELP = (1e8, 1e6, 1e4, 0.0)  # N/m, stiffness of the soft springs, in turn
+HELP = (1e8, 1e6, 1e4, 0.0)  # N/m, stiffnesses of the soft springs, in turn
 STEPS = 60  # largest number of Newton iterations for each
-EXACT = 1e-9  # largest residual of the balance over the loads
+EXACT = 1e-9  # largest residual of the balance relative to the loads
 
 
 @dataclass(frozen=True)
 class Seat:
-    """A bearing on the shaft, its outer ring in the housing."""
+    """A bearing on the shaft, with its outer ring in the housing."""
 
     at: float  # m, of the ball plane along the shaft
     bearing: Bearing
     clearance: float = 0.0  # m, diametral
-    # (5,), m and rad: where the outer ring sits off its place, x, y, z, rx, ry
+    # (5,), m and rad: displacement of the outer ring from its nominal position, x, y, z, rx, ry
     offset: tuple[float, ...] = (0.0,) * FREEDOMS
-    floating: bool = False  # the outer ring slides along z: no axial load except a spring's
+    floating: bool = False  # the outer ring slides along z: no axial load except that of a spring
     spring: float = 0.0  # N, along z: force of a soft spring on the outer ring, which then slides
     phase: float = 0.0  # rad, azimuth of the first ball
 
@@ -56,7 +56,7 @@ class Load:
 
 @dataclass(frozen=True)
 class Shaft:
-    """Sections from z = 0 on, what they are made of, gravity, and rigid bodies on it."""
+    """Sections from z = 0 on, their material, gravity, and rigid bodies on the shaft."""
 
     sections: Sequence[Section]
     steel: Steel = field(default_factory=Steel)
@@ -69,10 +69,10 @@ class Carried:
     """A bearing of a shaft at rest."""
 
     seat: Seat
-    place: Floats  # (5,), m and rad: inner ring against outer
+    place: Floats  # (5,), m and rad: inner relative to outer ring
     load: Floats  # (5,), N and N m: of the shaft on the inner ring
     state: static.Equilibrium
-    stiffness: Floats  # (5, 5), of the bearing as the shaft meets it
+    stiffness: Floats  # (5, 5), of the bearing as it acts on the shaft
 
     __repr__ = short
 
@@ -84,7 +84,7 @@ class Rest:
     z: Floats  # (N,), m, of the nodes
     place: Floats  # (N, 5), m and rad
     bearings: list[Carried]
-    residual: float  # residual of the balance over the loads
+    residual: float  # residual of the balance relative to the loads
 
     __repr__ = short
 
@@ -97,11 +97,11 @@ def rest(
     speed: float = 0.0,
     ball_density: float = 7800.0,
 ) -> Rest:
-    """`Rest` of `shaft` on `seats` under `loads`; `speed` of the shaft in rad/s brings the
+    """`Rest` of `shaft` on `seats` under `loads`; `speed` of the shaft in rad/s adds the
     centrifugal loads of the balls.
 
-    Raises `ValueError` for a place off the shaft, `NoEquilibrium` when the bearings cannot hold the
-    loads.
+    Raises `ValueError` for a position off the shaft, `NoEquilibrium` if the bearings cannot hold
+    the loads.
 
     >>> from raceway.theory.bearing import Bearing
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
@@ -136,7 +136,7 @@ def rest(
 
 
 class _Holder:
-    """A bearing's forces on the shaft, the axial one that of its spring if it slides along z."""
+    """A bearing's forces on the shaft, with the axial force of its spring if it slides along z."""
 
     def __init__(self, seat, first, speed, density):
         self.seat, self.at = seat, slice(first, first + FREEDOMS)
@@ -188,9 +188,9 @@ class _Holder:
 
 
 def _newton(stiffness, given, holders, place, soft):
-    """(place, what is left of the balance over the loads) with springs `soft` (N/m) to the
+    """(position, residual of the balance relative to the loads) with springs `soft` (N/m) to the
     ground."""
-    lengths = np.tile([1.0, 1.0, 1.0, 0.1, 0.1], len(given) // FREEDOMS)  # m per unit of a place
+    lengths = np.tile([1.0, 1.0, 1.0, 0.1, 0.1], len(given) // FREEDOMS)  # m a unit of a coordinate
     size = max(np.abs(given / lengths).max(), *(abs(one.seat.spring) for one in holders), 0.0)
 
     def balance(at):
@@ -210,7 +210,7 @@ def _newton(stiffness, given, holders, place, soft):
             step = np.linalg.solve(slope, left)
         except np.linalg.LinAlgError:
             break
-        # the energy is convex except for contact angles: continue while it decreases along the step
+        # the energy is convex apart from contact angles: continue while it decreases along the step
         share, start = min(1.0, 50e-6 / np.abs(step * lengths).max()), left @ step
         while True:
             try:

@@ -18,7 +18,7 @@ from raceway.theory.beam import FREEDOMS
 
 
 class Bending(NamedTuple):
-    """A shaft as a rigid body with n elastic modes in each plane, known at N stations.
+    """A shaft as a rigid body with n elastic modes in each plane, defined at N stations.
 
     A mode's coordinate q (m) is its largest displacement. At a station the shaft moves by
     ``shape[mode, station, 0] * q`` and tilts by ``shape[mode, station, 1] * q`` in the plane.
@@ -45,8 +45,8 @@ def bending(
 
     `kept` nodes respond exactly to steady loads there; `modes` is the number of modes in a plane
     while they are held. That gives ``2 len(kept) + modes - 2`` elastic modes. `stations` are the
-    nodes to know the shapes at. `damping` is the damping ratio of every mode. Raises `ValueError`
-    for more modes than the shaft has, or none.
+    nodes at which the shapes are needed. `damping` is the damping ratio of every mode. Raises
+    `ValueError` for more modes than the shaft has, or none.
 
     >>> from raceway.theory.beam import STEEL, Section, divided
     >>> z, pieces = divided([Section(0.5, 0.02)], np.linspace(0, 0.5, 21))
@@ -65,7 +65,7 @@ def bending(
     shapes = basis @ scipy.linalg.eigh(*few)[1][:, 2:]
     if not shapes.shape[1]:
         raise ValueError("a shaft that bends needs another kept place or a mode")
-    # rounding residue of the rigid body in them
+    # rounding errors of the rigid-body motion in them
     rigid = np.zeros((2 * len(z), 2))
     rigid[0::2, 0], rigid[0::2, 1], rigid[1::2, 1] = 1.0, z - body.centre, 1.0
     own = rigid.T @ mass
@@ -88,7 +88,7 @@ def bending(
 
 
 def planes(nodes: int) -> tuple[Floats, Floats]:
-    """(5 N, 2 N) matrices, N = `nodes`, that put displacement and slope of a plane into the
+    """(5 N, 2 N) matrices, N = `nodes`, that map displacement and slope of a plane to the
     freedoms of `beam`: the plane of x, where the slope is ry, and that of y, where it is -rx."""
     one, other = np.zeros((FREEDOMS * nodes, 2 * nodes)), np.zeros((FREEDOMS * nodes, 2 * nodes))
     for k in range(nodes):
@@ -104,7 +104,7 @@ def _craig_bampton(mass: Floats, stiffness: Floats, kept: Sequence[int], modes: 
     held = np.concatenate([2 * k + np.arange(2) for k in kept])
     rest = np.setdiff1d(np.arange(len(mass)), held)
     if modes > len(rest):
-        raise ValueError(f"{modes} modes: the shaft has {len(rest)} beside its kept places")
+        raise ValueError(f"{modes} modes: the shaft has {len(rest)} in addition to its kept places")
     basis = np.zeros((len(mass), len(held) + modes))
     basis[held, np.arange(len(held))] = 1.0
     inner = np.ix_(rest, rest)

@@ -14,7 +14,7 @@ from raceway.theory.beam_motion import Matrices
 from raceway.theory.shaft import Rest, Shaft
 from raceway.theory.shaft_motion import nodes, springs
 
-FREE = 1e-5  # of the median frequency: below, a free motion
+FREE = 1e-5  # fraction of the median frequency below which a motion is free
 ROUND = 0.1  # circularity of an orbit below which it is called planar
 BENT = 0.5  # share of the shaft in the strain energy of a mode above which it is called bending
 
@@ -64,8 +64,8 @@ def modes(shaft: Shaft, rest: Rest, speed: float) -> list[Mode]:
 
 
 def critical_speeds(shaft: Shaft, rest: Rest, highest: float) -> list[Mode]:
-    """Speeds (rad/s) up to `highest` at which the shaft turns as fast as one of its natural motions
-    whirls, on the bearings' stiffness of `rest`. Motions along the axis have none.
+    """Speeds (rad/s) up to `highest` at which the shaft rotates as fast as one of its natural
+    motions whirls, on the bearings' stiffness of `rest`. Motions along the axis have none.
 
     -w^2 M + i w^2 G + K = 0 has them as eigenvalues w^2 of K u = w^2 (M - i G) u.
     """
@@ -98,7 +98,7 @@ def _named(
 
 
 def _rigid_motions(z, whole):
-    """{name: (k, 5 N) motions of unit inertia} of the shaft as a rigid body."""
+    """{name: (k, 5 N) motions with unit inertia} of the shaft as a rigid body."""
     centre = beam_motion.rigid(z, whole).centre
     parts = np.zeros((5, len(z), FREEDOMS))
     for k in range(3):
@@ -127,7 +127,7 @@ def _quadratic(shape, matrix):
 
 
 def _whirl(shape):
-    """By the sense in which the nodes go round, against the spin about +z."""
+    """From the sense in which the nodes orbit, relative to the spin about +z."""
     x, y = shape.reshape(-1, FREEDOMS)[:, :2].T
     turn = -2 * np.imag(np.conj(x) * y).sum() / (np.abs(x) ** 2 + np.abs(y) ** 2).sum()
     return "planar" if abs(turn) < ROUND else "forward" if turn > 0 else "backward"

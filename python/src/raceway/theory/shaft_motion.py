@@ -11,7 +11,7 @@ from raceway.theory import beam, beam_motion, shaft_bending
 from raceway.theory.beam import FREEDOMS
 from raceway.theory.shaft import Load, Rest, Shaft
 
-FINENESS = 24  # pieces of a shaft, at least
+FINENESS = 24  # minimum number of elements of a shaft
 
 
 def nodes(
@@ -31,7 +31,7 @@ def nodes(
 
 
 def rigid(shaft: Shaft, rest: Rest) -> beam_motion.Rigid:
-    """The shaft as a body that does not bend, as `fix bearing/shaft` takes it."""
+    """The shaft as a rigid body, as `fix bearing/shaft` takes it."""
     return beam_motion.rigid(*nodes(shaft, rest))
 
 
@@ -45,12 +45,12 @@ def bending(
     kept: Sequence[float] = (),
     places: Sequence[float] = (),
 ) -> shaft_bending.Bending:
-    """Bending modes of `shaft`; its bearings, the places of transverse `loads`, and `kept` (m) are
-    kept.
+    """Bending modes of `shaft`; its bearings, the positions of transverse `loads`, and `kept` (m)
+    are kept.
 
     `modes` in a plane and the `damping` ratio are those of `shaft_bending.bending`. Stations are
     the nodes of `rest`, the centre of mass, `kept` and `places` (m). Raises `ValueError` for a
-    place off the shaft and for too many modes.
+    position off the shaft and for too many modes.
     """
     centre = rigid(shaft, rest).centre
     stations = [*rest.z, centre, *kept, *places]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Rotation of balls that only the outer ring touches. Rolling resistance slows them from the moment
-they leave the loaded zone, traction is at most mu Q, and the ring spins them up again when they
-come back (docs/tribology, Friction torque)."""
+they leave the load zone, traction is at most mu Q, and the ring accelerates them again when they
+return (docs/tribology, Friction torque)."""
 
 from collections.abc import Callable
 from typing import NamedTuple
@@ -11,23 +11,23 @@ import numpy as np
 from raceway.arrays import Floats
 
 STEPS = 100
-MEMORY = 100.0  # times 1/rate of `rotation`, after which the initial rotation has decayed
+MEMORY = 100.0  # in units of 1/rate of `rotation`, after which the initial rotation has decayed
 
 
 class Unloaded(NamedTuple):
-    """Balls of all rows, (Z,); zero for those with load."""
+    """Balls of all rows, (Z,); zero for loaded ones."""
 
-    speed: Floats  # m/s, of the centre
+    speed: Floats  # m/s, of the ball's centre
     since: Floats  # s, since the ball lost its load
-    until: Floats  # s, without load, of the ball next to regain it; 0 for others
+    until: Floats  # s, unloaded time of the ball that regains its load next; 0 for others
     frequency: Floats  # 1/s, of balls that regain it at this place
 
 
 def unloaded(
     loaded: np.ndarray, azimuth: Floats, row: np.ndarray, orbit: float, pitch: float
 ) -> Unloaded:
-    """`Unloaded` of balls, `loaded` (Z,) or not, at `azimuth` (rad) in the rows with the numbers
-    `row`, that move at `orbit` rad/s on the `pitch` radius (m). The loaded zone ends midway between
+    """`Unloaded` balls, `loaded` (Z,) or not, at `azimuth` (rad) in the rows with the numbers
+    `row`, which move at `orbit` rad/s on the `pitch` radius (m). The load zone ends midway between
     balls. In a row without load, balls are never loaded."""
     found = Unloaded(*np.zeros((4, len(loaded))))
     found.speed[~loaded] = abs(orbit) * pitch
@@ -50,10 +50,10 @@ def unloaded(
 
 
 def rotation(slowing: Callable[[Floats], Floats], rate: Floats, time: Floats) -> Floats:
-    """Rotation x of balls over that of rolling, (n,), `time` (s) after x = 1, by Heun's method:
-    dx/dt = -`rate` `slowing(x)`, with `rate` in 1/s; `slowing` is the resistance less the traction,
-    both over the load.
-    A ball rolls as long as traction suffices. After an infinite time the steady rotation."""
+    """Rotation x of balls relative to that of rolling, (n,), `time` (s) after x = 1, by Heun's
+    method: dx/dt = -`rate` `slowing(x)`, with `rate` in 1/s; `slowing` is the resistance minus the
+    traction, both over the load. A ball rolls as long as traction suffices. An infinite time gives
+    the steady rotation."""
 
     def change(x):
         excess = slowing(x)

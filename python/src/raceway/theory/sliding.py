@@ -3,8 +3,9 @@
 axis of rolling, with Coulomb's law in closed form.
 
 Across the groove the sliding speed is s(z) = (u/R_x) (y0 - z^2/(2 R_d)); z = 0 has the slip
-`slip` (s bar), and a contact with t0 = sqrt(slip/s_e) in [0, 1] has no slip at z = a t0. s is ball
-minus ring along the ball's surface motion past the contact. Numbers or arrays of one shape, SI.
+`slip` (s bar), and a contact with t0 = sqrt(slip/s_e) in [0, 1] has no slip at z = a t0. s is the
+speed of the ball minus that of the ring along the ball's surface motion past the contact. Numbers
+or arrays of one shape, SI.
 """
 
 from typing import NamedTuple
@@ -15,10 +16,11 @@ from raceway.arrays import Numbers
 from raceway.core import laws
 
 _FREE = laws.slip_constants()
-FREE = float(_FREE.free_root)  # t0 without force, the root of t^3 - 3 t + 1
-FREE_SPEED = float(_FREE.free_speed)  # mean |s| over the load without force, of s_e
-LEAN = float(_FREE.free_lean)  # s_e dF/ds/(mu Q) without force
-LEAST = 1e-4  # m/s, floor of s_e: towards u = 0 the law is Coulomb's, smoothed over this
+FREE = float(_FREE.free_root)  # t0 at zero force, the root of t^3 - 3 t + 1
+FREE_SPEED = float(_FREE.free_speed)  # mean |s| over the load at zero force, divided by s_e
+LEAN = float(_FREE.free_lean)  # s_e dF/ds/(mu Q) at zero force
+# m/s, lower limit of s_e: towards u = 0 the law is Coulomb's, smoothed over this speed
+LEAST = 1e-4
 
 
 class Slip(NamedTuple):
@@ -35,7 +37,7 @@ def deformed_radius(groove: Numbers, ball: Numbers) -> Numbers:
 
 
 def edge_slip(speed: Numbers, a: Numbers, r_d: Numbers, r_x: Numbers) -> Numbers:
-    """s_e = |u| a^2/(2 R_d R_x), m/s: how much the sliding speed at z = a differs from z = 0."""
+    """s_e = |u| a^2/(2 R_d R_x), m/s: difference of the sliding speed between z = a and z = 0."""
     return laws.edge_slip(speed, a, r_d, r_x)
 
 
@@ -94,7 +96,8 @@ def secant(
     r_d: Numbers,
     r_x: Numbers,
 ) -> Numbers:
-    """F over the distance of the slip from free rolling, N s/m; the slope where they meet."""
+    """F over the difference of the slip from free rolling, N s/m; in the limit of free rolling, the
+    slope."""
     law = laws.differential_slip(_off(slip, speed, a, r_d, r_x))
     return friction * load * law.secant / np.maximum(edge_slip(speed, a, r_d, r_x), LEAST)
 
@@ -105,8 +108,8 @@ def in_series(
     """(force in N after `step` in s, its slope k_t tau (1 - e^(-step/tau)) in N s/m).
 
     The slip law with the tangential spring k_t in N/m in series: tau = c/k_t, c = `secant` in N
-    s/m; `distance` from free rolling in m/s, held over the step. The slip law for long steps, a
-    spring for short ones, sticking at rest.
+    s/m; `distance` from free rolling in m/s, constant over the step. It is the slip law for long
+    steps, a spring for short ones, sticking at rest.
     """
     tau = secant / spring
     gone = -np.expm1(-step / tau)
@@ -114,5 +117,5 @@ def in_series(
 
 
 def _off(slip, speed, a, r_d, r_x):
-    """Distance from free rolling over the slip at the edge."""
+    """Difference from free rolling relative to the slip at the edge."""
     return slip / np.maximum(edge_slip(speed, a, r_d, r_x), LEAST) - FREE**2

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Small motions of a ring about its rest: the balls follow, and the ring feels a 5 x 5 stiffness
-and damping.
+"""Small motions of a ring about its equilibrium: the balls follow, and the ring has a 5 x 5
+stiffness and damping.
 
 Each ball has two degrees of freedom in the plane through the bearing's axis, and the ring five.
-Springs, dampers and inertia of the balls are put together in these seven, at one frequency. The
-ball is then eliminated, and the sum over the balls is what the ring feels. So a damper of a contact
-acts on its share of the ring's motion, as the spring in series with it does.
+Springs, dampers and inertia of the balls are assembled in these seven, at one frequency. The
+ball is then eliminated, and the sum over the balls acts on the ring. A damper of a contact
+therefore acts on its share of the ring's motion, like the spring in series with it.
 """
 
 from typing import NamedTuple
@@ -18,12 +18,13 @@ SLOW = 1e-9  # rad/s: a motion so slow that damping is the derivative of the res
 
 
 class Linear(NamedTuple):
-    """Balls of a ring at rest. Derivatives are taken in the seven of `circle`, the ball first."""
+    """Balls of a ring in equilibrium. Derivatives are with respect to the seven of `circle`, the
+    ball first."""
 
     stiffness: Floats  # (Z, 7, 7), second derivatives of the energy, N/m and so on
     approach: Floats  # (C, Z, 7), of the overlaps of a ball's contacts, inner ones first
     along: Floats  # (C, Z), N/m: of the contacts along their lines, 1.5 Q over the compression
-    loaded: Floats  # (Z,), bool: balls with an inner contact, the others hold no ring
+    loaded: Floats  # (Z,), bool: balls with an inner contact; the others do not hold a ring
 
     __repr__ = short
 
@@ -38,7 +39,7 @@ class Response(NamedTuple):
 
 
 def condensed(whole: Floats) -> Floats:
-    """(5, 5) of the ring, of balls (Z, 7, 7) that follow it, real or complex."""
+    """(5, 5) of the ring, with balls (Z, 7, 7) that follow it, real or complex."""
     own, mixed = whole[:, 2:, 2:], whole[:, :2, 2:]
     follow = np.linalg.solve(whole[:, :2, :2], mixed)
     return (own - mixed.transpose(0, 2, 1) @ follow).sum(0)
@@ -52,12 +53,12 @@ def response(
     stiffening: Numbers = 0.0,
     ball_mass: float = 0.0,
 ) -> Response:
-    """`Response` with dampers `damping` (C, Z) in N s/m beside the springs of the contacts, at
+    """`Response` with dampers `damping` (C, Z) in N s/m parallel to the springs of the contacts, at
     `frequency` in rad/s; 0 is the limit of slow motion.
 
-    `stiffening` (C, Z) in N/m adds to the springs, as a film's does at that frequency. `ball_mass`
-    in kg is that of one ball, moving in its plane. Raises `ValueError` for a negative frequency or
-    damper.
+    `stiffening` (C, Z) in N/m is added to the springs, for example that of a film at that
+    frequency. `ball_mass` in kg is that of one ball, moving in its plane. Raises `ValueError` for a
+    negative frequency or damper.
 
     A ball's two springs are in series, and so are its two dampers:
 

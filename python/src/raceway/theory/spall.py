@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A ball over a spall across the whole groove: time of impact, and length of the spall.
 
-A ball that keeps its load strikes half-way, where the near flank of its path meets the far one
-(`kinematics.spall_length`). One that loses its load flies on and strikes the far flank later. Here
+A ball that keeps its load hits half-way, where the near flank of its path meets the far one
+(`kinematics.spall_length`). A ball that loses its load flies on and hits the far flank later. Here
 ball and ring are two masses along the load line: the ball between two Hertz contacts, the ring on a
 spring for the other balls. The path over the spall is that of a rigid ball on two edges
 (docs/theory, Flaws of a raceway). The spall lies on the load line, and the ball does not reach its
-bottom. Film, friction and the support of the outer ring are left out.
+bottom. Film, friction and the support of the outer ring are neglected.
 """
 
 from dataclasses import replace
@@ -18,9 +18,9 @@ from raceway.arrays import Floats
 from raceway.theory import hertz, kinematics, static
 from raceway.theory.bearing import INNER, OUTER, Bearing
 
-STEP = 0.2  # over the ball's angular frequency between its raceways
+STEP = 0.2  # relative to the ball's angular frequency between its raceways
 LONGEST = 0.4  # fraction of the ball pitch
-LENGTHS = 80  # in the table that `length` reads
+LENGTHS = 80  # number of points in the table for `length`
 
 
 def seconds_to_blow(
@@ -36,17 +36,17 @@ def seconds_to_blow(
     clearance: float = 0.0,
     ball_density: float = 7800.0,
 ) -> Floats:
-    """Times in s from entry to blow over spalls of `lengths` (N,) in m on a `raceway` (`INNER` or
+    """Times in s from entry to impact over spalls of `lengths` (N,) in m on a `raceway` (`INNER` or
     `OUTER`): (N,).
 
     `spin` of the inner ring in rad/s; radial `load` in N; `ring_mass` in kg of the inner ring and
-    of what turns with it, which the load pushes after the ball; diametral `clearance` in m;
-    `ball_density` in kg/m^3. `heard` is the raceway whose ring has the sensor, the spall's own
-    unless given: to the other one the ball must fly back. `edge` is the radius of the spall's edges
-    in m: a ball that keeps its load begins to rise that much before the middle. Raises `ValueError`
-    for a length or mass that is not positive, an edge above half a length, and for lengths above
-    0.4 of the distance of two balls, `NoEquilibrium` where nothing carries the load without that
-    ball.
+    the parts that turn with it, which the load pushes after the ball; diametral `clearance` in m;
+    `ball_density` in kg/m^3. `heard` is the raceway whose ring has the sensor, by default that of
+    the spall: to the other one the ball must fly back. `edge` is the radius of the spall's edges in
+    m: a ball that keeps its load begins to rise that distance before the middle. Raises
+    `ValueError` for a length or mass that is not positive, an edge above half a length, and for
+    lengths above 0.4 of the spacing of two balls, `NoEquilibrium` if the bearing cannot carry the
+    load without that ball.
 
     A 6208 at 1500 rpm and 2 kN keeps its load over 1 mm, not over 2 mm:
 
@@ -94,8 +94,8 @@ def seconds_to_blow(
 
     ring, ring_v, ball, ball_v = (np.zeros(len(w)) for _ in range(4))  # m outwards, m/s
     lost, struck = np.zeros(len(w), bool), np.zeros(len(w), bool)
-    turns = 0.5 * w - edge  # m from the entry: the path begins to turn up
-    blow = turns / speed  # of a ball that keeps its load
+    turns = 0.5 * w - edge  # m from the entry: the path begins to rise
+    blow = turns / speed  # for a ball that keeps its load
     found = np.zeros(len(w), bool)
 
     def loads(time):
@@ -134,11 +134,11 @@ def length(
     clearance: float = 0.0,
     ball_density: float = 7800.0,
 ) -> Floats:
-    """Lengths in m along rolling of spalls with these `seconds` (any shape) from entry to blow, of
-    a ball that may lose its load: the inverse of `seconds_to_blow`, whose arguments these are.
+    """Lengths in m along rolling of spalls with these `seconds` (any shape) from entry to impact,
+    for a ball that may lose its load: the inverse of `seconds_to_blow`, with the same arguments.
 
-    Times that no spall up to `longest` has give NaN. A spall shallower than the ball reaches is
-    struck at its bottom: its length does not follow.
+    Times that match no spall up to `longest` give NaN. If the ball reaches the bottom of a shallow
+    spall, it hits there, and the length cannot be determined.
 
     >>> paper = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     >>> case = dict(spin=1500 * np.pi / 30, load=2000.0, ring_mass=0.2)
@@ -155,7 +155,7 @@ def length(
 
 
 def _drop(on, w, edge, rolling):
-    """Drop (m) of a rigid ball `on` m after the entry."""
+    """Drop (m) of a rigid ball at `on` m after the entry."""
     half, curve = 0.5 * w, rolling + edge
     off = np.minimum(np.abs(on - half), half)  # from the middle
     flank = (half - off) ** 2 / (2 * curve)
@@ -166,6 +166,6 @@ def _drop(on, w, edge, rolling):
 
 
 def longest(bearing: Bearing, raceway: int) -> float:
-    """The longest spall (m) on a `raceway` that is looked for: 0.4 of the distance of two balls."""
+    """The longest spall (m) on a `raceway` that is considered: 0.4 of the spacing of two balls."""
     radius = bearing.inner_radius if raceway == INNER else bearing.outer_radius
     return LONGEST * 2 * np.pi * radius / bearing.balls

@@ -12,10 +12,10 @@ from raceway.theory import sliding
 
 
 class Spin(NamedTuple):
-    """Force and moment that resist, arrays of the shape of the slip and spin given."""
+    """Resisting force and moment, arrays of the shape of the given slip and spin."""
 
-    along: Numbers  # N, against the slip along rolling
-    across: Numbers  # N, against the slip across
+    along: Numbers  # N, opposing the slip along rolling
+    across: Numbers  # N, opposing the slip across
     moment: Numbers  # N m, against the spin
     power: Numbers  # W, lost
 
@@ -27,14 +27,16 @@ def moment(load: Numbers, friction: Numbers, a: Numbers, second: Numbers) -> Num
 
 
 def closed_moment(pure: Numbers, speed: Numbers, edge: Numbers) -> Numbers:
-    """Moment in N m against spin beside differential slip, a fit: `pure` of pure spin (N m), less
-    where the `speed` omega a is small against `edge` s_e, both in m/s (`sliding.edge_slip`)."""
+    """Moment in N m against spin in the presence of differential slip, a fit: `pure` of pure spin
+    (N m), reduced if the `speed` omega a is small compared with `edge` s_e, both in m/s
+    (`sliding.edge_slip`)."""
     width = np.maximum(edge, sliding.LEAST)
     return pure * laws.spin_shares(np.abs(speed), width, 0.0).spin
 
 
 def closed_slip(speed: Numbers, edge: Numbers) -> Numbers:
-    """Share of the couple of differential slip that spin leaves; arguments of `closed_moment`."""
+    """Factor by which spin reduces the couple of differential slip; arguments as in
+    `closed_moment`."""
     return laws.spin_shares(np.abs(speed), np.maximum(edge, sliding.LEAST), 0.0).slip
 
 

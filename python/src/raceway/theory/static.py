@@ -2,26 +2,26 @@
 """Quasi-static equilibrium of a whole bearing in five degrees of freedom (Jones 1960; Harris 2006,
 ch. 7).
 
-Written from theory, without a look at the simulation it is compared with.
+Written from theory, independently of the simulation with which it is compared.
 
 The outer ring is fixed. The inner ring carries a force and two moments and is free in, or held
 along, each of three displacements (x, y, z) and two tilts (rx, ry). Each ball stays at its azimuth
-(the cage's work) and is free in the plane through the outer ring's axis, between an outer and an
+(held by the cage) and is free in the plane through the outer ring's axis, between an outer and an
 inner groove; the contact angles follow. Every contact is an elastic spring in a convex distance, so
-the balls and then the ring minimise a convex energy, and Newton's method with a line search needs
-no luck in its start. Contact stiffness depends weakly on the contact angle and is renewed outside
-that minimisation.
+the balls and then the ring minimise a convex energy, and Newton's method with a line search
+converges from any start. Contact stiffness depends weakly on the contact angle and is updated
+outside that minimisation.
 
 The theory moves each inner groove by the components of shift and tilt in the ball's plane (Harris,
-ch. 7), as if its circle were straight over the shift. With `finite_shift` the circle stays a
-circle, shifted and tilted, as in a simulation: at 5 kN that takes 0.4 % off the load of a 6208's
-ball 80 degrees from the load line and adds 0.07 % on it. A ring resting on one ball is then
-unstable and rolls sideways.
+ch. 7), as if its circle were straight over the shift. With `finite_shift` the circle remains a
+circle, shifted and tilted, as in a simulation: at 5 kN that reduces the load of a 6208's
+ball at 80 degrees from the load line by 0.4 % and increases it by 0.07 % on the line. A ring
+resting on one ball is then unstable and rolls sideways.
 
 A bearing may have several rows of balls, and several grooves for each ball (`bearing.Layout`): a
-ball then presses on each groove that it reaches, and goes from one to another without a jump.
+ball then presses on each groove that it reaches, and moves from one to another without a jump.
 
-Left out: friction, gyroscopic moments, bending of rings.
+Neglected: friction, gyroscopic moments, bending of rings.
 """
 
 from collections.abc import Mapping
@@ -41,16 +41,16 @@ from raceway.theory.small_motion import Linear
 
 FREEDOMS = ("x", "y", "z", "rx", "ry")
 STRAIGHT = {"rx": 0.0, "ry": 0.0}
-LIGHT = 0.01  # of the largest load; contact angles of lighter contacts do not count
+LIGHT = 0.01  # fraction of the largest load; contact angles of lighter contacts are ignored
 
 
 class Contacts(NamedTuple):
-    """One raceway's contacts, arrays of one value a ball (Z,), row after row, or of a raceway with
-    several grooves (grooves, Z), in the order of its `bearing.Layout`; zero load where there is
-    none."""
+    """One raceway's contacts, arrays with one value for each ball (Z,), row after row, or for a
+    raceway with several grooves (grooves, Z), in the order of its `bearing.Layout`; zero load if
+    there is no contact."""
 
-    # m, of the rigid bodies: negative where a film bridges a gap, and minus the play of a ball that
-    # its centrifugal load holds on the outer raceway; zero of a ball that nothing holds
+    # m, of the rigid bodies: negative where a film bridges a gap, and minus the play for a ball
+    # that its centrifugal load holds on the outer raceway; zero for a ball that nothing holds
     overlap: Floats
     load: Floats  # N
     angle: Floats  # rad, positive where the inner ring is pushed to +z
@@ -75,15 +75,16 @@ class Equilibrium:
     azimuth: Floats  # (Z,), rad
     inner: Contacts
     outer: Contacts
-    # N, what is left of the balance of the free degrees of freedom, moments over the pitch radius
+    # N, residual of the equilibrium of the free degrees of freedom, moments divided by the pitch
+    # radius
     residual: float
     tilt: Floats  # (2,), rad: arcsines of -e_y and e_x of the ring's axis e, about x and y
     force: Floats  # (3,), N: of the balls on the inner ring
-    moment: Floats  # (3,), N m: of the same about the ring's centre
-    # (5, 5), N/m, N/rad, N m/rad: d(load)/d(place) in x, y, z, rx, ry at the present contact
+    moment: Floats  # (3,), N m: the moment of these forces about the ring's centre
+    # (5, 5), N/m, N/rad, N m/rad: d(load)/d(position) in x, y, z, rx, ry at the present contact
     # ellipses
     stiffness: Floats
-    linear: Linear  # of the balls about their rest, for `small_motion.response`
+    linear: Linear  # for the balls about their equilibrium, for `small_motion.response`
 
     __repr__ = short
 
@@ -103,16 +104,16 @@ def equilibrium(
     finite_shift: bool = False,
     film: FilmInGap | None = None,
 ) -> Equilibrium:
-    """`Equilibrium` of `bearing` under loads in N on the inner ring, toward `load_azimuth` (rad)
-    and +z.
+    """`Equilibrium` of `bearing` under loads in N on the inner ring, in the directions
+    `load_azimuth` (rad) and +z.
 
     `moment` is (M_x, M_y) in N m on the inner ring; `held` maps degrees of freedom (x, y, z in m,
-    rx, ry in rad) to the values they are held at, the others are free. Without `held` the ring is
-    held straight (rx = ry = 0), or free to tilt when a `moment`, zero perhaps, is given.
+    rx, ry in rad) to the values at which they are held; the others are free. Without `held` the
+    ring is held straight (rx = ry = 0), or free to tilt if a `moment`, even zero, is given.
     `clearance` is diametral, m; `phase` the azimuth of the first ball of each row, rad, or of every
-    ball when they are not evenly spaced (Z,); `orbital_speed` of all balls or of each (Z,), rad/s,
+    ball if they are not evenly spaced (Z,); `orbital_speed` of all balls or of each (Z,), rad/s,
     gives them the centrifugal load m r omega^2 with m from `ball_density` in kg/m^3; `finite_shift`
-    see above; `film` puts the film in the gap. Raises `NoEquilibrium` when the ring is free to move
+    see above; `film` puts the film in the gap. Raises `NoEquilibrium` if the ring is free to move
     or the balls are forced out of their grooves, `ValueError` for an unknown degree of freedom.
 
     >>> from raceway.theory.bearing import Bearing
@@ -159,9 +160,9 @@ def contacts(
     *,
     held: bool | Floats = False,
 ) -> Contacts:
-    """`Contacts` of balls `distance` (m) from the centres of curvature, under `load` (N) at `angle`
-    (rad), arrays of one shape; `held` where balls without load have a place, too. Raises
-    `NoEquilibrium` when the balls are forced out of their grooves."""
+    """`Contacts` of balls at `distance` (m) from the centres of curvature, under `load` (N) at
+    `angle` (rad), arrays of one shape; `held` marks balls without load that have a definite
+    position. Raises `NoEquilibrium` if the balls are forced out of their grooves."""
     if np.any((load > 0) & (np.cos(angle) < -0.7)):
         raise NoEquilibrium(
             f"balls lie against the far side of the {('inner', 'outer')[raceway]} groove: the play"
@@ -181,8 +182,8 @@ def contacts(
 
 
 def imposed(held: Mapping[str, float]) -> Floats:
-    """(5,) places in m and rad that `held` imposes, NaN where free. Raises `ValueError` for an
-    unknown degree of freedom and a value that is not finite."""
+    """(5,) displacements in m and rad that `held` imposes, NaN where free. Raises `ValueError` for
+    an unknown degree of freedom and a value that is not finite."""
     if unknown := sorted(set(held) - set(FREEDOMS)):
         raise ValueError(
             f"held: {', '.join(map(str, unknown))} is no degree of freedom; there are"

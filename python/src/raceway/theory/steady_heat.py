@@ -3,7 +3,8 @@
 balances the friction heat.
 
 One node: the whole bearing and its oil at one temperature. Three nodes: inner ring, balls and outer
-ring at their own, the oil at their mean, and the clearance of the warm parts in the statics.
+ring at separate temperatures, the oil at their mean, and the clearance of the warm parts in the
+statics.
 """
 
 import math
@@ -89,7 +90,7 @@ class Nodes:
 
 
 class Rest(NamedTuple):
-    """A bearing at rest under its loads, with the films of its speed."""
+    """A bearing in equilibrium with its loads, with the films of its speed."""
 
     state: Equilibrium
     orbit: float | Floats  # rad/s, of the balls
@@ -187,7 +188,7 @@ class Scene:
 
 def one_node(scene: Scene, conductance: float, ambient: float, clearance: float) -> dict[str, Any]:
     """Steady figures with one temperature, `conductance` in W/K to `ambient` in degrees C. Raises
-    `NoEquilibrium` when the bearing heats beyond 200 C."""
+    `NoEquilibrium` if the bearing heats beyond 200 C."""
     try:
         temperature = heat.balance(
             lambda t: scene.at(t, clearance)["power_loss_W"],
@@ -209,8 +210,8 @@ def one_node(scene: Scene, conductance: float, ambient: float, clearance: float)
 
 
 def three_nodes(scene: Scene, nodes: Nodes, ambient: float, clearance: float) -> dict[str, Any]:
-    """Steady figures with `Nodes` of their own temperature; the clearance is that of the bearing at
-    `ambient`. Raises `NoEquilibrium` when no steady state is found up to 200 C."""
+    """Steady figures with separate temperatures by `Nodes`; the clearance is that of the bearing at
+    `ambient`. Raises `NoEquilibrium` if no steady state is found up to 200 C."""
     warm, oil = clearance, ambient + 20.0
     part = 0.6  # under-relaxation: friction decreases as the oil warms, so full steps overshoot
     for _ in range(80):
@@ -362,7 +363,7 @@ def table(result: Mapping[str, Any]) -> str:
 
 
 def curves(results: list[dict[str, Any]]) -> str:
-    """Several mappings of `figures` as text, a line each."""
+    """Several mappings of `figures` as text, one line each."""
     rows = [[heading for _, heading, _ in COLUMNS]]
     rows += [[f"{scale * one[key]:.4g}" for key, _, scale in COLUMNS] for one in results]
     widths = [max(map(len, column)) for column in zip(*rows)]

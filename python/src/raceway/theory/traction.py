@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Shear stress of a film that slides. Numbers or arrays of one shape, SI units."""
+"""Shear stress of a sliding film. Numbers or arrays of one shape, SI units."""
 
 import numpy as np
 
@@ -33,12 +33,12 @@ def coefficient(
     stress: Numbers = 5e6,
     limit: Numbers = np.inf,
 ) -> Numbers:
-    """Friction coefficient of a film under a Hertz contact of the largest `pressure` in Pa that
+    """Friction coefficient of a film in a Hertz contact with the largest `pressure` in Pa that
     slides everywhere at the shear rate s/h = `rate` in 1/s.
 
     `eyring` with the viscosity of Roelands, from eta (Pa s) and xi (1/Pa); `limit` is Lambda_L.
     With p = t p_max the ellipse's mean is 3/p_max times the integral of tau t over t from 0 to 1;
-    by eight Gauss points, good to 0.9 %.
+    by eight Gauss points, within 0.9 %.
     """
     return laws.film_coefficient(viscosity, pressure_viscosity, stress, limit, pressure, rate)
 
@@ -53,11 +53,12 @@ def combined(
     spin: Floats,
     curve: Floats,
 ) -> Floats:
-    """Friction coefficient with which Coulomb's law loses the power of `eyring` with its limit in
-    contacts (...) of a `load` (N) and semi-axes (m) that slide at (slip + spin z - curve z^2, -spin
-    x), as in `spin.with_slip`; slip in m/s, spin in rad/s, curve in 1/(m s), thickness in m."""
+    """Friction coefficient for which Coulomb's law gives the power loss of `eyring` with its limit
+    in contacts (...) with a `load` (N) and semi-axes (m) that slide at (slip + spin z - curve z^2,
+    -spin x), as in `spin.with_slip`; slip in m/s, spin in rad/s, curve in 1/(m s), thickness in
+    m."""
     node, weight = np.polynomial.legendre.leggauss(12)
-    # r = sin(t) takes the square root out of the pressure
+    # r = sin(t) removes the square root of the pressure
     t, turn = (node[:, None] + 1) * np.pi / 4, (np.arange(24) + 0.5) * np.pi / 12
     area = weight[:, None] * np.sin(t) * np.cos(t)
     load, a, b, thickness, slip, spin, curve = (
@@ -84,7 +85,7 @@ def bair_winer(viscosity: Numbers, sliding: Numbers, thickness: Numbers, limit: 
 def bair_winer_rate(viscosity: Numbers, stress: Numbers, limit: Numbers) -> Numbers:
     """s/h = -(tau_L/eta) ln(1 - tau/tau_L) in 1/s (Bair and Winer 1979).
 
-    Eq 6 of Schwarz et al. 2023 lacks the minus. Raises `ValueError` for a stress not below its
+    Eq 6 of Schwarz et al. 2023 lacks the minus sign. Raises `ValueError` for a stress not below its
     limit.
     """
     if np.any(np.abs(stress) >= limit):
@@ -93,5 +94,5 @@ def bair_winer_rate(viscosity: Numbers, stress: Numbers, limit: Numbers) -> Numb
 
 
 def mixed(share: Numbers, boundary: Numbers, film: Numbers) -> Numbers:
-    """mu = L_a mu_b + (1 - L_a) mu_film, `share` being L_a (`asperity`)."""
+    """mu = L_a mu_b + (1 - L_a) mu_film, with `share` L_a (`asperity`)."""
     return laws.mixed_friction(boundary, film, share)

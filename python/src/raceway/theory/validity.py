@@ -18,7 +18,7 @@ from raceway.units import prefixed
 
 
 class Rule(NamedTuple):
-    """`value` is in doubt above `bound`, or `below` it; `limit` is the source of the bound."""
+    """`value` is doubtful above `bound`, or `below` it; `limit` is the source of the bound."""
 
     name: str
     value: str
@@ -29,7 +29,7 @@ class Rule(NamedTuple):
 
 
 class Shoulders(NamedTuple):
-    """Diameters of the shoulders of both rings, m; NaN where they are not known."""
+    """Diameters of the shoulders of both rings, m; NaN if unknown."""
 
     inner: float = math.nan
     outer: float = math.nan
@@ -42,8 +42,8 @@ RULES = {
 
 
 def doubts(values: Mapping[str, float | None]) -> list[str]:
-    """A text for each of `values`, by the names of `RULES` in SI units, outside its range of
-    validity. None and NaN are missing values."""
+    """A text for each of `values`, by the names of `RULES` in SI units, that is outside its range
+    of validity. None and NaN are missing values."""
     texts = []
     for name, value in values.items():
         rule = RULES[name]
@@ -66,7 +66,7 @@ def past_shoulder(
     angle: tuple[np.ndarray, np.ndarray],
     semi_axis: tuple[np.ndarray, np.ndarray],
 ) -> list[str]:
-    """A text for each raceway with contact patches that extend past the edge of their groove.
+    """A text for each raceway with contact patches that extend beyond the edge of their groove.
 
     `angle` (rad) and `semi_axis` a (m) are those of the loaded contacts of the inner and the outer
     raceway. The groove ends at the angle theta with cos(theta) = 1 - depth/r_c from its bottom; an
@@ -97,7 +97,7 @@ def past_middle(
     angle: tuple[np.ndarray, np.ndarray],
     semi_axis: tuple[np.ndarray, np.ndarray],
 ) -> list[str]:
-    """As `past_shoulder`, for the edge between the two grooves of a ring of a four-point contact
+    """Like `past_shoulder`, for the edge between the two grooves of a ring of a four-point contact
     bearing: `free` is the contact angle (rad) of a ball in the middle. The edge lies at the angle
     asin((r_c - R_b) sin(free)/r_c) up the groove."""
     texts = []

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The numbers the paper's statements are judged by.
+"""The numbers by which the paper's statements are judged.
 
 Every module's `measure(book, printed)` returns {name: `Quantity`}. With `printed` it returns those
-that eqs 2, 3 and 9 change, from the formulas as printed; the others are the same either way.
-`measure_whole` returns those that all of the capacitance changes, and what only it has.
+that eqs 2, 3 and 9 change, from the formulas as printed; the others do not depend on it.
+`measure_whole` returns those that the total capacitance changes, and those that only it has.
 """
 
 from raceway.paper.book import Book
@@ -22,5 +22,6 @@ def measure(book: Book, printed: bool = False) -> dict[str, Quantity]:
 
 
 def measure_whole(book: Book) -> dict[str, Quantity]:
-    """{name: `Quantity`} that see more of the capacitance than the plates; corrected formulas."""
+    """{name: `Quantity`} that involve more of the capacitance than the plates; corrected
+    formulas."""
     return whole.measure(book)

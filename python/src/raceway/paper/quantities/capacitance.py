@@ -14,7 +14,7 @@ from raceway.theory.bearing import INNER
 from raceway.theory.capacitance import VACUUM
 
 OfRun = Callable[[Reading], float]
-# a ball on the load line and the bearing, as the paper has them
+# a ball on the load line and the bearing, as in the paper
 PLATES = (Reading.top_capacitance, lambda run: run.figures["capacitance_F"])
 
 
@@ -26,8 +26,8 @@ def measure(book: Book, printed: bool) -> dict[str, Quantity]:
 
 
 def of_runs(book: Book, form: str, top: OfRun, mean: OfRun) -> dict[str, Quantity]:
-    """The quantities of figs 8, 10 and 11 by what `top` says of a ball on the load line and `mean`
-    of the bearing, F; `form` is the end of the names of the sets of runs."""
+    """The quantities of figs 8, 10 and 11 from `top`, the capacitance of a ball on the load line,
+    and `mean`, that of the bearing, F; `form` is the end of the names of the sets of runs."""
     runs = book.readings
     by_load = {run.given["load"]: top(run) for run in runs.all("loads" + form)}
     loads, tops = np.array(list(by_load)), np.array(list(by_load.values()))
@@ -98,8 +98,8 @@ def curves(book: Book, form: str, top: OfRun, mean: OfRun) -> dict[tuple[str, in
 
 
 def _collapse(book, curve):
-    """How far C/eps_r of the oils lie apart at one film thickness, 5 kN: relative, where both have
-    films."""
+    """Relative difference of C/eps_r between the oils at equal film thickness, 5 kN, where both
+    have films."""
     lines = {
         oil: (
             np.log(curve[oil, 5000][3]),
@@ -129,7 +129,7 @@ def _same(book, curve):
             * area
         )
     )
-    # all balls on one pass make each azimuth's curve; mirror images come from different balls
+    # all balls in one pass form each azimuth's curve; mirror images come from different balls
     mirrored = np.abs(around - around[::-1]).max() / around.max()
     other = {
         load: runs.one("measured_bearing", load=load).top_capacitance() for load in (1000, 5000)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""From formulas and the bearing's data alone."""
+"""Quantities that follow from formulas and the bearing's data alone."""
 
 import numpy as np
 

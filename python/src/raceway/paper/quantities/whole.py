@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Capacitances with all that carries them: the quantities of figs 8 to 12 again, instead of those
-of the plates, and what the gap around the plates and the balls without load have."""
+"""Total capacitances: the quantities of figs 8 to 12 again, instead of those
+of the plates, and the capacitance of the gap around the plates and of unloaded balls."""
 
 import numpy as np
 from scipy.optimize import brentq
@@ -94,7 +94,7 @@ def _oils(book):
 
 
 def _passage(book):
-    """Points with Lambda of one, and with the capacitance of the paper's passage."""
+    """Points with Lambda = 1, and with the capacitance of the paper's regime change."""
     b, filling = book.bearing, book.readings.filling("6208")
     result, least = {}, []
     for name, rows in curves(book).items():
