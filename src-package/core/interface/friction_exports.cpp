@@ -11,6 +11,7 @@
 #include "../laws/rolling_resistance.h"
 #include "../laws/slip_slices.h"
 #include "../laws/spin.h"
+#include "../laws/start_attitude.h"
 #include "exports.h"
 
 using namespace raceway;
@@ -125,6 +126,16 @@ FORMULA(SlidingForces, slip_slices,
   const auto f = SlipSlices::forces<true>({along, across, spin, edge, aspect, least});
   return {f.along,       f.across,       f.moment,       f.couple,
           f.slope_along, f.slope_across, f.slope_moment, f.slope_couple};
+}
+
+// Motion of a ball that rolls on both raceways: angles in rad, inner ring at `ring` rad/s, `ball` and
+// `pitch` radius in m, radial part of its rotation in rad/s; all found in rad/s
+RECORD(RollingBall, double orbit, axial, spin_inner, spin_outer;)
+FORMULA(RollingBall, rolling_on_both,
+        (double inner, double outer, double ring, double ball, double pitch, double radial))
+{
+  const BallRotation m = rolling_on_both({inner, ring}, {outer, 0.0}, ball, pitch, radial);
+  return {m.orbit, m.axial, m.spin[0], m.spin[1]};
 }
 
 // ---- rolling resistance

@@ -8,9 +8,9 @@ rolling
 slip
     differential slip in free rolling under Coulomb's law: the film has a constant coefficient or
     that of Eyring's stress with its limit (`traction`), asperities carry their share of the load
-    with the boundary coefficient (`sliding`)
+    with the boundary coefficient (`sliding`); slip across the grooves under the gyroscopic moment
 spin
-    about the contact normals, where the moments of both raceways balance (`spin`): in closed form,
+    about the contact normals, where the moments on the ball balance (`attitude`): in closed form,
     as in a run, or, with `spin_law` "slices", together with slip
 hysteresis
     of the steel (`rolling`)
@@ -31,6 +31,7 @@ from raceway.arrays import Floats, short
 from raceway.core import laws
 from raceway.theory import (
     asperity,
+    attitude,
     ball_motion,
     drag,
     film_factors,
@@ -116,11 +117,13 @@ def losses(
     clearance: float = 0.0,
     surfaces: Surfaces | None = None,
     spin_law: str = "closed",
+    ball_density: float = 7800.0,
 ) -> Losses:
-    """`Losses` of an `Equilibrium` with its `Lubrication` and `Fluid`; inner ring at
-    `ring` and balls at `orbit` rad/s, one number or (Z,), clearance in m. `spin_law`
-    "closed" has fits of the mutual reduction of spin and differential slip, "slices" integrates
-    both together over the contact ellipse. Raises `ValueError` for another law."""
+    """`Losses` of an `Equilibrium` with its `Lubrication` and the `Fluid` of it; inner ring at
+    `ring` and balls around it at `orbit` rad/s, one number or (Z,), clearance in m, `ball_density`
+    in kg/m^3. `spin_law` "closed" has fits of how spin and differential slip lessen one another and
+    the gyroscopic moment, "slices" takes slip and spin together over the contact ellipse.
+    ValueError for another law."""
     if spin_law not in SPIN_LAWS:
         raise ValueError(f"spin law '{spin_law}' is none of {', '.join(SPIN_LAWS)}")
     surfaces = surfaces or Surfaces()
@@ -154,15 +157,17 @@ def losses(
         balls = np.flatnonzero(two)
         pair = pair[:, two]
         both = _Pressed(*(value[pair, balls] for value in pressed))
-        rates = _spin_rates(bearing, both.angle, ring, np.broadcast_to(orbit, two.shape)[two])
-        at, turn = rates
-        alone = at - turn * (at / turn)[::-1]  # for a ball that does not spin at the other raceway
+        at, turn = rates = [one[1:] for one in attitude.rolling(bearing, both.angle, ring)]
+        alone = at - turn * (at / turn)[::-1]  # of a ball that does not spin at the other raceway
         both = _sheared(both, _free(both), alone, fluid, surfaces)
         if spin_law == "closed":
-            spins = _closed(both, rates)
-            turned[pair, balls] = spin.closed_moment(both.spin_moment, spins * both.a, _edge(both))
-            turned[pair, balls] *= np.abs(spins)
-            slid[pair, balls] *= spin.closed_slip(spins * both.a, _edge(both))
+            limit, edge = both.friction * both.load, _edge(both)
+            motion = attitude.balanced(
+                bearing, both.angle, ring, limit, both.a, both.spin_moment, edge, ball_density
+            )
+            turned[pair, balls] = motion.moment * np.abs(motion.spin)
+            slid[pair, balls] *= spin.closed_slip(motion.spin * both.a, edge)
+            slid[pair, balls] += motion.force * motion.across
         else:
             for k, ball in enumerate(balls):
                 place = pair[:, k], ball
@@ -295,44 +300,6 @@ def _one(bearing, side, contact, film, fluid, clearance, surfaces, alone):
         friction,
     )
     return values
-
-
-def _spin_rates(bearing, angle, ring, orbit):
-    """Spin of ball minus ring in rad/s at both raceways, (2, Z), for one rotation of the ball that
-    rolls on both; and its change for 1 rad/s of the only rotation that keeps it rolling."""
-    inner, outer = angle
-    radius, pitch = bearing.ball_radius, bearing.pitch_radius
-    # in the cage's frame, (radial, axial)
-    relative = ring - orbit
-    rates = []
-    for radial in (0.0, 1.0):
-        axial = (radial * np.sin(inner) * radius - relative * (pitch - radius * np.cos(inner))) / (
-            radius * np.cos(inner)
-        )
-        rates.append(
-            (
-                -radial * np.cos(inner) - (axial - relative) * np.sin(inner),
-                radial * np.cos(outer) + (axial + orbit) * np.sin(outer),
-            )
-        )
-    at = np.array(rates[0])
-    return at, np.array(rates[1]) - at
-
-
-def _closed(both, rates):
-    """Spin (2, Z) in rad/s at both raceways of balls that roll on both, where the moments of the
-    closed law balance."""
-    at, turn = rates
-    ends = -at / turn  # rotations without spin at one raceway
-    low, high = ends.min(0), ends.max(0)
-    edge = _edge(both)
-    for _ in range(60):
-        middle = (low + high) / 2
-        spins = at + turn * middle
-        moment = spin.closed_moment(both.spin_moment, spins * both.a, edge)
-        beyond = (turn * np.sign(spins) * moment).sum(0) > 0
-        low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
-    return at + turn * (low + high) / 2
 
 
 def _together(both, rates, ball):

@@ -179,6 +179,7 @@ def figures(
             clearance=clearance,
             surfaces=friction_torque.surfaces(body, inputs.size(path), fluid, spin, models, supply),
             spin_law=spin_law,
+            ball_density=density,
         )
         inner = lost.asperity_share[: body.raceways.count(INNER)]
         result.update(
@@ -235,7 +236,8 @@ def _sliding(state, friction, needed):
         return []
     return [
         f"{slide.sum()} balls have less friction than the coefficient of {needed.max():.2g} that"
-        " their gyroscopic moment needs: they slide, and lose more than stated"
+        " their gyroscopic moment needs: they slide across their grooves, and a run may skid and"
+        " lose more"
     ]
 
 

@@ -168,6 +168,7 @@ class Scene:
                 self.bearing, self.size, fluid, ring, self.models, self.supply
             ),
             spin_law=self.spin_law,
+            ball_density=self.density,
         )
         contacts = losses.rolling + losses.slip + losses.spin + losses.hysteresis
         inner = self.bearing.raceways.count(INNER)

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Rotation of balls that roll on both raceways, under Coulomb's law with its gyroscopic moment.
+
+In the plane of the bearing's axis e and a ball's radius u, rolling on both raceways leaves one free
+speed: the radial part x of the ball's rotation, in which its orbit Omega and both spins are linear.
+A ball of inertia J that orbits needs the moment J Omega x about the direction t of its path. Only
+friction across the raceways gives it, for which the ball turns about t and slides at s across both:
+
+    J Omega x = R_b sum of mu Q s/sqrt(s^2 + v^2),    v = s_e/3.80,
+
+the law of slip across the groove of a run (docs/tribology, Slip in a time step). This turn needs in
+turn the moment J Omega s/R_b about u, which spin gives:
+
+    sum of M_k domega_k/dx + J Omega s/R_b = 0,    M_k = spin.closed_moment beside s.
+
+Where friction is too low for the moment, x is limited and s grows: the ball pivots and slides.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from raceway.arrays import Floats, short
+from raceway.core import laws
+from raceway.theory import sliding
+from raceway.theory.bearing import INNER, OUTER, Bearing
+
+HALVINGS = 120  # of slides that differ by 1e20 between a ball that holds and one that slides
+ROUNDS = 5  # of the orbit
+
+
+class Attitude(NamedTuple):
+    """Of Z balls with two contacts each, inner ones first."""
+
+    orbit: Floats  # (Z,), rad/s
+    spin: Floats  # (2, Z), rad/s, of ball less ring about the normal
+    moment: Floats  # (2, Z), N m, against it
+    across: Floats  # (Z,), m/s, sliding across both raceways, not negative
+    force: Floats  # (2, Z), N, against it
+
+    __repr__ = short
+
+
+def balanced(
+    bearing: Bearing,
+    angle: Floats,
+    ring: float,
+    limit: Floats,
+    a: Floats,
+    pure: Floats,
+    edge: Floats,
+    density: float,
+) -> Attitude:
+    """`Attitude` of balls at contact angles (2, Z) in rad, the inner ring at `ring` rad/s, not 0.
+
+    Contacts (2, Z) have the friction `limit` mu Q (N), the semi-axis `a` (m), the moment `pure` of
+    pure spin (N m) and the slip `edge` s_e of differential slip (m/s); `density` of the balls in
+    kg/m^3, above 0.
+    """
+    none, turn = rolling(bearing, angle, ring)
+    radius, edge = bearing.ball_radius, np.maximum(edge, sliding.LEAST)
+    inertia = 8 / 15 * np.pi * radius**5 * density
+    momentum = inertia * np.abs(none[0])
+    for _ in range(ROUNDS):  # the orbit changes little with x
+        slide = _slide(none, turn, radius, limit, a, pure, edge, momentum)
+        motion, share, force = _at(slide, none, turn, radius, limit, a, edge, momentum)
+        momentum = inertia * np.abs(motion[0])
+    return Attitude(motion[0], motion[1:], pure * share, np.abs(slide), np.abs(force))
+
+
+def _at(slide, none, turn, radius, limit, a, edge, momentum):
+    """(orbit and spins (3, Z), shares of pure spin's couple (2, Z), forces across (2, Z)) of balls
+    that slide at `slide` (Z,) m/s, with the sign of x; `momentum` is J Omega."""
+    force = limit * slide / np.hypot(slide, edge / sliding.LEAN)
+    motion = none + turn * radius * force.sum(0) / momentum
+    return motion, laws.spin_shares(np.abs(motion[1:]) * a, edge, np.abs(slide)).spin, force
+
+
+def _slide(none, turn, radius, limit, a, pure, edge, momentum):
+    """The slide of `_at` at which the moments about u balance: their sum rises with it."""
+    high = radius * (pure * np.abs(turn[1:])).sum(0) / momentum
+    low = -high
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        motion, share, _ = _at(middle, none, turn, radius, limit, a, edge, momentum)
+        against = (np.sign(motion[1:]) * pure * share * turn[1:]).sum(0)
+        beyond = against + momentum * middle / radius > 0
+        low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
+    return (low + high) / 2
+
+
+def rolling(bearing: Bearing, angle: Floats, ring: float) -> tuple[Floats, Floats]:
+    """(orbit and both spins (3, Z) in rad/s of balls that roll on both raceways without a radial
+    part of their rotation, their change with 1 rad/s of it); angles (2, Z) and `ring` as those of
+    `balanced`."""
+    sizes = angle[INNER], angle[OUTER], ring, bearing.ball_radius, bearing.pitch_radius
+    none, one = (laws.rolling_on_both(*sizes, radial) for radial in (0.0, 1.0))
+    none, one = (np.array([m.orbit, m.spin_inner, m.spin_outer]) for m in (none, one))
+    return none, one - none
