@@ -128,8 +128,8 @@ FORMULA(SlidingForces, slip_slices,
           f.slope_along, f.slope_across, f.slope_moment, f.slope_couple};
 }
 
-// Motion of a ball that rolls on both raceways: angles in rad, inner ring at `ring` rad/s, `ball` and
-// `pitch` radius in m, radial part of its rotation in rad/s; all found in rad/s
+// Motion of a ball that rolls on both raceways: angles in rad, inner ring at `ring` rad/s, `ball`
+// and `pitch` radius in m, radial part of its rotation in rad/s; all found in rad/s
 RECORD(RollingBall, double orbit, axial, spin_inner, spin_outer;)
 FORMULA(RollingBall, rolling_on_both,
         (double inner, double outer, double ring, double ball, double pitch, double radial))
