@@ -23,7 +23,7 @@ LUBRICANT = ("viscosity_Pa_s", "pressure_viscosity_per_Pa", "permittivity", "rou
 NO_LUBRICANT = ("dry", "none")
 MEASURED = ("load_N", "load_azimuth_rad", "rpm", "samples_per_pass", "passes")
 RAD_S = np.pi / 30  # rad/s per revolution a minute
-NO_LOAD = 1e-9  # radial load over the force on the ring, below which its direction is rounding
+NO_LOAD = 1e-9  # radial load over the forces on rings, below which its direction is rounding
 
 
 class Settings(dict[str, Any]):
@@ -113,9 +113,9 @@ def _measured(record, told):
     side = record.fixed("ring_raceway")
     found = record.read([f"ring_{name}" for name in ("fx", "fy", "fz", "x", "y")])
     inner = {name: values[:, side == 0] for name, values in found.items()}
+    force = np.sqrt(sum(found[f"ring_f{name}"] ** 2 for name in "xyz")).mean(axis=0).max()
     # the load is opposite to the force of the balls on the inner ring
     x, y = (-float(inner[name].mean()) for name in ("ring_fx", "ring_fy"))
-    force = np.sqrt(sum(inner[f"ring_f{name}"] ** 2 for name in "xyz")).mean()
     along = (x, y)
     if np.hypot(x, y) <= NO_LOAD * force:  # the direction of the displacement then
         along = (float(inner["ring_x"].mean()), float(inner["ring_y"].mean()))
