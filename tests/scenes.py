@@ -12,6 +12,8 @@ TURNING = [
     (OUTER, OUTER.replace("mass 2", "mass 2 spin speed ${other}")),
     ("run 2000", "run 500"),
 ]
+FLOODED = {"surroundings": "flooded", "record": "all"}
+RING = {"cage": "ring", "models": "full", "record": "all"}
 
 
 def _turning(inner, outer):
@@ -26,9 +28,11 @@ SCENES = {  # deck: changes of its text
     "ramp": ("in.run_up", [("run 15000", "run 1600"), (" content summary", "")]),
     "reversed": ("in.spall", _turning(-157, 0)),
     "outer": ("in.spall", _turning(0, 157)),
-    "both": ("in.spall", _turning(150, -60)),
     "rows": ("in.double_row", [("run 1000", "run 700\n" + RECORD.format(5, 300))]),
+    "circuit": ("in.6208", {"passes": 1, "samples": 150, "rpm": 1500} | FLOODED),
+    "both": ("in.spall", _turning(150, -60)),
     "arch": ("in.four_point", [("run 1600", RECORD.format(8, 1600))]),
+    "caged": ("in.6208", {"passes": 1, "samples": 60, "axial": 500, "moment_x": 2} | RING),
 }
 
 

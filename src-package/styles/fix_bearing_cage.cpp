@@ -47,8 +47,10 @@ FixBearingCage::FixBearingCage(LAMMPS *lmp, int narg, char **arg) :
     } else if (args.take("gap")) {
       gap_ = args.non_negative("gap between cage ball and rail (m)");
     } else if (args.take("young")) {
-      young_[0] = args.positive("Young's modulus of the cage balls (Pa)");
-      young_[1] = args.positive("Young's modulus of the rails (Pa)");
+      young_[0] = args.within("Young's modulus of the cage balls (Pa)", raceway::LEAST_YOUNG,
+                              raceway::LARGEST_YOUNG);
+      young_[1] = args.within("Young's modulus of the rails (Pa)", raceway::LEAST_YOUNG,
+                              raceway::LARGEST_YOUNG);
     } else if (args.take("poisson")) {
       poisson_[0] = args.within("Poisson's ratio of the cage balls", 0.0, 0.5);
       poisson_[1] = args.within("Poisson's ratio of the rails", 0.0, 0.5);

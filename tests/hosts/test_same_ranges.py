@@ -4,8 +4,9 @@
 import re
 
 import pytest
-from host import ROOT, run
+from host import BOX, ROOT, run
 from raceway import cli
+from raceway.sweeps.variable_table import rows
 
 REFUSED = [
     ("bearings/6208", {"balls": "8.5"}),
@@ -39,6 +40,28 @@ def changed(folder, file, values):
     for key, value in values.items():
         text = f"variable {key} index {value}\n" + re.sub(rf"variable {key} .*\n", "", text)
     (folder / kind / name).write_text(text)
+
+
+STYLES = {
+    "pair_style bearing/hertz young {0} 210e9": "of the ball",
+    "pair_style bearing/hertz young 210e9 {0}": "of the ring",
+    "pair_style bearing/hertz\npair_coeff 1 2 sphere {0} 0.3 210e9 0.3": "of the first type",
+    "pair_style bearing/hertz\npair_coeff 1 2 sphere 210e9 0.3 {0} 0.3": "of the second type",
+}
+
+
+@pytest.mark.parametrize("words", STYLES)
+def test_range_of_young(tmp_path, words):
+    """Every style takes Young's moduli of the range of bearing data."""
+    data = {one["name"]: one["range"] for one in rows() if one["of"] == "bearing data"}
+    ends = [float(value) for value in data["ball_young"].split()]
+    for value, code in ((ends[0], 0), (ends[1], 0), (0.9 * ends[0], 1), (1.1 * ends[1], 1)):
+        deck = tmp_path / "in.young"
+        deck.write_text(BOX + words.format(value))
+        end = run(deck)
+        assert bool(end.code) == code, end.text
+        wanted = f"Young's modulus {STYLES[words]} (Pa) is {value:g}, must be from 1e+08 to 1e+13"
+        assert not code or wanted in end.error
 
 
 @pytest.mark.parametrize(("file", "values"), REFUSED + TAKEN)

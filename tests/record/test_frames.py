@@ -7,15 +7,21 @@ Records are rotated, not decks: integrators stop at a tolerance, which would hid
 import contextlib
 import io
 
+import netCDF4
 import numpy as np
 import pytest
 import raceway
 import scenes
 import turned
+from circuits import MOTOR_OF_INVERTER
 from fuzz.pose import Pose
 from host import succeed
 from raceway.cli import main as command
+from raceway.electric import circuit
+from raceway.electric.breakdown import Breakdown
+from raceway.electric.leak import Leak
 from raceway.runs import envelope, losses, spectrum
+from recorded_runs import SMALL, small
 
 UPRIGHT = Pose()
 ALONG = [Pose((1, 2, 0)), Pose((2, 0, 1))]  # the axis along x, and along y
@@ -32,12 +38,20 @@ PICTURES = [
     "plot run --kind motion",
     "spectrum run --out run/lines.png",
 ]
-ELSEWHERE = [  # rotated about its own axis, mirrored, turned over
+MOTOR = "circuit run --motor 50e-12 1e-9 --common-mode 560 2000 50 0.8 --strength 70e6 --arc 1"
+CIRCUITS = [
+    f"{MOTOR} --json",
+    f"{MOTOR} --resistivity 1e9 --out run/discharges",
+    "export run --format spice --resistivity 1e9",
+    "report run",
+]
+ELSEWHERE = [  # turned about its own axis, mirrored, turned over
     Pose((1, 0, 2), (1, -1, 1), (0.013, -0.02, 0.007)),
     Pose((1, 0, 2), (1, 1, 1), (0.013, -0.02, 0.007)),
     Pose((2, 1, 0), (1, 1, 1), (0.013, -0.02, 0.007)),
     Pose((0, 2, 1), (1, -1, -1), (-0.003, 0.001, 0.02)),
     Pose((2, 0, 1), (1, 1, -1), (0.013, -0.02, 0.007)),
+    Pose((0, 1, 2), (-1, 1, 1), (0.013, -0.02, 0.007)),
 ]
 
 
@@ -65,6 +79,10 @@ def written(source, folder, pose, commands):
     for path in (folder / "run").rglob("*"):
         if path.is_file() and path.relative_to(folder / "run").parts[0] not in before:
             found[str(path.relative_to(folder))] = path.read_bytes()
+    if "report run" in commands:  # it states the axis
+        own = f">{'xyz'[pose.axis]}</td>".encode()
+        assert own in found["run/report.html"]
+        found["run/report.html"] = found["run/report.html"].replace(own, b"")
     return found
 
 
@@ -84,6 +102,7 @@ def figures(folder):
     for name, data in {**of, **{name: getattr(run, name) for name in parts}}.items():
         numbers = [key for key in data.variables if data[key].dtype.kind == "f"]
         found |= {f"{name} {key}": data[key].to_numpy() for key in numbers}
+    found |= of_circuit(run) if "capacitance_total" in run.contacts else {}
     shift = spectrum.of_run(run)
     found["spectrum"] = shift.to_numpy()
     for line in spectrum.lines(run, shift):
@@ -95,7 +114,20 @@ def figures(folder):
     return found
 
 
-VECTORS = {  # names with {} for x, y, z: whether they are axial vectors
+def of_circuit(run):
+    """{name: array} of an inverter's circuit with the bearing of `run`, its discharges included."""
+    result = circuit.run(run, MOTOR_OF_INVERTER, Breakdown(70e6, arc=1.0), Leak(1e9))
+    assert len(result.events) > 10
+    tables = {"circuit": result.data, "event": result.events}
+    return {
+        f"{part} {name}": table[name].to_numpy()
+        for part, table in tables.items()
+        for name in table
+        if table[name].dtype.kind == "f" and name != "charge_error"  # rounding
+    }
+
+
+VECTORS = {  # names with {} for x, y, z: whether axial
     "{}": False,
     "v{}": False,
     "a{}": False,
@@ -190,7 +222,7 @@ def test_elsewhere(scene, tmp_path):
 def test_axis(scene, tmp_path):
     name, source = scene
     number = [*scenes.SCENES].index(name)
-    more = PICTURES if name == "combined" else []
+    more = {"combined": PICTURES, "circuit": CIRCUITS}.get(name, [])
     bearing = " --bearing 2" if name == "rows" else ""
     commands = [f"{words}{bearing}" for words in COMMANDS + more]
     upright, found = (
@@ -220,6 +252,21 @@ def test_run_about_x(tmp_path):
     cost = {"wall_s", "processor_s", "real_time_factor"}
     kept = {name: value for name, value in z.items() if name.split()[-1] not in cost}
     assert [one for one in worst(x, kept) if one[0] > 1e-9] == []
+
+
+def test_direction_without_a_load(tmp_path):
+    """A radial load that is rounding gives no direction: the displacement's is taken."""
+    end = succeed(small(tmp_path, deck=SMALL.replace("run 20000", "run 500")), out=tmp_path)
+    assert end.code == 0
+    found = []
+    for number, pose in enumerate((UPRIGHT, *ELSEWHERE[:2])):
+        folder = turned.write(tmp_path / "run", tmp_path / str(number), pose)
+        with netCDF4.Dataset(folder / "record.nc", "a") as record:
+            for k, name in enumerate(("fx", "fy", "fz")):
+                record[f"ring_{name}"][...] = 1e-13 * (number + k) if k < 2 else 500.0
+        found.append(raceway.open(folder).summary()["ring_shift_m"])
+    assert found[0] > 1e-7
+    assert found[1:] == pytest.approx(found[:1] * 2, rel=1e-12)
 
 
 def test_run_up_names_the_spall(tmp_path):

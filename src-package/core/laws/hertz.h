@@ -121,6 +121,9 @@ struct HertzContact {
   double p = 0.0;    // Pa/sqrt(m): p_max = p sqrt(overlap)
 };
 
+// Young's moduli of solids that styles and data files take, Pa.
+constexpr double LEAST_YOUNG = 1e8, LARGEST_YOUNG = 1e13;
+
 // E' = 2/sum((1 - nu^2)/E), Pa.
 inline double reduced_modulus(double E1, double nu1, double E2, double nu2)
 {

@@ -42,8 +42,10 @@ void CageSettings::read(Arguments &args)
     } else if (args.take("wall")) {
       of.wall = args.positive("stiffness of the walls of a pocket (N/m)");
     } else if (args.take("young")) {
-      young[0] = args.positive("Young's modulus of the balls (Pa)");
-      young[1] = args.positive("Young's modulus of the cage (Pa)");
+      young[0] = args.within("Young's modulus of the balls (Pa)", raceway::LEAST_YOUNG,
+                             raceway::LARGEST_YOUNG);
+      young[1] = args.within("Young's modulus of the cage (Pa)", raceway::LEAST_YOUNG,
+                             raceway::LARGEST_YOUNG);
     } else if (args.take("poisson")) {
       poisson[0] = args.within("Poisson's ratio of the balls", 0.0, 0.5);
       poisson[1] = args.within("Poisson's ratio of the cage", 0.0, 0.5);

@@ -97,9 +97,11 @@ void PairCoefficients::read_cage(Arguments &args, int ball, int cage, int types)
 void PairCoefficients::read_spheres(Arguments &args, int i, int j)
 {
   Spheres s;
-  s.E1 = args.positive("Young's modulus of the first type (Pa)");
+  s.E1 = args.within("Young's modulus of the first type (Pa)", raceway::LEAST_YOUNG,
+                     raceway::LARGEST_YOUNG);
   s.nu1 = args.within("Poisson's ratio of the first type", 0.0, 0.5);
-  s.E2 = args.positive("Young's modulus of the second type (Pa)");
+  s.E2 = args.within("Young's modulus of the second type (Pa)", raceway::LEAST_YOUNG,
+                     raceway::LARGEST_YOUNG);
   s.nu2 = args.within("Poisson's ratio of the second type", 0.0, 0.5);
   // eq 3 as printed has an extra 1/(1 - nu), with nu of the rolling ball, which is the first type
   s.factor = args.take("printed") ? 1.0 / (1.0 - s.nu1) : 1.0;

@@ -23,6 +23,7 @@ LUBRICANT = ("viscosity_Pa_s", "pressure_viscosity_per_Pa", "permittivity", "rou
 NO_LUBRICANT = ("dry", "none")
 MEASURED = ("load_N", "load_azimuth_rad", "rpm", "samples_per_pass", "passes")
 RAD_S = np.pi / 30  # rad/s per revolution a minute
+NO_LOAD = 1e-9  # radial load over the forces on rings, below which its direction is rounding
 
 
 class Settings(dict[str, Any]):
@@ -110,15 +111,20 @@ def _bearing(record):
 def _measured(record, told):
     spin = record.read(["ring_spin"])["ring_spin"].mean(axis=0)
     side = record.fixed("ring_raceway")
-    force = record.read(["ring_fx", "ring_fy"])
+    found = record.read([f"ring_{name}" for name in ("fx", "fy", "fz", "x", "y")])
+    inner = {name: values[:, side == 0] for name, values in found.items()}
+    force = np.sqrt(sum(found[f"ring_f{name}"] ** 2 for name in "xyz")).mean(axis=0).max()
     # the load is opposite to the force of the balls on the inner ring
-    x, y = (-float(force[name][:, side == 0].mean()) for name in ("ring_fx", "ring_fy"))
+    x, y = (-float(inner[name].mean()) for name in ("ring_fx", "ring_fy"))
+    along = (x, y)
+    if np.hypot(x, y) <= NO_LOAD * force:  # the direction of the displacement then
+        along = (float(inner["ring_x"].mean()), float(inner["ring_y"].mean()))
     cage = float(record.read(["bearing_cage_speed"])["bearing_cage_speed"].mean())
     sample_s = told["sample_s"]
     ball_pass = 2 * np.pi / (told["balls"] * abs(cage)) if cage else np.nan
     return {
         "load_N": float(np.hypot(x, y)),
-        "load_azimuth_rad": float(np.arctan2(y, x)),
+        "load_azimuth_rad": float(np.arctan2(*along[::-1])),
         "rpm": abs(float(spin[side == 0].sum() - spin[side == 1].sum())) / RAD_S,
         "samples_per_pass": ball_pass / sample_s,
         "passes": (len(record) - 1) * sample_s / ball_pass,
