@@ -120,6 +120,12 @@ std::vector<Row> rows_of(const PairCoefficients &coefficients, const std::vector
 
 }    // namespace
 
+size_t ball_rows(LAMMPS *lmp, const std::string &command)
+{
+  const PairCoefficients &coefficients = PairBearingHertz::find(lmp, command)->coefficients();
+  return rows_of(coefficients, bodies_of(lmp, coefficients)).size();
+}
+
 double ball_pass_time(LAMMPS *lmp, const std::string &command, double angle)
 {
   const PairCoefficients &coefficients = PairBearingHertz::find(lmp, command)->coefficients();

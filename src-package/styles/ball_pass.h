@@ -15,6 +15,9 @@ namespace bearing {
 // positions. Collective. Errors name `command`: no bearing, no imposed speed, no rotation.
 double ball_pass_time(LAMMPS_NS::LAMMPS *, const std::string &command, double angle);
 
+// Rows of balls, each between an inner and an outer ring. Collective.
+size_t ball_rows(LAMMPS_NS::LAMMPS *, const std::string &command);
+
 }    // namespace bearing
 
 #endif

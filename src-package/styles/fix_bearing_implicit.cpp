@@ -21,7 +21,7 @@ using raceway::BearingIntegrator;
 // [creep C] [energy yes|no] [sampling HZ] [oversampling N]
 FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/implicit")),
-    solver_(new Solver{{}, {}, {lmp, bearing::name_of(*this)}, {}, {}, {}})
+    solver_(new Solver{{}, {}, {}, {lmp, bearing::name_of(*this)}, {}, {}, {}})
 {
   BearingIntegrator::Settings &settings = solver_->settings;
   settings.dampers_only = strcmp(style, "bearing/implicit") != 0;
@@ -96,6 +96,20 @@ FixBearingImplicit::Control FixBearingImplicit::control() const
 {
   const BearingIntegrator::Settings &settings = solver_->settings;
   return {tolerance_, settings.relative, settings.cage * tolerance_};
+}
+
+void FixBearingImplicit::coarse(bool yes)
+{
+  BearingIntegrator::Settings &settings = solver_->settings;
+  if (settings.dampers_only) return;
+  if (!yes) {
+    settings = solver_->fine;
+    return;
+  }
+  solver_->fine = settings;
+  settings.order = 1;
+  settings.estimate = false;
+  settings.error = 100.0;
 }
 
 int FixBearingImplicit::setmask() { return INITIAL_INTEGRATE; }

@@ -54,6 +54,9 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   // Hz, samples of a record requested by bearing/vibration; 0: by the record
   double sampling_rate() const { return sampling_ * oversampling_; }
 
+  // Coarse steps, which damp all that vibrates, on the way to a state that is settled afterwards;
+  // back to the steps of the deck. Steps of 'solve damping' stay.
+  void coarse(bool);
   // The constants of the contact law change from the next step on.
   void laws_changed() { laws_changed_ = true; }
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Time and steps spent by a run: at its end, and in a restart file.
-#include "../core/figures/fix_columns.h"
-#include "fix_bearing_implicit.h"
 #include "fix_bearing_record.h"
-#include "fixes.h"
+#include "integrator_work.h"
 #include "record_settings.h"
 
 #include <algorithm>
@@ -56,27 +54,15 @@ void FixBearingRecord::post_run()
          NetcdfHeader::attribute("wall_s", spent_.wall)}));
 }
 
-// Collective. Velocity Verlet evaluates the forces once per step.
+// Collective.
 FixBearingRecord::Spent FixBearingRecord::made() const
 {
-  using namespace bearing::of_fix_implicit;
   Spent s;
   s.wall = MPI_Wtime() - clocks_.wall;
   s.processor = processor_time() - clocks_.processor;
-  const std::vector<FixBearingImplicit *> implicit = bearing::fixes_of<FixBearingImplicit>(lmp);
-  if (implicit.empty())
-    s.steps = s.evaluations = static_cast<double>(update->ntimestep - update->firststep);
-  double systems = 0.0;
-  for (FixBearingImplicit *f : implicit) {
-    const double steps = f->compute_vector(STEPS);
-    s.steps += steps;
-    s.evaluations += steps * f->compute_vector(CORRECTIONS);
-    systems += f->systems();
-  }
-  if (systems > 0.0) {
-    s.steps /= systems;
-    s.evaluations /= systems;
-  }
+  const bearing::IntegratorWork work = bearing::integrator_work(lmp);
+  s.steps = work.steps;
+  s.evaluations = work.evaluations;
   return s;
 }
 

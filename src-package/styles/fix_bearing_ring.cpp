@@ -94,6 +94,15 @@ void FixBearingRing::find_rings()
   size_array_rows = static_cast<int>(tags_.size());
 }
 
+bool FixBearingRing::constant() const
+{
+  const RingProgram &p = settings_.program;
+  return !called_back_ && p.turning.size == 0.0 && p.unbalance.moment == 0.0 && !p.apart &&
+         std::none_of(p.mode, p.mode + RingProgram::SPIN,
+                      [](Freedom f) { return f == Freedom::speed; }) &&
+         p.mode[RingProgram::SPIN] != Freedom::position;
+}
+
 std::vector<double> FixBearingRing::imposed_spin()
 {
   constexpr int spin = RingProgram::SPIN;

@@ -3,6 +3,7 @@
 
 #include "../ranks/gather.h"
 #include "compute_bearing_total.h"
+#include "integrator_work.h"
 #include "pair_bearing_hertz.h"
 
 #include <algorithm>
@@ -34,7 +35,8 @@ void FixBearingRun::end_of_step()
 {
   if (now_.steps == 0.0 || now_.measures != 0.0) return;
   const double done = static_cast<double>(update->ntimestep) - now_.begin_steps;
-  if (std::fmod(done, now_.every) != 0.0) return;
+  if (done == 0.0 && orbit_.runs()) orbit_.begin(lmp);
+  if (!(done > 0.0) || std::fmod(done, now_.every) != 0.0) return;
   const SettlingSample s = sample();
   SettlingSample &sum = now_.sum;
   sum.torque += s.torque;
@@ -80,7 +82,8 @@ SettlingSample FixBearingRun::sample()
 }
 
 // Change per ball pass between two spans of whole ball passes: the last quarter of all, and the
-// quarter before it. Longer spans average other periods such as unbalance and cage.
+// quarter before it. Longer spans average other periods such as unbalance and cage. A search of an
+// orbit compares two ball passes.
 void FixBearingRun::end_pass()
 {
   SettlingSample &mean = now_.sum;
@@ -92,24 +95,53 @@ void FixBearingRun::end_pass()
   mean = SettlingSample();
   now_.samples = 0.0;
   now_.passes += 1.0;
-  const size_t span = std::max<size_t>(1, passes_.size() / 4);
-  if (passes_.size() < 2 * span) return;
+  const size_t span = orbit_.runs() ? 1 : std::max<size_t>(1, passes_.size() / 4);
+  if (passes_.size() < 2 * span) {
+    if (orbit_.runs()) search_orbit();
+    return;
+  }
   Settling settling(static_cast<int>(span));
   for (auto p = passes_.end() - 2 * span; p != passes_.end(); ++p) settling.add(*p);
   now_.changes = settling.changes();
   bearing::SettlingChanges &a_pass = now_.changes;
   for (double *one : {&a_pass.torque, &a_pass.load, &a_pass.cage_speed, &a_pass.spin_axis})
     *one /= static_cast<double>(span);
+  if (orbit_.runs()) search_orbit();
+}
+
+// Without an orbit the ball passes count anew.
+void FixBearingRun::search_orbit()
+{
+  orbit_.end_pass(lmp, now_.changes, now_.settled);
+  now_.step_length *= orbit_.now().stretch;
+  if (orbit_.runs() || orbit_.found()) return;
+  passes_.clear();
+  now_.passes = 0.0;
+  now_.changes = bearing::SettlingChanges();
+  now_.begin_steps = static_cast<double>(update->ntimestep);
+}
+
+void FixBearingRun::run_done()
+{
+  if (now_.measures == 0.0) now_.evaluations += bearing::integrator_work(lmp).evaluations;
 }
 
 void FixBearingRun::write_restart(FILE *fp)
 {
+  State kept = now_;
+  if (now_.measures == 0.0 && update->whichflag != 0)
+    kept.evaluations += bearing::integrator_work(lmp).evaluations;
   if (comm->me != 0) return;
   const size_t past = passes_.size() * sizeof(SettlingSample);
-  const int size = static_cast<int>(sizeof now_ + past + words_.size() + 1);
+  const std::vector<double> orbit = orbit_.packed();
+  const double numbers = static_cast<double>(orbit.size());
+  const int size = static_cast<int>(sizeof kept + past + (1 + orbit.size()) * sizeof(double) +
+                                    words_.size() + 1);
   fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&now_, sizeof now_, 1, fp);
+  fwrite(&kept, sizeof kept, 1, fp);
   if (past) fwrite(passes_.data(), 1, past, fp);
+  fwrite(&numbers, sizeof numbers, 1, fp);
+  fwrite(orbit.data(), sizeof(double), orbit.size(), fp);
   fwrite(words_.c_str(), 1, words_.size() + 1, fp);
 }
 
@@ -119,7 +151,14 @@ void FixBearingRun::restart(char *buf)
   buf += sizeof now_;
   passes_.resize(static_cast<size_t>(now_.passes));
   if (!passes_.empty()) memcpy(passes_.data(), buf, passes_.size() * sizeof(SettlingSample));
-  const std::string then = buf + passes_.size() * sizeof(SettlingSample);
+  buf += passes_.size() * sizeof(SettlingSample);
+  double numbers;
+  memcpy(&numbers, buf, sizeof numbers);
+  buf += sizeof numbers;
+  std::vector<double> orbit(static_cast<size_t>(numbers));
+  memcpy(orbit.data(), buf, orbit.size() * sizeof(double));
+  orbit_.unpack(orbit);
+  const std::string then = buf + orbit.size() * sizeof(double);
   if (then != words_)
     BRG_ALL("run_bearing: the restart file belongs to another run: '" + then + "', this one is '" +
             words_ + "'. Remove it, or resume with its settings");

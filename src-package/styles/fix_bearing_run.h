@@ -9,6 +9,7 @@ FixStyle(bearing/run,FixBearingRun)
 
 #include "../core/figures/settling.h"
 #include "bearing_compat.h"
+#include "orbit_search.h"
 #include "run_phase.h"
 
 #include <vector>
@@ -31,7 +32,9 @@ class FixBearingRun : public Fix {
     double begin_steps = 0.0;            // steps of that; 0: adaptive, not finished
     double passes = 0.0;                 // ball passes evaluated since then
     double steps = 0.0;                  // in one of these, a multiple of `every`; 0: none yet
-    double samples = 0.0;                // number of samples in the present one
+    double samples = 0.0;                // in the present one
+    double settled = 0.0;                // `settle orbit`: changes within which it ends
+    double evaluations = 0.0;            // of the forces, to settle
     bearing::SettlingSample sum;         // of these
     bearing::SettlingChanges changes;    // per ball pass
   };
@@ -45,17 +48,21 @@ class FixBearingRun : public Fix {
 
   bool resumed() const { return resumed_; }
   State &now() { return now_; }
+  bearing::OrbitSearch &orbit() { return orbit_; }
+  void run_done();    // each run of the command ends with it; collective
 
  private:
   std::string words_;    // of the command, except those that may change when a run is continued
   State now_;
   bool resumed_ = false;
   std::vector<bearing::SettlingSample> passes_;    // mean of each
+  bearing::OrbitSearch orbit_;
   class PairBearingHertz *pair_ = nullptr;
   class ComputeBearingTotal *total_ = nullptr;
 
   bearing::SettlingSample sample();
   void end_pass();
+  void search_orbit();
 };
 
 }    // namespace LAMMPS_NS

@@ -35,7 +35,9 @@ void RunBearing::read(Arguments &args)
   bool settles = false;
   while (args.more()) {
     if (args.take("settle")) {
-      to.settle = args.take("auto") ? -1.0 : args.within("ball passes to settle", 0.0, 1e6);
+      to.orbit = args.take("orbit");
+      to.automatic = to.orbit || args.take("auto");
+      if (!to.automatic) to.settle = args.within("ball passes to settle", 0.0, 1e6);
       settles = true;
     } else if (args.take("passes")) {
       to.passes = args.integer("ball passes to measure", 1, 1000000);
@@ -58,7 +60,8 @@ void RunBearing::read(Arguments &args)
     }
   }
   if (!settles)
-    args.fail("'settle N' or 'settle auto' is missing: ball passes before the measurement");
+    args.fail("'settle N', 'settle auto' or 'settle orbit' is missing: ball passes before the "
+              "measurement");
   if (to.passes == 0.0) args.fail("'passes P' is missing: ball passes to measure");
 }
 
@@ -66,9 +69,9 @@ void RunBearing::read(Arguments &args)
 std::string RunBearing::words() const
 {
   const Settings &s = settings_;
-  const std::string settle = automatic()
-                                 ? "auto settled " + digits(s.settled) + " limit " + digits(s.limit)
-                                 : digits(s.settle);
+  const std::string settle = automatic() ? (s.orbit ? "orbit" : "auto") + std::string(" settled ") +
+                                               digits(s.settled) + " limit " + digits(s.limit)
+                                         : digits(s.settle);
   return "settle " + settle + " step " + digits(s.step) + " safety " + digits(s.safety) + " rate " +
          digits(s.rate) + (std::isnan(s.angle) ? "" : " angle " + digits(s.angle));
 }
@@ -121,9 +124,11 @@ void RunBearing::plan()
   double ramp = 0.0;    // s, until the loads are on
   for (const FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp))
     ramp = std::max(ramp, f->ramp());
+  begin_search();
   // adaptive steps cover a whole ball pass before even steps replace them
   const double before = automatic() ? (implicit() ? 0.0 : 1.0) : settings_.settle;
-  now().begin = written(before * now().pass + std::max(1e-2, ramp));
+  const double least = fix_->orbit().runs() ? 1e-3 : 1e-2;    // s
+  now().begin = written(before * now().pass + std::max(least, ramp));
   plan_samples();
   if (implicit()) plan_steps();
 }
@@ -156,6 +161,7 @@ void RunBearing::plan_steps()
 {
   fix_step(settings_.step == 0.0 ? sampled_length() : settings_.step);
   now().begin_steps = std::ceil(now().begin / now().step_length);
+  if (fix_->orbit().runs()) now().steps = steps_a_pass();
 }
 
 // s, of the samples within a host step
@@ -184,8 +190,10 @@ void RunBearing::set_step(double dt) { input->one(("timestep " + digits(dt)).c_s
 
 void RunBearing::run(double steps)
 {
-  if (steps > static_cast<double>(update->ntimestep))
+  if (steps > static_cast<double>(update->ntimestep)) {
     input->one(("run " + digits(steps) + " upto").c_str());
+    fix_->run_done();
+  }
 }
 
 void RunBearing::show(double rows, const std::string &title, const std::string &more)
@@ -201,17 +209,22 @@ void RunBearing::settle()
     set_step(now().step_length);
     for (auto *f : bearing::fixes_of<bearing::WaitsForRun>(lmp)) f->settle(sampling());
     show(std::ceil(now().begin_steps / 5), "Settling");
+    const bool coarse = fix_->orbit().runs();
+    for (FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp))
+      if (coarse) f->coarse(true);
     run(now().begin_steps);
+    for (FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp))
+      if (coarse) f->coarse(false);
     input->one(("unfix " + show_id).c_str());
   } else if (now().begin_steps == 0.0) {
     settle_adaptively();
   }
   warm_up();
   if (automatic()) settle_until_still();
-  // computed from the number of steps where they are even, so that a stopped run has the same
-  // rounding
-  begin_at_step_0(implicit() ? now().start + update->ntimestep * now().step_length
-                             : bearing::SimulatedTime::now(*update));
+  // by the number of steps where they are even, so that a stopped run has the same rounding
+  const bool even = implicit() && !settings_.orbit;
+  begin_at_step_0(even ? now().start + update->ntimestep * now().step_length
+                       : bearing::SimulatedTime::now(*update));
   now().measures = 1.0;
 }
 
@@ -239,6 +252,7 @@ void RunBearing::settle_adaptively()
   while (written(bearing::SimulatedTime::now(*update)) < now().begin) {
     const double at = static_cast<double>(update->ntimestep);
     input->one(("run " + digits(chunk - std::fmod(at, chunk)) + " post no").c_str());
+    fix_->run_done();
   }
   FixBearingTimestep *const step = bearing::fixes_of<FixBearingTimestep>(lmp).back();
   const double limit = step->compute_vector(bearing::of_fix_timestep::SMALLEST);
@@ -262,6 +276,7 @@ void RunBearing::warm_up()
     const double passes =
         std::floor((static_cast<double>(update->ntimestep) - now().begin_steps) / steps) + 1.0;
     input->one(("run " + digits(now().begin_steps + passes * steps) + " upto post no").c_str());
+    fix_->run_done();
   }
   now().begin_steps = static_cast<double>(update->ntimestep);
 }
@@ -275,13 +290,16 @@ double RunBearing::steps_a_pass()
 // passes, so that the ripple of ball passes cancels.
 void RunBearing::settle_until_still()
 {
-  set_step(now().step_length);
   const double steps = steps_a_pass();
   now().steps = steps;
   while (!still() && now().passes < settings_.limit) {
+    const bool searches = fix_->orbit().runs();
+    set_step(now().step_length);
     input->one(("run " + digits(now().begin_steps + (now().passes + 1.0) * steps) + " upto post no")
                    .c_str());
+    fix_->run_done();
     say_pass();
+    if (searches) say_search();
   }
   if (!still() && comm->me == 0)
     BRG_WARN(std::string(command_name) + ": not settled after " + text(now().passes) +
@@ -293,23 +311,21 @@ void RunBearing::settle_until_still()
 
 bool RunBearing::still()
 {
+  if (fix_->orbit().runs()) return false;
+  if (fix_->orbit().found()) return true;
   const double s = settings_.settled;
   return now().changes.within({s, 0.1 * s, s, s});
 }
 
 void RunBearing::say_pass()
 {
-  if (comm->me != 0 || now().passes < 2.0) return;
+  if (now().passes < 2.0) return;
   const bearing::SettlingChanges &c = now().changes;
   char line[160];
   snprintf(line, sizeof line,
            "Ball pass %.0f: change of torque %.1e, loads %.1e, cage speed %.1e, spin axes %.1e rad",
            now().passes, c.torque, c.load, c.cage_speed, c.spin_axis);
-  for (FILE *to : {screen, logfile})
-    if (to) {
-      fprintf(to, "%s\n", line);
-      fflush(to);
-    }
+  say(line);
 }
 
 // ---- the measurement
@@ -320,8 +336,14 @@ void RunBearing::start_fixes()
     if (auto *f = dynamic_cast<FixBearingRecord *>(modify->fix[k]); f && f->waits()) {
       f->set_samples_a_pass(written(now().a_pass));
       f->note(NetcdfHeader::attribute("passes", settings_.passes), true);
+      f->note(NetcdfHeader::attribute("settling_evaluations", now().evaluations));
       if (automatic()) {
         const bearing::SettlingChanges &c = now().changes;
+        const bearing::OrbitSearch &orbit = fix_->orbit();
+        if (settings_.orbit) {
+          f->note(NetcdfHeader::attribute("orbit", orbit.found() ? "found" : "none"));
+          f->note(NetcdfHeader::attribute("orbit_passes", orbit.now().passes));
+        }
         f->note(NetcdfHeader::attribute("settled_passes", now().passes));
         f->note(NetcdfHeader::attribute("settled_torque", c.torque));
         f->note(NetcdfHeader::attribute("settled_load", c.load));

@@ -13,8 +13,9 @@ CommandStyle(run_bearing,RunBearing)
 
 namespace LAMMPS_NS {
 
-// run_bearing settle N|auto passes P [step DT] [safety F] [rate HZ] [angle A] [settled S]
-// [limit L]: choose the step, settle for N ball passes or until they agree, and measure P of them
+// run_bearing settle N|auto|orbit passes P [step DT] [safety F] [rate HZ] [angle A] [settled S]
+// [limit L]: choose the step, settle for N ball passes, until they agree or until one
+// returns to its begin (orbit_search.h), and measure P of them
 // with the fixes that wait for it (run_phase.h).
 class RunBearing : public bearing::CommandBase {
  public:
@@ -23,7 +24,9 @@ class RunBearing : public bearing::CommandBase {
 
  private:
   struct Settings {
-    double settle = 1.0, passes = 0.0;    // ball passes; settle < 0: until they agree
+    double settle = 1.0, passes = 0.0;    // ball passes
+    bool automatic = false;               // settle until ball passes agree,
+    bool orbit = false;                   // on the orbit if there is one
     double settled = 1e-2;                // relative change of torque that counts as settled
     double limit = 100.0;                 // allowed ball passes of settling
     double step = 0.0;                    // s; 0: chosen
@@ -46,7 +49,11 @@ class RunBearing : public bearing::CommandBase {
   void begin_at_step_0(double time);
   bool still();
   void say_pass();
-  bool automatic() const { return settings_.settle < 0.0; }
+  bool automatic() const { return settings_.automatic; }
+  std::string why_no_orbit();
+  void begin_search();
+  void say_search();
+  void say(const std::string &);
   bearing::Sampling sampling();
   double sampled_length();
   void fix_step(double wanted);

@@ -183,9 +183,9 @@ def test_auto_ends_at_its_limit(tmp_path):
     assert notes["settled_passes"] == 2 and notes["settled_torque"] > 1e-2
 
 
-def stop(out, scene, share):
-    """Stops a run when its settling has reached this share (%), or this ball pass."""
-    command = [HOSTS["liggghts"][0], "-in", DECK, "-log", "none", "-var", "out", out]
+def stop(out, scene, share, deck=DECK):
+    """Stops a run when its settling has got to this share (%), or to this ball pass."""
+    command = [HOSTS["liggghts"][0], "-in", deck, "-log", "none", "-var", "out", out]
     for name, value in scene.items():
         command += ["-var", name, str(value)]
     with subprocess.Popen(

@@ -63,8 +63,11 @@ def variables(tables: RunTables) -> dict[str, str]:
     if balls := by_ball(tables.settings):
         known["flaw_ball"] = next(iter(balls.values()))
         known["flawed_ball"] = " ".join(map(str, balls))
+    if tables.settings.get("orbit") == "found":
+        known["settle"] = "orbit"
+        return {**known, "passes": f"{tables.settings['passes']:.15g}"}
     known.pop("settled", None)  # the repeats settle as long as the run did
-    if known.get("settle") == "auto":
+    if known.get("settle") in ("auto", "orbit"):
         known["settle"] = f"{tables.settings['settled_passes']:.15g}"
     return {**known, "passes": f"{tables.settings['passes']:.15g}"}
 
@@ -89,7 +92,10 @@ def repeats(tables: RunTables) -> dict[str, dict[str, str]]:
             sampled.pop(name, None)
     settled = dict(sampled)
     settled[count] = own[count]
-    settled["settle"] = f"{float(own['settle']) + LONGER:.15g}"
+    if own["settle"] == "orbit":
+        settled["settled"] = f"{FINER * float(own['settled']):.15g}"
+    else:
+        settled["settle"] = f"{float(own['settle']) + LONGER:.15g}"
     return {"integration": finer, "sampling": sampled, "settling": settled}
 
 

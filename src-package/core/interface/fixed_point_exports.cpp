@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Starts that Anderson acceleration chooses (fixed_point.h).
+#include "../numbers/fixed_point.h"
+#include "exports.h"
+
+#include <algorithm>
+
+using raceway::FixedPoint;
+
+RECORD(FixedPointNext, double residual, distance, contraction;)
+
+// After `starts` values of a map of n numbers, start by start: the next start, and norms.
+EXPORT(void, fixed_point,
+       (int starts, int n, double reach, const double *x, const double *g, const double *weights,
+        double *next, FixedPointNext *out))
+{
+  FixedPoint::Settings set;
+  set.reach = reach;
+  FixedPoint map(set, {weights, weights + n});
+  for (int k = 0; k < starts; ++k) {
+    const long at = static_cast<long>(k) * n;
+    map.add({x + at, x + at + n}, {g + at, g + at + n});
+  }
+  FixedPoint copy;    // as after a restart
+  copy.unpack(map.packed());
+  const FixedPoint::Next to = map.next();
+  std::copy(to.start.begin(), to.start.end(), next);
+  *out = {to.residual, to.distance, copy.contraction()};
+}

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The fixed point x = g(x) of a map whose values cost much: Anderson acceleration.
+//
+// D. G. Anderson, J. ACM 12 (1965) 547; type II as in H. F. Walker and P. Ni, SIAM J. Numer. Anal.
+// 49 (2011) 1715. With the residuals f = g(x) - x of the last starts, the next start is
+//   g_k - sum_j c_j (g_j+1 - g_j),   c: least squares of f_k - sum_j c_j (f_j+1 - f_j),
+// which for an affine map equals GMRES: a mode that decays slowly takes one more value of the map.
+// Residuals and moves are measured with weights, in the norm sqrt(sum (w_i y_i)^2). A difference of
+// residuals that the later ones hold already, to a share `apart`, is noise and is left out, as is one
+// below `flat` of the residual: where residuals hardly depend on the start, the next start lies on in
+// their direction.
+#ifndef RACEWAY_FIXED_POINT_H
+#define RACEWAY_FIXED_POINT_H
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace raceway {
+
+class FixedPoint {
+ public:
+  using Vector = std::vector<double>;
+  struct Settings {
+    size_t memory = 5;      // starts that are kept
+    double reach = 0.1;     // longest move from g_k, in the norm
+    double apart = 1e-2;    // share of a difference that must be its own
+    double flat = 0.02;     // smallest difference over the residual
+  };
+  struct Next {
+    Vector start;
+    double residual = HUGE_VAL;    // norm of f_k
+    // norm of the way from x_k to the fixed point of the affine map through the kept values; infinite
+    // with one start
+    double distance = HUGE_VAL;
+  };
+
+  FixedPoint() = default;
+  FixedPoint(const Settings &set, Vector weights) : set_(set), weights_(std::move(weights)) {}
+  bool begun() const { return !weights_.empty(); }
+
+  // A start and its value.
+  void add(Vector x, Vector g)
+  {
+    x_.push_back(std::move(x));
+    g_.push_back(std::move(g));
+    if (x_.size() <= set_.memory) return;
+    x_.erase(x_.begin());
+    g_.erase(g_.begin());
+  }
+
+  void forget()    // all except the last
+  {
+    if (x_.size() < 2) return;
+    x_.erase(x_.begin(), x_.end() - 1);
+    g_.erase(g_.begin(), g_.end() - 1);
+  }
+
+  // Share of the residual before that the last one keeps, along it; 0 with one start.
+  double contraction() const
+  {
+    if (x_.size() < 2) return 0.0;
+    const Vector f = residual(x_.size() - 1), before = residual(x_.size() - 2);
+    const double whole = dot(before, before);
+    return whole > 0.0 ? dot(f, before) / whole : 0.0;
+  }
+
+  Next next() const
+  {
+    Next to;
+    const size_t last = x_.size() - 1, n = weights_.size();
+    Vector f = residual(last), move(n, 0.0);
+    to.residual = norm(f);
+    std::vector<Vector> basis, images;    // orthonormal differences of f, and those of g alike
+    for (size_t j = last; j-- > 0;) {
+      Vector df = difference(residual(j + 1), residual(j)), dg = difference(g_[j + 1], g_[j]);
+      const double whole = norm(df);
+      if (!(whole >= set_.flat * to.residual)) {
+        if (j + 1 == last) break;
+        continue;
+      }
+      for (size_t b = 0; b < basis.size(); ++b) {
+        const double share = dot(basis[b], df);
+        subtract(df, share, basis[b]);
+        subtract(dg, share, images[b]);
+      }
+      const double own = norm(df);
+      if (!(own > set_.apart * whole)) continue;
+      for (size_t i = 0; i < n; ++i) {
+        df[i] /= own;
+        dg[i] /= own;
+      }
+      basis.push_back(std::move(df));
+      images.push_back(std::move(dg));
+    }
+    for (size_t b = 0; b < basis.size(); ++b) subtract(move, dot(basis[b], f), images[b]);
+    if (basis.empty() && last > 0) {
+      // the sum of all residuals to come, if each keeps that share of the one before
+      const double share = contraction(), sum = share < 1.0 ? share / (1.0 - share) : HUGE_VAL;
+      subtract(move, -std::min(sum, 2.0 * set_.reach / to.residual), f);
+      to.distance = to.residual * (1.0 + sum);
+    } else if (last > 0) {
+      Vector way = f;
+      subtract(way, -1.0, move);
+      to.distance = norm(way);
+    }
+    const double length = norm(move), part = length > set_.reach ? set_.reach / length : 1.0;
+    to.start = g_[last];
+    subtract(to.start, -part, move);
+    return to;
+  }
+
+  // All numbers, for a restart file.
+  Vector packed() const
+  {
+    Vector all = {double(weights_.size()), double(x_.size())};
+    const auto append = [&all](const Vector &v) { all.insert(all.end(), v.begin(), v.end()); };
+    append(weights_);
+    for (const Vector &x : x_) append(x);
+    for (const Vector &g : g_) append(g);
+    return all;
+  }
+  void unpack(const Vector &all)
+  {
+    const size_t n = static_cast<size_t>(all[0]), starts = static_cast<size_t>(all[1]);
+    auto at = all.begin() + 2;
+    const auto take = [&at, n] {
+      at += static_cast<std::ptrdiff_t>(n);
+      return Vector(at - static_cast<std::ptrdiff_t>(n), at);
+    };
+    weights_ = take();
+    x_.resize(starts);
+    g_.resize(starts);
+    for (Vector &x : x_) x = take();
+    for (Vector &g : g_) g = take();
+  }
+
+ private:
+  static Vector difference(const Vector &a, const Vector &b)
+  {
+    Vector d(a.size());
+    for (size_t i = 0; i < a.size(); ++i) d[i] = a[i] - b[i];
+    return d;
+  }
+  static void subtract(Vector &from, double times, const Vector &v)
+  {
+    for (size_t i = 0; i < v.size(); ++i) from[i] -= times * v[i];
+  }
+  Vector residual(size_t k) const { return difference(g_[k], x_[k]); }
+  double dot(const Vector &a, const Vector &b) const
+  {
+    double sum = 0.0;
+    for (size_t i = 0; i < a.size(); ++i) sum += weights_[i] * weights_[i] * a[i] * b[i];
+    return sum;
+  }
+  double norm(const Vector &v) const { return std::sqrt(dot(v, v)); }
+
+  Settings set_;
+  Vector weights_;
+  std::vector<Vector> x_, g_;
+};
+
+}    // namespace raceway
+
+#endif

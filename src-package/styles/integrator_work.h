@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The cost of a run in steps of the integrator and evaluations of the forces, which do not depend
+// on the load of the machine.
+#ifndef BEARING_INTEGRATOR_WORK_H
+#define BEARING_INTEGRATOR_WORK_H
+
+#include "bearing_compat.h"
+
+namespace bearing {
+
+struct IntegratorWork {
+  double steps = 0.0, evaluations = 0.0;    // per bearing
+};
+
+// Since the start of the present run, or of the last one; collective. Velocity Verlet evaluates the
+// forces once per step.
+IntegratorWork integrator_work(LAMMPS_NS::LAMMPS *);
+
+}    // namespace bearing
+
+#endif

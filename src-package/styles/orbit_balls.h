@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The balls of one bearing as `settle orbit` sees them: by slot, a place between two neighbours that
+// the balls go through one after the other. A ball pass moves every ball to the next slot.
+#ifndef BEARING_ORBIT_BALLS_H
+#define BEARING_ORBIT_BALLS_H
+
+#include "../core/numbers/lab_axes.h"
+#include "../core/numbers/vec3.h"
+#include "bearing_compat.h"
+
+#include <vector>
+
+namespace bearing {
+
+class OrbitBalls {
+ public:
+  // Numbers of a slot: azimuth of its ball (rad), orbital speed (rad/s), and the spin in radial,
+  // tangential and axial direction of the ball's place (rad/s).
+  static constexpr int numbers = 5;
+
+  // The present balls; collective, the same on all ranks.
+  explicit OrbitBalls(LAMMPS_NS::LAMMPS *);
+
+  int size() const { return static_cast<int>(balls_.size()); }
+  double spacing() const { return 2.0 * M_PI / size(); }    // rad
+  // +1 or -1: the sense in which the balls go round.
+  int sense() const;
+  // Numbers by slot after so many ball passes, slot 0 first.
+  std::vector<double> by_slot(double passes) const;
+  // Weight of each number: orbital speed and spin relative to those of all balls, with the share of
+  // the ball in all loads; azimuths do not count.
+  std::vector<double> weights(double passes) const;
+  // Gives the balls of this rank orbital speeds and spins by slot; places stay.
+  void put(double passes, const std::vector<double> &by_slot) const;
+  // rad, that the balls have gone on in the ball pass between these numbers; mean
+  double advance(const std::vector<double> &before, const std::vector<double> &now) const;
+
+ private:
+  struct Ball {
+    double tag, load;         // N, on both raceways
+    raceway::Vec3 x, v, w;    // from the bearing's centre, bearing axis third
+    double azimuth() const { return std::atan2(x.y, x.x); }
+    double radius() const { return std::hypot(x.x, x.y); }
+    raceway::Vec3 place(const raceway::Vec3 &) const;    // in radial, tangential, axial direction
+    raceway::Vec3 lab(const raceway::Vec3 &) const;      // and back
+  };
+  int slot(int ball, double passes) const;
+
+  LAMMPS_NS::LAMMPS *lmp_;
+  raceway::LabAxes axes_;
+  std::vector<Ball> balls_;    // by azimuth, from the ball of lowest tag
+};
+
+}    // namespace bearing
+
+#endif

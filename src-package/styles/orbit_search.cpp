@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "orbit_search.h"
+
+#include "orbit_balls.h"
+
+#include <algorithm>
+
+namespace bearing {
+
+// Ball passes without progress after which there is no orbit: balls meet the cage or one another at
+// other places in every ball pass.
+static constexpr double patience = 5.0;
+static constexpr double most_jumps = 8.0;
+// Share of the residual that a ball pass must leave where a jump is of use.
+static constexpr double slow = 0.6;
+// A residual is progress if it is below this share of the best yet.
+static constexpr double less = 0.7;
+
+void OrbitSearch::begin(LAMMPS_NS::LAMMPS *lmp) { start_ = OrbitBalls(lmp).by_slot(0.0); }
+
+void OrbitSearch::end_pass(LAMMPS_NS::LAMMPS *lmp, const SettlingChanges &changes, double settled)
+{
+  const OrbitBalls balls(lmp);
+  now_.passes += 1.0;
+  std::vector<double> end = balls.by_slot(now_.passes);
+  now_.stretch =
+      std::min(2.0, std::max(0.5, balls.spacing() / std::fabs(balls.advance(start_, end))));
+  const bool only_follows = now_.jumped != 0.0;
+  now_.jumped = 0.0;
+  if (!only_follows) judge(balls, end, changes, settled);
+  if (now_.stage == ON && now_.passes - now_.best_pass >= patience) now_.stage = NONE;
+  start_ = now_.jumped != 0.0 ? OrbitBalls(lmp).by_slot(now_.passes) : end;
+}
+
+// A ball pass that is a value of the map. Where a mode decays slowly, speeds are chosen for the next
+// one, in which fast modes follow: that one is none.
+void OrbitSearch::judge(const OrbitBalls &balls, const std::vector<double> &end,
+                        const SettlingChanges &changes, double settled)
+{
+  if (!map_.begun())
+    map_ = raceway::FixedPoint(raceway::FixedPoint::Settings(), balls.weights(now_.passes));
+  map_.add(start_, end);
+  const raceway::FixedPoint::Next next = map_.next();
+  now_.residual = next.residual;
+  now_.distance = next.distance;
+  const double steady = 0.2 * settled, close = 0.1 * settled;
+  if (changes.within({steady, steady, steady, settled}) && next.distance <= settled &&
+      std::fabs(now_.stretch - 1.0) <= settled) {
+    now_.stage = FOUND;
+    return;
+  }
+  const double keeps = map_.contraction(), progress = std::max(close, next.residual);
+  if (keeps < 0.0) map_.forget();    // the last jump went too far: values beyond the orbit count
+  const bool jumps = next.residual > close && now_.jumps < most_jumps && keeps > slow;
+  if (progress < less * now_.best || jumps) {
+    now_.best = std::min(now_.best, progress);
+    now_.best_pass = now_.passes;
+  }
+  if (!jumps) return;
+  now_.jumps += 1.0;
+  now_.jumped = 1.0;
+  balls.put(now_.passes, next.start);
+}
+
+std::vector<double> OrbitSearch::packed() const
+{
+  std::vector<double> all(sizeof now_ / sizeof(double) + 1 + start_.size());
+  memcpy(all.data(), &now_, sizeof now_);
+  all[sizeof now_ / sizeof(double)] = static_cast<double>(start_.size());
+  std::copy(start_.begin(), start_.end(), all.end() - static_cast<std::ptrdiff_t>(start_.size()));
+  const std::vector<double> map = map_.packed();
+  all.insert(all.end(), map.begin(), map.end());
+  return all;
+}
+
+void OrbitSearch::unpack(const std::vector<double> &all)
+{
+  memcpy(static_cast<void *>(&now_), all.data(), sizeof now_);
+  auto at = all.begin() + sizeof now_ / sizeof(double);
+  const auto n = static_cast<std::ptrdiff_t>(*at++);
+  start_.assign(at, at + n);
+  map_.unpack({at + n, all.end()});
+}
+
+}    // namespace bearing

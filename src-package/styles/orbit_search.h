@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// `settle orbit` of run_bearing: the steady state of a bearing under constant load and speed, in
+// which a ball pass returns every ball's state in its neighbour's.
+//
+// Unknown are the orbital speeds and spins of the balls by slot (orbit_balls.h), which decay over
+// many ball passes, and the length of a ball pass. All else follows within a pass. Each ball pass is
+// a value of the map, and FixedPoint (core/numbers/fixed_point.h) chooses the start of the next.
+#ifndef BEARING_ORBIT_SEARCH_H
+#define BEARING_ORBIT_SEARCH_H
+
+#include "../core/figures/settling.h"
+#include "../core/numbers/fixed_point.h"
+#include "bearing_compat.h"
+
+#include <vector>
+
+namespace bearing {
+
+class OrbitBalls;
+
+class OrbitSearch {
+ public:
+  enum { OFF, ON, FOUND, NONE };
+
+  // Doubles only, as in a restart file.
+  struct State {
+    double stage = OFF;
+    double passes = 0.0;           // ball passes it has seen
+    // Change of orbital speeds and spins in the last ball pass, relative and weighted by load, and
+    // the estimate of all their changes to come.
+    double residual = HUGE_VAL, distance = HUGE_VAL;
+    double best = HUGE_VAL, best_pass = 0.0;    // smallest residual; last ball pass of use
+    double stretch = 1.0;                       // next length of a ball pass over the last
+    double jumps = 0.0, jumped = 0.0;    // ball passes that began with chosen speeds; 1: the present
+                                         // one does
+  };
+
+  State &now() { return now_; }
+  const State &now() const { return now_; }
+  bool runs() const { return now_.stage == ON; }
+  bool found() const { return now_.stage == FOUND; }
+
+  // At the end of a step: the first before the first ball pass, the other after each of them. They
+  // set speeds of the balls. Collective. The orbit is found when figures change by at most a fifth of
+  // `settled` from one ball pass to the next, and speeds and axes of the balls by at most `settled` in
+  // all ball passes to come.
+  void begin(LAMMPS_NS::LAMMPS *);
+  void end_pass(LAMMPS_NS::LAMMPS *, const SettlingChanges &, double settled);
+
+  // All numbers, for a restart file.
+  std::vector<double> packed() const;
+  void unpack(const std::vector<double> &);
+
+ private:
+  void judge(const OrbitBalls &, const std::vector<double> &end, const SettlingChanges &,
+             double settled);
+
+  State now_;
+  std::vector<double> start_;    // of the present ball pass, by slot
+  raceway::FixedPoint map_;
+};
+
+}    // namespace bearing
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// `settle orbit` of run_bearing: scenes that cannot have an orbit, and messages.
+#include "../core/settings/arguments.h"
+#include "ball_pass.h"
+#include "fix_bearing_grains.h"
+#include "fix_bearing_heat.h"
+#include "fix_bearing_profile.h"
+#include "fix_bearing_ring.h"
+#include "fixes.h"
+#include "run_bearing.h"
+
+using namespace LAMMPS_NS;
+using bearing::fixes_of;
+using bearing::text;
+
+// Why no ball pass of this scene can repeat the one before; empty if one may.
+std::string RunBearing::why_no_orbit()
+{
+  if (!implicit()) return "the steps of velocity Verlet follow its stability limit";
+  if (settings_.rate > 0.0) return "samples by the second do not divide a ball pass";
+  if (bearing::ball_rows(lmp, "run_bearing") != 1) return "there are several rows of balls";
+  for (const FixBearingProfile *f : fixes_of<FixBearingProfile>(lmp))
+    if (f->departs()) return bearing::name_of(*f) + " makes balls or places differ";
+  for (const FixBearingRing *f : fixes_of<FixBearingRing>(lmp))
+    if (!f->constant())
+      return "loads or speeds of " + bearing::name_of(*f) + " change or turn with the ring";
+  for (const FixBearingHeat *f : fixes_of<FixBearingHeat>(lmp))
+    if (!f->idle()) return "temperatures change";
+  if (!fixes_of<FixBearingGrains>(lmp).empty()) return "grains load the bearing";
+  return "";
+}
+
+void RunBearing::begin_search()
+{
+  if (!settings_.orbit) return;
+  const std::string why = why_no_orbit();
+  bearing::OrbitSearch::State &search = fix_->orbit().now();
+  search.stage = why.empty() ? bearing::OrbitSearch::ON : bearing::OrbitSearch::NONE;
+  now().settled = 0.1 * settings_.settled;
+  if (!why.empty()) say("No orbit: " + why + ". Settling until ball passes agree");
+}
+
+// After a ball pass of the search.
+void RunBearing::say_search()
+{
+  const bearing::OrbitSearch::State &s = fix_->orbit().now();
+  char line[160];
+  if (s.jumped == 0.0)
+    snprintf(line, sizeof line, "  speeds of the balls %.1e, %.1e in all ball passes to come",
+             s.residual, s.distance);
+  else snprintf(line, sizeof line, "  speeds of the balls %.1e; the next are chosen", s.residual);
+  say(line);
+  const std::string after = text(s.passes) + " ball passes";
+  if (fix_->orbit().found()) say("Orbit after " + after);
+  else if (!fix_->orbit().runs())
+    say("No orbit: no ball pass of " + after + " repeats the one before. Settling until they agree");
+}
+
+void RunBearing::say(const std::string &line)
+{
+  if (comm->me != 0) return;
+  for (FILE *to : {screen, logfile})
+    if (to) {
+      fprintf(to, "%s\n", line.c_str());
+      fflush(to);
+    }
+}

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`settle orbit` of run_bearing: the state in which a ball pass repeats the one before."""
+
+import pytest
+import raceway
+from host import succeed
+
+from scenarios.test_run_bearing import DECK as run_deck
+from scenarios.test_run_bearing import TURNS, differ, stop, values
+
+DECK = "inputs/in.6208"
+FULL = {"models": "full", "passes": 1}
+PRELOAD = {**FULL, "clearance": "-20e-6", "load": 2000, "rpm": 1500}
+# a light thrust: gyroscopic moments turn the spin axes over more than a hundred ball passes
+THRUST = {**FULL, "bearing": "7205B", "axial": 300, "load": "1e-3", "rpm": 8000}
+FIGURES = ("friction_torque_N_m", "cage_speed_rad_s", "h_min_m", "q_max_N", "capacitance_F")
+
+
+def evaluations(folder):
+    """Of the forces, in all: the cost of a run on any machine."""
+    cost = raceway.open(folder).settings
+    return cost["settling_evaluations"] + cost["evaluations"]
+
+
+@pytest.mark.parametrize(
+    "scene, settle, share",
+    [(PRELOAD, 30, 0.2), (THRUST, 200, 0.15)],
+    ids=["preload", "thrust"],
+)
+def test_figures_are_those_of_a_settled_run(scene, settle, share, tmp_path):
+    for how in ("orbit", settle):
+        succeed(DECK, out=tmp_path / str(how), settle=how, **scene)
+    orbit, settled = (raceway.open(tmp_path / str(how)).summary() for how in ("orbit", settle))
+    assert raceway.open(tmp_path / "orbit").settings["orbit"] == "found"
+    for name in FIGURES:
+        assert orbit[name] == pytest.approx(settled[name], rel=1e-3), name
+    assert evaluations(tmp_path / "orbit") < share * evaluations(tmp_path / str(settle))
+
+
+@pytest.mark.parametrize(
+    "words, why",
+    [
+        ({"unbalance": 1e-4}, "change or turn with the ring"),
+        ({"flaw_outer": "notch -1.5708 1.0e-3 full 1.0e-5 2.0e-4"}, "makes balls or places differ"),
+        ({"integrator": "verlet", "rpm": 5000}, "velocity Verlet"),
+        ({"clearance": 0, "load": 5000, "models": "full", "rpm": 477.5}, "repeats the one before"),
+    ],
+    ids=["unbalance", "flaw", "verlet", "cage"],
+)
+def test_scenes_without_an_orbit_settle_until_ball_passes_agree(words, why, tmp_path):
+    done = succeed(DECK, out=tmp_path, settle="orbit", **{**PRELOAD, "models": "paper", **words})
+    assert "No orbit: " in done.text and why in done.text
+    found = raceway.open(tmp_path).settings
+    assert found["orbit"] == "none" and found["settled_passes"] >= 2
+    assert found["settled_torque"] <= 1e-2
+
+
+# the same with dry contacts; five ball passes hold two with chosen speeds
+SHORT = {**TURNS, "settle": "orbit", "more": "limit 5"}
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    out = tmp_path_factory.mktemp("orbit") / "whole"
+    done = succeed(run_deck, out=out, **SHORT)
+    assert done.text.count("the next are chosen") >= 1
+    return out
+
+
+def test_ranks(whole, tmp_path):
+    succeed(run_deck, out=tmp_path, ranks=2, **SHORT)
+    assert differ(whole, tmp_path) == []
+
+
+@pytest.mark.parametrize("at", [2, 3, 4])
+def test_stopped_on_the_way(at, whole, tmp_path):
+    """The same bits, also where chosen speeds go through a restart file."""
+    stop(tmp_path, SHORT, at)
+    succeed(run_deck, out=tmp_path, resume="yes", **SHORT)
+    assert differ(whole, tmp_path) == []
+    assert values(whole)[1] == values(tmp_path)[1]
