@@ -37,7 +37,9 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
   if (settings.dampers_only && settings.error > 1.0)
     args.fail("error is " + text(settings.error) +
               ", must be 1 with 'solve damping', which estimates none");
-  if (settings.estimate && (settings.dampers_only || settings.order == 1))
+  const bool can_estimate = !settings.dampers_only && settings.order == 2;
+  settings.estimate = estimate_.value_or(can_estimate && pair_->estimates_errors());
+  if (settings.estimate && !can_estimate)
     args.fail("control is estimate, must be bound with 'solve damping' or 'order 1'");
   if (tolerance_ == 0.0) tolerance_ = settings.dampers_only ? 1e-7 : 1e-9;
   settings.newton = tolerance_;
@@ -70,7 +72,7 @@ void FixBearingImplicit::read(Arguments &args)
     relative_ = args.within("tolerance relative to the largest overlap", 0.0, 1e-2);
   else if (args.take("error") || args.take("step_error"))
     settings.error = args.within("error of a step over the tolerance", 1.0, 100.0);
-  else if (args.take("control")) settings.estimate = args.choice("control", {"bound", "estimate"});
+  else if (args.take("control")) estimate_ = args.choice("control", {"bound", "estimate"});
   else if (args.take("solve")) settings.dampers_only = args.choice("solve", {"all", "damping"});
   else if (args.take("order")) settings.order = args.integer("order", 1, 2);
   else if (args.take("corrections"))
@@ -95,7 +97,7 @@ FixBearingImplicit::~FixBearingImplicit() = default;
 FixBearingImplicit::Control FixBearingImplicit::control() const
 {
   const BearingIntegrator::Settings &settings = solver_->settings;
-  return {tolerance_, settings.relative, settings.cage * tolerance_};
+  return {tolerance_, settings.relative, settings.cage * tolerance_, settings.estimate};
 }
 
 void FixBearingImplicit::coarse(bool yes)

@@ -21,6 +21,7 @@ FixStyle(bearing/implicit,FixBearingImplicit)
 #include "bearing_compat.h"
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -49,6 +50,7 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   double systems() const;
   struct Control {
     double tolerance, relative, cage;    // m; of the largest overlap; m, of cage balls
+    bool estimate;
   };
   Control control() const;
   // Hz, samples of a record requested by bearing/vibration; 0: by the record
@@ -90,10 +92,10 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   std::set<std::string> readers_;    // commands that request instants
   double largest_ = HUGE_VAL;        // s, substep
   double creep_ = 0.01;
-  // m, tolerance of cage balls; 0: from the pair style
-  double cage_ = 0.0;
-  double relative_ = NAN;                       // NAN: from the pair style
-  double sampling_ = 0.0, oversampling_ = 4;    // Hz, of the signal; record samples for each
+  double cage_ = 0.0;                           // m, tolerance of cage balls; 0: by the pair style
+  double relative_ = NAN;                       // NAN: by the pair style
+  std::optional<bool> estimate_;                // none: by the pair style
+  double sampling_ = 0.0, oversampling_ = 4;    // Hz, of the signal; samples of a record for each
   std::vector<FixBearingRing *> rings_;         // integrated by this fix
   std::vector<Fix *> gravity_;                  // gravity on all atoms of the group
   std::vector<double> forces_;                  // saved while gravity is evaluated

@@ -22,7 +22,11 @@ FixBearingVerlet::FixBearingVerlet(LAMMPS *lmp, int narg, char **arg) : Fix(lmp,
         args.number_of(keyword);
         known = true;
       }
-    if (!known) args.unknown("tolerance, relative_tolerance, cage_tolerance, step_error");
+    if (args.take("control")) {
+      args.value_of("control");
+      known = true;
+    }
+    if (!known) args.unknown("tolerance, relative_tolerance, cage_tolerance, step_error, control");
   }
 }
 

@@ -35,7 +35,8 @@ OrbitBalls::OrbitBalls(LAMMPS *lmp) : lmp_(lmp)
   std::vector<Ring> rings;
   for (int i = 0; i < atom.nlocal; ++i)
     if (pair.coefficients().is_ring(atom.type[i]))
-      rings.push_back({static_cast<double>(atom.tag[i]), axes_.third(pair.state()->ring(i).origin)});
+      rings.push_back(
+          {static_cast<double>(atom.tag[i]), axes_.third(pair.state()->ring(i).origin)});
   rings = gather_all(rings, lmp->world);
   const Vec3 centre = std::min_element(rings.begin(), rings.end(), by_tag)->origin;
   for (Ball &b : balls_) b.x -= centre;

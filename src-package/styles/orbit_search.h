@@ -25,14 +25,15 @@ class OrbitSearch {
   // Doubles only, as in a restart file.
   struct State {
     double stage = OFF;
-    double passes = 0.0;           // ball passes it has seen
+    double passes = 0.0;    // ball passes it has seen
     // Change of orbital speeds and spins in the last ball pass, relative and weighted by load, and
     // the estimate of all their changes to come.
     double residual = HUGE_VAL, distance = HUGE_VAL;
     double best = HUGE_VAL, best_pass = 0.0;    // smallest residual; last ball pass of use
     double stretch = 1.0;                       // next length of a ball pass over the last
-    double jumps = 0.0, jumped = 0.0;    // ball passes that began with chosen speeds; 1: the present
-                                         // one does
+    double jumps = 0.0,
+           jumped = 0.0;    // ball passes that began with chosen speeds; 1: the present
+                            // one does
   };
 
   State &now() { return now_; }

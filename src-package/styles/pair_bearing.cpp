@@ -76,6 +76,7 @@ void PairBearing::settings(int narg, char **arg)
   try {
     const bearing::ContactModel model = contact_model(choice_, film ? &oil : nullptr, {});
     cage_share_ = model.cage_tolerance_share;
+    estimate_ = model.estimate;
   } catch (const bearing::DataError &wrong) {
     args.fail("models " + choice_.models + ", oil " + oil_name_ + ": " + wrong.what());
   }
@@ -248,17 +249,19 @@ double PairBearing::shoulder(int ball_type, raceway::Side side) const
 // The restart file has the commands with numbers, since data files may change.
 void PairBearing::write_restart(FILE *fp)
 {
-  const int film = coefficients().lubricated();
-  fwrite(&film, sizeof film, 1, fp);
+  const Kept kept = {cage_share_, coefficients().lubricated(), estimate_};
+  fwrite(&kept, sizeof kept, 1, fp);
   PairBearingHertz::write_restart(fp);
 }
 
 void PairBearing::read_restart BRG_READ_RESTART_SIG
 {
-  int film = 0;
-  if (comm->me == 0 && fread(&film, sizeof film, 1, fp) != 1) film = 0;
-  MPI_Bcast(&film, 1, MPI_INT, 0, world);
-  set_film(film != 0);
+  Kept kept = {1.0, 0, 0};
+  if (comm->me == 0 && fread(&kept, sizeof kept, 1, fp) != 1) kept = {1.0, 0, 0};
+  MPI_Bcast(&kept, sizeof kept, MPI_BYTE, 0, world);
+  set_film(kept.film != 0);
+  cage_share_ = kept.cage_share;
+  estimate_ = kept.estimate != 0;
   replays_ = true;
   PairBearingHertz::read_restart BRG_READ_RESTART_ARGS;
   replays_ = false;

@@ -22,6 +22,7 @@ class PairBearing : public PairBearingHertz {
 
   double relative_tolerance() const override { return 2e-4; }
   double cage_tolerance_share() const override { return cage_share_; }
+  bool estimates_errors() const override { return estimate_; }
   double permittivity(int ball_type) const override;
   double shoulder(int ball_type, raceway::Side) const override;
   bool dry_by_choice() const override { return !coefficients().lubricated(); }
@@ -50,12 +51,17 @@ class PairBearing : public PairBearingHertz {
     double speed = 0.0;        // rad/s
     size_t first = 0;          // of its lines in commands()
   };
+  struct Kept {    // in restart files, before the commands
+    double cage_share;
+    int film, estimate;
+  };
   bearing::OilWords read_oil(const bearing::Arguments &, const std::string &name, double t);
   void resolve(Coeff &);
 
   std::string oil_name_, more_;    // more_: further keywords
   std::string folder_ = "inputs";
   double temperature_ = 40.0, cage_share_ = 1.0;
+  bool estimate_ = true;
   bearing::ModelChoice choice_;
   std::string own_model_;    // keywords of a file of models
   std::vector<std::string> given_;

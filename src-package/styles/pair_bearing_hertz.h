@@ -69,12 +69,13 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
 
   // True for an atom of a fix bearing/implicit, which advances its state.
   bool is_implicit(int i) const { return atom->mask[i] & implicit_bits_; }
-  // Defaults of fix bearing/implicit: tolerance relative to the largest overlap, and that of cage
-  // balls over that of the others.
+  // Defaults of fix bearing/implicit: tolerance relative to the largest overlap, that of cage balls
+  // over that of the others, and control by estimates of errors.
   virtual double relative_tolerance() const { return 0.0; }
   virtual double cage_tolerance_share() const { return 1.0; }
-  // Data of a ball type's bearing and oil for pair styles that have them: relative permittivity,
-  // and shoulder diameters (m) of the inner and the outer ring; 0: unknown.
+  virtual bool estimates_errors() const { return false; }
+  // Data of a ball type's bearing and oil where a pair style has them: relative permittivity, and
+  // shoulder diameters (m) of the inner and the outer ring; 0: unknown.
   virtual double permittivity(int) const { return 0.0; }
   virtual double shoulder(int, raceway::Side) const { return 0.0; }
   // A deck that chooses between dry and wet contacts by a word may keep its fixes for films.

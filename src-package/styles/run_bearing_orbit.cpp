@@ -53,7 +53,8 @@ void RunBearing::say_search()
   const std::string after = text(s.passes) + " ball passes";
   if (fix_->orbit().found()) say("Orbit after " + after);
   else if (!fix_->orbit().runs())
-    say("No orbit: no ball pass of " + after + " repeats the one before. Settling until they agree");
+    say("No orbit: no ball pass of " + after +
+        " repeats the one before. Settling until they agree");
 }
 
 void RunBearing::say(const std::string &line)

@@ -219,12 +219,12 @@ def averages(course, after=0, every=1):
 
 
 def full(folder, case, truth=None):
-    """The courses of the implicit step and of velocity Verlet with the models `full`, with the
-    cage-ball tolerance of the decks, and the `Verdict` of the first against the second. A given
-    `truth` is not run again."""
+    """The courses of the implicit step and of velocity Verlet with the models `full`, tolerance of
+    cage balls and control as in the decks, and the `Verdict` of the first by the second. A `truth`
+    that is there already is not run again."""
     film = "full_dry" if case["variables"].get("lubricant") == "dry" else "full"
     words = {"step": 5e-7, "after": 0, "last": None, **case.get("full", {})}
-    own = case.get("control", "") + " cage_tolerance 1e-6"
+    own = case.get("control", "") + " cage_tolerance 1e-6 control estimate"
     found = run(folder, case, film=film, control=own)
     substeps = round(float(case["variables"].get("sample", 1e-4)) / float(words["step"]))
     if truth is None:

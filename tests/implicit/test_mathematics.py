@@ -255,6 +255,60 @@ def test_free_fall_is_exact(lib, method):
     np.testing.assert_allclose(out.x, 0.5 * acceleration * time**2, rtol=1e-12)
 
 
+def estimated(lib, n, h, place, velocity, stiffness=0.0, force=0.0):
+    """The largest error that a step estimated, and place and velocity at the end."""
+    x, v = np.array([place, 0.0]), np.array([velocity, 0.0])
+    error = lib.call(
+        "estimated_errors", n=n, h=h, stiffness=stiffness, force=force, place=x, velocity=v
+    )
+    return error, x[1], v[1]
+
+
+RATE, SWING = 2000.0, 1e-6  # rad/s and m, of a ring of 0.5 kg on a spring
+SPRING = 0.5 * RATE**2
+GAMMA = 1 - np.sqrt(0.5)
+
+
+@pytest.mark.parametrize("turn", [0.1, 0.05, 0.02])
+def test_estimate_of_a_step_of_a_vibration(lib, turn):
+    """The velocity is the same at the ends of both stages, where the bound is 0. What counts is how
+    far the end is off in the plane of place and velocity: R(z) of the method lacks c z^3, and the
+    first stage has the second difference gamma z^2 v, not z^2 v/2. Four times the error of a
+    velocity that is given in time is 0.59 of that."""
+    h = turn / RATE
+    start = -0.5 * (1 + GAMMA) * turn
+    error, x, v = estimated(
+        lib, 1, h, SWING * np.sin(start), SWING * RATE * np.cos(start), stiffness=SPRING
+    )
+    end = start + turn
+    off = np.hypot(x - SWING * np.sin(end), v / RATE - SWING * np.cos(end))
+    c = GAMMA**2 * (3 - 2 * GAMMA) - 1 / 6
+    given = GAMMA + (1 - GAMMA) * GAMMA**2 - 1 / 3  # of v = t^2
+    assert off == pytest.approx(c * turn**3 * SWING, rel=turn, abs=0)
+    assert error == pytest.approx(4 * given * GAMMA / c * off, rel=2 * turn, abs=0)
+
+
+def test_estimate_of_a_constant_force_is_a_share_of_the_bound(lib):
+    """No error is left there: 0.3 of that of a method of first order counts."""
+    h, acceleration = 1e-4, 3.0 / 0.5
+    error, x, _ = estimated(lib, 1, h, 0.0, 0.0, force=3.0)
+    bound = GAMMA * (1 - GAMMA) * h**2 * acceleration
+    assert x == pytest.approx(0.5 * acceleration * h**2, rel=1e-12, abs=0)
+    assert error == pytest.approx(0.3 * bound, rel=1e-12, abs=0)
+
+
+@pytest.mark.parametrize("periods", [1, 10])
+def test_vibration_lags_by_less_than_the_stated_bound(lib, periods):
+    """After s radians of a vibration that sets the step: 0.65 s times the largest error that a step
+    estimated (docs/fix_bearing_implicit). In theory c/(0.3 gamma (1 - gamma)) times that."""
+    turn = 0.02
+    n = round(2 * np.pi * periods / turn)
+    error, x, v = estimated(lib, n, turn / RATE, SWING, 0.0, stiffness=SPRING)
+    s = n * turn
+    off = np.hypot(x - SWING * np.cos(s), v / RATE + SWING * np.sin(s))
+    assert 0.6 * s * error < off < 0.652 * s * error
+
+
 def test_turning_frame_keeps_a_circle(lib):
     x, v = np.array([30e-3, 0, 1e-3]), np.array([0, 0.6, 0])
     for _ in range(1000):

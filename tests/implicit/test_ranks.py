@@ -145,20 +145,22 @@ def test_restart_on_other_ranks(whole, both, bearings, tmp_path):
         assert last(out) == last(unbroken)
 
 
-@pytest.mark.parametrize("scene", ["full", "flaw"])
+@pytest.mark.parametrize("scene", ["full", "full by estimates", "flaw"])
 def test_models_full_or_flaws(scene, tmp_path):
     """With film in the gap, its branch and tangential springs, which keep forces from step to step;
     or with flaws of balls and of a ring, whose angle its ghosts must carry: two and four ranks,
     written in the middle and resumed by four, give the bits of one."""
     kept = {
         "full": {"control": "tolerance 1e-8 cage_tolerance 1e-6"},
+        "full by estimates": {"control": "tolerance 1e-8 cage_tolerance 1e-6 control estimate"},
         "flaw": {
             "flaw": "notch -1.4 3.0e-3 full 1.0e-5 5.0e-5 wave 40 2.0e-7 0.5",
             "flaw_ball": "ball pit 0.9 0.05 2.0e-3 1.0e-3 1.0e-5 1.0e-4 wave 7 2.0e-7 0",
             "housing": 1,
         },
     }[scene]
-    words = dict(kept, **({"models": "full", "lubricant": "mineral"} if scene == "full" else {}))
+    full = {} if scene == "flaw" else {"models": "full", "lubricant": "mineral"}
+    words = dict(kept, **full)
     succeed(DECK, out=tmp_path / "one", **words)
     succeed(DECK, ranks=4, out=tmp_path / "four", **words)
     assert state(tmp_path / "four") == state(tmp_path / "one")

@@ -138,20 +138,23 @@ ContactModel contact_model(const ModelChoice &of, const OilWords *oil,
                            const LubricatedBearing &bearing)
 {
   const Choice with(parts_of(of.models, oil != nullptr), of.without);
-  const bool full = of.models == "full" || of.models == "eyring";
+  const bool full = of.models == "full" || of.models == "eyring", film = of.models == "film",
+             paper = of.models == "paper";
+  ContactModel model;
   // the vibration of a cage that drives balls would limit the step; 1 um is 0.4 N in its contacts
-  const double share = full ? 1000.0 : of.models == "film" ? 100.0 : 1.0;
-  if (of.models == "none") return {"", share};
-  if (oil && of.models != "paper") require(*oil, of.models);
+  model.cage_tolerance_share = full ? 1000.0 : film ? 100.0 : 1.0;
+  model.estimate = !paper;    // whose records keep their bits
+  if (of.models == "none") return model;
+  if (oil && !paper) require(*oil, of.models);
   if (full) {
-    std::string words = full_words(of, with, oil, bearing);
+    model.words = full_words(of, with, oil, bearing);
     if (of.models == "eyring" && oil)
-      words += " traction " + oil->at("eyring_stress") + " " + oil->at("limiting_traction");
-    return {words, share};
+      model.words += " traction " + oil->at("eyring_stress") + " " + oil->at("limiting_traction");
+  } else {
+    model.words = oil ? "friction stribeck 0.12 0.05" : "friction constant 0.1";
+    if (oil && film) model.words += gap_words(of, with, *oil);
   }
-  if (!oil) return {"friction constant 0.1", share};
-  const std::string gap = of.models == "film" ? gap_words(of, with, *oil) : "";
-  return {"friction stribeck 0.12 0.05" + gap, share};
+  return model;
 }
 
 }    // namespace bearing

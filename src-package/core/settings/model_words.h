@@ -46,6 +46,7 @@ extern const std::vector<std::string> model_names;
 struct ContactModel {
   std::string words;                    // keywords of the pair style
   double cage_tolerance_share = 1.0;    // tolerance of cage balls over that of the others
+  bool estimate = true;                 // control of implicit steps: by estimates, or by bounds
 };
 
 // `oil`: null for dry contacts. Throws DataError for a part that the models lack, or data

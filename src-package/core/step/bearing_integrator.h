@@ -24,10 +24,11 @@
 // that: its contacts are soft, and where the cage drives balls its vibration would otherwise set
 // the step.
 //
-// With `estimate` the error is that of order 2, from the second difference of the velocities at the
-// start and the ends of both stages, or 0.3 of the bound if that is larger. A stage ends when
-// later corrections would be below the tolerance if they decrease as before. Where balls and rings
-// are known and the cage is not, further corrections take the raceways from their derivatives.
+// With `estimate` the error is four times that of order 2, from the second difference of the
+// velocities at the start and the ends of both stages, or 0.3 of the bound if that is larger. A
+// stage ends when later corrections would be below the tolerance if they decrease as before. Where
+// balls and rings are known and the cage is not, further corrections take the raceways from their
+// derivatives.
 //
 // The error of a ball with less than a hundredth of the largest load is weighted by the stiffness
 // of its contacts, down to a tenth: unloaded balls rattle by nanometres without effect on any load.
@@ -58,8 +59,7 @@ class BearingIntegrator {
     double relative = 0.0;    // newton is at least this fraction of the largest overlap; 0: unused
     double error = 1.0;       // allowed estimated error of a step over newton
     int corrections = 8;      // maximum per stage
-    bool estimate =
-        false;    // control by estimates of errors instead of their bounds; order 2 only
+    bool estimate = false;    // control by estimates of errors, not their bounds; order 2 only
 
     // weight of a cage ball's error
     double cage_error() const { return cage > error ? error / cage : 1.0; }

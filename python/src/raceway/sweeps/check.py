@@ -26,7 +26,7 @@ MORE = 2  # factor on the number of samples
 LONGER = 20  # ball passes added to those of settling
 IMPLICIT = ("implicit", "damping", "vibration")  # integrators with a tolerance
 TOLERANCES = ("tolerance", "relative_tolerance", "cage_tolerance")
-OF_IMPLICIT = (*TOLERANCES, "step_error")
+OF_IMPLICIT = (*TOLERANCES, "step_error", "control")
 # cost and settings, not figures
 LEFT_OUT = (
     *("wall_s", "real_time_factor", "processor_s", "evaluations"),
