@@ -41,10 +41,10 @@ class OrbitSearch {
   bool runs() const { return now_.stage == ON; }
   bool found() const { return now_.stage == FOUND; }
 
-  // At the end of a step: the first before the first ball pass, the other after each of them. They
-  // set speeds of the balls. Collective. The orbit is found when figures change by at most a fifth of
-  // `settled` from one ball pass to the next, and speeds and axes of the balls by at most `settled` in
-  // all ball passes to come.
+  // Both act at the end of a step, `begin` before the first ball pass, `end_pass` after each of
+  // them, and set the speeds of the balls; collective. The orbit is found when figures change by at
+  // most a fifth of `settled` from one ball pass to the next, and speeds and axes of the balls by at
+  // most `settled` in all ball passes to come.
   void begin(LAMMPS_NS::LAMMPS *);
   void end_pass(LAMMPS_NS::LAMMPS *, const SettlingChanges &, double settled);
 
