@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The balls of one bearing as `settle orbit` sees them: by slot, a place between two neighbours that
-// the balls go through one after the other. A ball pass moves every ball to the next slot.
+// The balls of one bearing as `settle orbit` sees them: by slot, a place between two neighbours
+// that the balls go through one after the other. A ball pass moves every ball to the next slot.
 #ifndef BEARING_ORBIT_BALLS_H
 #define BEARING_ORBIT_BALLS_H
 

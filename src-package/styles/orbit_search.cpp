@@ -32,8 +32,8 @@ void OrbitSearch::end_pass(LAMMPS_NS::LAMMPS *lmp, const SettlingChanges &change
   start_ = now_.jumped != 0.0 ? OrbitBalls(lmp).by_slot(now_.passes) : end;
 }
 
-// A ball pass that is a value of the map. Where a mode decays slowly, speeds are chosen for the next
-// one, in which fast modes follow: that one is none.
+// A ball pass that is a value of the map. Where a mode decays slowly, speeds are chosen for the
+// next one, in which fast modes follow: that one is none.
 void OrbitSearch::judge(const OrbitBalls &balls, const std::vector<double> &end,
                         const SettlingChanges &changes, double settled)
 {

@@ -3,8 +3,8 @@
 // which a ball pass returns every ball's state in its neighbour's.
 //
 // Unknown are the orbital speeds and spins of the balls by slot (orbit_balls.h), which decay over
-// many ball passes, and the length of a ball pass. All else follows within a pass. Each ball pass is
-// a value of the map, and FixedPoint (core/numbers/fixed_point.h) chooses the start of the next.
+// many ball passes, and the length of a ball pass. All else follows within a pass. Each ball pass
+// is a value of the map, and FixedPoint (core/numbers/fixed_point.h) chooses the start of the next.
 #ifndef BEARING_ORBIT_SEARCH_H
 #define BEARING_ORBIT_SEARCH_H
 
@@ -43,8 +43,8 @@ class OrbitSearch {
 
   // Both act at the end of a step, `begin` before the first ball pass, `end_pass` after each of
   // them, and set the speeds of the balls; collective. The orbit is found when figures change by at
-  // most a fifth of `settled` from one ball pass to the next, and speeds and axes of the balls by at
-  // most `settled` in all ball passes to come.
+  // most a fifth of `settled` from one ball pass to the next, and speeds and axes of the balls by
+  // at most `settled` in all ball passes to come.
   void begin(LAMMPS_NS::LAMMPS *);
   void end_pass(LAMMPS_NS::LAMMPS *, const SettlingChanges &, double settled);
 

@@ -6,9 +6,9 @@
 //   g_k - sum_j c_j (g_j+1 - g_j),   c: least squares of f_k - sum_j c_j (f_j+1 - f_j),
 // which for an affine map equals GMRES: a mode that decays slowly takes one more value of the map.
 // Residuals and moves are measured with weights, in the norm sqrt(sum (w_i y_i)^2). A difference of
-// residuals that the later ones hold already, to a share `apart`, is noise and is left out, as is one
-// below `flat` of the residual: where residuals hardly depend on the start, the next start lies on in
-// their direction.
+// residuals that the later ones hold already, to a share `apart`, is noise and is left out, as is
+// one below `flat` of the residual: where residuals hardly depend on the start, the next start lies
+// on in their direction.
 #ifndef RACEWAY_FIXED_POINT_H
 #define RACEWAY_FIXED_POINT_H
 
@@ -31,8 +31,8 @@ class FixedPoint {
   struct Next {
     Vector start;
     double residual = HUGE_VAL;    // norm of f_k
-    // norm of the way from x_k to the fixed point of the affine map through the kept values; infinite
-    // with one start
+    // norm of the way from x_k to the fixed point of the affine map through the kept values;
+    // infinite with one start
     double distance = HUGE_VAL;
   };
 
