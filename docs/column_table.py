@@ -1,15 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sphinx: tables from the file that `make columns` writes: `.. columns:: SECTION`, output columns;
+"""Sphinx: tables that C++ has: `.. columns:: SECTION`, output columns;
 `.. law-keywords:: dry|film`, keywords of the contact law; `.. law-parts::`, its parts;
 `.. validity::`, the rules of validity."""
 
-import json
-from pathlib import Path
-
 from docutils.statemachine import StringList
+from raceway import core
 from sphinx.util.docutils import SphinxDirective
 
-COLUMNS = Path(__file__).resolve().parents[1] / "python/src/raceway/runs/columns.json"
+COLUMNS = core.PATH  # the library with the tables
 NEEDS = {
     "film": "*bearing/ehd* only",
     "capacitance": "needs :doc:`fix_bearing_capacitance`",
@@ -20,7 +18,7 @@ NEEDS = {
 def rows(section: str, numbered: bool) -> list[tuple[str, str]]:
     """(name or number and name, meaning with unit and needs) of the columns of a section."""
     found = []
-    for number, column in enumerate(json.loads(COLUMNS.read_text())[section], 1):
+    for number, column in enumerate(core.table("columns")[section], 1):
         name = f"*{column['name']}*"
         text = column["meaning"] + (f" ({column['unit']})" if column["unit"] else "")
         if needs := NEEDS.get(column.get("needs")):
@@ -54,7 +52,7 @@ def range_of(parameter: dict) -> str:
 def keyword_rows(film: bool) -> list[tuple[str, str, str]]:
     """(keyword and values, meaning with range, default)."""
     found, seen = [], set()
-    for part in json.loads(COLUMNS.read_text())["law"]:
+    for part in core.table("columns")["law"]:
         for keyword in part["keywords"]:
             name, parameters = keyword["name"], keyword["parameters"]
             if keyword["form"] and name not in seen and not film:
@@ -87,7 +85,7 @@ def part_rows() -> list[tuple[str, ...]]:
             str(part["states"]),
             ", ".join(f"*{c}*" for c in part["columns"]),
         )
-        for part in json.loads(COLUMNS.read_text())["law"]
+        for part in core.table("columns")["law"]
     ]
 
 
@@ -122,7 +120,7 @@ class PartTable(SphinxDirective):
 class ValidityTable(SphinxDirective):
     def run(self):
         self.env.note_dependency(str(COLUMNS))
-        rules = json.loads(COLUMNS.read_text())["validity"]
+        rules = core.table("columns")["validity"]
 
         def side(rule):
             return "below" if rule["below"] else "above"

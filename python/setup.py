@@ -25,6 +25,8 @@ CORE = HERE / "core"  # a link to src-package/core; a copy in a source distribut
 VERSION = re.search(r'"(.+)"', (CORE / "settings" / "raceway_version.h").read_text())[1]
 PLUGIN = ("raceway_plugin.so", "libraceway_lammps.so")
 INTERFACE = CORE / "interface"
+# sources of the tables, which hosts have too
+TABLES = [CORE / name for name in (INTERFACE / "tables.txt").read_text().split()]
 BUILT = HERE / "src" / "raceway" / "core" / "lib" / "libraceway_core.so"
 
 
@@ -46,7 +48,7 @@ class Core(build_ext):
 
 def up_to_date(library):
     made = library.stat().st_mtime if library.exists() else 0.0
-    sources = [*CORE.glob("*/*.h"), *INTERFACE.iterdir()]
+    sources = [*CORE.glob("*/*.h"), *INTERFACE.iterdir(), *TABLES]
     return all(path.stat().st_mtime <= made for path in sources)
 
 
@@ -70,7 +72,7 @@ def build(target, folder):
         return made
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        objects = list(pool.map(compiled, sorted(INTERFACE.glob("*.cpp"))))
+        objects = list(pool.map(compiled, [*sorted(INTERFACE.glob("*.cpp")), *TABLES]))
     run("-shared", *objects, "-o", target)
 
 

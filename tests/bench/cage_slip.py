@@ -14,12 +14,11 @@ import sys
 import tempfile
 from pathlib import Path
 
-from machine import bench_file
+from machine import bench_file, csv_table
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
 
-from hard.table import list_table  # noqa: E402
 from host import liggghts  # noqa: E402
 from raceway.runs.run import Run  # noqa: E402
 
@@ -94,7 +93,7 @@ def table(title, rows, measured):
         [f"{load:g}", *(f"{value:.2f}" for value in found), f"{measured[load]:.2f}"]
         for load, found in rows.items()
     ]
-    return [title, "", *list_table(head, body)]
+    return [title, "", *csv_table(head, body)]
 
 
 def main(argv):
@@ -121,7 +120,7 @@ def main(argv):
             order.setdefault((axial, load), []).append(found["cage_slip"])
         change = {key: abs(a - b) for key, (a, b) in order.items()}
         text += ["Slip of a 6205 under thrust, and its change from 1797 to 1730 rpm", ""]
-        text += list_table(
+        text += csv_table(
             ["thrust, N", "radial load, N", "slip, 1", "change, 1"],
             [[f"{k[0]}", f"{k[1]}", f"{order[k][0]:.5f}", f"{v:.1e}"] for k, v in change.items()],
         )

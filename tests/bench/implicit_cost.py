@@ -17,7 +17,7 @@ from datetime import date
 from math import log, pi, sin
 from pathlib import Path
 
-from machine import bench_file, machine
+from machine import bench_file, csv_table, machine
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = bench_file("implicit_cost.rst")
@@ -152,13 +152,6 @@ def spread(values, form="{:.0f}"):
     )
 
 
-def table(head, rows):
-    lines = [".. list-table::", "   :header-rows: 1", ""]
-    for row in (head, *rows):
-        lines += [f"   {'*' if k == 0 else ' '} - {cell}" for k, cell in enumerate(row)]
-    return lines + [""]
-
-
 def main():
     rounds = []
     for number in range(ROUNDS):
@@ -205,7 +198,7 @@ medians, with the range of the rounds in brackets.
         body.append(
             (name, spread(times), added, f"{scenes[0][k][1]:.2f}", f"{scenes[0][k][2]:.2f}")
         )
-    lines += table(
+    lines += csv_table(
         (
             "scene",
             "ns a host step",
@@ -235,7 +228,7 @@ medians, with the range of the rounds in brackets.
             ),
             "",
         ]
-        lines += table(
+        lines += csv_table(
             ("part", "share (%)"), [(name, f"{share:.1f}") for name, share in shares.items()]
         )
     else:
@@ -251,7 +244,7 @@ medians, with the range of the rounds in brackets.
         "",
     ]
     ns = {balls: [r[k][0] / r[k][1] / r[k][2] for r in rows] for k, balls in enumerate(ROWS)}
-    lines += table(
+    lines += csv_table(
         ("balls", "ns a correction", "ns a correction and ball", "corrections an internal step"),
         [
             (

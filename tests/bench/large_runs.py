@@ -15,7 +15,7 @@ import time
 from datetime import date
 from pathlib import Path
 
-from machine import bench_file, machine
+from machine import bench_file, csv_table, machine
 
 ROOT = Path(__file__).resolve().parents[2]
 LIMIT = 1000  # MB
@@ -129,18 +129,12 @@ shows. Files may or may not be in the page cache. Memory is the largest resident
 process.
 """.splitlines(),
         "",
-        ".. list-table::",
-        "   :header-rows: 1",
-        "   :widths: 40 15 15",
-        "",
-        "   * - task",
-        "     - seconds",
-        "     - memory (MB)",
+        *csv_table(
+            ("task", "seconds", "memory (MB)"),
+            [(name.replace("`", "``"), f"{s:.2g}", f"{memory:.0f}") for name, s, memory in rows],
+        ),
     ]
-    for name, seconds, memory in rows:
-        lines.append(f"   * - {name.replace('`', '``')}")
-        lines += [f"     - {seconds:.2g}", f"     - {memory:.0f}"]
-    text = "\n".join([*lines, ""])
+    text = "\n".join(lines)
     bench_file("large_runs.rst").write_text(text)
     worst = max(memory for *_, memory in rows)
     print(f"largest memory {worst:.0f} MB, limit {LIMIT} MB")

@@ -30,6 +30,17 @@ def yardstick(rounds=9):
     return statistics.median(seconds), min(seconds), max(seconds)
 
 
+def csv_table(head, rows):
+    """Lines of a csv-table of `rows` under `head`, one row a line."""
+
+    def cell(value):
+        text = str(value)
+        return '"' + text.replace('"', '""') + '"' if not text or {*',"'} & {*text} else text
+
+    lines = ["   " + ", ".join(map(cell, row)) for row in (head, *rows)]
+    return [".. csv-table::", "   :header-rows: 1", "", *lines, ""]
+
+
 def machine():
     """Processor, compiler and host versions and the time of the yardstick, in one line each."""
     cpu = re.search(r"model name\s*:\s*(.+)", Path("/proc/cpuinfo").read_text()).group(1)

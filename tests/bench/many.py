@@ -18,7 +18,7 @@ import tempfile
 from datetime import date
 from pathlib import Path
 
-from machine import bench_file, machine
+from machine import bench_file, csv_table, machine
 
 ROOT = Path(__file__).resolve().parents[2]
 MANY = 1000
@@ -216,13 +216,6 @@ def model(seconds, ghosts, fleet, ranks):
     return work + talk, fleet * seconds / ranks / (work + talk)
 
 
-def table(head, rows):
-    lines = [".. list-table::", "   :header-rows: 1", ""]
-    for row in [head, *rows]:
-        lines += [("   * - " if k == 0 else "     - ") + str(cell) for k, cell in enumerate(row)]
-    return lines + [""]
-
-
 def page(results, equal, set_ups, rounds):
     """The text of the page."""
     lines = [
@@ -265,7 +258,7 @@ two ranks, time on one over twice the time on two.
                 f"{middle(got, 'ghosts'):.1f}",
             ]
         )
-    lines += table(
+    lines += csv_table(
         [
             "integrator",
             "bearing-step, one bearing",
@@ -347,7 +340,7 @@ ways.
                     ),
                 ]
             )
-        lines += table(
+        lines += csv_table(
             [
                 "bearings",
                 *(

@@ -20,13 +20,12 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 from deck_runs import ROOT, run_deck  # noqa: E402
-from machine import bench_file, machine  # noqa: E402
+from machine import bench_file, csv_table, machine  # noqa: E402
 from raceway.runs.run import Run  # noqa: E402
 from raceway.sweeps.scene_parts import FINER, REFERENCE, figures  # noqa: E402
 
 sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
 
-from hard.table import list_table  # noqa: E402
 
 PAGE = bench_file("model_error.rst")
 PICTURE = bench_file("model_error.png")
@@ -147,7 +146,7 @@ def table(results: dict[str, dict[str, Curve]]) -> list[str]:
                         *(f"{value:.0e}" for value in numbers),
                     ]
                 )
-    return list_table(
+    return csv_table(
         ["scene", "figure", "models", "model", "numerical, 1 µm", "numerical, 1 nm"], rows
     )
 

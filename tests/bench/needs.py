@@ -16,12 +16,11 @@ import tempfile
 from datetime import date
 from pathlib import Path
 
-from machine import bench_file, machine
+from machine import bench_file, csv_table, machine
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
 
-from hard.table import list_table  # noqa: E402
 from host import liggghts  # noqa: E402
 from raceway.cli import main as raceway  # noqa: E402
 from raceway.runs.run import Run  # noqa: E402
@@ -142,7 +141,7 @@ Cost is processor time, the median of three runs. {refused} more scenes were ref
 model and got no answer.
 """.splitlines(),
         "",
-        *list_table(HEAD, [cells for cells, _, _ in rows]),
+        *csv_table(HEAD, [cells for cells, _, _ in rows]),
     ]
     return kept, middle, "\n".join(text)
 

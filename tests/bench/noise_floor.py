@@ -16,9 +16,8 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
 
-from hard.table import list_table  # noqa: E402
 from host import succeed  # noqa: E402
-from machine import bench_file  # noqa: E402
+from machine import bench_file, csv_table  # noqa: E402
 from raceway import sensor, spectrum  # noqa: E402
 from raceway.runs.run import Run  # noqa: E402
 
@@ -111,9 +110,9 @@ def main() -> int:
         seconds=seconds,
         low=BAND[0],
         high=BAND[1] / 1e3,
-        perfect="\n".join(list_table(["acceleration of", "rms", "median"], still)),
+        perfect="\n".join(csv_table(["acceleration of", "rms", "median"], still)),
         waves="\n".join(
-            list_table(["acceleration of", "order", "line", "waves", "perfect", "ratio"], waves)
+            csv_table(["acceleration of", "order", "line", "waves", "perfect", "ratio"], waves)
         ),
     )
     if "--print" in sys.argv[1:]:

@@ -9,8 +9,8 @@ import tempfile
 from datetime import date
 from pathlib import Path
 
-from implicit_cost import ROOT, measure, spread, table
-from machine import bench_file, machine
+from implicit_cost import ROOT, measure, spread
+from machine import bench_file, csv_table, machine
 
 PAGE = bench_file("part_cost.rst")
 ROUNDS = 3
@@ -91,7 +91,7 @@ range of the rounds in brackets.
                 f"{9 * statistics.median(added[0]) / step * 100:.1f}",
             )
         )
-    lines += table(
+    lines += csv_table(
         ("part", "explicit (ns a contact)", "adds", "implicit (ns a contact)", "adds", "share (%)"),
         body,
     )
@@ -120,7 +120,7 @@ for cage balls with ``film`` and ``full``, and host steps of 0.1 ms.
                 f"{runs[0][3]:.2f}",
             )
         )
-    lines += table(
+    lines += csv_table(
         (
             "models",
             "velocity Verlet (ns a step)",

@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 from deck_runs import ROOT, factor, run_deck
-from machine import bench_file, machine
+from machine import bench_file, csv_table, machine
 
 ROUNDS = 3
 SETTLE, MEASURE, SAMPLE = 0.06, 0.06, 2e-4  # s
@@ -121,20 +121,18 @@ def main():
             date=date.today(), sample=1e3 * SAMPLE, rounds=ROUNDS, measure=MEASURE
         ).rstrip(),
         "",
-        ".. list-table::",
-        "   :header-rows: 1",
-        "",
     ]
-    lines += ["   * - ``fix bearing/implicit``", "     - host step, ms", "     - cage"]
-    lines += [
-        f"     - {what}"
-        for what in ("real-time factor", "mean of a ball", "mean of the largest", "one instant")
-    ]
+    rows = []
     for (setting, cage), found in speeds.items():
         control, step = setting
-        lines += [f"   * - ``{control}``", f"     - {1e3 * step:g}"]
-        lines += [f"     - {'yes' if cage else 'no'}", f"     - {statistics.median(found):.2g}"]
-        lines += [f"     - {value:.0e}" for value in wrong[setting, cage]]
+        row = f"``{control}``", f"{1e3 * step:g}", "yes" if cage else "no"
+        missed = (f"{value:.0e}" for value in wrong[setting, cage])
+        rows.append((*row, f"{statistics.median(found):.2g}", *missed))
+    lines += csv_table(
+        ("``fix bearing/implicit``", "host step, ms", "cage", "real-time factor",
+         "mean of a ball", "mean of the largest", "one instant"),
+        rows,
+    )  # fmt: skip
     lines += TAIL.splitlines()
     lines += [f"- {fact}" for fact in machine()]
     text = "\n".join(lines) + "\n"

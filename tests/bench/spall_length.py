@@ -17,9 +17,8 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
 
-from hard.table import list_table  # noqa: E402
 from host import succeed  # noqa: E402
-from machine import bench_file  # noqa: E402
+from machine import bench_file, csv_table  # noqa: E402
 from raceway import hertz, kinematics, passages, spall, static  # noqa: E402
 from raceway.runs.run import Run  # noqa: E402
 from raceway.theory.bearing import INNER, OUTER  # noqa: E402
@@ -135,7 +134,7 @@ def main() -> int:
                         [where, side, f"{1e3 * length:g}", *(f"{1e3 * one:.2f}" for one in medians)]
                     )
                     print(rows[-1], len(found.entry), flush=True)
-    table = "\n".join(list_table(["run", "raceway", "length", *WAYS], rows))
+    table = "\n".join(csv_table(["run", "raceway", "length", *WAYS], rows))
     page = PAGE.format(table=table, error=100 * worst)
     if "--print" in sys.argv[1:]:
         print(page)

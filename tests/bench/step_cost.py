@@ -13,7 +13,7 @@ import sys
 from datetime import date
 from pathlib import Path
 
-from machine import bench_file, machine
+from machine import bench_file, csv_table, machine
 
 ROOT = Path(__file__).resolve().parents[2]
 ROUNDS = 7
@@ -80,25 +80,19 @@ relative to the empty step of the same round. Figures are medians, with the rang
 brackets.
 """.splitlines(),
         "",
-        ".. list-table::",
-        "   :header-rows: 1",
-        "",
-        "   * - scene",
-        "     - ns per step",
-        "     - ratio to empty step",
-        "     - target",
     ]
+    cells = []
     for k, (name, _, _, target) in enumerate(SCENES):
         times = [row[k] for row in rounds]
         ratios = [row[k] / row[0] for row in rounds]
-        lines += [
-            f"   * - {name}",
-            f"     - {statistics.median(times):.0f} ({min(times):.0f} to {max(times):.0f})",
-            f"     - {statistics.median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})",
-            f"     - {'≤ ' + str(target) if target else ''}",
-        ]
+        cells.append((
+            name,
+            f"{statistics.median(times):.0f} ({min(times):.0f} to {max(times):.0f})",
+            f"{statistics.median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})",
+            f"≤ {target}" if target else "",
+        ))  # fmt: skip
     lines += [
-        "",
+        *csv_table(("scene", "ns per step", "ratio to empty step", "target"), cells),
         *"""\
 The stock scene has no groove, no contact ellipse, no free ring and no film. It is
 the closest scene that an unmodified host offers.

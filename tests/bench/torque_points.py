@@ -13,6 +13,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
+from machine import csv_table
 from raceway import inputs, makers
 from raceway.theory import heat
 from raceway.theory.operating_point import figures
@@ -131,13 +132,6 @@ def off(own, skf):
     return [share for share in large if not 1 / MOST_OFF <= own[share] / skf[share] <= MOST_OFF]
 
 
-def table(header, lines):
-    text = [".. list-table::", "   :header-rows: 1", ""]
-    for line in (header, *lines):
-        text += [("   * - " if k == 0 else "     - ") + str(cell) for k, cell in enumerate(line)]
-    return "\n".join(text)
-
-
 HEAD = """Friction torque beside SKF's formula
 ====================================
 
@@ -185,14 +179,14 @@ def page(found, others, heats):
         for name, (rpm, own, carried) in heats.items()
     ]
     return "\n".join(
-        [HEAD, summary(found), "", WHY, table(header, lines), "", CONFORMITY,
-         table(("conformities", "geometric mean", "spread", "least", "most", "with a bold share"),
-               [others_line(*one) for one in others.items()]),
-         "", "Reference speed", "---------------",
+        [HEAD, summary(found), "", WHY, *csv_table(header, lines), CONFORMITY,
+         *csv_table(("conformities", "geometric mean", "spread", "least", "most",
+                     "with a bold share"), [others_line(*one) for one in others.items()]),
+         "Reference speed", "---------------",
          "",
          "Heat of statics without drag at the catalogue's reference speed under 0.05 :math:`C_0`,"
          " vg32 at 12 mm²/s, beside what cooling by ISO 15312 carries away at 50 K.", "",
-         table(("bearing", "rpm", "own W", "ISO 15312 W", "ratio"), heat_lines), ""]
+         *csv_table(("bearing", "rpm", "own W", "ISO 15312 W", "ratio"), heat_lines)]
     )  # fmt: skip
 
 

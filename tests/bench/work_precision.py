@@ -23,7 +23,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
-from machine import bench_file, machine  # noqa: E402
+from machine import bench_file, csv_table, machine  # noqa: E402
 from matplotlib.ticker import NullFormatter  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -237,29 +237,16 @@ def slope(rows, method):
     )
 
 
-def table(rows):
-    lines = [
-        ".. list-table::",
-        "   :header-rows: 1",
-        "",
-        "   * - method",
-        "     - setting",
-        "     - mean internal step (s)",
-        "     - error",
-        "     - simulated over wall time (range)",
-    ]
-    for method, words, step, miss, wall, least, most in rows:
-        lines += [f"   * - {method}", f"     - {words or 'fixed step'}"]
-        lines += (
-            [
-                f"     - {step:.3g}",
-                f"     - {miss:.1e}",
-                f"     - {1 / wall:.3g} ({1 / most:.3g} to {1 / least:.3g})",
-            ]
-            if step
-            else ["     -", "     - refused", "     -"]
-        )
-    return lines + [""]
+METHODS = ("method", "setting", "mean internal step (s)", "error",
+           "simulated over wall time (range)")  # fmt: skip
+
+
+def cells(method, words, step, miss, wall, least, most):
+    found = ("", "refused", "")
+    if step:
+        speed = f"{1 / wall:.3g} ({1 / most:.3g} to {1 / least:.3g})"
+        found = (f"{step:.3g}", f"{miss:.1e}", speed)
+    return (method, words or "fixed step", *found)
 
 
 def fastest(rows, limit, method=None):
@@ -315,13 +302,7 @@ def targets(results):
                 coarse[1],
             )
         )
-    lines = [".. list-table::", "   :header-rows: 1", ""]
-    for row in (head, *body):
-        lines += [
-            f"   {'*' if k == 0 else ' '} - {'' if cell == 'nan' else cell}"
-            for k, cell in enumerate(row)
-        ]
-    return lines + [""]
+    return csv_table(head, [["" if cell == "nan" else cell for cell in row] for row in body])
 
 
 def draw(results):
@@ -420,7 +401,7 @@ not stiff, and Verlet is about as fast with either.
             ),
             "",
         ]
-        lines += table(rows)
+        lines += csv_table(METHODS, [cells(*row) for row in rows])
     lines += [
         "What failed",
         "-----------",

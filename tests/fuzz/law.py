@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Keywords of the contact law, drawn from the tables that C++ exports (columns.json)."""
-
-import json
-from importlib.resources import files
+"""Keywords of the contact law, drawn from the tables that C++ exports."""
 
 from fuzz.draw import grammar
+from raceway import core
 
-LAW = json.loads(files("raceway").joinpath("runs/columns.json").read_text())["law"]
+LAW = core.table("columns")["law"]
 # parts that are refused without another one
 NEEDS = {"film_branch": "film_in_gap", "spin": "differential_slip"}
 

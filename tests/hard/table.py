@@ -14,7 +14,7 @@ from pathlib import Path
 TESTS = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(TESTS))  # as pytest.ini does
 
-from bench.machine import bench_file  # noqa: E402
+from bench.machine import bench_file, csv_table  # noqa: E402
 
 from hard import harness, longrun  # noqa: E402
 from hard.harness import BOUNDS, CASES, EXPLICIT, judge, reference  # noqa: E402
@@ -127,13 +127,6 @@ def too_large(name, folder):
     return cells
 
 
-def list_table(head, rows):
-    lines = [".. list-table::", "   :header-rows: 1", ""]
-    for row in [head, *rows]:
-        lines += [f"   {'* -' if k == 0 else '  -'} {cell}" for k, cell in enumerate(row)]
-    return [*lines, ""]
-
-
 def thirty_seconds(folder):
     """Lines of the last part of the page: drift and energy of a long run."""
     course = longrun.long_run(folder, 30)
@@ -165,7 +158,7 @@ def thirty_seconds(folder):
         f" samples a ball pass written. The mean internal step was {number(course.step)} s."
         f" {course.refused} steps were refused.{said}",
         "",
-        *list_table(
+        *csv_table(
             ["mean over a second", "first", "last", "relative difference", "3 statistical errors"],
             rows,
         ),
@@ -210,7 +203,7 @@ chaotic case, up to a whirl of the ring (:ref:`known-limits`), is compared by ti
 and their statistical error. :doc:`hard_cases_speed` lists the speeds.
 """.splitlines(),
         "",
-        *list_table(HEAD, rows),
+        *csv_table(HEAD, rows),
         "Bounds:",
         "",
     ]
@@ -228,7 +221,7 @@ at 30 and 100 times the step of its reference: the package must refuse it, or th
 remain sensible.
 """.splitlines(),
         "",
-        *list_table(
+        *csv_table(
             ["case", "host step (s)", "internal step (s)", "figure", "remark"]
             + [f"Verlet x {k}" for k in EXPLICIT],
             large,

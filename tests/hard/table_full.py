@@ -13,10 +13,10 @@ from pathlib import Path
 TESTS = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(TESTS))  # as pytest.ini does
 
-from bench.machine import bench_file  # noqa: E402
+from bench.machine import bench_file, csv_table  # noqa: E402
 
 from hard.harness import CASES, full  # noqa: E402
-from hard.table import list_table, number  # noqa: E402
+from hard.table import number  # noqa: E402
 
 TARGET = bench_file("hard_cases_full.rst")
 HEAD = ["case", "figure", "bound", "cage speed", "film", "mean internal step (s)", "remark"]
@@ -58,7 +58,7 @@ load. Cage speed and film are the largest relative differences. Written on {date
 of {len(rows)} are outside their bound.
 """.splitlines(),
         "",
-        *list_table(HEAD, rows),
+        *csv_table(HEAD, rows),
     ]
     TARGET.write_text("\n".join(text))
     print(TARGET)

@@ -14,11 +14,11 @@ from pathlib import Path
 TESTS = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(TESTS))  # as pytest.ini does
 
-from bench.machine import bench_file  # noqa: E402
+from bench.machine import bench_file, csv_table  # noqa: E402
 
 from hard import harness  # noqa: E402
 from hard.harness import CASES, least_room, truths_of  # noqa: E402
-from hard.table import list_table, number  # noqa: E402
+from hard.table import number  # noqa: E402
 
 TARGET = bench_file("relative_tolerance.rst")
 SHARES = (0.0, 2e-4, 5e-4)
@@ -55,7 +55,7 @@ def by_full(name, folder):
         yield course, verdict
 
 
-def table(by, folder):
+def compared(by, folder):
     """Table rows, and for each share how many save a half and how many miss their bound."""
     rows, halves, misses = [], [0] * len(SHARES), [0] * len(SHARES)
     for name in CASES:
@@ -88,7 +88,7 @@ def sentence(halves, misses):
 
 def main():
     with tempfile.TemporaryDirectory() as folder:
-        smoothed, full = (table(by, folder) for by in (by_smoothed_friction, by_full))
+        smoothed, full = (compared(by, folder) for by in (by_smoothed_friction, by_full))
     text = [
         ".. written by make bench (tests/hard/table_relative.py); do not edit",
         "",
@@ -109,7 +109,7 @@ contact load relative to the peak load, against the reference nearest to its bou
         ("Models full, against velocity Verlet", full),
     ):
         text += [title, "-" * len(title), "", *sentence(halves, misses), ""]
-        text += list_table(HEAD, rows)
+        text += csv_table(HEAD, rows)
     TARGET.write_text("\n".join(text))
     print(TARGET)
 

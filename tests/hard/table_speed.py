@@ -13,11 +13,11 @@ from pathlib import Path
 TESTS = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(TESTS))  # as pytest.ini does
 
-from bench.machine import bench_file  # noqa: E402
+from bench.machine import bench_file, csv_table  # noqa: E402
 
 from hard.harness import CASES, truths_of  # noqa: E402
 from hard.speed import RUNS, coarsest, nearest, resonance, speed  # noqa: E402
-from hard.table import list_table, number  # noqa: E402
+from hard.table import number  # noqa: E402
 
 TARGET = bench_file("hard_cases_speed.rst")
 HEAD = ["case", "host step (s)", "samples in it", "with a record", "nothing written"]
@@ -95,7 +95,7 @@ output. A factor is simulated over wall time of the host's loop, without set-up.
 {len(timed)} are slower than real time with the default settings.
 """.splitlines(),
         "",
-        *list_table(HEAD, [row for row, _, _ in timed.values()]),
+        *csv_table(HEAD, [row for row, _, _ in timed.values()]),
         "Where vibration limits the step",
         "-------------------------------",
         "",
@@ -111,7 +111,7 @@ damp the vibration, while the loads stay within the bound.
 the one nearest to its bound, over both lengths of host steps.
 """.splitlines(),
         "",
-        *list_table(SLOW, slow),
+        *csv_table(SLOW, slow),
     ]
     TARGET.write_text("\n".join(text))
     print(TARGET)

@@ -2,13 +2,11 @@
 """Writes the record of a run without a simulation: static theory at every sample, rolling without
 slip, film formulas."""
 
-import json
 import re
-from importlib.resources import files
 
 import netCDF4
 import numpy as np
-from raceway import capacitance, columns, film, hertz, kinematics, static
+from raceway import capacitance, columns, core, film, hertz, kinematics, static
 from raceway.theory.bearing import INNER, OUTER, Bearing
 
 # the paper's 6208
@@ -188,7 +186,7 @@ NUMBERS = (  # settings that are attributes of the file and entries of run.yaml
 ).split()
 WORDS = "bearing lubricant integrator models host".split()
 END = "step_s evaluations processor_s simulated_s wall_s".split()
-TABLES = json.loads(files("raceway.runs").joinpath("columns.json").read_text())
+TABLES = core.table("columns")
 MASS = 8.2e-3  # kg of a ball
 
 

@@ -1,30 +1,17 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The columns in Python and on the pages are those of the C++ that was built."""
+"""Columns and keywords of the law, as the tables of C++ have them."""
 
-import json
 import math
-import subprocess
-from pathlib import Path
 
 import pytest
-from raceway import columns
+from raceway import columns, core
 
-ROOT = Path(__file__).resolve().parents[2]
-KEPT = Path(columns.__file__).with_name("columns.json")
-
-
-def test_kept_is_what_the_build_prints():
-    """`make columns` was run after the last change of a column."""
-    done = subprocess.run([ROOT / "build" / "columns"], capture_output=True, text=True, check=True)
-    assert done.stdout == KEPT.read_text(), "run: make columns"
+TABLES = core.table("columns")
 
 
-SECTIONS = [name for name in json.loads(KEPT.read_text()) if name not in ("law", "validity")]
-
-
-@pytest.mark.parametrize("section", SECTIONS)
+@pytest.mark.parametrize("section", [name for name in TABLES if name not in ("law", "validity")])
 def test_every_column_says_what_it_is(section):
-    rows = json.loads(KEPT.read_text())[section]
+    rows = TABLES[section]
     names = [row["name"] for row in rows]
     assert len(set(names)) == len(names) > 0
     for row in rows:
@@ -42,8 +29,8 @@ def test_tables():
 
 def test_every_keyword_of_the_law_says_what_it_takes():
     """A number has a meaning, a range and a default; a word has its choices."""
-    contact = {row["name"] for row in json.loads(KEPT.read_text())["contact"]}
-    parts = json.loads(KEPT.read_text())["law"]
+    contact = {row["name"] for row in TABLES["contact"]}
+    parts = TABLES["law"]
     assert len({part["name"] for part in parts}) == len(parts) >= 9
     for part in parts:
         assert set(part["columns"]) <= contact and part["states"] >= 0

@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Every vector of a fix is on the page of the fix, from the tables of the C++."""
 
-import json
 from pathlib import Path
 
 import pytest
-from raceway import columns
+from raceway import core
 
 ROOT = Path(__file__).resolve().parents[2]
-TABLES = json.loads(Path(columns.__file__).with_name("columns.json").read_text())
+TABLES = core.table("columns")
 FIXES = sorted(name for name in TABLES if name.startswith("fix_"))
 
 

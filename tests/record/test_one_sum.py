@@ -3,17 +3,14 @@
 supplied by shaft and loads is the losses plus the stored energy's growth: all models, types of
 bearing, integrators and hosts."""
 
-import json
-from pathlib import Path
-
 import numpy as np
 import pytest
 import xarray as xr
 from host import BOX, frames, run
-from raceway.runs import columns
+from raceway import core
 from scipy.interpolate import CubicSpline
 
-TABLES = json.loads(Path(columns.__file__).with_name("columns.json").read_text())
+TABLES = core.table("columns")
 CONTACTS = [row["name"] for row in TABLES["contact"]]
 PLATES = {"capacitance", "capacitance_total"}  # columns of a film, which a dry bearing lacks
 LOSSES = [name for name in CONTACTS if name.endswith("_power")]

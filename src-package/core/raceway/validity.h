@@ -28,7 +28,7 @@ struct Validity {
   // 1e-4 of the ball diameter. Films in bearings have Lambda below 10; below 1 asperities are in
   // continuous contact, and the contact is not a capacitor. Hamrock and Dowson (J. Lubr. Technol.
   // 99, 1977, 264, abstract) varied the ellipticity from one to eight. Python and the pages read
-  // these rules, too (`make columns`).
+  // these rules, too.
   static const Rule &rule(int doubt)
   {
     static const Rule rules[N] = {

@@ -2,14 +2,20 @@
 """The laws of contact, film, oil and circuit: one C++ library (src-package/core) for the simulation
 and for Python.
 
-`laws` has each formula by its name. `make build` and `pip install ./python` build the library.
+`laws` has each formula by its name, `table` the tables of columns and variables. `make build` and
+`pip install ./python` build the library.
 """
 
+import ctypes
 import functools
+import json
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
-from raceway.core.exports import Formula, Library
 from raceway.errors import RacewayError
+
+if TYPE_CHECKING:  # loads numpy, which `table` does without
+    from raceway.core.exports import Formula, Library
 
 PATH = Path(__file__).with_name("lib") / "libraceway_core.so"
 
@@ -18,18 +24,33 @@ class NotBuilt(RacewayError, ImportError):
     """The library is missing."""
 
 
-@functools.cache
-def library() -> Library:
-    """The library, loaded on first use. Raises `NotBuilt`."""
+def _built():
     if not PATH.exists():
         raise NotBuilt(f"{PATH} is missing: run `make build`, or `pip install ./python` again")
-    return Library(PATH)
+    return PATH
+
+
+@functools.cache
+def library() -> "Library":
+    """The library, loaded on first use. Raises `NotBuilt`."""
+    from raceway.core.exports import Library
+
+    return Library(_built())
+
+
+@functools.cache
+def table(name: str) -> Any:
+    """A table of C++: `columns`, {section: rows} of output columns, parts of the contact law and
+    rules of validity; `variables`, rows of the variables of decks. Raises `NotBuilt`."""
+    text = ctypes.CDLL(str(_built()))[f"{name}_json"]
+    text.restype = ctypes.c_char_p
+    return json.loads(text())
 
 
 class Laws:
     """Each formula of the library as an attribute, found on first use."""
 
-    def __getattr__(self, name: str) -> Formula:
+    def __getattr__(self, name: str) -> "Formula":
         found = library().formula(name)
         setattr(self, name, found)
         return found

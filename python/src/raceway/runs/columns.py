@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Columns of a run's files: meaning, unit, and value for a ball without contact.
 
-They are defined in C++, next to the code that computes them; `make columns` writes `columns.json`
-from there.
+They are defined in C++, next to the code that computes them (`core.table`).
 """
 
-import json
-from importlib.resources import files
 from typing import NamedTuple
+
+from raceway import core
 
 
 class Column(NamedTuple):
@@ -29,7 +28,7 @@ def _table(rows: list[dict]) -> dict[str, Column]:
     }
 
 
-_TABLES = json.loads(files(__package__).joinpath("columns.json").read_text())
+_TABLES = core.table("columns")
 
 CONTACT = _table(_TABLES["contact"])
 ATOM = _table(_TABLES["atom"])

@@ -49,9 +49,8 @@ class Point(NamedTuple):
 def deck_variables(deck: FilePath) -> dict[str, str]:
     """Names (in order) and defaults of the variables a user may set: the `variable NAME index`
     lines of the deck at path `deck` and of the decks that it includes, and the words after `vars`
-    in its commands, with the defaults of the commands that take them (`variables.json`, generated
-    from C++). A default that comes from data files is empty. Raises `TableError` if the deck cannot
-    be read.
+    in its commands, with the defaults of the commands that take them (`variable_table`). A default
+    that comes from data files is empty. Raises `TableError` if the deck cannot be read.
     """
     found: dict[str, str] = {}
     _add_variables(found, Path(deck))

@@ -1,20 +1,17 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The variables that decks take from the command line, from the C++ table
-(`runs/variables.json`, written by `make columns`)."""
+"""The variables that decks take from the command line, as the C++ table has them."""
 
-import json
-from functools import cache
-from importlib.resources import files
 from typing import Any
+
+from raceway import core
 
 DATA = {"bearing data", "usual data", "oil data"}
 
 
-@cache
 def rows() -> list[dict[str, Any]]:
     """{"name", "default", "unit", "range", "of", "meaning"} of each; `of` names the commands that
     take it, joined by |, or the kind of data."""
-    return json.loads(files("raceway").joinpath("runs/variables.json").read_text())
+    return core.table("variables")
 
 
 def default(name: str) -> str:

@@ -1,18 +1,17 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Range of validity of the contact formulas.
 
-The rules are defined in C++ (`src-package/core/raceway/validity.h`), which warns in a run; `make
-columns` writes them to `columns.json`, and summary and statics use the same rules.
+The rules are defined in C++ (`src-package/core/raceway/validity.h`), which warns in a run;
+summary and statics use the same rules.
 """
 
-import json
 import math
 from collections.abc import Mapping
-from importlib.resources import files
 from typing import NamedTuple
 
 import numpy as np
 
+from raceway import core
 from raceway.theory.bearing import Bearing
 from raceway.units import prefixed
 
@@ -35,10 +34,7 @@ class Shoulders(NamedTuple):
     outer: float = math.nan
 
 
-RULES = {
-    row["name"]: Rule(**row)
-    for row in json.loads(files("raceway").joinpath("runs/columns.json").read_text())["validity"]
-}
+RULES = {row["name"]: Rule(**row) for row in core.table("columns")["validity"]}
 
 
 def doubts(values: Mapping[str, float | None]) -> list[str]:

@@ -1,47 +1,48 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Prints every output column and the parts of the contact law as JSON, which `make columns` stores
-// for Python and the pages. Needs no host.
-#include "../core/contact/part_table.h"
-#include "../core/figures/bearing_columns.h"
-#include "../core/figures/bearing_figures.h"
-#include "../core/figures/contact_columns.h"
-#include "../core/figures/fix_columns.h"
-#include "../core/raceway/validity.h"
-
-#include <cstdio>
+// Every output column, the parts of the contact law and the rules of validity as JSON, for Python and
+// the pages.
+#include "../contact/part_table.h"
+#include "../figures/bearing_columns.h"
+#include "../figures/bearing_figures.h"
+#include "../figures/contact_columns.h"
+#include "../figures/fix_columns.h"
+#include "../raceway/validity.h"
+#include "json_text.h"
 
 using raceway::Column;
+
+static JsonText json;
 
 // The texts of the tables contain no quotes, backslashes or control characters.
 static void print(const Column &c, const char *more, bool last)
 {
-  printf("    {\"name\": \"%s\", \"unit\": \"%s\", \"meaning\": \"%s\", \"absent\": ", c.name,
-         c.unit, c.meaning);
-  printf(std::isnan(c.absent) ? "null" : "%.17g", c.absent);
-  printf(", \"format\": \"%s\"%s}%s\n", c.format, more, last ? "" : ",");
+  json.add("    {\"name\": \"%s\", \"unit\": \"%s\", \"meaning\": \"%s\", \"absent\": ", c.name,
+           c.unit, c.meaning);
+  json.add(std::isnan(c.absent) ? "null" : "%.17g", c.absent);
+  json.add(", \"format\": \"%s\"%s}%s\n", c.format, more, last ? "" : ",");
 }
 
 static void print(const raceway::ParameterEntry &p, bool last)
 {
   std::string choices;
   for (const std::string &c : p.choices) choices += (choices.empty() ? "\"" : ", \"") + c + "\"";
-  printf("\n        {\"symbol\": \"%s\", \"meaning\": \"%s\", \"least\": %g, \"most\": ",
-         p.symbol.c_str(), p.meaning.c_str(), p.least);
-  printf(std::isfinite(p.most) ? "%g" : "null", p.most);
-  printf(", \"open\": %s, \"choices\": [%s], \"initial\": \"%s\"}%s", p.open ? "true" : "false",
-         choices.c_str(), p.initial.c_str(), last ? "" : ",");
+  json.add("\n        {\"symbol\": \"%s\", \"meaning\": \"%s\", \"least\": %g, \"most\": ",
+           p.symbol.c_str(), p.meaning.c_str(), p.least);
+  json.add(std::isfinite(p.most) ? "%g" : "null", p.most);
+  json.add(", \"open\": %s, \"choices\": [%s], \"initial\": \"%s\"}%s", p.open ? "true" : "false",
+           choices.c_str(), p.initial.c_str(), last ? "" : ",");
 }
 
 template <size_t n> static void section(const char *name, const Column (&list)[n])
 {
-  printf("  ],\n  \"%s\": [\n", name);
+  json.add("  ],\n  \"%s\": [\n", name);
   for (size_t k = 0; k < n; ++k) print(list[k], "", k + 1 == n);
 }
 
 static void section(const char *name, const std::vector<bearing::Figure> &list,
                     const std::vector<Column> &before = {})
 {
-  printf("  ],\n  \"%s\": [\n", name);
+  json.add("  ],\n  \"%s\": [\n", name);
   for (const Column &c : before) print(c, "", false);
   for (const bearing::Figure &f : list) {
     const std::string key = *f.key ? ", \"loss\": \"" + std::string(f.key) + "\"" : "";
@@ -53,44 +54,45 @@ static void section(const char *name, const std::vector<bearing::Figure> &list,
 static void print_law()
 {
   const char *const when[] = {"always", "with a lubricant", "when asked for"};
-  printf("  \"law\": [\n");
+  json.add("  \"law\": [\n");
   for (const raceway::PartEntry &part : raceway::part_table()) {
     const bool last = &part == &raceway::part_table().back();
-    printf(
+    json.add(
         "    {\"name\": \"%s\", \"when\": \"%s\", \"slot\": \"%s\", \"film\": %s, \"states\": %d,\n"
         "     \"columns\": [",
         part.name.c_str(), when[static_cast<int>(part.when)], part.slot.c_str(),
         part.film ? "true" : "false", part.states);
     for (const raceway::StateColumn &c : part.columns)
-      printf("%s\"%s\"", &c == &part.columns.front() ? "" : ", ", c.is.name);
-    printf("],\n     \"keywords\": [");
+      json.add("%s\"%s\"", &c == &part.columns.front() ? "" : ", ", c.is.name);
+    json.add("],\n     \"keywords\": [");
     for (const raceway::KeywordEntry &k : part.keywords) {
-      printf("%s\n      {\"name\": \"%s\", \"form\": \"%s\", \"parameters\": [",
-             &k == &part.keywords.front() ? "" : ",", k.name.c_str(), k.form.c_str());
+      json.add("%s\n      {\"name\": \"%s\", \"form\": \"%s\", \"parameters\": [",
+               &k == &part.keywords.front() ? "" : ",", k.name.c_str(), k.form.c_str());
       for (const raceway::ParameterEntry &p : k.parameters) print(p, &p == &k.parameters.back());
-      printf("], \"note\": \"%s\"}", k.note.c_str());
+      json.add("], \"note\": \"%s\"}", k.note.c_str());
     }
-    printf("]}%s\n", last ? "" : ",");
+    json.add("]}%s\n", last ? "" : ",");
   }
-  printf("  ]\n");
+  json.add("  ]\n");
 }
 
 static void print_validity()
 {
-  printf("  \"validity\": [\n");
+  json.add("  \"validity\": [\n");
   for (int k = 0; k < raceway::Validity::N; ++k) {
     const raceway::Validity::Rule &r = raceway::Validity::rule(k);
-    printf("    {\"name\": \"%s\", \"value\": \"%s\", \"unit\": \"%s\", \"limit\": \"%s\", "
-           "\"bound\": %.17g, \"below\": %s}%s\n",
-           r.name, r.value, r.unit, r.limit, r.bound, r.below ? "true" : "false",
-           k + 1 == raceway::Validity::N ? "" : ",");
+    json.add("    {\"name\": \"%s\", \"value\": \"%s\", \"unit\": \"%s\", \"limit\": \"%s\", "
+             "\"bound\": %.17g, \"below\": %s}%s\n",
+             r.name, r.value, r.unit, r.limit, r.bound, r.below ? "true" : "false",
+             k + 1 == raceway::Validity::N ? "" : ",");
   }
-  printf("  ],\n");
+  json.add("  ],\n");
 }
 
-int main()
+extern "C" const char *columns_json()
 {
-  printf("{\n  \"contact\": [\n");
+  json = {};
+  json.add("{\n  \"contact\": [\n");
   const auto &contacts = bearing::contact_columns();
   const char *const needs[] = {"nothing", "film", "capacitance", "surroundings"};
   for (const bearing::ContactColumn &c : contacts)
@@ -116,9 +118,9 @@ int main()
   section("fix_grains", bearing::of_fix_grains::list);
   section("fix_heat", bearing::of_fix_heat::list);
   section("fix_timestep", bearing::of_fix_timestep::list);
-  printf("  ],\n");
+  json.add("  ],\n");
   print_validity();
   print_law();
-  printf("}\n");
-  return 0;
+  json.add("}\n");
+  return json.text.c_str();
 }

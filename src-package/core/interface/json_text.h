@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Text of a JSON file, piece by piece. The texts of the tables contain no quotes, backslashes or
+// control characters.
+#ifndef RACEWAY_JSON_TEXT_H
+#define RACEWAY_JSON_TEXT_H
+
+#include <cstdarg>
+#include <cstdio>
+#include <string>
+
+struct JsonText {
+  std::string text;
+
+  // As printf.
+  __attribute__((format(printf, 2, 3))) void add(const char *format, ...)
+  {
+    va_list all, again;
+    va_start(all, format);
+    va_copy(again, all);
+    std::string piece(std::vsnprintf(nullptr, 0, format, all) + 1, '\0');
+    std::vsnprintf(&piece[0], piece.size(), format, again);
+    va_end(again);
+    va_end(all);
+    piece.pop_back();
+    text += piece;
+  }
+};
+
+#endif

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The variables of decks as JSON, for Python and the pages.
+#include "../settings/deck_variable_table.h"
+#include "json_text.h"
+
+// The texts of the table contain no quotes, backslashes or control characters.
+extern "C" const char *variables_json()
+{
+  static JsonText json;
+  json = {};
+  json.add("[\n");
+  const auto &table = bearing::deck_variables();
+  for (const bearing::DeckVariable &v : table)
+    json.add("  {\"name\": \"%s\", \"default\": \"%s\", \"unit\": \"%s\", \"range\": \"%s\",\n"
+             "   \"of\": \"%s\", \"meaning\": \"%s\"}%s\n",
+             v.name, v.initial, v.unit, v.range, v.of, v.meaning, &v == &table.back() ? "" : ",");
+  json.add("]\n");
+  return json.text.c_str();
+}

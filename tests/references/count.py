@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Counts, law by law, the tests with an expected value that does not come from the package: 40
+digits, quadrature, a solver of another kind, printed numbers.
+
+    python tests/references/count.py [--list] [TREE ...]
+
+A test belongs to a law whose words stand in its name, its body or the name of its file. Its
+reference may stand in the helpers, fixtures and constants of its file that it uses, too."""
+
+import ast
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+FOLDERS = ("physics", "python", "friction", "implicit")
+# law: tests at a7b5052, which had most laws in two languages; words that mark its tests
+LAWS = {
+    "elliptic integrals, Hertz": (29, r"elliptic|ellipk|hertz|semi_axes"),
+    "effective radii": (13, r"effective_radii|curvatures|meusnier"),
+    "film, power laws": (16, r"hamrock|masjedi|h_min|film_thickness"),
+    "film in all regimes": (4, r"regimes|asymptot|film_roots|film_laws"),
+    "film factors": (1, r"inlet_shear|murch|starvation|film_factors|thermal"),
+    "film in the gap": (6, r"film_gap|gap_film|in_the_gap|film_roots"),
+    "film branch": (8, r"film_branch|film_damping|maxwell"),
+    "damping": (21, r"damping|damped"),
+    "asperities": (4, r"asperit|stribeck|zhou|clarke"),
+    "traction": (3, r"traction|eyring"),
+    "differential slip": (7, r"differential_slip|heathcote|sliding"),
+    "spin, slip in slices": (24, r"spin|slices"),
+    "rolling": (3, r"rolling_resistance|rolling_friction|biboulet|houpert|inlet_of_rolling"),
+    "drag": (2, r"drag"),
+    "oil": (14, r"lubricant|viscosity|walther|vogel|barus"),
+    "kinematics": (26, r"kinematics|entrainment|frequencies|orbit"),
+    "plates": (17, r"permittivity|plates|contact_capacitance|rough_film"),
+    "surroundings": (13, r"surroundings|capacitance_outside|gap_integral|groove_width"),
+    "impedance": (5, r"impedance"),
+    "breakdown": (3, r"breakdown|discharge|threshold"),
+    "network": (4, r"network|dense|nodal"),
+    "waveforms": (0, r"waveform|triangle"),
+    "groove and rail": (21, r"groove|rail|shoulder|gothic"),
+    "rings and shafts": (22, r"ring_body|shaft|beam|gyroscop"),
+    "cage ring": (1, r"cage_ring|pocket|land"),
+    "heat": (4, r"heat_network|steady_heat|flash|conductance|cooling"),
+    "life": (7, r"life|rating|weibull"),
+}
+REFERENCE = re.compile(
+    r"mpmath|\bmpf?\(|\bmp\.|workdps|quad\(|solve_ivp|odeint|expm\(|ngspice|fsolve|brentq"
+    r"|root_scalar|linalg\.(solve|eig)|leggauss|sawtooth|\b1j\b|math\.pi|np\.pi|np\.(exp|cosh)\("
+    r"|references|[Pp]rinted|[Pp]ublished|by hand|handbook|data sheet|Harris|Johnson|ISO \d"
+)
+
+
+def _of_module(tree, source):
+    """({name: (its text, names that it uses)}, nodes of the tests)."""
+    known, tests, imported = {}, [], {}
+    for node in tree.body:
+        names = [getattr(node, "name", None)]
+        if isinstance(node, ast.Assign):
+            targets = [one for target in node.targets for one in ast.walk(target)]
+            names = [one.id for one in targets if isinstance(one, ast.Name)]
+        elif isinstance(node, (ast.Import, ast.ImportFrom)):
+            module = getattr(node, "module", "") or ""
+            for alias in node.names:
+                imported[alias.asname or alias.name] = f"{module} {alias.name}"
+            continue
+        text = ast.get_source_segment(source, node) or ""
+        used = {one.id for one in ast.walk(node) if isinstance(one, ast.Name)}
+        used |= {one.arg for one in ast.walk(node) if isinstance(one, ast.arg)}
+        for name in filter(None, names):
+            known[name] = (text, used)
+        if isinstance(node, ast.FunctionDef) and node.name.startswith("test_"):
+            tests.append(node.name)
+    for name, where in imported.items():
+        known.setdefault(name, (where, set()))
+    return known, tests
+
+
+def _all_of(name, known):
+    """Text of `name` and of all that it uses in its file."""
+    seen, left, text = set(), [name], ""
+    while left:
+        one = left.pop()
+        if one in seen or one not in known:
+            continue
+        seen.add(one)
+        own, used = known[one]
+        text += own + "\n"
+        left += used
+    return text
+
+
+def found(root: Path) -> dict[str, list[str]]:
+    """Tests of each law with a reference of their own, `file::test`, in the tree `root`."""
+    result = {law: [] for law in LAWS}
+    for folder in FOLDERS:
+        for path in sorted((root / "tests" / folder).glob("test_*.py")):
+            source = path.read_text()
+            known, tests = _of_module(ast.parse(source), source)
+            for test in tests:
+                if not REFERENCE.search(_all_of(test, known)):
+                    continue
+                words = f"{path.stem} {known[test][0]}".lower()
+                for law, (_, marks) in LAWS.items():
+                    if re.search(marks, words):
+                        result[law].append(f"{folder}/{path.name}::{test}")
+    return result
+
+
+def main():
+    trees = [Path(word) for word in sys.argv[1:] if word != "--list"] or [ROOT]
+    counts = [found(tree) for tree in trees]
+    for law, (before, _) in LAWS.items():
+        print(f"{law:28}{before:5}", *(f"{len(one[law]):5}" for one in counts))
+        if "--list" in sys.argv:
+            print(*(f"    {test}" for test in counts[-1][law]), sep="\n")
+
+
+if __name__ == "__main__":
+    main()
