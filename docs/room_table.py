@@ -11,7 +11,7 @@ from sphinx.util.docutils import SphinxDirective
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "tests"))
-import include_graph  # noqa: E402  it lies beside the tests, in no package
+import include_graph  # noqa: E402  it is among the tests, not in a package
 
 
 class RoomTable(SphinxDirective):

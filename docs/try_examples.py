@@ -6,9 +6,9 @@ every Python or console block, in the order of its page.
 
 A block under "Examples" stands in for the lines of decks/in.ehd that give the same command; the
 rest of that deck stays. Python and console blocks of a page run in a copy (workspace.py): a
-finished run is not replaced unasked, so they must find none of an earlier time. They may use the
-run of `make run`, but on pages that make it themselves. As many pages run at a time as there are
-cores. Exit code 1 when a run fails; its last lines are shown.
+finished run is not replaced by default, so none from an earlier build may
+be present. They may use the run of `make run`, except on pages that make it themselves. As many
+pages run at a time as there are cores. Exit code 1 when a run fails; its last lines are shown.
 """
 
 import os
@@ -171,7 +171,7 @@ def deck(base, block):
 
 
 def of_script(script):
-    """A Python script beside the decks, from the root."""
+    """A Python script among the decks, run from the root."""
     done = subprocess.run(
         [sys.executable, script],
         cwd=DOCS.parent,

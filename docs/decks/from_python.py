@@ -1,7 +1,7 @@
 # Drive LIGGGHTS with the package from Python, without a subprocess:
 #   .venv/bin/python docs/decks/from_python.py
-# RTLD_GLOBAL puts the package before libliggghts in the search order.
-# So its styles are there when the host starts.
+# RTLD_GLOBAL puts the package before libliggghts in the search order,
+# so its styles are available when the host starts.
 import ctypes
 
 lib = ctypes.CDLL("build/libraceway_liggghts.so", mode=ctypes.RTLD_GLOBAL)

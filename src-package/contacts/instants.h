@@ -48,7 +48,7 @@ struct InstantReader {
   std::function<void(const InstantRing &)> ring;    // or none
 };
 
-// A fix with substeps of its own within the host step (fix bearing/implicit).
+// A fix with its own substeps within the host step (fix bearing/implicit).
 class InstantSource {
  public:
   // Called in another fix's setup(); the instants are available after every step. Errors name

@@ -43,7 +43,7 @@ Data find_data(const std::string &folder, const std::string &name)
   if (file.extension() != ".csv") {
     if (fs::is_regular_file(file, ec)) return data_file(file);
     if (fs::exists(fs::symlink_status(file, ec)))
-      return {"'" + file.string() + "' is no file but a folder, a pipe or a broken link"};
+      return {"'" + file.string() + "' is not a file but a folder, a pipe or a broken link"};
   }
   for (const DataTable &table : tables_of(folder)) {
     if (!table.complaint().empty()) return {table.complaint()};

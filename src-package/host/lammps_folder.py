@@ -34,7 +34,7 @@ def number(date):
             return int(datetime.strptime(date, form).strftime("%Y%m%d"))
         except ValueError:
             pass
-    raise Refused(f"'{date}' is no version of LAMMPS, as 23 Jun 2022 is one")
+    raise Refused(f"'{date}' is not a version of LAMMPS, as 23 Jun 2022 is one")
 
 
 def version(folder):
@@ -45,7 +45,7 @@ def version(folder):
     )
     if not found:
         raise Refused(
-            f"{folder} is no LAMMPS source tree: there is no src/version.h with a version"
+            f"{folder} is not a LAMMPS source tree: there is no src/version.h with a version"
         )
     return number(found.group(1))
 
@@ -94,7 +94,7 @@ def settings(folder, sizes=None):
     elif (folder / "include" / "lammps").is_dir():
         found = from_installed(folder)
     else:
-        raise Refused(f"{folder} has neither src/version.h nor include/lammps: it is no LAMMPS")
+        raise Refused(f"{folder} has neither src/version.h nor include/lammps: it is not LAMMPS")
     if re.search(r"\s", str(found["PLUGIN_HEADERS"])):
         raise Refused(f"make cannot use a folder with a blank in its name: {folder}")
     if sizes:

@@ -42,7 +42,7 @@ class Liggghts(Host):
         version = src / "version_liggghts.txt"
         if not version.is_file() or not (src / "Make.sh").is_file():
             raise Refused(
-                f"{tree} is no LIGGGHTS source tree: there is no src/version_liggghts.txt with a"
+                f"{tree} is not a LIGGGHTS source tree: there is no src/version_liggghts.txt with a"
                 " src/Make.sh"
             )
         found = read(version).strip()

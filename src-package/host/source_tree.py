@@ -131,7 +131,7 @@ def read(path):
         with open(path, encoding="utf-8", newline="") as file:
             return file.read()
     except UnicodeDecodeError as error:
-        raise Refused(f"{path} is no text: {error}") from None
+        raise Refused(f"{path} is not text: {error}") from None
 
 
 def write(path, text, stat=None):

@@ -113,7 +113,7 @@ std::vector<int> HomeBearings::find_bearings(int groupbit, std::vector<NamedBear
     if (b >= 0 && bearings[b].name != 0 && bearings[b].inside) bearing_of[i] = b;
     if ((atom->mask[i] & groupbit) && bearing_of[i] < 0)
       BRG_ONE(command_ + ": atom " + std::to_string(atom->tag[i]) +
-              " of its group is no ball, cage ball or ring of a bearing");
+              " of its group is not a ball, cage ball or ring of a bearing");
   }
   return bearing_of;
 }
@@ -292,7 +292,7 @@ void HomeBearings::assemble(const std::vector<std::vector<Piece>> &from)
     find_holders(m);
     if (m.bodies.empty())
       BRG_ONE(command_ + ": atom " + std::to_string(m.name()) +
-              " of its group is no ball, cage ball or ring of a "
+              " of its group is not a ball, cage ball or ring of a "
               "bearing");
     for (size_t b = 0; b < m.bodies.size(); ++b) at[k][m.bodies[b].tag] = static_cast<int>(b);
     for (size_t r = 0; r < m.rings.size(); ++r) at[k][m.rings[r].tag] = static_cast<int>(r);

@@ -32,7 +32,7 @@ FixBearingCage::FixBearingCage(LAMMPS *lmp, int narg, char **arg) :
       b ? b->outer : args.integer("type of the ring that carries the rails", 1, atom->ntypes);
   if (!pair_->coefficients().is_ring(ring_type_))
     args.fail("type " + std::to_string(ring_type_) +
-              " is no ring: no pair_coeff names it inner or outer");
+              " is not a ring: no pair_coeff names it inner or outer");
   while (args.more()) {
     if (args.take("rail")) {
       Rail r;

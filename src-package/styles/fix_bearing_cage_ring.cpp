@@ -38,7 +38,7 @@ FixBearingCageRing::FixBearingCageRing(LAMMPS *lmp, int narg, char **arg) :
   ball_type_ = b ? b->balls : args.integer("ball type", 1, atom->ntypes);
   if (!pair_->coefficients().is_ball(ball_type_))
     args.fail("type " + std::to_string(ball_type_) +
-              " is no ball: no pair_coeff gives it a raceway");
+              " is not a ball: no pair_coeff gives it a raceway");
   if (b) {
     Arguments words(lmp, args.command(), bearing::cage_words(lmp, args, *b));
     cage_.read(words);

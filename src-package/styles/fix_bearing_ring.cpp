@@ -74,7 +74,7 @@ void FixBearingRing::settings_are_read()
   }
 }
 
-// Finds the rings anew for every run, since the group may change between two runs.
+// Finds the rings again for every run, since the group may change between two runs.
 void FixBearingRing::find_rings()
 {
   const std::string group_name = group->names[igroup];
@@ -164,7 +164,7 @@ void FixBearingRing::init()
       if (moves(i)) atom->rmass[i] = mass_of_atom();    // kinetic energy in thermo output
 }
 
-// Finds the ring at the other end of the supports. That ring has a fix of its own, which must make
+// Finds the ring at the other end of the supports. That ring has its own fix, which must make
 // its final half step after the forces of these supports are added.
 void FixBearingRing::find_holder()
 {

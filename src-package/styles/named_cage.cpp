@@ -30,7 +30,7 @@ std::vector<std::string> cage_words(LAMMPS *lmp, Arguments &args, const NamedBea
     words[key] = args.value_of(key.c_str());
   }
   if (!b.has_cage_ring)
-    args.fail("the cage of bearing " + b.name + " is no ring: give it 'cage ring'");
+    args.fail("the cage of bearing " + b.name + " is not a ring: give it 'cage ring'");
   // rounded as a deck's formulas
   const auto or_estimate = [&](const char *key, double estimate) {
     const double given = std::atof(words[key].c_str());

@@ -367,7 +367,7 @@ void RunBearing::measure()
             ", must be a whole number from 1 to 2e9: fewer passes or samples; within must divide "
             "them");
   if (steps < static_cast<double>(update->ntimestep))
-    BRG_ALL(std::string(command_name) + ": the run to resume has got to step " +
+    BRG_ALL(std::string(command_name) + ": the run to resume has reached step " +
             std::to_string(update->ntimestep) + ", farther than these passes, " + text(steps) +
             " steps: give more passes");
   set_step(now().step_length);

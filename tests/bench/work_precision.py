@@ -366,7 +366,7 @@ scene take turns. Measured on {date.today()}:
         *"""\
 Velocity Verlet is compared twice, each time at the fastest step with an error of at most 1e-3. The
 first ratio is the fair one: Verlet has the friction law that suits it, a spring with history,
-against a reference of its own. The second uses the smoothed friction of the implicit step. At
+against its own reference. The second uses the smoothed friction of the implicit step. At
 low sliding speed that law is a stiff damper. At 50 rad/s it shortens steps of Verlet by a factor of
 ten to twenty. At 5 rad/s steps would be nanoseconds long and were not run. At 1000 rad/s the law is
 not stiff, and Verlet is about as fast with either.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs the decks of a case in a folder of its own and reports how each run ended."""
+"""Runs the decks of a case in a separate folder and reports how each run ended."""
 
 import re
 import subprocess
@@ -12,7 +12,7 @@ from fuzz.pose import UPRIGHT
 from host import run
 
 HOSTS = {"liggghts": "liggghts", "lammps": "lammps", "plugin": "wheel", "sanitized": "sanitized"}
-# for a run that takes a tenth of a second alone, and a hundred times as long beside other work
+# for a run that takes a tenth of a second alone, and a hundred times as long on a busy machine
 SECONDS = 600
 CRASH = re.compile(
     r"Segmentation|Aborted|Traceback|terminate called|AddressSanitizer|runtime error|stack smashing"

@@ -238,7 +238,7 @@ DECKS = {
     ),
     "cage fix before pair_coeff": (
         BOX + STYLE + "fix c all bearing/cage 3\n",
-        r"fix c bearing/cage: type 3 is no ring",
+        r"fix c bearing/cage: type 3 is not a ring",
     ),
     "fix before pair style": (
         BOX + "group inner type 3\nfix r inner bearing/ring\n",
@@ -305,7 +305,7 @@ DECKS = {
     ),
     "rails on no ring": (
         DRY + "fix c balls bearing/cage 2\n",
-        r"fix c bearing/cage: type 2 is no ring",
+        r"fix c bearing/cage: type 2 is not a ring",
     ),
     "bearing outside the box": (
         BOX + STYLE + INNER + OUTER + CREATE.replace("\n", " centre 0.03 0 0\n"),

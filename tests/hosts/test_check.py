@@ -122,4 +122,4 @@ def test_mistakes(checked, tmp_path, monkeypatch, capsys):
     assert main(["check", str(own), "--var", "ball_young", "200e9"]) == 0
     (own / "check.json").write_text("[]")
     assert main(["summary", str(own)]) == 1
-    assert "check.json is no result of raceway check" in capsys.readouterr().err
+    assert "check.json is not a result of raceway check" in capsys.readouterr().err

@@ -128,7 +128,7 @@ def test_deck_that_includes_the_deck(tmp_path):
 
 
 def test_option_of_another_program(tmp_path):
-    """python -v is no variable."""
+    """python -v is not a variable."""
     script = tmp_path / "script.py"
     script.write_text(
         "import ctypes, sys\n"

@@ -92,8 +92,8 @@ def test_files_that_are_none(tmp_path):
     (own / "bearings" / "folder").mkdir()
     for name, message in (
         ("mine", r"mine' starts with a byte order mark"),
-        ("loop", r"loop' is no file but a folder, a pipe or a broken link"),
-        ("folder", r"folder' is no file but a folder, a pipe or a broken link"),
+        ("loop", r"loop' is not a file but a folder, a pipe or a broken link"),
+        ("folder", r"folder' is not a file but a folder, a pipe or a broken link"),
     ):
         end = liggghts("inputs/in.6208", inputs=own, bearing=name, out=tmp_path / "out")
         refused(end, message)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run stopped or killed at a random moment resumes with the bits of an undisturbed run.
+"""A run stopped or killed at a random moment resumes with the bits of an uninterrupted run.
 `kills.py` does the same fifty times."""
 
 import random

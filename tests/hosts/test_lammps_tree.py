@@ -91,7 +91,7 @@ def test_a_tree_without_it(tree):
 
 
 def test_no_tree(tmp_path):
-    refused(tmp_path, "is no LAMMPS source tree")
+    refused(tmp_path, "is not a LAMMPS source tree")
 
 
 def test_another_version(tree):

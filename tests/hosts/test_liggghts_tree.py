@@ -89,7 +89,7 @@ def test_a_tree_without_it(tree):
 
 
 def test_no_tree(tmp_path):
-    refused(tmp_path, "is no LIGGGHTS source tree")
+    refused(tmp_path, "is not a LIGGGHTS source tree")
 
 
 def test_nothing_named():

@@ -109,7 +109,7 @@ def test_types_that_no_pair_coeff_names(tmp_path, host):
     said = "no pair_coeff names type 2 5: its atoms pass through everything"
     assert end.code == 0 and end.text.count(said) == 1, end.text
     end = outcome(tmp_path, deck.replace("type 1 3 4", "type 1 2 3 4") + "run 1\n", host)
-    assert end.code != 0 and "is no ball, cage ball or ring of a bearing" in end.error, end.text
+    assert end.code != 0 and "is not a ball, cage ball or ring of a bearing" in end.error, end.text
 
 
 SHORT = {"passes": 1, "samples": 20, "rpm": 20000}

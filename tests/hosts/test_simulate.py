@@ -100,7 +100,7 @@ def _max_load(load):
     "pool", [ThreadPoolExecutor, lambda n: ProcessPoolExecutor(n, get_context("spawn"))]
 )
 def test_side_by_side(tmp_path, monkeypatch, pool):
-    """Each point has a folder of its own, named after its values."""
+    """Each point has a separate folder, named after its values."""
     monkeypatch.chdir(tmp_path)
     loads = [1000, 2000, 4000]
     with pool(2) as workers:

@@ -51,7 +51,7 @@ def test_other_launchers(name, tmp_path):
 
 
 def test_settings_of_the_user_win(tmp_path):
-    """A setting of the user wins, even one of the two alone."""
+    """A setting of the user takes precedence, even one of the two alone."""
     found = settings("liggghts", tmp_path, OMPI_MCA_ess_singleton_isolated="0")
     assert (found["ess_singleton_isolated"], found["pml"]) == ("false", "ob1")
     found = settings("liggghts", tmp_path, OMPI_MCA_pml="^cm")

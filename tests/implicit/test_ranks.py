@@ -241,7 +241,7 @@ timestep 1.0e-5
     [
         (
             "fix move all bearing/implicit\nfix r rings bearing/ring",
-            "atom 23 of its group is no ball, cage ball or ring of a bearing",
+            "atom 23 of its group is not a ball, cage ball or ring of a bearing",
         ),
         (
             "group some id 1:10 12:22\nfix move some bearing/implicit\nfix r inner bearing/ring",

@@ -52,7 +52,7 @@ def test_gupta(physics, speed, sliding):
 
 
 def test_gupta_beyond_its_range(physics):
-    """Python refuses; a run goes on with a tenth of what is left without pressure."""
+    """Python refuses; a run continues with a tenth of the value without pressure."""
     loading = film_factors.thermal_loading(0.047, 0.04, 90.0, 0.134)
     with pytest.raises(ValueError, match="range of Gupta"):
         film_factors.gupta(loading, 0.02)

@@ -34,7 +34,7 @@ def found(density=STEEL, **contacts):
 @pytest.mark.parametrize("ring", [RING, -RING])
 def test_moments_change_the_angular_momentum(ring):
     """In axes (radial, along the path, axial) that turn with the ball: dL/dt = Omega x L is the sum
-    of all moments about the ball's centre, but for the force along rolling that both raceways
+    of all moments about the ball's centre, except the force along rolling that both raceways
     exert on one another, which a moment across both lines of action leaves out."""
     contacts = drawn()
     motion = attitude.balanced(BODY, ring=ring, density=STEEL, **contacts)

@@ -131,4 +131,4 @@ def test_bad_command_line(folder, capsys, words, message):
 def test_a_table_that_is_none(folder, tmp_path, capsys):
     path = tmp_path / "none.txt"
     assert main(["circuit", str(folder), "--source", "1", "--table", str(path)]) == 1
-    assert f"{path} is no table of seconds and volts" in capsys.readouterr().err
+    assert f"{path} is not a table of seconds and volts" in capsys.readouterr().err

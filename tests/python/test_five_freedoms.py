@@ -358,7 +358,7 @@ def test_no_equilibrium(bearing, arguments, said):
 
 
 @pytest.mark.parametrize(
-    "held, said", [({"phi": 0}, "phi is no degree of freedom"), ({"x": float("inf")}, "finite")]
+    "held, said", [({"phi": 0}, "phi is not a degree of freedom"), ({"x": float("inf")}, "finite")]
 )
 def test_wrong_hold(bearing, held, said):
     with pytest.raises(ValueError, match=said):

@@ -144,4 +144,4 @@ def test_a_word_for_a_number_names_its_variable(capsys, tmp_path, name):
     words = re.sub(rf"^(variable {name} +index) \S+", r"\1 quick", text, flags=re.M)
     (tmp_path / "mine").write_text(words)
     assert main(["heat", "--bearing", str(tmp_path / "mine"), "--load", "9", "--rpm", "900"]) == 1
-    assert f"mine: {name} = quick is no number" in capsys.readouterr().err
+    assert f"mine: {name} = quick is not a number" in capsys.readouterr().err

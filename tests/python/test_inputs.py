@@ -50,7 +50,7 @@ def test_composite_roughness(tmp_path):
                     "ball_roughness",
                 )
             ),
-            "is no number",
+            "is not a number",
         ),
     ],
 )

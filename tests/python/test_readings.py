@@ -33,7 +33,7 @@ def write(tmp_path, text=GOOD):
         ("bearing: 6205", "bearing: 62055", "there is no bearing '62055'"),
         ("bearing: 6205", "bearings: 6205", "bearings is none of bearing, lubricant"),
         ("vg68", "vg68\nmodels: fuller", "models 'fuller' is none of paper, full, eyring"),
-        ("load: 10", "load: ten", "known: load: 'ten' is no number"),
+        ("load: 10", "load: ten", "known: load: 'ten' is not a number"),
         ("load: 10", "load: -1", "known: load: -1 must lie between 0 and 1e.06"),
         ("load: 10", "clearance: 1e-6", "clearance is known and unknown"),
         (", temperature: 40", "", "reading 1: the temperature of the oil is missing"),

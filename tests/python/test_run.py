@@ -107,7 +107,7 @@ def test_geometry(folder):
 @pytest.mark.parametrize(
     "made, said",
     [
-        (None, "is no folder: a run makes one"),
+        (None, "is not a folder: a run makes one"),
         ("run.yaml", "has no record.nc: its run recorded nothing, or it is gone"),
         ("contacts.dump", "has text dumps and no record.nc: raceway reads records; run the deck"),
     ],

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A ring on supports in a housing with a mass of its own, against two oscillators in closed
+"""A ring on supports in a housing with mass, compared with two oscillators in closed
 form."""
 
 import re

@@ -102,7 +102,7 @@ def losses(name, load, axial, rpm, temperature=40.0):
 
 def test_balls_that_slide_under_their_gyroscopic_moment(tmp_path):
     """7208B in hot oil: the balls slide across their grooves with 0.9 of the available friction,
-    which is 13 times what differential slip beside spin loses. Loads of statics are 5 % higher,
+    which loses 13 times as much as differential slip and spin. Loads of statics are 5 % higher,
     since friction does not enter the balance of forces, and the orbit is 3 % lower."""
     scene = dict(axial=1100, rpm=10000)
     words = dict(bearing="7208B", load=0.1, models="full", lubricant="vg46", temperature=107)

@@ -79,7 +79,7 @@ def numbers(path: FilePath, *names: str) -> dict[str, float]:
         try:
             found[name] = float(data[name])
         except ValueError:
-            raise InputError(f"{path}: {name} = {data[name]} is no number") from None
+            raise InputError(f"{path}: {name} = {data[name]} is not a number") from None
     check(path, found)
     return found
 

@@ -95,7 +95,7 @@ def _check_sizes(path):
                     (2, 0): np.lib.format.read_array_header_2_0,
                 }.get(np.lib.format.read_magic(file))
                 if read is None:
-                    raise ValueError(f"'{name}' is no array of real numbers")
+                    raise ValueError(f"'{name}' is not an array of real numbers")
                 shape, _, kind = read(file)
             if kind.kind not in "fiu":
                 raise ValueError(f"'{name}' is of {kind}, must be real numbers")

@@ -154,7 +154,7 @@ FORMULA(double, inlet_share, (double length, double thickness))
 
 FORMULA(double, rolling_inlet, (double length, double h_c, double b, double r_x))
 {
-  thread_local RollingInlet of;    // prepared anew for another length
+  thread_local RollingInlet of;    // prepared again for another length
   thread_local double prepared = -1.0;
   if (length != prepared) of.prepare(prepared = length);
   return of.short_inlet ? of.share(h_c, b, r_x) : 1.0;

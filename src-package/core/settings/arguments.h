@@ -51,7 +51,7 @@ class Arguments {
   double number_of(const char *variable);
   int choice(const std::string &what, const std::vector<std::string> &allowed);
   void skip_rest() { next_ = words_.size(); }
-  [[noreturn]] void unknown(const std::string &allowed);    // the next word is no keyword
+  [[noreturn]] void unknown(const std::string &allowed);    // the next word is not a keyword
   [[noreturn]] void fail(const std::string &why) const;
   // Text of a file, read by rank 0, on all ranks; none if it is unreadable.
   std::optional<std::string> content(const std::string &file) const;

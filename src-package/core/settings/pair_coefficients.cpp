@@ -87,7 +87,7 @@ void PairCoefficients::read_cage(Arguments &args, int ball, int cage, int types)
   ball_type_.resize(types + 1);
   cage_type_.resize(types + 1);
   if (!ball_type_[ball])
-    args.fail("type " + std::to_string(ball) + " is no ball: its raceways come first");
+    args.fail("type " + std::to_string(ball) + " is not a ball: its raceways come first");
   if (ball_type_[cage] || !raceways_of(cage).empty())
     args.fail("type " + std::to_string(cage) + " is a ball or a ring with a raceway already");
   ring_type_[cage] = cage_type_[cage] = 1;

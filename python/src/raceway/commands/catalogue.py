@@ -79,7 +79,7 @@ def add(commands: Commands) -> None:
     one.add_argument(
         "--inputs",
         metavar="DIR",
-        help="the inputs folder (default: here or above, else what comes with raceway)",
+        help="the inputs folder (default: here or above, otherwise that of the package)",
     )
     form = one.add_mutually_exclusive_group()
     form.add_argument("--json", action="store_true", help="a JSON list, SI units")

@@ -13,7 +13,7 @@ from raceway.units import prefixed
 if TYPE_CHECKING:  # scipy takes longer to load than `--help` should
     from raceway.recordings.compare import Comparison
 
-HELP = "levels and lines of a run beside those of a recording"
+HELP = "levels and lines of a run compared with a recording"
 DESCRIPTION = """\
 Levels, and the lines in the envelope spectrum, of a run and of a recording of the
 bearing it represents. Lines are in orders of the shaft, each with its own speed; levels are those

@@ -173,7 +173,7 @@ def inputs(to: Any) -> None:
     to.add_argument(
         "--inputs",
         metavar="DIR",
-        help="the inputs folder (default: here or above, else what comes with raceway)",
+        help="the inputs folder (default: here or above, otherwise that of the package)",
     )
 
 

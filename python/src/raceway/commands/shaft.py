@@ -46,7 +46,7 @@ def add(commands: Commands) -> None:
     one.add_argument(
         "--inputs",
         metavar="DIR",
-        help="the inputs folder (default: here or above, else what comes with raceway)",
+        help="the inputs folder (default: here or above, otherwise that of the package)",
     )
     one.add_argument(
         "--cleanliness",

@@ -72,7 +72,7 @@ def add(commands: Commands) -> None:
         help="diametral clearance, metres; negative is preload (0)",
     )
     one.add_argument(
-        "--lubricant", metavar="NAME", help="a file of inputs/lubricants, or a path; brings damping"
+        "--lubricant", metavar="NAME", help="a file of inputs/lubricants, or a path; adds damping"
     )
     options.temperature(one)
     options.models(

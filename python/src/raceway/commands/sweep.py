@@ -22,7 +22,7 @@ again, so a sweep that was stopped (Ctrl-C, kill, a time limit) goes on when the
 given again; two sweeps started on one DIR share the work. A point that fails keeps its message and
 does not stop the others. At the end DIR/results.csv has a row per point.
 
-A column `share` is no variable but the share of the time of a point in a load spectrum:
+A column `share` is not a variable but the share of the time of a point in a load spectrum:
 `raceway static --spectrum DIR/results.csv` computes the life under all points together.
 """
 EXAMPLES = """\

@@ -172,7 +172,7 @@ def read_table(path: FilePath) -> Table:
             raise ValueError(f"{rows.shape[1]} columns, not 2")
         return Table(rows[:, 0], rows[:, 1])
     except (OSError, ValueError) as error:
-        raise RunError(f"{path} is no table of seconds and volts: {error}") from None
+        raise RunError(f"{path} is not a table of seconds and volts: {error}") from None
 
 
 def _positive(name, value, unit):

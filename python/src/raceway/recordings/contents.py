@@ -39,7 +39,7 @@ def channel(path: FilePath, name: str, values: ArrayLike, rate: float, **words: 
     try:
         row = np.ravel(np.asarray(values, float)) * words.get("scale", 1.0)
     except (TypeError, ValueError):
-        raise RunError(f"{path}: {name} is no row of numbers") from None
+        raise RunError(f"{path}: {name} is not a row of numbers") from None
     if row.size != max(np.shape(values), default=1):
         raise RunError(f"{path}: {name} has the shape {np.shape(values)}, must be one row")
     if not np.isfinite(row).all():

@@ -31,7 +31,7 @@ def read(path: Path) -> Contents:
         found = io.loadmat(path, simplify_cells=True)
     except (ValueError, TypeError, KeyError, NotImplementedError, io.matlab.MatReadError) as error:
         raise RunError(
-            f"cannot read {path}: it is no MATLAB file up to version 7 ({error})"
+            f"cannot read {path}: it is not a MATLAB file up to version 7 ({error})"
         ) from None
     data = {name: value for name, value in found.items() if not name.startswith("__")}
     if any(CWRU.fullmatch(name) for name in data):

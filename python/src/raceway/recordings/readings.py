@@ -191,7 +191,7 @@ def _number(value, where, low, high):
     try:
         found = yaml_file.number(value)
     except ValueError:
-        raise ValueError(f"{where}: '{value}' is no number") from None
+        raise ValueError(f"{where}: '{value}' is not a number") from None
     if not low <= found <= high:
         raise ValueError(f"{where}: {found:g} must lie between {low:g} and {high:g}")
     return found

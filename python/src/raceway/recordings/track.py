@@ -50,7 +50,7 @@ def track(of: Readings, rows: Sequence[Row], drift: Mapping[str, float]) -> Trac
     carries the loads.
     """
     if strange := sorted(set(drift) - set(of.unknown)):
-        raise ValueError(f"drift: {strange[0]} is no unknown")
+        raise ValueError(f"drift: {strange[0]} is not an unknown")
     times = np.array([row.time for row in rows])
     if not len(rows) or not (np.diff(times) > 0).all():
         raise ValueError("a series needs rows whose times rise")

@@ -282,7 +282,7 @@ class Record:
 def _without_record(folder):
     """Reason for a missing record in the folder, and the remedy."""
     if not folder.is_dir():
-        return "is no folder: a run makes one, -var out NAME"
+        return "is not a folder: a run makes one, -var out NAME"
     if (folder / "contacts.dump").exists() or (folder / "balls.dump").exists():
         return (
             f"has text dumps and no {NAME}: raceway reads records; run the deck again with -var"

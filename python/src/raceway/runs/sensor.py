@@ -45,7 +45,7 @@ def decimated(values: ArrayLike, sample_s: float, rate: float) -> Floats:
     if not 0 < rate * sample_s <= 1 + 1e-9:
         raise ValueError(f"rate {rate:g} Hz must lie between 0 and {1 / sample_s:g} Hz")
     if not share or abs(float(share) / (rate * sample_s) - 1) > 1e-9:
-        raise ValueError(f"rate {rate:g} Hz is no simple ratio to {1 / sample_s:.10g} Hz")
+        raise ValueError(f"rate {rate:g} Hz is not a simple ratio to {1 / sample_s:.10g} Hz")
     if share == 1:
         return values.copy()
     up, down = share.numerator, share.denominator

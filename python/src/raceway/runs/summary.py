@@ -231,7 +231,9 @@ def numerical_errors(tables: RunTables) -> dict[str, float]:
     except FileNotFoundError:
         return {}
     except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
-        raise RunError(f"{tables.folder / CHECK} is no result of raceway check: {error}") from None
+        raise RunError(
+            f"{tables.folder / CHECK} is not a result of raceway check: {error}"
+        ) from None
 
 
 def _warnings(tables, figures):

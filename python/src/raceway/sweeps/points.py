@@ -28,7 +28,7 @@ OURS = {
     "overwrite": "the sweep knows which points are done",
     "inputs": "it says where the deck's files are; start from the folder that holds them",
 }
-SHARE = "share"  # column of the table that is no variable: share of the time, for load spectra
+SHARE = "share"  # column of the table that is not a variable: share of the time, for load spectra
 LONGEST = 160  # characters of a folder's name, well below the 255 of file systems
 SHOWN = 20  # complaints in one message
 
@@ -100,7 +100,7 @@ def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
         if name in OURS:
             wrong.append(f"column '{name}' cannot be swept: {OURS[name]}")
         elif name not in variables and name != SHARE:
-            wrong.append(f"column '{name}' is no variable of the deck")
+            wrong.append(f"column '{name}' is not a variable of the deck")
         if columns.count(name) > 1:
             wrong.append(f"column '{name}' is there {columns.count(name)} times")
     if wrong:

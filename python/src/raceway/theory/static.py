@@ -186,7 +186,7 @@ def imposed(held: Mapping[str, float]) -> Floats:
     an unknown degree of freedom and a value that is not finite."""
     if unknown := sorted(set(held) - set(FREEDOMS)):
         raise ValueError(
-            f"held: {', '.join(map(str, unknown))} is no degree of freedom; there are"
+            f"held: {', '.join(map(str, unknown))} is not a degree of freedom; there are"
             f" {', '.join(FREEDOMS)}"
         )
     place = np.array([held.get(name, np.nan) for name in FREEDOMS], float)
