@@ -10,8 +10,8 @@
 
 namespace bearing {
 
-// Calls `take` with the tags of both bodies (0: a rail), the local index of the first, loss (W) and
-// force (N; of a rail 0).
+// Calls `take` with the tags of both bodies (0: a rail, or the land of a cage ring), the local index
+// of the first, loss (W) and force (N; of a rail or land 0).
 template <class Take>
 void each_cage_loss(LAMMPS_NS::LAMMPS *lmp, const LAMMPS_NS::PairBearingHertz &pair,
                     const Take &take)
@@ -22,7 +22,8 @@ void each_cage_loss(LAMMPS_NS::LAMMPS *lmp, const LAMMPS_NS::PairBearingHertz &p
   for (const LAMMPS_NS::FixBearingCage *f : fixes_of<LAMMPS_NS::FixBearingCage>(lmp))
     for (const CageRails::CageBall &b : f->rails().balls) take(b.tag, tag_t(0), b.i, b.loss, 0.0);
   for (const PocketRow &p : pair.table().pocket)
-    take(p.ball, p.cage, lmp->atom->map(p.ball), p.loss, p.force);
+    if (p.ball != 0) take(p.ball, p.cage, lmp->atom->map(p.ball), p.loss, p.force);
+    else take(p.cage, tag_t(0), lmp->atom->map(p.cage), p.loss, p.force);
 }
 
 }    // namespace bearing

@@ -116,7 +116,8 @@ void FixBearingRecord::sample_cage()
     if (j >= 0 && s.j < atom->nlocal) rows_.cage(j, share, s.force);
   }
   for (const bearing::PocketRow &p : pair_->table().pocket)
-    if (const int i = rows_.ball(p.ball); i >= 0) rows_.cage(i, p.loss, p.force);
+    if (p.ball == 0) rows_.land(p.cage, p.loss);
+    else if (const int i = rows_.ball(p.ball); i >= 0) rows_.cage(i, p.loss, p.force);
   for (const FixBearingCage *f : bearing::fixes_of<FixBearingCage>(lmp))
     for (const bearing::CageRails::CageBall &b : f->rails().balls) rows_.rail(b.tag, b.loss);
 }

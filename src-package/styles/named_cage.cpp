@@ -9,11 +9,27 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <sstream>
 
 using namespace LAMMPS_NS;
 
 namespace bearing {
+
+// Parts of a cage's friction and drag that `names`, joined by +, leave out
+static std::set<std::string> left_out(Arguments &args, const std::string &names)
+{
+  const std::set<std::string> parts = {"friction", "shear", "land", "churning"};
+  std::set<std::string> out;
+  std::istringstream list(names == "none" ? "" : names);
+  for (std::string name; std::getline(list, name, '+');) {
+    if (!parts.count(name))
+      args.fail("cage_without '" + names + "': there is no part '" + name +
+                "'; there is: friction, shear, land, churning, joined by +, or none");
+    out.insert(name);
+  }
+  return out;
+}
 
 std::vector<std::string> cage_words(LAMMPS *lmp, Arguments &args, const NamedBearing &b)
 {
@@ -31,6 +47,7 @@ std::vector<std::string> cage_words(LAMMPS *lmp, Arguments &args, const NamedBea
   }
   if (!b.has_cage_ring)
     args.fail("the cage of bearing " + b.name + " is not a ring: give it 'cage ring'");
+  const std::set<std::string> out = left_out(args, words["cage_without"]);
   // rounded as a deck's formulas
   const auto or_estimate = [&](const char *key, double estimate) {
     const double given = std::atof(words[key].c_str());
@@ -47,7 +64,8 @@ std::vector<std::string> cage_words(LAMMPS *lmp, Arguments &args, const NamedBea
        << digits(mass) << " inertia " << digits(inertia) << " "
        << digits(0.5 * inertia + mass * ball * ball / 24.0) << " young " << b.word("ball_young")
        << " " << words["cage_young"] << " poisson " << b.word("ball_poisson") << " "
-       << words["cage_poisson"] << " friction " << words["cage_friction"] << " guide "
+       << words["cage_poisson"] << " friction "
+       << (out.count("friction") ? "0" : words["cage_friction"]) << " guide "
        << words["cage_guide"];
   if (words["cage_guide"] != "balls")
     line << " " << words["cage_land"] << " " << words["cage_clearance"] << " "
@@ -59,9 +77,16 @@ std::vector<std::string> cage_words(LAMMPS *lmp, Arguments &args, const NamedBea
   line << " planar " << (plane ? "yes" : "no");
   // oil over the usual wrap angle of a pocket
   const auto *pair = dynamic_cast<const PairBearing *>(lmp->force->pair);
-  const std::string viscosity = pair ? pair->viscosity(b.name) : "";
+  const std::string viscosity = pair ? pair->oil_datum(b.name, "viscosity") : "";
   if (!viscosity.empty())
-    line << " oil " << viscosity << " " << words["cage_filled"] << " " << digits(0.35 * ball);
+    line << " oil " << viscosity << " " << words["cage_filled"] << " "
+         << (out.count("shear") ? "0" : digits(0.35 * ball)) << " land_oil "
+         << (out.count("land") ? "0" : words["cage_filled"]);
+  // the oil that drags at the balls; the cage is taken to reach 0.3 of a ball beyond the pitch circle
+  const double churned = pair && !out.count("churning") ? pair->oil_share(b.name) : 0.0;
+  if (churned > 0.0)
+    line << " churning " << digits(churned) << " " << pair->oil_datum(b.name, "oil_density") << " "
+         << viscosity << " " << digits(written(0.5 * pitch + 0.3 * ball));
   std::istringstream in(line.str());
   return {std::istream_iterator<std::string>(in), {}};
 }

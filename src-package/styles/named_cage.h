@@ -9,7 +9,8 @@ namespace bearing {
 
 // Keywords of fix bearing/cage/ring after the ball type, from [cage_play J] [cage_across J]
 // [cage_mass M] [cage_young E] [cage_poisson NU] [cage_friction MU] [cage_filled X]
-// [cage_guide balls|inner|outer] [cage_land R] [cage_clearance C] [cage_width B]. The play is
+// [cage_guide balls|inner|outer] [cage_land R] [cage_clearance C] [cage_width B]
+// [cage_without PART+...] (friction, shear, land, churning). The play is
 // estimated as 0.025 of the ball's diameter (0.02 to 0.04 are usual), the mass as that of a pressed
 // steel cage, 10 g in a 6205, scaled by D^2 d_m. The cage moves in the plane if every ring does.
 std::vector<std::string> cage_words(LAMMPS_NS::LAMMPS *, Arguments &, const NamedBearing &);

@@ -167,6 +167,13 @@ void PairBearing::resolve(Coeff &of)
   } catch (const bearing::DataError &wrong) {
     args.fail("models " + choice_.models + ", oil " + of.oil + ": " + wrong.what());
   }
+  const bool drags = choice_.models == "full" || choice_.models == "eyring";
+  of.oil_share =
+      drags && film ? bearing::lubrication_words(choice_.lubrication, choice_.oil_level, lubricated,
+                                                 std::atof(of.data.at("viscosity").c_str()),
+                                                 std::atof(of.data.at("oil_density").c_str()))
+                          .share
+                    : 0.0;
   const std::string ball = std::to_string(b.balls), young = b.word("ball_young"),
                     poisson = b.word("ball_poisson");
   const std::string lines[] = {
@@ -197,11 +204,18 @@ void PairBearing::set_speed(const std::string &name, double speed)
     }
 }
 
-std::string PairBearing::viscosity(const std::string &bearing) const
+std::string PairBearing::oil_datum(const std::string &bearing, const std::string &name) const
 {
   for (const Coeff &c : coeffs_)
-    if (c.bearing == bearing && c.data.count("viscosity")) return c.data.at("viscosity");
+    if (c.bearing == bearing && c.data.count(name)) return c.data.at(name);
   return "";
+}
+
+double PairBearing::oil_share(const std::string &bearing) const
+{
+  for (const Coeff &c : coeffs_)
+    if (c.bearing == bearing) return c.oil_share;
+  return 0.0;
 }
 
 std::string PairBearing::oil() const

@@ -30,9 +30,11 @@ class PairBearing : public PairBearingHertz {
   // Relative speed of the rings of a named bearing (rad/s), for starvation of the oil.
   // The first speed counts.
   void set_speed(const std::string &bearing, double);
-  // Viscosity of a bearing's oil at its temperature (Pa s), as text; empty when dry.
-  std::string viscosity(const std::string &bearing) const;
-  std::string oil() const;    // common to all bearings; empty if they differ
+  // A datum of a bearing's oil at its temperature, as text; empty if it has none.
+  std::string oil_datum(const std::string &bearing, const std::string &name) const;
+  // Share of oil in the space around its balls; 0: none, or models without drag.
+  double oil_share(const std::string &bearing) const;
+  std::string oil() const;    // of all bearings; empty if they have several
   // True if the oil of a named bearing has data over temperature.
   bool oil_follows(const std::string &bearing) const;
   // During a run: its oil at another temperature (C). Raceways then have the sizes of cold parts.
@@ -50,6 +52,7 @@ class PairBearing : public PairBearingHertz {
     bool printed = false;      // for balls and cage balls
     double speed = 0.0;        // rad/s
     size_t first = 0;          // of its lines in commands()
+    double oil_share = 0.0;    // of the space around the balls
   };
   struct Kept {    // in restart files, before the commands
     double cage_share;

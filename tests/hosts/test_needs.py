@@ -173,3 +173,18 @@ def test_sets():
     gone = {one.name for one in known} - {one.name for one in choices(chosen, True)}
     assert gone == {"cage", "surroundings"}
     assert scene_parts.whole_scene(chosen, True) == chosen
+
+
+def test_parts_of_a_cage_ring_are_choices():
+    """Those of a cage that is a ring, and of a land only where one guides it."""
+
+    def parts(**scene):
+        return {one.name for one in choices(scene, True, {"cage": "yes", "cage_guide": "balls"})}
+
+    ring = {"cage chain", "cage friction", "cage shear", "cage churning"}
+    assert parts(cage="ring") - parts() == ring
+    assert parts(cage="ring", cage_guide="outer") - parts() == ring | {"cage land"}
+    picked = [one for one in choices({"cage": "ring"}, True) if one.name in ring - {"cage chain"}]
+    left = variables(picked)["cage_without"]
+    assert left == "friction+shear+churning"
+    assert "without" not in variables(picked)

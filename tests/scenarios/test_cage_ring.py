@@ -8,6 +8,7 @@ import re
 import numpy as np
 import pytest
 from host import frames, liggghts, succeed, tables
+from raceway.runs.cage import pockets_around, whirl, whirl_order
 from raceway.runs.run import Run
 
 DECK = "tests/scenarios/in.cage_ring"
@@ -182,7 +183,105 @@ def test_a_run_tells_slip_orbit_and_pocket_forces(tmp_path):
     assert 2e-5 < figures["cage_orbit_m"] < 1.5e-4  # within the play
     force = record.read(["ball_pocket_force"])["ball_pocket_force"]
     assert figures["pocket_force_max_N"] == np.nanmax(force) > 0.1
+    assert figures["pocket_force_mean_N"] == pytest.approx(np.nanmean(force))
     assert np.isfinite(force).any(axis=1).sum() > 50
+    causes = [figures[f"cage_slip_{cause}"] for cause in ("angle", "groove", "play")]
+    assert sum(causes) == pytest.approx(figures["cage_slip"], rel=1e-12)
+    assert causes[0] == 0  # a radial load
+    # Heathcote's free rolling by the contacts of the run, weighted with their loads
+    contact = record.read(["load", "a"])
+    # along rolling 1/R_x = 1/R_b + 1/r of the inner raceway, - 1/r of the outer one
+    r_x = 1 / (1 / BALL + np.array([1 / inner, -1 / outer])[:, None])
+    r_d = 2 * 6.552e-3 * BALL / (6.552e-3 + BALL)
+    both = (contact["load"] > 0).all(axis=1)
+    e = 0.120615 * contact["a"] ** 2 / (2 * r_d * r_x)
+    load = np.where(both, contact["load"].sum(axis=1), 0)
+    gain = (
+        (1 - 0.5 * (1 - ball / (inner + outer))) * (load * (e[:, 0] - e[:, 1])).sum() / load.sum()
+    )
+    assert causes[1] == pytest.approx(-gain, rel=1e-3)
+    assert figures["pocket_play_m"] == 2e-4
+    found = pockets_around(run.tables, 12)
+    assert found["samples"].sum() == np.isfinite(force).sum()
+    assert float(found["largest"].max()) == figures["pocket_force_max_N"]
+    mean = float((found["mean"] * found["samples"]).sum() / found["samples"].sum())
+    assert mean == pytest.approx(figures["pocket_force_mean_N"])
+    # the play was given; whether the cage is free by it remains open
+    ranges = figures["model_ranges"]
+    assert "pocket_force_max_N" not in ranges
+    arc = np.pi * (inner + outer) * figures["loaded_balls_mean"] / 9
+    assert ranges["cage_slip_play"]["low"] == pytest.approx(min(causes[2], 2e-4 / arc))
+    assert ranges["cage_slip_play"]["high"] == pytest.approx(max(causes[2], 4e-4 / arc))
+
+
+@pytest.mark.parametrize(
+    "order, name",
+    [
+        (1.0, "with the cage"),
+        (2.53, "with the inner ring"),
+        (0.5, "half the speed of the cage"),
+        (-1.7, "backward"),
+        (1.7, "forward"),
+    ],
+)
+def test_a_whirl_has_its_speed_and_name(order, name):
+    """A circle of 20 um with some noise, 10 turns of the cage."""
+    turn, noise = 2 * np.pi / 200, np.random.default_rng(1).normal(size=(2, 2000))
+    place = 2e-5 * np.exp(1j * order * turn * np.arange(2000)) + 1e-6 * (noise[0] + 1j * noise[1])
+    found = whirl_order(place - place.mean(), turn, 2e-4)
+    assert found == pytest.approx(order, abs=0.02)
+    assert whirl(found, {"cage": 1.0, "inner ring": 2.53}) == name
+    assert whirl_order(place[:300], turn, 2e-4) is None
+    assert whirl(whirl_order(1e-2 * place, turn, 2e-4), {}) == "none"
+    assert whirl(whirl_order(noise[0] + 1j * noise[1], turn, 2e-4), {}) == "irregular"
+
+
+@pytest.mark.parametrize("part", ["shear", "land", "churning"])
+def test_parts_of_a_cage_can_be_left_out(tmp_path, part):
+    """What loses power when the others are left out has that of its closed form in samples where no
+    ball strikes its pocket: the walls' damping is never below 0."""
+    out = sorted({"friction", "shear", "land", "churning"} - {part})
+    land = dict(cage_guide="outer", cage_land=34e-3, cage_clearance=2e-4, cage_width=2e-3)
+    succeed(
+        "inputs/in.cage_ring",
+        out=tmp_path,
+        cage_without="+".join(out),
+        cage_play=3e-4,
+        settle=0,
+        passes=1,
+        samples=20,
+        oil_level=1,
+        **land,
+    )
+    record = Run(tmp_path).tables.record
+    names = ["bearing_cage_power", "ring_spin", "ring_x", "ring_y", "ball_omegaz"]
+    found = record.read(names)
+    ball, pitch = record.fixed("ball_diameter")[0], 60.6e-3
+    cage = found["ring_spin"][:, 2]
+    couple = 0.3 * np.pi * 0.04 * (ball / 2) ** 3 * 0.35 * ball / 1.5e-4
+    share = np.minimum(np.hypot(found["ring_x"], found["ring_y"])[:, 2] / 2e-4, 0.99)
+    radius = pitch / 2 + 0.3 * ball
+    # a disc, X of the oil by the level of the bath
+    disc = 0.5 * 870 * cage**3 * radius**5 * 3.87 / np.sqrt(870 * cage * radius**2 / 0.04)
+    power = dict(
+        shear=couple * ((found["ball_omegaz"] - cage[:, None]) ** 2).sum(axis=1),
+        land=0.3 * 2 * np.pi * 0.04 * 34e-3**3 * 4e-3 / 2e-4 / np.sqrt(1 - share**2) * cage**2,
+        churning=disc * share_below(1.0, pitch / ball),
+    )[part]
+    assert (found["bearing_cage_power"][:, 0] / power).min() == pytest.approx(1, rel=1e-2)
+
+
+def share_below(level, pitch):
+    """Mean share of a ball below oil that stands `level` diameters above the lowest raceway; pitch
+    radius over the ball's radius."""
+    turn = np.linspace(0, 2 * np.pi, 3601)[:-1]
+    depth = np.clip(pitch * (np.cos(turn) - 1) - 1 + 2 * level, -1, 1)
+    return ((1 + depth) ** 2 * (2 - depth) / 4).mean()
+
+
+def test_an_unknown_part_of_a_cage_is_refused(tmp_path):
+    outcome = liggghts("inputs/in.cage_ring", out=tmp_path, cage_without="oil")
+    assert "there is no part 'oil'; there is: friction, shear, land, churning" in outcome.error
 
 
 @pytest.mark.parametrize("integrator", BOTH)

@@ -63,6 +63,12 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
   for (int k = 0; k < 3; ++k)
     fix({origin[k], "m", "where the ring was at the start"}, ring, Header::real,
         each(layout_.rings, [k](const auto &r) { return r.origin[k]; }));
+  if (layout_.pockets()) {
+    fix({"ring_pocket_play", "m", "play of a cage's pockets along the pitch circle"}, ring,
+        Header::real, each(layout_.rings, [](const auto &r) { return r.play; }));
+    fix({"ring_cage_guide", "", "what guides a cage: 0 balls, 1 inner ring, 2 outer ring"}, ring,
+        Header::real, each(layout_.rings, [](const auto &r) { return r.guide; }));
+  }
   std::vector<double> numbers;
   for (size_t b = 0; b < layout_.bearings.size(); ++b) numbers.push_back(b + 1.0);
   fix({"bearing", "", "number of a bearing"}, bearing, Header::integer, numbers);
@@ -113,6 +119,7 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
     std::for_each(list->begin(), list->end(), place);
   shares_.resize(n);
   rails_.resize(m);
+  lands_.resize(layout_.rings.size());
 }
 
 size_t RecordFile::width(Kind kind) const
@@ -121,7 +128,7 @@ size_t RecordFile::width(Kind kind) const
     case BALL: return MOTION + BallFigures::numbers();
     case CONTACT: return content_.contact.size();
     case CAGE: return MOTION + 1;
-    case RING: return RING_VALUES;
+    case RING: return RING_VALUES + 1;
     case END: return 2 + heat_.size() * layout_.bearings.size();
   }
   return 0;
@@ -156,6 +163,7 @@ const double *RecordFile::take(const double *row, const double *end, bool &whole
       if (pocket_ != nowhere) put_real(sample_ + pocket_ + 8 * place, shares_[place].cage_force);
     }
     if (kind == CAGE) rails_[place] = value[MOTION];
+    if (kind == RING) lands_[place] = value[RING_VALUES];
     reported_ += kind != CONTACT;
     row = value + width(kind);
   }
@@ -190,6 +198,10 @@ void RecordFile::sum_up()
       sum.add(shares_[ball]);
     for (; cage < rails_.size() && layout_.cage[cage].bearing == static_cast<int>(b); ++cage)
       sum.cage_loss += rails_[cage];
+    for (size_t ring = 0; ring < lands_.size(); ++ring)
+      if (layout_.rings[ring].bearing == static_cast<int>(b) &&
+          layout_.rings[ring].raceway == RecordLayout::cage_ring)
+        sum.cage_loss += lands_[ring];
     for (size_t k = 0; k < figures.size(); ++k)
       if (bearing_[k] != nowhere) put_real(sample_ + bearing_[k] + 8 * b, figures[k].value(sum));
   }

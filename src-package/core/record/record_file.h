@@ -61,6 +61,7 @@ class RecordFile {
   unsigned char *sample_ = nullptr;    // the present sample, if a part has reported
   std::vector<BallFigures> shares_;
   std::vector<double> rails_;    // W, by cage ball
+  std::vector<double> lands_;    // W, by ring
   size_t reported_ = 0;
 };
 

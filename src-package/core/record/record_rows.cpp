@@ -29,6 +29,7 @@ void RecordRows::begin(const RecordLayout &layout, const RecordFile &file, const
   put(layout.rings, RecordFile::RING);
   shares_.assign(layout.balls.size(), BallFigures());
   rails_.assign(layout.cage.size(), 0.0);
+  lands_.assign(layout.rings.size(), 0.0);
   for (Kind k : {RecordFile::BALL, RecordFile::CONTACT, RecordFile::CAGE, RecordFile::RING})
     widths_[k] = file.width(k);
   said_.resize(batch * (file.record_bytes() / sizeof(double) + 3 * layout.bodies()));
@@ -81,6 +82,12 @@ void RecordRows::rail(Tag cage_ball, double loss)
   if (p.kind == RecordFile::CAGE) rails_[p.at] += loss;
 }
 
+void RecordRows::land(Tag cage, double loss)
+{
+  const Place p = place(cage);
+  if (p.kind == RecordFile::RING) lands_[p.at] += loss;
+}
+
 void RecordRows::body(Tag tag, const Vec3 &x, const Vec3 &v, const Vec3 &w)
 {
   const Place p = place(tag);
@@ -103,8 +110,11 @@ void RecordRows::ring(const double *of)
 {
   const Place p = place(static_cast<Tag>(of[of_ring::RING]));
   if (p.kind != RecordFile::RING) return;
+  double *to = row(p.kind, p.at);
   std::copy(of + RecordFile::FIRST_OF_RING,
-            of + RecordFile::FIRST_OF_RING + RecordFile::RING_VALUES, row(p.kind, p.at));
+            of + RecordFile::FIRST_OF_RING + RecordFile::RING_VALUES, to);
+  to[RecordFile::RING_VALUES] = lands_[p.at];
+  lands_[p.at] = 0.0;
 }
 
 void RecordRows::end(double time, double step, const std::vector<double> &temperatures)

@@ -31,9 +31,10 @@ class RecordRows {
   // A contact with a cage ball or another ball: loss of this ball (W), force (N).
   void cage(int ball, double loss, double force) { shares_[ball].cage(loss, force); }
   void rail(Tag cage_ball, double loss);    // W
+  void land(Tag cage, double loss);         // W, of a cage ring at its land and by churning
   // A ball or cage ball, after all of its contacts.
   void body(Tag, const raceway::Vec3 &x, const raceway::Vec3 &v, const raceway::Vec3 &w);
-  void ring(const double *of);    // from of_ring::RING on
+  void ring(const double *of);    // from of_ring::RING on; after land()
   // Temperatures as in the row of RecordFile.
   void end(double time, double step, const std::vector<double> &temperatures);
 
@@ -77,6 +78,7 @@ class RecordRows {
   // of the present sample
   std::vector<BallFigures> shares_;    // by ball
   std::vector<double> rails_;          // W, by cage ball
+  std::vector<double> lands_;          // W, by ring
 };
 
 }    // namespace bearing

@@ -57,6 +57,8 @@ void CageSettings::read(Arguments &args)
       oil = args.positive("viscosity in pockets and at the land (Pa s)");
       filled = args.within("share of the gaps with oil", 0.0, 1.0);
       height = args.non_negative("height of a pocket's band of oil (m)");
+    } else if (args.take("land_oil")) {
+      land_filled = args.within("share of the land's gap with oil", 0.0, 1.0);
     } else if (args.take("churning")) {
       of.oil_share = args.within("share of oil around the cage", 0.0, 1.0);
       of.oil_density = args.positive("density of the oil (kg/m^3)");
@@ -66,7 +68,7 @@ void CageSettings::read(Arguments &args)
       planar = args.choice("planar", {"no", "yes"}) == 1;
     } else {
       args.unknown("pockets, play, across, shape, phase, mass, inertia, wall, young, poisson, "
-                   "friction, guide, oil, churning, planar");
+                   "friction, guide, oil, land_oil, churning, planar");
     }
   }
   if (of.pockets == 0) args.fail("'pockets Z' is missing");
@@ -80,7 +82,7 @@ void CageSettings::read(Arguments &args)
   if (height > 0.0 && of.along == 0.0)
     args.fail("the oil in a pocket shears in its play, which is 0: give 'play' or height 0");
   of.land.viscosity = oil;
-  of.land.filled = filled;
+  of.land.filled = land_filled < 0.0 ? filled : land_filled;
   program.mass = of.mass;
   program.inertia = {inertia[0], inertia[1]};
   for (int dof = 0; dof < RingProgram::N_DOF; ++dof)

@@ -110,20 +110,23 @@ void BearingForces::pocket(const Stage &stage, const BearingModel::Cage &cage, c
     for (int row = 0; row < 6; ++row)
       for (int column = 0; column < 6; ++column)
         g.A[6 * row + column][i] += t.a * force[row] * motion[column];
+    double moves[RingProgram::N_DOF], pushes[RingProgram::N_DOF];
+    for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
+      if (ring.column[dof] < 0) continue;
+      moves[dof] = t.a * dot(motion_of(dof, m.e, t.surface ? c.lever + wall : c.lever), t.motion);
+      pushes[dof] = dot(motion_of(dof, m.e, c.lever + wall), t.force);
+    }
     for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
       const int j = ring.column[dof];
       if (j < 0) continue;
-      const Vec3 lever = t.surface ? c.lever + wall : c.lever;
-      const double moves = t.a * dot(motion_of(dof, m.e, lever), t.motion),
-                   pushed = t.a * dot(motion_of(dof, m.e, c.lever + wall), t.force);
+      const double pushed = t.a * pushes[dof];
       Lane *B = system_.B(group, j), *C = system_.C(group, j);
       for (int row = 0; row < 6; ++row) {
-        B[row][i] -= moves * force[row];
+        B[row][i] -= moves[dof] * force[row];
         C[row][i] -= pushed * motion[row];
       }
       for (int o = 0; o < RingProgram::N_DOF; ++o)
-        if (ring.column[o] >= 0)
-          system_.D(ring.column[o], j) += moves * dot(motion_of(o, m.e, c.lever + wall), t.force);
+        if (ring.column[o] >= 0) system_.D(ring.column[o], j) += moves[dof] * pushes[o];
     }
   }
 }

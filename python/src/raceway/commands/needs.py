@@ -82,7 +82,7 @@ def run(arguments: argparse.Namespace) -> None:
         raise RacewayError(f"{arguments.deck} has no variable {', '.join(missing)}")
     wet = scene_parts.lubricated(given, known.get("lubricant", ""))
     scene = scene_parts.whole_scene(given, wet)
-    available = _without(scene_parts.choices(scene, wet), arguments.keep)
+    available = _without(scene_parts.choices(scene, wet, known), arguments.keep)
     runs = command(arguments)
     out = files.folder(arguments.out)
     end_on_signals()

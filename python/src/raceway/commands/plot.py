@@ -14,7 +14,8 @@ Draw a run to a PNG:
   waterfall  capacitance of every ball over azimuth and time
   bearing    rings, balls and cage at the moment of the largest load
              (`raceway animate` moves them)
-  motion     orbit of the inner ring, its displacement, tilt and the moment against its spin
+  motion     orbit of the inner ring, its displacement, tilt and the moment against its spin;
+             force on the cage, orbit and pockets of a cage ring
   warming    temperatures, losses and clearance over thermal time, with fix bearing/heat"""
 EXAMPLES = """\
 examples:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Motion of the inner ring: orbit, displacement, tilt, and moment against its spin; force on the
-cage."""
+cage, and the orbit and pockets of a cage ring."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -10,13 +10,16 @@ from raceway.files import FilePath
 from raceway.pictures import style
 from raceway.pictures.page import LEFT, RIGHT, against_time, finish, head, key
 from raceway.pictures.style import INK, PALETTE
+from raceway.runs.cage import pockets_around
+from raceway.runs.record import CAGE_RING
 from raceway.runs.tables import RunTables
 from raceway.units import axis, prefixed
 
 
 def motion(tables: RunTables, path: FilePath) -> None:
     """Draw the motion of the inner ring of the run `tables` to the PNG `path`: orbit of its centre,
-    displacement, tilt, the moment against its spin and the largest force on the cage over time.
+    displacement, tilt, the moment against its spin and the largest force on the cage over time;
+    of a cage ring also its orbit and the force of balls on their pockets over azimuth.
 
     Quantities that were not recorded, or did not change, have no panel. Raises `RunError` if the
     run's files are broken, have no ring, or the picture cannot be written.
@@ -31,6 +34,8 @@ def motion(tables: RunTables, path: FilePath) -> None:
         panels.append(_torque)
     if np.isfinite(tables.totals.get("cage_force", np.nan)).any():
         panels.append(_cage)
+    if CAGE_RING in tables.record.fixed("ring_raceway"):
+        panels += [_cage_orbit, _pockets]
     rows = (len(panels) + 1) // 2
     with plt.rc_context(style.STYLE):
         figure = plt.figure(figsize=(12, 1.9 + 4.6 * rows), dpi=130)
@@ -56,13 +61,36 @@ def motion(tables: RunTables, path: FilePath) -> None:
 
 def _orbit(axes, tables):
     x, y = (tables.rings[name].to_numpy() for name in "xy")
+    _path(axes, x, y, "Orbit of the centre")
+
+
+def _cage_orbit(axes, tables):
+    cage = tables.record.fixed("ring_raceway").tolist().index(CAGE_RING)
+    data = tables.record.read(["ring_x", "ring_y"], tables.first, tables.stop)
+    _path(axes, data["ring_x"][:, cage], data["ring_y"][:, cage], "Orbit of the cage's centre")
+
+
+def _pockets(axes, tables):
+    found = pockets_around(tables)
+    psi = np.degrees(found["from_load_line"].to_numpy())
+    factor, unit = axis(float(np.nanmax(found["largest"])) or 1.0, "N")
+    for name, colour in zip(("largest", "mean"), PALETTE):
+        axes.step(psi, found[name] * factor, where="mid", color=colour, lw=1.6)
+    axes.set(xlabel="azimuth from the load (°)", ylabel=unit, xlim=(-180, 180))
+    axes.set_xticks(range(-180, 181, 60))
+    keys = [key(name, color=c, lw=2) for name, c in zip(("largest", "mean"), PALETTE)]
+    finish(axes, "Force of a ball on its pocket", None, keys)
+    axes.set_ylim(0, 1.22 * axes.get_ylim()[1])
+
+
+def _path(axes, x, y, title):
     middle = np.array([x.mean(), y.mean()])
     factor, unit = axis(max(np.ptp(x), np.ptp(y), 1e-15), "m")
     axes.plot((x - middle[0]) * factor, (y - middle[1]) * factor, color=INK, lw=1.2)
     axes.set(xlabel=f"x from its mean ({unit})", ylabel=f"y from its mean ({unit})")
     axes.set_aspect("equal", adjustable="datalim")
     where = f"{prefixed(middle[0], 'm', 3)}, {prefixed(middle[1], 'm', 3)}".replace("-", "−")
-    finish(axes, f"Orbit of the centre about {where}", None, [])
+    finish(axes, f"{title} about {where}", None, [])
 
 
 def _displacement(axes, tables):

@@ -1,42 +1,241 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A one-piece cage (fix bearing/cage/ring) in a run: its slip, orbit and pocket
-forces."""
+"""A cage that is one rigid ring (fix bearing/cage/ring) in a run: its slip and the causes of it,
+orbit, whirl and pocket forces."""
 
 import math
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import xarray as xr
 
+from raceway.errors import RunError
 from raceway.runs.record import CAGE_RING
+from raceway.theory import cage_speed
+from raceway.theory.bearing import INNER, OUTER
 
 if TYPE_CHECKING:
     from raceway.runs.tables import RunTables
 
-CAGE_RING_FIGURES = ("cage_slip", "cage_orbit_m", "pocket_force_max_N")
+CAGE_RING_FIGURES = (
+    "cage_slip",
+    "cage_slip_angle",
+    "cage_slip_groove",
+    "cage_slip_play",
+    "cage_orbit_m",
+    "cage_whirl",
+    "cage_whirl_order",
+    "pocket_play_m",
+    "pocket_force_max_N",
+    "pocket_force_mean_N",
+)
+GUIDES = ("balls", "inner", "outer")  # by CageRing::Guide
+TURNS = 2  # of the cage, least for a whirl
+ROUNDING = 1e-12  # of a slip
+WHIRLS = 0.02  # of the play: a smaller orbit is a cage at rest in its place
+NEAR = 0.1  # of the cage's speed: a whirl as fast as a part of the bearing turns with it
 
 
-def cage_figures(tables: "RunTables") -> dict[str, float]:
-    """`cage_slip`: 1 minus the cage's speed over that of rolling at contact angle 0, both relative
-    to the outer ring, means of the measured passes; `cage_orbit_m`: largest distance of the cage's
-    centre from its mean position (m); `pocket_force_max_N`: largest force of a ball on its pocket
-    at the ends of steps (N). Empty without such a cage."""
+def cage_figures(tables: "RunTables") -> dict[str, Any]:
+    """Figures of `CAGE_RING_FIGURES` of a run with such a cage, otherwise empty.
+
+    `cage_slip`: 1 less the cage's speed over that of rolling at contact angle 0, both against the
+    outer ring, means of the measured passes. It is the sum of `cage_slip_angle` (rolling at the
+    contact angles of the run), `cage_slip_groove` (balls roll on a circle of their ellipses, not at
+    its bottom) and `cage_slip_play` (the rest: play of the pockets, which idle balls lose, and
+    creep under drag); these are missing where the record has no contacts. `cage_orbit_m`: largest
+    distance of the cage's centre from its mean place (m). `cage_whirl`, `cage_whirl_order`:
+    `whirl`. `pocket_play_m`: along the pitch circle (m). `pocket_force_max_N`, `..._mean_N`:
+    largest and mean force of a ball on its pocket (N), at the ends of steps.
+    """
     record = tables.record
     side = record.fixed("ring_raceway").tolist()
     if CAGE_RING not in side:
         return {}
-    stop = len(record) if tables.stop is None else tables.stop
-    start = tables.first
+    start, stop = tables.first, len(record) if tables.stop is None else tables.stop
     cage = side.index(CAGE_RING)
     data = record.read(["ring_spin", "ring_x", "ring_y"], start, stop)
     spin = data["ring_spin"].mean(axis=0)
-    inner, outer = (float(spin[side.index(k)]) if k in side else 0.0 for k in (0, 1))
-    told = tables.settings
-    pitch = told["inner_radius_m"] + told["outer_radius_m"]
-    rolling = 0.5 * (inner - outer) * (1 - told["ball_diameter_m"] / pitch)
-    place = [data[f"ring_{axis}"][:, cage] for axis in "xy"]
-    orbit = np.hypot(*(along - along.mean() for along in place)).max()
-    slip = 1 - (float(spin[cage]) - outer) / rolling if rolling != 0.0 else math.nan
+    inner, outer = (float(spin[side.index(k)]) if k in side else 0.0 for k in (INNER, OUTER))
+    geometry = tables.geometry
+    rolling = 0.5 * (inner - outer) * (1 - geometry.ball_radius / geometry.pitch_radius)
+    own = float(spin[cage]) - outer
+    slip = 1 - own / rolling if rolling != 0.0 else math.nan
+    angle, groove = _rolling_slip(tables, start, stop)
+    place = data["ring_x"][:, cage] + 1j * data["ring_y"][:, cage]
+    place = place - place.mean()
+    known = "ring_pocket_play" in record.variables  # not in records of versions before 1.0
+    play = float(record.fixed("ring_pocket_play")[cage]) if known else math.nan
+    speeds = {"cage": spin[cage], "inner ring": inner, "outer ring": outer}
+    order = whirl_order(place, own * tables.settings["sample_s"], play)
     force = record.read(["ball_pocket_force"], start, stop)["ball_pocket_force"]
     known = force[np.isfinite(force)]
-    most = float(known.max()) if known.size else math.nan
-    return dict(zip(CAGE_RING_FIGURES, (slip, float(orbit), most), strict=True))
+    return dict(
+        zip(
+            CAGE_RING_FIGURES,
+            (
+                slip,
+                angle,
+                groove,
+                slip - angle - groove,
+                float(np.abs(place).max()),
+                whirl(order, {name: v / spin[cage] for name, v in speeds.items() if v}),
+                order,
+                play,
+                float(known.max()) if known.size else math.nan,
+                float(known.mean()) if known.size else math.nan,
+            ),
+            strict=True,
+        )
+    )
+
+
+def whirl(order: float | None, known: dict[str, float]) -> str | None:
+    """Name of a whirl with `order` times the speed of the cage (`whirl_order`): none, irregular,
+    the part it turns with, of those `known` by their speed over the cage's, or forward (the way
+    the cage turns) or backward.
+
+    >>> whirl(0.52, {"cage": 1.0, "inner ring": 2.5}), whirl(-3.0, {})
+    ('half the speed of the cage', 'backward')
+    """
+    if order is None:
+        return None
+    if order == 0.0 or math.isnan(order):
+        return "irregular" if order else "none"
+    for share, text in ((1.0, "with the {}"), (0.5, "half the speed of the {}")):
+        for part, speed in known.items():
+            if abs(order - share * speed) < NEAR:
+                return text.format(part)
+    return "forward" if order > 0 else "backward"
+
+
+def whirl_order(place: np.ndarray, turn: float, play: float) -> float | None:
+    """Speed of the whirl of `place` (complex, m) over that of the cage, which turns by `turn` rad a
+    sample; 0 for a cage that stays within `WHIRLS` of its `play` (m). None if the run is too short,
+    NaN if no line of the spectrum has half the power: an irregular motion."""
+    count = len(place)
+    if not abs(turn) * count > TURNS * 2 * math.pi:
+        return None
+    if np.abs(place).max() < WHIRLS * play:
+        return 0.0
+    # a window, and zeros, so that a line lies between bins
+    wide = 8 * count
+    power = np.abs(np.fft.fft(place * np.hanning(count), wide)) ** 2
+    speed = np.fft.fftfreq(wide) * 2 * math.pi / turn
+    bin_ = 2 * math.pi / (abs(turn) * count)
+    power[np.abs(speed) < bin_] = 0.0  # drift
+    top = float(speed[power.argmax()])
+    line = np.abs(speed - top) < 2 * bin_  # the width of the window's line
+    return top if power[line].sum() > 0.5 * power.sum() else math.nan
+
+
+def _rolling_slip(tables, start, stop):
+    """Slip by contact angle and by the curvature of the grooves, from the run's own contacts."""
+    record, geometry = tables.record, tables.geometry
+    if not {"load", "angle", "a"} <= set(record.contact_columns) or record.two_grooves:
+        return math.nan, math.nan
+    sums = np.zeros(3)
+    for first, last in record.blocks(start, stop):
+        data = record.read(["load", "angle", "a"], first, last)
+        sides = [
+            cage_speed.Rolling(
+                *(np.nan_to_num(data[name][:, k]) for name in ("load", "angle", "a"))
+            )
+            for k in (INNER, OUTER)
+        ]
+        both = (sides[INNER].load > 0) & (sides[OUTER].load > 0)
+        load = (sides[INNER].load + sides[OUTER].load)[both]
+        sides = [cage_speed.Rolling(*(one[both] for one in side)) for side in sides]
+        speed = cage_speed.rolling(geometry, *sides, tilted=tables.settings["models"] != "paper")
+        groove = (1 - speed) * cage_speed.shortened(geometry, *sides)
+        sums += load.sum(), (load * speed).sum(), (load * speed * (1 + groove)).sum()
+    if not sums[0] > 0:
+        return math.nan, math.nan
+    flat = 0.5 * (1 - geometry.ball_radius / geometry.pitch_radius)
+    at_angle, on_groove = sums[1:] / sums[0]
+    at = 1 - at_angle / flat
+    return at if abs(at) > ROUNDING else 0.0, (at_angle - on_groove) / flat
+
+
+def cage_ranges(
+    tables: "RunTables", figures: Mapping[str, Any]
+) -> dict[str, tuple[float, float, str]]:
+    """(low, high, why) by key of the cage's `figures` that pocket play and guidance leave open.
+
+    Play: `cage_speed.PLAYS` of the ball's diameter where the run estimated it. Slip by play over
+    the loaded arc L: j/L of a cage that is held in the middle, 2 j/L of one that shifts by its play
+    as well. Largest force: idle balls fall through the play under a steady drag, and an impact's
+    force is as their speed, so it goes with the root of the play.
+    """
+    play, balls = figures.get("pocket_play_m"), tables.geometry.balls
+    slip, shares = figures.get("cage_slip_play"), (1.0, 1.0)
+    if not play or figures.get("cage_slip") is None:
+        return {}
+    estimated = "cage_play=0," in f"{tables.settings.get('deck_variables', '')},"
+    if estimated:
+        shares = tuple(share * tables.geometry.ball_diameter / play for share in cage_speed.PLAYS)
+    found, loaded = {}, figures["loaded_balls_mean"]
+    why = "pocket play {:g} to {:g} of the ball's diameter".format(*cage_speed.PLAYS)
+    if slip is not None and 0 < loaded < balls - 0.5:
+        arc = 2 * math.pi * tables.geometry.pitch_radius * loaded / balls
+        ends = [min(slip, shares[0] * play / arc), max(slip, 2 * shares[1] * play / arc)]
+        text = f"{why}, cage" if estimated else "cage"
+        for key in ("cage_slip", "cage_slip_play"):
+            off = figures[key] - slip
+            found[key] = (
+                ends[0] + off,
+                ends[1] + off,
+                f"{text} held in the middle or free by its play",
+            )
+    if estimated and (force := figures.get("pocket_force_max_N")):
+        found["pocket_force_max_N"] = (*(force * math.sqrt(share) for share in shares), why)
+    return found
+
+
+def pockets_around(tables: "RunTables", bins: int = 72) -> xr.Dataset:
+    """Force of balls on the pockets of a cage ring by azimuth: Dataset (from_load_line) with `mean`
+    and `largest` (N) and `samples`, the number of known forces, in each of `bins` equal sectors.
+
+    `from_load_line` is the middle of a sector, in rad from the centre of the loaded zone. Sectors
+    without a known force are NaN. Raises `RunError` for a run without a cage ring or places of
+    balls, `ValueError` for fewer than one bin.
+    """
+    if bins < 1:
+        raise ValueError(f"bins = {bins} must be at least 1")
+    record = tables.record
+    needed = {"ball_pocket_force", "ball_x", "ball_y"}
+    if missing := sorted(needed - set(record.variables)):
+        raise RunError(f"{record.path} has no {', '.join(missing)}: forces by pocket need them")
+    most, total, count = np.zeros(bins), np.zeros(bins), np.zeros(bins, dtype=int)
+    stop = len(record) if tables.stop is None else tables.stop
+    for first, last in record.blocks(tables.first, stop):
+        data = record.read(sorted(needed), first, last)
+        force = data["ball_pocket_force"]
+        known = np.isfinite(force)
+        psi = tables.from_load_line(np.arctan2(data["ball_y"], data["ball_x"])[known])
+        part = np.minimum(((psi + np.pi) / (2 * np.pi) * bins).astype(int), bins - 1)
+        np.maximum.at(most, part, force[known])
+        total += np.bincount(part, weights=force[known], minlength=bins)
+        count += np.bincount(part, minlength=bins)
+    some = count > 0
+    mean = np.divide(total, count, out=np.full(bins, np.nan), where=some)
+    middle = (np.arange(bins) + 0.5) / bins * 2 * np.pi - np.pi
+    at = "from_load_line"
+    return xr.Dataset(
+        {
+            "mean": (at, mean, {"units": "N", "long_name": "mean force on a pocket"}),
+            "largest": (
+                at,
+                np.where(some, most, np.nan),
+                {"units": "N", "long_name": "largest force on a pocket"},
+            ),
+            "samples": (at, count),
+        },
+        coords={
+            at: (
+                at,
+                middle,
+                {"units": "rad", "long_name": "azimuth from the centre of the loaded zone"},
+            )
+        },
+    )

@@ -15,13 +15,13 @@ from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.rows import Row, lines, row
 from raceway.runs import warming
-from raceway.runs.cage import CAGE_RING_FIGURES, cage_figures
+from raceway.runs.cage import CAGE_RING_FIGURES, cage_figures, cage_ranges
 from raceway.runs.columns import BEARING, LOSSES
 from raceway.runs.flaws import by_part
 from raceway.runs.friction import STILL as RESTING
 from raceway.runs.friction import friction
 from raceway.runs.measured import load_parameter, measured
-from raceway.runs.model_range import model_ranges
+from raceway.runs.model_range import Range, model_ranges
 from raceway.runs.rating import ROWS as RATING
 from raceway.runs.rating import rating
 from raceway.runs.settings import LUBRICANT
@@ -86,8 +86,17 @@ TOPICS = {
     "Kinematics": (
         row("cage_speed_rad_s", "mean of (x v_y - y v_x)/r^2"),
         Row("cage_slip", "slip of the cage", "", "against rolling at contact angle 0"),
+        Row("cage_slip_angle", "  by the contact angles", "", "rolling there"),
+        Row("cage_slip_groove", "  by the grooves' curvature", "", "Heathcote"),
+        Row(
+            "cage_slip_play", "  by the play of the pockets", "", "the rest, with creep under drag"
+        ),
         Row("cage_orbit_m", "orbit of the cage", "m", "largest, from its mean place"),
+        Row("cage_whirl", "whirl of the cage", None),
+        Row("cage_whirl_order", "  speed over the cage's", ""),
+        Row("pocket_play_m", "play of the pockets", "m", "along the pitch circle"),
         Row("pocket_force_max_N", "largest pocket force", "N", "at ends of steps"),
+        Row("pocket_force_mean_N", "mean pocket force", "N", "of all balls, at ends of steps"),
         row("entrainment_speed_m_s", "U_r of eq 6, largest inner load"),
     ),
     "Friction torque": (
@@ -175,9 +184,10 @@ def summary(tables: RunTables) -> dict[str, Any]:
     result["absent"] = models.absent(result["models"], result)
     result.update(dict.fromkeys(result["absent"]))
     result["warnings"] = _warnings(tables, result)
-    ranges = {key: one._asdict() for key, one in model_ranges(tables, result).items()}
-    result["model_ranges"] = ranges or None
     result |= {key: _plain(value) for key, value in cage_figures(tables).items()}
+    ranges = model_ranges(tables, result)
+    ranges |= {key: Range(*one) for key, one in cage_ranges(tables, result).items()}
+    result["model_ranges"] = {key: one._asdict() for key, one in ranges.items()} or None
     result |= warming.figures(tables)
     if flaws := by_part(settings):
         result["flaws"] = flaws

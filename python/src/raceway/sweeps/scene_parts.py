@@ -21,13 +21,16 @@ FIGURES = {  # words of --want: keys of the summary; the first one present count
 }
 
 
+JOINED = ("without", "cage_without")  # variables that list parts, joined by +
+
+
 class Choice(NamedTuple):
     """Something to omit or coarsen: a part to leave out, or variables to set."""
 
     name: str
     label: str
     group: str  # a set has at most one choice of a group
-    without: str  # "" for none
+    without: tuple[tuple[str, str], ...]  # variables of `JOINED` and a part of theirs
     settings: tuple[tuple[str, str], ...]
     parts: tuple[str, ...] | None  # parts of these models; None: those of the reference
 
@@ -47,28 +50,32 @@ def whole_scene(given: Mapping[str, str], lubricated: bool) -> dict[str, str]:
     return {**{name: str(value) for name, value in _DATA["assumed"].items()}, **film, **given}
 
 
-def choices(scene: Mapping[str, str], lubricated: bool) -> list[Choice]:
+def choices(
+    scene: Mapping[str, str], lubricated: bool, defaults: Mapping[str, str] | None = None
+) -> list[Choice]:
     """The choices for contacts with a film, or for dry ones, except those already made by the
-    deck's variables `scene`."""
+    deck's variables `scene`, and those of parts that it does not have; `defaults` are the deck's
+    own values."""
     return [
         choice
-        for choice in _all_choices(lubricated)
+        for choice in _all_choices(lubricated, {**(defaults or {}), **scene})
         if not choice.settings or not set(choice.settings) <= set(scene.items())
     ]
 
 
-def _all_choices(lubricated):
+def _all_choices(lubricated, values):
     return [
         Choice(
             row["name"],
             row["label"],
             row.get("group", row["name"]),
-            row.get("without", ""),
+            tuple((name, row[name]) for name in JOINED if name in row),
             tuple((name, str(value)) for name, value in row.get("set", {}).items()),
             tuple(row["parts"]) if "parts" in row else None,
         )
         for row in _DATA["choices"]
-        if lubricated or "only" not in row
+        if (lubricated or "only" not in row)
+        and all(values.get(name) in of for name, of in row.get("when", {}).items())
     ]
 
 
@@ -84,12 +91,12 @@ def lubricated(scene: Mapping[str, str], default: str) -> bool:
 
 def variables(picked: Iterable[Choice]) -> dict[str, str]:
     """The deck's variables of the reference with `picked` omitted or coarsened."""
-    result, without = dict(REFERENCE), []
+    result: dict[str, str] = dict(REFERENCE)
     for choice in picked:
         result.update(choice.settings)
-        if choice.without:
-            without.append(choice.without)
-    return {**result, **({"without": "+".join(without)} if without else {})}
+        for name, part in choice.without:
+            result[name] = f"{result[name]}+{part}" if name in result else part
+    return result
 
 
 def sets(available: Sequence[Choice]) -> list[tuple[Choice, ...]]:
@@ -102,7 +109,7 @@ def sets(available: Sequence[Choice]) -> list[tuple[Choice, ...]]:
     for row in product(*groups.values()):
         picked = tuple(choice for choice in row if choice is not None)
         models = next((choice for choice in picked if choice.parts is not None), None)
-        out = [choice.without for choice in picked if choice.without]
+        out = [part for choice in picked for name, part in choice.without if name == "without"]
         if models is None or set(out) <= set(models.parts):
             result.append(picked)
     return result

@@ -8,19 +8,22 @@ and a ball on a curved groove rolls on a circle of its contact ellipse without s
 """
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
 from raceway.arrays import Floats
 from raceway.theory import sliding
 from raceway.theory.bearing import INNER, OUTER, Bearing
-from raceway.theory.static import Contacts, Equilibrium
+from raceway.theory.static import Equilibrium
 
 MODELS = ("paper", "full", "eyring")
 # Relative to the order, one standard deviation: rolling resistance and drag retard the balls by up
 # to 1e-4 where all of them are loaded (tests/hosts/test_identify.py has runs against it)
 ERROR = 1e-4
-PLAY = 0.04  # relative to the ball's diameter: most pockets have less, along the pitch circle
+# Play of a pocket along the pitch circle, of the ball's diameter (docs/cage)
+PLAYS = (0.01, 0.04)
+PLAY = PLAYS[1]
 GRIP = 1.08  # slip of a cage with a play j, relative to j/(length of the loaded arc)
 
 
@@ -46,28 +49,49 @@ def order(bearing: Bearing, state: Equilibrium, models: str = "full") -> float:
     """
     if models not in MODELS:
         raise ValueError(f"models '{models}' is none of {', '.join(MODELS)}")
-    inner, outer = state.inner, state.outer
+    inner, outer = (Rolling(side.load, side.angle, side.a) for side in (state.inner, state.outer))
     load = inner.load + outer.load
-    gamma = bearing.ball_radius / bearing.pitch_radius
-    tilt = 0.0 if models == "paper" else np.tan((inner.angle + outer.angle) / 2)
-    there = _along(outer.angle, tilt) * (1 - gamma * np.cos(inner.angle))
-    here = _along(inner.angle, tilt) * (1 + gamma * np.cos(outer.angle))
-    speed = float(np.average(there / (there + here), weights=load))
+    speed = float(
+        np.average(rolling(bearing, inner, outer, tilted=models != "paper"), weights=load)
+    )
     if models == "paper":
         return speed
-    shares = [_shortened(bearing, side, one) for side, one in ((INNER, inner), (OUTER, outer))]
-    return speed * (1 + (1 - speed) * float(np.average(shares[0] - shares[1], weights=load)))
+    return speed * (
+        1 + (1 - speed) * float(np.average(shortened(bearing, inner, outer), weights=load))
+    )
+
+
+class Rolling(NamedTuple):
+    """What the rolling of balls depends on, arrays of one shape, at the contacts of a ring."""
+
+    load: Floats  # N
+    angle: Floats  # rad, contact angle
+    a: Floats  # m, semi-axis across the groove
+
+
+def rolling(bearing: Bearing, inner: Rolling, outer: Rolling, *, tilted: bool) -> Floats:
+    """w_c/w of `order` for each ball, without differential slip; `tilted`: b is half the sum of
+    both angles."""
+    gamma = bearing.ball_radius / bearing.pitch_radius
+    tilt = np.tan((inner.angle + outer.angle) / 2) if tilted else 0.0
+    there = _along(outer.angle, tilt) * (1 - gamma * np.cos(inner.angle))
+    here = _along(inner.angle, tilt) * (1 + gamma * np.cos(outer.angle))
+    return there / (there + here)
+
+
+def shortened(bearing: Bearing, inner: Rolling, outer: Rolling) -> Floats:
+    """e_i - e_o of `order` for each ball: how much slower the rings are than the ball's surface in
+    free rolling, relative to it."""
+    found = []
+    for side, one in ((INNER, inner), (OUTER, outer)):
+        r_x, _ = bearing.effective_radii(side, one.angle)
+        r_d = sliding.deformed_radius(bearing.groove(side), bearing.ball_radius)
+        found.append(sliding.free_slip(1.0, one.a, r_d, r_x))
+    return found[0] - found[1]
 
 
 def _along(angle: Floats, tilt: Floats | float) -> Floats:
     return np.cos(angle) + tilt * np.sin(angle)
-
-
-def _shortened(bearing: Bearing, side: int, contacts: Contacts) -> Floats:
-    """Relative speed deficit of the ring compared with the ball in free rolling."""
-    r_x, _ = bearing.effective_radii(side, contacts.angle)
-    r_d = sliding.deformed_radius(bearing.groove(side), bearing.ball_radius)
-    return sliding.free_slip(1.0, contacts.a, r_d, r_x)
 
 
 def lag(bearing: Bearing, state: Equilibrium) -> float:

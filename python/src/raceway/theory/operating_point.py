@@ -18,6 +18,7 @@ from raceway.theory import (
     ball_motion,
     clearance,
     equivalent_load,
+    excursion,
     friction_torque,
     life,
     makers,
@@ -167,6 +168,7 @@ def figures(
         )
         result["lambda"] = films.inner.ratio.flat[top]
         result.update(_damping(body, state, films, oil, models, clearance))
+    friction = None
     if film is not None:
         boundary = inputs.boundary(path)
         lost = friction_torque.losses(
@@ -192,10 +194,18 @@ def figures(
         needed = ball_motion.gyroscopic(body, state, spin, orbits, density)
         needed *= np.atleast_2d(state.inner.heavy).any(0)
         result.update(gyroscopic_friction=needed.max() if needed.max() > 1e-9 else None)
+        friction = lost.friction
+    ahead = None
+    if body.layout == Layout():
+        ahead = excursion.excursion(body, state, spin, friction)
+    if ahead is not None:
+        result.update(ball_excursion_m=ahead.whole, pocket_force_N=ahead.force or None)
     result = {key: _plain(value) for key, value in result.items()}
     result["warnings"] = _warnings(result, body, inputs.shoulders(path), state, films)
     if film is not None:
         result["warnings"] += _sliding(state, lost.friction, needed)
+    if ahead is not None and (text := excursion.warning(ahead)):
+        result["warnings"].append(text)
     result["absent"] = model_names.absent(models, result) if wet else {}
     result["balls"] = _plain(balls(state, films))
     return result

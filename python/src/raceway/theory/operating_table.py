@@ -26,6 +26,13 @@ TOPICS = {
         Row("arrangement", "arrangement of the rows", None),
         row("rpm"),
         Row("orbital_speed_rad_s", "cage speed", "rad/s", "rolling, Harris ch. 10"),
+        Row(
+            "ball_excursion_m",
+            "balls ahead of to behind the cage",
+            "m",
+            "free, from contact angles",
+        ),
+        Row("pocket_force_N", "largest pocket force, about", "N", "traction of balls held back"),
         Row("centrifugal_N", "centrifugal load of a ball", "N", "m r omega^2"),
     ),
     "Inner ring": (

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Balls that run ahead of and behind their cage.
+
+Under a moment or a combined load the contact angles differ from ball to ball, and with them the
+speeds at which the balls roll about the bearing. A ball then moves against a cage that turns
+uniformly (circumferential ball advance, as makers of bearing software call it). A pocket with less
+play holds it back: it slides on both raceways, and they press it against the pocket.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from scipy.optimize import brentq
+
+from raceway.arrays import Floats
+from raceway.theory import cage_speed, sliding
+from raceway.theory.bearing import INNER, OUTER, Bearing
+from raceway.theory.static import Equilibrium
+from raceway.units import prefixed
+
+POINTS = 720  # of the path of a ball around the bearing
+PLAY = 0.025  # of the ball's diameter: what a run takes where nothing is known
+
+
+class Excursion(NamedTuple):
+    """Balls against a cage that turns uniformly."""
+
+    ahead: float  # m, largest distance ahead of the mean
+    behind: float  # m, and behind it, below 0
+    play: float  # m, of the pockets along the pitch circle
+    force: float | None  # N, largest on a pocket, estimated; None without friction coefficients
+
+    @property
+    def whole(self) -> float:
+        """From the rear to the front, m."""
+        return self.ahead - self.behind
+
+
+def excursion(
+    bearing: Bearing,
+    state: Equilibrium,
+    speed: float,
+    friction: Floats | None = None,
+    play: float | None = None,
+) -> Excursion | None:
+    """`Excursion` at the equilibrium `state` of a bearing of one row and one groove a ring, whose
+    inner ring turns at `speed` (rad/s) and whose outer ring rests; None for others.
+
+    Each ball rolls at its own contact angles (`cage_speed.rolling`), balls without load at the mean
+    speed. The way of a ball ahead is R times the integral of 1 - w_c/w over the azimuth, with the
+    harmonic mean w_c of the balls' speeds w, which makes it the same after a turn. Where it exceeds
+    `play` (m; `PLAY` of a ball's diameter), a ball is held back by
+    (1 - play/excursion) (w - w_c) R at both raceways. The traction of that slip by Heathcote's law
+    with the coefficients `friction` (2, Z) presses the ball against its pocket; the cage's speed is
+    the one at which these forces balance.
+    """
+    if np.ndim(state.inner.load) != 1:
+        return None
+    sides = [cage_speed.Rolling(one.load, one.angle, one.a) for one in (state.inner, state.outer)]
+    loaded = (sides[INNER].load > 0) & (sides[OUTER].load > 0)
+    if not loaded.any():
+        return None
+    own = np.asarray(cage_speed.rolling(bearing, *sides, tilted=True))
+    own = own * (1 + (1 - own) * cage_speed.shortened(bearing, *sides))
+    mean = 1 / np.mean(1 / own[loaded])
+    own = np.where(loaded, own, mean)
+    path = _integral(1 - mean / own) * bearing.pitch_radius
+    found = Excursion(
+        float(path.max()),
+        float(path.min()),
+        PLAY * bearing.ball_diameter if play is None else play,
+        None,
+    )
+    if friction is None:
+        return found
+    held = max(0.0, 1 - found.play / found.whole) if found.whole > 0 else 0.0
+    if held == 0.0:
+        return found._replace(force=0.0)
+
+    def forces(cage):
+        slip = held * (cage - own) * abs(speed) * bearing.pitch_radius
+        orbit = abs(speed) * mean
+        both = [
+            _traction(bearing, side, slip, sides[side], friction[side], orbit)
+            for side in (INNER, OUTER)
+        ]
+        return (both[INNER] + both[OUTER]) * loaded
+
+    cage = brentq(lambda w: forces(w).sum(), own.min(), own.max())
+    return found._replace(force=float(np.abs(forces(cage)).max()))
+
+
+def _traction(bearing, side, slip, one, friction, orbit):
+    """N, along rolling, of a ball that is pushed at `slip` (m/s) against free rolling."""
+    r_x, _ = bearing.effective_radii(side, one.angle)
+    r_d = sliding.deformed_radius(bearing.groove(side), bearing.ball_radius)
+    u = orbit * bearing.pitch_radius
+    free = sliding.free_slip(u, one.a, r_d, r_x)
+    return sliding.heathcote(free + slip, one.load, friction, u, one.a, r_d, r_x).force
+
+
+def _integral(values):
+    """Integral over a turn of samples at equal angles, at `POINTS` angles, without its mean."""
+    count = len(values)
+    waves = np.fft.fft(values) / count
+    order = np.round(np.fft.fftfreq(count, 1 / count)).astype(int)
+    spectrum = np.zeros(POINTS, complex)
+    turning = order != 0
+    spectrum[order[turning]] = waves[turning] / (1j * order[turning])
+    return np.real(np.fft.ifft(spectrum)) * POINTS
+
+
+def warning(found: Excursion) -> str | None:
+    """Text where the balls' excursion exceeds the play of the pockets."""
+    if found.whole <= found.play:
+        return None
+    text = (
+        f"the balls run up to {prefixed(found.ahead, 'm', 3)} ahead of and"
+        f" {prefixed(-found.behind, 'm', 3)} behind their cage, whose pockets have a play of"
+        f" {prefixed(found.play, 'm', 3)}"
+    )
+    if found.force is None or not math.isfinite(found.force):
+        return text
+    return f"{text}: some press against them with about {prefixed(found.force, 'N', 3)}"

@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A cage ring where cages fail, under both integrators: largest and mean pocket force, cage speed
+and torque; writes build/bench/cage_hard.rst.
+
+    .venv/bin/python tests/bench/cage_hard.py [--print] [--slow] [--only WORD]
+
+A 6208 under gravity in four directions, on housings of 20 to 300 Hz, in a run-up, a reversal and a
+shock of 20 kN; a 7208B under moments. `--slow` adds 1 rad/s, a minute of processor time for each
+run with velocity Verlet. A ball that leaves its pocket ends a run and the bench. Exit code 1 if
+means of both integrators differ by more than 2 % and by more than three standard errors.
+"""
+
+import os
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+from machine import bench_file
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
+
+from hard.table import list_table  # noqa: E402
+from host import succeed  # noqa: E402
+from raceway.runs.run import Run  # noqa: E402
+
+TARGET = bench_file("cage_hard.rst")
+DECK = "tests/scenarios/in.cage_ring"
+ORBIT = (1 - 6.3e-3 / ((24.0e-3 + 36.605e-3) / 2)) / 2  # speed of the cage, of the shaft
+WORDS = dict(words="friction 0.1 wall 1e6 planar yes")
+SAMPLES, PARTS = 6000, 12  # of a run; means of parts for the standard error
+VERLET = 4e-7  # s, step
+DOWN = dict(weight=9.81, fall="0 -1 0")
+
+
+def inner(speed, load, ramp=2e-3):
+    return f"x free y free spin speed {speed} force 0 {-load} 0 ramp {ramp}"
+
+
+def cases(slow):
+    """(name, seconds, host step of the implicit step in s, variables)"""
+    for speed in (1, 10, 100, 1000) if slow else (10, 100, 1000):
+        passes = {1: 1, 10: 3}.get(speed, 36)
+        for fall in ("1 0 0", "0 1 0", "-1 0 0", "0 -1 0"):
+            span = passes * 2 * np.pi / 9 / (ORBIT * speed)
+            own = dict(speed=speed, inner=inner(speed, 1000), weight=9.81, fall=fall)
+            yield f"{speed} rad/s, weight along {fall}", span, min(1.5e-2 / speed, 1e-3), own
+    for hertz in (20, 100, 300):
+        w = 2 * np.pi * hertz
+        held = f"{0.3 * w**2} {0.03 * w}"
+        outer = f"x free y free support x {held} support y {held}"
+        yield f"housing of {hertz} Hz", 0.4, 1e-4, dict(outer=outer, inner=inner(157, 30), **DOWN)
+    yield "shock of 20 kN", 0.2, 1e-4, dict(inner=inner(157, 20000, 1e-3), **DOWN)
+    for name, course in (
+        ("run-up, 0 to 1000 rad/s", "1000*v_t/0.3"),
+        ("reversal, 300 to -300 rad/s", "300-2000*v_t"),
+    ):
+        own = dict(course=course, speed=300 * (course[0] == "3"), inner=inner("v_now", 1000))
+        yield name, 0.3, 5e-5, own | DOWN
+
+
+def scene(folder, case, integrator):
+    """(largest pocket force, [(mean, standard error) of the sum of pocket forces, cage speed,
+    torque])"""
+    name, span, step, own = case
+    dt = VERLET if integrator == "verlet" else step
+    sample = max(1, round(span / dt / SAMPLES))
+    steps = sample * round(span / dt / sample)
+    out = folder / f"{name}.{integrator}".replace(" ", "_").replace("/", "_")
+    times = dict(dt=dt, sample=sample, steps=steps)
+    succeed(DECK, out=out, integrator=integrator, **WORDS, **times, **own)
+    rows = np.loadtxt(out / "cage.txt")
+    rows = rows[len(rows) // 10 :]
+    parts = np.array_split(rows, PARTS)
+    means = [[np.mean(part[:, k]) for part in parts] for k in (7, 10)]
+    turns = [np.ptp(part[:, 5]) / np.ptp(part[:, 1]) for part in parts]
+    found = [(np.mean(one), np.std(one) / PARTS**0.5) for one in (means[0], turns, means[1])]
+    return rows[:, 6].max(), found
+
+
+def moments(folder, integrator):
+    """The same of a 7208B under 3.5 and 5 kN and 25 and 15 N m at 1500 rpm."""
+    out = folder / f"7208B.{integrator}"
+    loads = dict(load=3500, axial=5000, moment_x=25, moment_y=15, rpm=1500)
+    own = dict(bearing="7208B", cage="ring", models="full", settle=2, passes=4)
+    succeed("inputs/in.6208", out=out, integrator=integrator, **own, **loads)
+    run = Run(out)
+    names = ["ball_pocket_force", "ring_spin", "bearing_cage_speed"]
+    record = run.tables.record.read(names)
+    force = np.nansum(record["ball_pocket_force"], axis=1)
+    force = force[np.isfinite(record["ball_pocket_force"]).any(axis=1)]
+    figures = run.summary()
+    one = [(np.mean(a), np.std([np.mean(p) for p in np.array_split(a, PARTS)]) / PARTS**0.5)
+           for a in (force, record["ring_spin"][:, 2])]  # fmt: skip
+    return figures["pocket_force_max_N"], [*one, (figures["friction_torque_N_m"], 0.0)]
+
+
+def main(argv):
+    only = argv[argv.index("--only") + 1] if "--only" in argv else ""
+    body, good = [], True
+    with tempfile.TemporaryDirectory() as name, ThreadPoolExecutor(os.cpu_count()) as pool:
+        folder, jobs = Path(name), []
+        both = ("implicit", "verlet")
+        for case in cases("--slow" in argv):
+            if only in case[0]:
+                jobs.append((case[0], [pool.submit(scene, folder, case, one) for one in both]))
+        if only in "7208B with moments":
+            held = [pool.submit(moments, folder, one) for one in both]
+            jobs.append(("7208B with moments", held))
+        for title, found in jobs:
+            (most, one), (other_most, other) = (job.result() for job in found)
+            cells = [title, f"{most:.3g}, {other_most:.3g}"]
+            for (a, error), (b, other_error) in zip(one, other, strict=True):
+                cells.append(f"{a:.4g} ({100 * (a / b - 1):+.2f} %)")
+                good &= abs(a - b) < max(0.02 * abs(b), 3 * np.hypot(error, other_error))
+            body.append(cells)
+            print(*cells, sep="; ", flush=True)
+    head = ["scene", "largest pocket force, N", "all pockets, N", "cage, rad/s", "torque, N m"]
+    text = ["Implicit steps, and their difference from velocity Verlet", ""]
+    text += list_table(head, body)
+    if "--print" not in argv:
+        TARGET.write_text("\n".join(text))
+    return 0 if good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
