@@ -79,3 +79,11 @@ def test_stopped_on_the_way(at, whole, tmp_path):
     succeed(run_deck, out=tmp_path, resume="yes", **SHORT)
     assert differ(whole, tmp_path) == []
     assert values(whole)[1] == values(tmp_path)[1]
+
+
+@pytest.mark.parametrize("host", ["lammps", "wheel"])
+def test_hosts(host, tmp_path):
+    for folder, program in (("one", "liggghts"), ("other", host)):
+        out = tmp_path / folder
+        succeed(DECK, out=out, host=program, settle="orbit", samples=20, **THRUST)
+    assert differ(tmp_path / "one", tmp_path / "other") == []
