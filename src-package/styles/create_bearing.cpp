@@ -28,7 +28,7 @@ void CreateBearing::command(int narg, char **arg)
   create(args);
 }
 
-// The words with the data of the bearing; after a restart its atoms exist.
+// Arguments with the data of the bearing; after a restart its atoms already exist.
 void CreateBearing::command_named(Arguments &args)
 {
   const bearing::NamedBearing &b = bearing::bearing_of(lmp, args, args.word("name of a bearing"));

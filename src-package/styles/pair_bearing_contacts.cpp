@@ -116,7 +116,7 @@ void PairBearingHertz::add_raceway_contacts()
       BRG_ONE(
           std::string(update->setupflag ? "ball " : "lost ball ") + std::to_string(atom->tag[i]) +
           " at (" + text(atom->x[i][0]) + ", " + text(atom->x[i][1]) + ", " + text(atom->x[i][2]) +
-          ") m sits in no groove of an " + (missing & 1 ? "inner" : "outer") + " ring at step " +
+          ") m is not in any groove of an " + (missing & 1 ? "inner" : "outer") + " ring at step " +
           std::to_string(update->ntimestep) +
           (update->setupflag ? ": ring missing, at another place or at odds with the other ring"
                              : ": step too large, load too high, or the rings have come apart"));

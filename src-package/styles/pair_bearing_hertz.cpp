@@ -218,7 +218,7 @@ void PairBearingHertz::check_rails()
   MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   if (all > 0 && all != without_rails_ && comm->me == 0)
     BRG_WARN("pair_style bearing: " + std::to_string(all) +
-             " cage balls are in the group of no fix bearing/cage: no rails hold them");
+             " cage balls are not in the group of any fix bearing/cage: no rails hold them");
   without_rails_ = all;
 }
 

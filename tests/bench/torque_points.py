@@ -146,7 +146,7 @@ more than 1.5 apart, where SKF's is above 10 % of its torque, are in bold.
 WHY = """*Light and fast* (0.02 :math:`C_0`, 10,000 rpm): rolling of deep groove bearings is 1.16 to
 1.5 times SKF's. A 7208B is at 0.59: friction cannot hold its balls against their gyroscopic moment.
 Statics lets them slide across their grooves; a run under this load skids in gross and loses 197
-N mm, 1.15 of SKF's. Of a 7205B the run loses 16.4, statics 15.7, SKF's formula 25.3 N mm.
+N mm, 1.15 of SKF's. A 7205B loses 16.4 N mm in a run, 15.7 in statics and 25.3 by SKF's formula.
 
 *Slow and loaded, combined and axial loads*: rolling is 0.66 to 1.04 and sliding 0.55 to 1.0 of
 SKF's, both least for balls with spin. Sliding grows with the square of the contact's width, so the

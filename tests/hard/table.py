@@ -155,7 +155,7 @@ def thirty_seconds(folder):
         "The bearing is a 6208 at 5 kN and 477.5 rpm."
         f" {course.simulated:.1f} s took {course.wall:.1f} s of wall time"
         f" ({course.simulated / course.wall:.0f} times real time), with {longrun.PER_PASS}"
-        f" samples a ball pass written. The mean internal step was {number(course.step)} s."
+        f" samples written per ball pass. The mean internal step was {number(course.step)} s."
         f" {course.refused} steps were refused.{said}",
         "",
         *csv_table(

@@ -161,7 +161,7 @@ DECKS = {
     ),
     "ring elsewhere": (
         DRY + "displace_atoms inner move 0.01 0 0 units box\nrun 0\n",
-        r"ball \d at .* sits in no groove of an inner ring at step 0",
+        r"ball \d at .* is not in any groove of an inner ring at step 0",
     ),
     "arch without a width": (
         BOX + STYLE + INNER.strip() + " gothic_arch 0\n",

@@ -149,7 +149,7 @@ def test_cage_whose_rails_are_taken_away(tmp_path):
     end = outcome(
         tmp_path, deck + "fix move all bearing/implicit\nrun 1\nunfix rails\nrun 1\nrun 1\n"
     )
-    said = "9 cage balls are in the group of no fix bearing/cage: no rails hold them"
+    said = "9 cage balls are not in the group of any fix bearing/cage: no rails hold them"
     assert end.code == 0 and end.text.count(said) == 1, end.text
 
 

@@ -169,7 +169,10 @@ def test_command(capsys, monkeypatch):
     [
         (["--four-point", "80"], "must lie from 5 to 60 degrees"),
         (["--preload", "5e-6"], "of two rows; give --double-row"),
-        (["--models", "paper", "--spin-law", "slices"], "--spin-law: of the friction torque"),
+        (
+            ["--models", "paper", "--spin-law", "slices"],
+            "--spin-law: applies to the friction torque only",
+        ),
     ],
 )
 def test_wrong_command_line(capsys, arguments, said):

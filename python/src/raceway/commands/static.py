@@ -190,7 +190,7 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.lubricant not in (None, "dry") and not (arguments.rpm or arguments.spectrum):
         arguments.complain("--lubricant: a film needs a speed; give --rpm")
     if arguments.spin_law != "closed" and arguments.models == models.PAPER:
-        arguments.complain("--spin-law: of the friction torque; give --models full")
+        arguments.complain("--spin-law: applies to the friction torque only; give --models full")
     if arguments.temperature is not None and arguments.lubricant in (None, "dry"):
         arguments.complain("--temperature: of the lubricant; give --lubricant")
     held = {} if arguments.moment else dict(zip(("rx", "ry"), arguments.tilt or (0.0, 0.0)))

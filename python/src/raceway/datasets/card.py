@@ -75,7 +75,7 @@ def card(spec: Spec, table: pd.DataFrame, wanted: int) -> str:
                 f"Records without a flaw have an rms of {quiet.min():.3g} to {quiet.max():.3g}"
                 f" m/s^2 at {max(spec.rates) / 1000:g} kHz"
                 + (", noise included." if spec.noise else ", from the passing balls alone.")
-                + " What is fainter than that in another record is not of its flaw."
+                + " Anything fainter in another record is not due to its flaw."
             )
     return TEXT.format(
         title=spec.title,
