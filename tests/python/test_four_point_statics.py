@@ -171,7 +171,7 @@ def test_command(capsys, monkeypatch):
         (["--preload", "5e-6"], "of two rows; give --double-row"),
         (
             ["--models", "paper", "--spin-law", "slices"],
-            "--spin-law: applies to the friction torque only",
+            "--spin-law: applies to the friction",
         ),
     ],
 )
