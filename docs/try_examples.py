@@ -94,7 +94,7 @@ def not_printed(block, output):
 
 
 def run_session(page, folder):
-    """Run the blocks of a page in `folder`; what each said when it failed, or nothing.
+    """Run the blocks of a page in `folder`; the message of each failed one, or nothing.
 
     Console lines after "$ " are commands of `.venv/bin`, what follows has to be in what they print,
     in that order."""
@@ -215,8 +215,8 @@ def of_decks(program, decks):
 
 
 def tasks(program, main_run):
-    """Everything there is to run, the longest first; each returns pairs of a name and what it said
-    when it failed, or nothing."""
+    """All examples, the longest first; each returns pairs of a name and its message when it
+    failed, or nothing."""
     pages = [DOCS.parent / "README.md", *DOCS.glob("*.rst")]
     blocks_of = {page: len(list(session(page))) for page in pages}
     for page in sorted(blocks_of, key=blocks_of.get, reverse=True):

@@ -109,7 +109,7 @@ void FixBearingRun::end_pass()
   if (orbit_.runs()) search_orbit();
 }
 
-// Without an orbit the ball passes count anew.
+// Without an orbit the ball passes are counted again.
 void FixBearingRun::search_orbit()
 {
   orbit_.end_pass(lmp, now_.changes, now_.settled);

@@ -35,3 +35,12 @@ def test_readme_names_every_folder():
                     and name.count("/") > 1}  # fmt: skip
     layout = (ROOT / "README.md").read_text().split("## Layout")[1]
     assert not {folder for folder in folders - {"src-package"} if f"`{folder}`" not in layout}
+
+
+def test_no_phrase_that_is_always_wrong():
+    spec = importlib.util.spec_from_file_location("random_lines", ROOT / "docs/random_lines.py")
+    random_lines = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(random_lines)
+    wrong = re.compile(rf"\b({'|'.join(PHRASES)})\b")
+    found = [f"{place}: {text}" for place, text in random_lines.lines() if wrong.search(text)]
+    assert not found, "\n".join(found)

@@ -39,7 +39,7 @@ SLURM = """\
 # A sweep as a Slurm job array, written by `raceway sweep`. Submit it from the folder it was written
 # from:
 #   sbatch {script}
-# Submit it again to go on with what is missing; `raceway gather {folder}` shows what is there.
+# Submit it again to run the missing points; `raceway gather {folder}` shows the finished ones.
 #SBATCH --job-name=raceway-sweep
 #SBATCH --array=1-{tasks}
 #SBATCH --ntasks=1
