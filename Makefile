@@ -110,6 +110,7 @@ bench: build
 	.venv/bin/python tests/hard/table_relative.py
 	.venv/bin/python tests/bench/record.py
 	.venv/bin/python tests/bench/main_deck.py
+	.venv/bin/python tests/bench/orbit.py
 	.venv/bin/python tests/bench/large_runs.py
 	.venv/bin/python tests/bench/sweep.py
 	.venv/bin/python tests/bench/needs.py

@@ -327,25 +327,32 @@ void FixBearingRing::begin_step()
   between_.clear();
   before_ = now_;
   evaluate(0, RingProgram::N_VALUE);
-  check_positions();
+  check_jumps();
 }
 
-// Error if an imposed position jumped in the last step: it moved by far more than in the steps
-// before and after, and by more than a contact can follow.
-void FixBearingRing::check_positions()
+// Error if an imposed position or spin speed jumped in the last step: it changed by far more than in
+// the steps before and after, and by more than contacts can follow: 1 um, or slip of 1 %.
+void FixBearingRing::check_jumps()
 {
-  constexpr double far = 20.0, small = 1e-6, small_angle = 5e-5;    // m, rad
-  for (int k = 0; k < RingProgram::SPIN; ++k) {
+  constexpr double far = 20.0;
+  constexpr int spin = RingProgram::SPIN;
+  for (int k = 0; k < RingProgram::N_DOF; ++k) {
     double &at = imposed_.at[k], &last = imposed_.moved[k], &before = imposed_.before[k];
-    const double here = settings_.program.mode[k] == Freedom::position ? now_.of[k] : NAN;
+    const Freedom imposed = k == spin ? Freedom::speed : Freedom::position;
+    const double here = settings_.program.mode[k] == imposed ? now_.of[k] : NAN;
     const double moved = std::isnan(at) || std::isnan(here) ? 0.0 : std::fabs(here - at);
-    const bool tilt = k >= RingProgram::TILT;
-    if (last > std::max(tilt ? small_angle : small, far * std::max(before, moved))) {
-      const char axis[] = {"xyz"[axes_.lab_axis(tilt ? k - RingProgram::TILT : k)], '\0'};
-      BRG_ALL(bearing::name_of(*this) + ": the position along " + (tilt ? "r" : "") + axis +
-              " jumps by " + bearing::text(last) + (tilt ? " rad" : " m") + " in step " +
-              std::to_string(update->ntimestep - 1) + ", with " + bearing::text(before) + " and " +
-              bearing::text(moved) +
+    const bool tilt = k >= RingProgram::TILT && k != spin;
+    const double small = k == spin ? std::fmax(1e-3, 0.01 * std::fabs(at)) : tilt ? 5e-5 : 1e-6;
+    if (last > std::fmax(small, far * std::fmax(before, moved))) {
+      const char axis[] = {"xyz"[axes_.lab_axis(tilt ? k - RingProgram::TILT : k % 3)], '\0'};
+      const std::string what =
+          k == spin ? "spin speed" : std::string("position along ") + (tilt ? "r" : "") + axis;
+      BRG_ALL(bearing::name_of(*this) + ": the " + what + " jumps by " + bearing::text(last) +
+              (k == spin ? " rad/s"
+               : tilt    ? " rad"
+                         : " m") +
+              " in step " + std::to_string(update->ntimestep - 1) + ", with " +
+              bearing::text(before) + " and " + bearing::text(moved) +
               " in the steps before and after: a ring needs a continuous formula");
     }
     before = last;

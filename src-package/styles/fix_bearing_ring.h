@@ -113,7 +113,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   void hold_between(double half);
   void add_support(bearing::tag_t ring, const double *on);
   virtual void note_accelerations();
-  void check_positions();
+  void check_jumps();
   virtual void make_report();
   virtual void report_loads(int i, double *row) const;
   double reported(int row, int k);
@@ -123,11 +123,12 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   raceway::LabAxes axes_;
   bearing::RingSettings settings_;
   double time_ = 0.0;
-  // Imposed positions, m or rad, for check_positions(); NaN: not imposed in the previous step
+  // Imposed positions, m or rad, and spin speed, rad/s, for check_jumps(); NaN: not imposed in the
+  // previous step
   struct Imposed {
-    double at[RingProgram::SPIN] = {NAN, NAN, NAN, NAN, NAN};
-    double moved[RingProgram::SPIN] = {},
-           before[RingProgram::SPIN] = {};    // in the last two steps
+    double at[RingProgram::N_DOF] = {NAN, NAN, NAN, NAN, NAN, NAN};
+    double moved[RingProgram::N_DOF] = {},
+           before[RingProgram::N_DOF] = {};    // in the last two steps
   } imposed_;
   // in a restart file
   static constexpr size_t numbers_kept = 1 + sizeof(Imposed) / sizeof(double);

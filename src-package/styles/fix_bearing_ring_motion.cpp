@@ -50,7 +50,7 @@ void FixBearingRing::initial_integrate(int)
   kick();
   before_ = now_;
   evaluate(0, RingProgram::N_DOF);
-  check_positions();
+  check_jumps();
   coast();
 }
 

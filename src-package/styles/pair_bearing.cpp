@@ -33,9 +33,9 @@ static std::string keywords_of(const std::string &text)
   return words;
 }
 
-// pair_style bearing oil NAME|dry [temperature T] [models M] [without PARTS] [gap_film L]
-// [inlet_shear L] [spin_law L] [lubrication K] [oil_level H] [inputs FOLDER] [further keywords of
-// bearing/ehd or bearing/hertz]
+// pair_style bearing oil NAME|dry [axis x|y|z] [overlap_limit F] [temperature T] [models M]
+// [without PARTS] [gap_film L] [inlet_shear L] [spin_law L] [lubrication K] [oil_level H]
+// [inputs FOLDER] [further keywords of bearing/ehd or bearing/hertz]
 void PairBearing::settings(int narg, char **arg)
 {
   if (replays_) return PairBearingHertz::settings(narg, arg);
@@ -46,8 +46,12 @@ void PairBearing::settings(int narg, char **arg)
   coeffs_.clear();
   choice_ = {};
   temperature_ = 40.0;
+  std::vector<std::string> of_style;    // for the base class
   while (args.more()) {
-    if (args.take("oil")) oil_name_ = args.word("oil of inputs/lubricants, a file, or dry");
+    if (args.next() == "axis" || args.next() == "overlap_limit") {
+      of_style.push_back(args.word("keyword"));
+      of_style.push_back(args.word("value of " + of_style.back()));
+    } else if (args.take("oil")) oil_name_ = args.word("oil of inputs/lubricants, a file, or dry");
     else if (args.take("temperature")) temperature_ = args.number_of("temperature");
     else if (args.take("models")) choice_.models = args.word("models");
     else if (args.take("without")) choice_.without = args.word("parts to leave out");
@@ -80,7 +84,9 @@ void PairBearing::settings(int narg, char **arg)
   } catch (const bearing::DataError &wrong) {
     args.fail("models " + choice_.models + ", oil " + oil_name_ + ": " + wrong.what());
   }
-  PairBearingHertz::settings(0, nullptr);
+  std::vector<char *> words;
+  for (std::string &word : of_style) words.push_back(&word[0]);
+  PairBearingHertz::settings(static_cast<int>(words.size()), words.data());
 }
 
 // The data of an oil at a temperature (C); of a dry contact only `film`.

@@ -13,15 +13,19 @@ import subprocess
 from pathlib import Path
 from typing import NamedTuple
 
+import matplotlib
 import numpy as np
 import raceway
 from raceway import heat, inputs, steady_heat
 from raceway.core import laws, library
 from scipy import integrate, optimize
 
+matplotlib.use("Agg")
+from matplotlib import pyplot as plt  # noqa: E402
+
 ROOT = Path(__file__).resolve().parents[2]
 HERE = Path(__file__).with_suffix("")
-PAGE = ROOT / "build/bench/femto.rst"
+PAGE, PICTURE = ROOT / "build/bench/femto.rst", ROOT / "docs/images/femto.png"
 AMBIENT, LOAD, RPM, OIL = 26.5, 4000.0, 1800.0, "vg68"
 FIRST, LAST = 10.0, 240.0  # min, of the fit
 GUESS = dict(seat=0.45, housing=1.1, capacity=2200.0)
@@ -183,9 +187,23 @@ def cold_start(of, folder, until=600.0, change=2.0):
     return raceway.open(folder).heat
 
 
+def picture(table, of):
+    """Measured temperatures beside the outer ring, and those of the fit."""
+    figure, axes = plt.subplots(figsize=(7, 4), layout="constrained")
+    minutes = np.linspace(0, LAST, 200)
+    for k, (name, (read, seen)) in enumerate(measured().items()):
+        axes.plot(read, seen, "o", color=f"C{k}", label=name)
+        axes.plot(minutes, integrated(table, seen[0], minutes, **of)[:, 2], color=f"C{k}")
+    axes.axvspan(FIRST, LAST, color="0.95", zorder=0)
+    axes.set(xlabel="time, min", ylabel="temperature beside the outer ring, °C")
+    axes.legend()
+    figure.savefig(PICTURE, dpi=110)
+
+
 def main():
     table = losses()
     of, worst = fit(table)
+    picture(table, of)
     lines = ["Temperatures of the PRONOSTIA bearing", "=" * 37, ""]
     own = capacities()
     lines += [

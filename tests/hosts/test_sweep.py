@@ -155,7 +155,7 @@ def test_finished_means_the_figures_of_these_variables(table, tmp_path, counter)
 def test_two_sweeps_share_the_work(tmp_path, counter):
     table, out = tmp_path / "table.csv", tmp_path / "out"
     table.write_text(
-        "load,passes,samples\n" + "".join(f"{load},2,50\n" for load in range(1000, 13000, 1000))
+        "load,passes,samples\n" + "".join(f"{load},2,50\n" for load in range(1000, 7000, 1000))
     )
     both = [
         subprocess.Popen(
@@ -170,7 +170,7 @@ def test_two_sweeps_share_the_work(tmp_path, counter):
     ]
     texts = [process.communicate(timeout=300)[0] for process in both]
     assert [process.returncode for process in both] == [0, 0], texts
-    assert len(starts(out)) == 12 and set(starts(out).values()) == {1}
+    assert len(starts(out)) == 6 and set(starts(out).values()) == {1}
     assert set(pd.read_csv(out / "results.csv")["status"]) == {"finished"}
 
 
@@ -192,7 +192,7 @@ def test_stopped_half_way(tmp_path, counter, which, code):
     table, out = tmp_path / "table.csv", tmp_path / "out"
     table.write_text(
         "load,passes,samples,integrator\n"
-        + "".join(f"{load},4,50,implicit\n" for load in range(1000, 9000, 1000))
+        + "".join(f"{load},4,50,implicit\n" for load in range(1000, 5000, 1000))
         + "9000,30,20,verlet\n"  # still running when the signal arrives
     )
     process = subprocess.Popen(
@@ -204,7 +204,7 @@ def test_stopped_half_way(tmp_path, counter, which, code):
         stderr=subprocess.PIPE,
         text=True,
     )
-    wait_for(lambda: len(list(out.glob("*/summary.json"))) >= 3)
+    wait_for(lambda: len(list(out.glob("*/summary.json"))) >= 2)
     if which == signal.SIGINT:
         os.killpg(process.pid, which)  # as a terminal does
     else:
@@ -213,12 +213,12 @@ def test_stopped_half_way(tmp_path, counter, which, code):
     assert process.returncode == code and "Traceback" not in errors, errors
     wait_for(lambda: not in_work(out))
     before = {path: path.stat().st_mtime_ns for path in out.glob("*/summary.json")}
-    assert 3 <= len(before) < 9
+    assert 2 <= len(before) < 5
     done = sweep(table, "--out", out, "--program", counter)
     assert done.returncode == 0, done.stderr
     assert {path: path.stat().st_mtime_ns for path in before} == before
     assert all(starts(out)[path.parent.name] == 1 for path in before)
-    assert list(pd.read_csv(out / "results.csv")["status"]) == ["finished"] * 9
+    assert list(pd.read_csv(out / "results.csv")["status"]) == ["finished"] * 5
 
 
 def in_work(folder):

@@ -83,6 +83,30 @@ def test_a_driven_ring_that_jumps(mode, size, mover, tmp_path):
     succeed(deck)  # the same way, but gradually
 
 
+@pytest.mark.parametrize("mover", ["nve/sphere", "bearing/implicit"])
+def test_a_driven_ring_whose_speed_jumps(mover, tmp_path):
+    deck = tmp_path / "in.jump"
+    start, speed = 2.0015e-4, "variable w equal 50*(1+100*time)"
+    text = BOX + BEARING + MOVES + RUN
+    if mover == "bearing/implicit":
+        text = text.replace("fix move balls nve/sphere\n", "fix move all bearing/implicit\n")
+    deck.write_text(text.replace(speed, f"{speed}-5*(time>{start})"))
+    outcome = run(deck)
+    assert outcome.code != 0
+    assert "fix inner bearing/ring: the spin speed jumps by 4.99" in outcome.error
+    assert "in step 201, with" in outcome.error
+    deck.write_text(text.replace(speed, f"{speed}-5*(time>{start})*(time-{start})/2.0e-4"))
+    succeed(deck)  # the same way, but gradually
+    deck.write_text(text + f"write_restart {tmp_path}/kept\n")
+    succeed(deck)
+    other = text[text.index("group balls") :].replace("50*(1", "60*(1")
+    read = f"read_restart {tmp_path}/kept\nneighbor 2.0e-3 bin\nneigh_modify delay 0 every 20\n"
+    deck.write_text(READ + read + other)
+    outcome = run(deck)  # another speed from a restart file
+    assert outcome.code != 0
+    assert "fix inner bearing/ring: the spin speed jumps by 10.5" in outcome.error
+
+
 @pytest.mark.parametrize("to", [0, 5000])
 def test_a_record_has_no_gap(to, tmp_path):
     deck = tmp_path / "in.gap"

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Fixtures of the Python tests: a bearing, and run folders with known content."""
 
+import shutil
+
 import pytest
 import synthetic
 
@@ -23,16 +25,25 @@ def dry():
     return synthetic.run(oil=None, passes=1)
 
 
-@pytest.fixture
-def folder(tmp_path, lubricated):
-    """The lubricated run on disk, free to be modified."""
-    return synthetic.write(tmp_path / "run", lubricated)
+@pytest.fixture(scope="session")
+def written(tmp_path_factory, lubricated, dry):
+    """A folder with both runs on disk."""
+    folder = tmp_path_factory.mktemp("written")
+    synthetic.write(folder / "run", lubricated)
+    synthetic.write(folder / "dry", dry)
+    return folder
 
 
 @pytest.fixture
-def dry_folder(tmp_path, dry):
-    """The dry run on disk."""
-    return synthetic.write(tmp_path / "dry", dry)
+def folder(tmp_path, written):
+    """A copy of the lubricated run on disk, free to be modified."""
+    return shutil.copytree(written / "run", tmp_path / "run")
+
+
+@pytest.fixture
+def dry_folder(tmp_path, written):
+    """A copy of the dry run on disk."""
+    return shutil.copytree(written / "dry", tmp_path / "dry")
 
 
 @pytest.fixture

@@ -206,11 +206,19 @@ def write(folder, data, end=True):
     (folder / "run.yaml").write_text("".join(f"{k}: {v}\n" for k, v in told.items()))
     with netCDF4.Dataset(folder / "record.nc", "w", format="NETCDF3_64BIT_OFFSET") as file:
         file.setncatts(words | numbers)
-        _fill(file, data, end)
+        samples = _fill(file, data, end)
+    # the samples at once: netCDF writes each variable of each sample by itself
+    with open(folder / "record.nc", "r+b") as file:
+        file.seek(4)
+        file.write(len(samples).to_bytes(4, "big"))
+        file.seek(-samples.itemsize if len(samples) else 0, 2)
+        samples.tofile(file)
     return folder
 
 
 def _fill(file, data, end):
+    """Defines all variables; writes those without time and the first sample. Returns all samples as
+    they follow one another in the file."""
     settings, count = data["settings"], len(data["rings"])
     file.set_auto_maskandscale(False)
     file.set_fill_off()
@@ -274,8 +282,16 @@ def _fill(file, data, end):
     for column in TABLES["bearing"]:
         if column["name"] in sums:
             put(f"bearing_{column['name']}", ("time", "bearing"), sums[column["name"]], column)
+    moving = [(variable, values) for variable, values, over_time in pending if over_time]
+    shapes = [(variable.name, ">f8", values.shape[1:]) for variable, values in moving]
+    samples = np.empty(count, shapes)
+    for variable, values in moving:
+        samples[variable.name] = values
+        variable[: min(count, 1)] = values[:1]
     for variable, values, over_time in pending:
-        variable[slice(len(values)) if over_time else ...] = values
+        if not over_time:
+            variable[...] = values
+    return samples
 
 
 _ATOM = {

@@ -115,6 +115,22 @@ def test_a_format(name, tmp_path, bearing):
         assert line.found / line.harmonic / SHAFT == pytest.approx(ORDER, rel=1e-4)
 
 
+@pytest.mark.parametrize("mark", [";", ",", "\t", "  "])
+@pytest.mark.parametrize("head", [True, False])
+@pytest.mark.parametrize("names", [["a_m_s2"], ["time_s", "a_m_s2", "b_g"]])
+def test_separators(tmp_path, bearing, mark, head, names):
+    """One column or several, with a heading or without, after a comment."""
+    values = struck(seconds=0.05)
+    table = np.column_stack([np.arange(len(values)) / RATE, values, values])[:, -len(names) :]
+    lines = [mark.join(names)] * head + [mark.join(f"{x:.9g}" for x in row) for row in table]
+    (tmp_path / "a.csv").write_text("# a rig\n" + "\n".join(lines))
+    rate = None if head and len(names) > 1 else RATE
+    found = recording.Recording(tmp_path / "a.csv", bearing, rpm=60 * SHAFT, rate=rate)
+    wanted = names[-2:] if head else [f"column_{k + 1}" for k in range(len(names))]
+    assert list(found.channels) == wanted
+    assert found.signal(wanted[0 if head else -1]).values == pytest.approx(values, rel=1e-8)
+
+
 def test_a_run_and_its_recording_are_one(tmp_path, lubricated):
     """A column of a run, written to a file and read back: the same spectrum to the last bit, the
     same lines."""
@@ -162,6 +178,7 @@ def test_no_speed_from_what_is_no_shaft(bearing):
         ("a.dat", lambda path: path.write_text("1"), {}, r"ends in \.mat"),
         ("a.mat", lambda path: path.write_text("nothing"), {}, "is not a MATLAB file"),
         ("a.mat", lambda path: io.savemat(path, {"A": 1}), {}, "has A: known are"),
+        ("a.csv", lambda path: path.write_text(""), {}, "cannot read"),
         ("a.npz", lambda path: path.write_text("nothing"), {}, "cannot read"),
         ("a.wav", lambda path: path.write_text("nothing"), {}, "cannot read"),
         ("a.npz", lambda path: np.savez(path, a=np.ones(64)), {}, "does not say its sampling rate"),

@@ -12,7 +12,7 @@ from raceway.recordings.readings import Point, Reading, Readings
 
 # Orders, at 1797, 1772, 1750 and 1730 rpm, of flaws in the drive end bearing, relative to the
 # measured shaft speed: derived from the recordings of Case Western Reserve University
-# (docs/measured)
+# (docs/measured_bearings)
 RPM = 1797, 1772, 1750, 1730
 CWRU = {
     "inner, 7 mil": ("BPFI", (5.4017, 5.4018, 5.4018, 5.4018)),

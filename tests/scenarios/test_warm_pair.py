@@ -49,7 +49,7 @@ def energy(table, shaft):
 
 
 def test_a_cooled_pair_is_steady(tmp_path):
-    """Temperatures of the balance in statics to 1.2 K: the losses of a run are 1 % higher, since
+    """Temperatures of the balance in statics to 1.2 K: the losses of a run are 1 % higher, because
     its balls orbit faster under their gyroscopic moment, and 2 % of 50 K are 1 K."""
     succeed("docs/decks/in.warm_pair", out=tmp_path)
     table = jumps(tmp_path)

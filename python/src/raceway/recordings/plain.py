@@ -75,12 +75,19 @@ def _femto(path, kind):
 
 def _table(path, header):
     try:
-        table = pd.read_csv(path, sep=None, engine="python", header=header, comment="#")
+        table = pd.read_csv(path, sep=_separator(path), header=header, comment="#")
     except (ValueError, OSError, UnicodeDecodeError, pd.errors.ParserError) as error:
         raise RunError(f"cannot read {path}: {error}") from None
     if not len(table):
         raise RunError(f"{path} has no rows")
     return table
+
+
+def _separator(path):
+    """That of the first line with data: a semicolon, a comma, a tab or blanks."""
+    with path.open(encoding="utf-8") as lines:
+        first = next((line for line in lines if line.partition("#")[0].strip()), "")
+    return next((mark for mark in (";", ",", "\t") if mark in first), r"\s+")
 
 
 def _rate(path, time):

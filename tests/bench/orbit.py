@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`settle orbit` of the main deck against long settling: figures and evaluations of the forces;
+writes build/bench/orbit.rst.
+
+    .venv/bin/python tests/bench/orbit.py [SCENE ...]
+
+Figures are means over one ball pass of the orbit, against `MEASURED` ball passes of a run that has
+settled for 30 ball passes, or for as many as its scene needs to be steady. Evaluations are those of
+settling and of one measured ball pass, against 30 ball passes of settling and one measured; they do
+not depend on the load of the machine.
+"""
+
+import sys
+import tempfile
+from datetime import date
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from deck_runs import cost, run_deck
+from machine import bench_file
+from raceway.runs.summary import summary
+from raceway.runs.tables import RunTables
+
+DECK = "inputs/in.6208"
+SETTLED, MEASURED = 30, 12  # ball passes
+TIGHT = {"clearance": "-20e-6"}
+THRUST = {"bearing": "7205B", "load": "1e-3"}
+
+
+class Scene(NamedTuple):
+    """Variables of the deck; ball passes after which a marching run is steady."""
+
+    words: dict
+    steady: int = SETTLED
+
+
+ORBITS = {
+    "preload, 2 kN, 1500 rpm": Scene({**TIGHT, "load": 2000, "rpm": 1500}),
+    "the same, cage of one ring": Scene({**TIGHT, "load": 2000, "rpm": 1500, "cage": "ring"}),
+    "the same, no cage": Scene({**TIGHT, "load": 2000, "rpm": 1500, "cage": "no"}),
+    "preload, 1 kN, 200 rpm": Scene({**TIGHT, "load": 1000, "rpm": 200}),
+    "preload, 3 kN, 9549 rpm": Scene({**TIGHT, "load": 3000, "rpm": 9549}),
+    "preload of 40 um, 5 kN, 477.5 rpm": Scene({"clearance": "-40e-6", "load": 5000, "rpm": 477.5}),
+    "7205B, thrust 300 N, 8000 rpm": Scene({**THRUST, "axial": 300, "rpm": 8000}, 400),
+    "7205B, thrust 1 kN, 3000 rpm": Scene({**THRUST, "axial": 1000, "rpm": 3000}, 400),
+    "7208, 2 kN and thrust 3 kN, 3000 rpm": Scene(
+        {"bearing": 7208, "load": 2000, "axial": 3000, "rpm": 3000}
+    ),
+    "7208, thrust 500 N, 6000 rpm": Scene(
+        {"bearing": 7208, "load": "1e-3", "axial": 500, "rpm": 6000}, 400
+    ),
+}
+WITHOUT = {
+    "no clearance, 5 kN, 477.5 rpm": {"load": 5000, "rpm": 477.5},
+    "light load, cage of one ring, 6000 rpm": {"load": 300, "rpm": 6000, "cage": "ring"},
+    "clearance 20 um, 1 kN, 1500 rpm": {"clearance": "20e-6", "load": 1000, "rpm": 1500},
+    "unbalance": {**TIGHT, "load": 2000, "rpm": 1500, "unbalance": "1e-4"},
+}
+HEADS = (
+    *("scene", "ball passes", "evaluations", "of 30 ball passes", "share"),
+    *("torque", "largest load", "least film", "cage speed"),
+)
+PAGE = """\
+The orbit of a ball pass
+========================
+
+Written by ``tests/bench/orbit.py``, {today}. ``settle orbit`` against runs that settle for 30 ball
+passes; figures against {measured} ball passes of a steady run, relative.
+
+.. list-table::
+   :header-rows: 1
+
+{table}
+
+Scenes without an orbit
+-----------------------
+
+{without}
+"""
+
+
+def figures(folder):
+    """Means: friction torque (N m), largest load of a contact at an instant (N), minimum film
+    thickness at the largest inner load (m), cage speed (rad/s)."""
+    tables = RunTables(folder)
+    found = summary(tables)
+    loads = tables.contacts["load"].to_numpy().reshape(len(tables.totals), -1)
+    largest = np.nanmax(loads, axis=1).mean()
+    return (
+        *(found["friction_torque_N_m"], largest),
+        *(found["h_min_m"], found["cage_speed_rad_s"]),
+    )
+
+
+def settled(folder, settle, words, passes=1):
+    """What the host wrote, what the run noted, and its evaluations for one measured ball pass."""
+    given = {"models": "full", **words, "settle": settle, "passes": passes}
+    said = run_deck(DECK, **given, out=folder, overwrite="yes")
+    noted = cost(folder)
+    return said, noted, noted["settling_evaluations"] + noted["evaluations"] / passes
+
+
+def row(name, scene, place):
+    said, noted, evaluations = settled(place / "orbit", "orbit", scene.words)
+    _, _, marched = settled(place / "marched", SETTLED, scene.words)
+    settled(place / "steady", scene.steady, scene.words, MEASURED)
+    off = [
+        own / steady - 1
+        for own, steady in zip(figures(place / "orbit"), figures(place / "steady"), strict=True)
+    ]
+    passes = f"{noted['orbit_passes']:.0f}" if "Orbit after" in said else "none"
+    numbers = (f"{evaluations:.0f}", f"{marched:.0f}", f"{evaluations / marched:.2f}")
+    return (name, passes, *numbers, *(f"{one:.1e}" for one in off))
+
+
+def rst_row(cells):
+    return "\n".join(
+        f"   {'* -' if first else '  -'} {cell}"
+        for first, cell in ((k == 0, c) for k, c in enumerate(cells))
+    )
+
+
+def without(name, words, place):
+    said, _, evaluations = settled(place, "orbit", words)
+    why = next(line for line in said.splitlines() if line.startswith("No orbit"))
+    return f"* {name} ({evaluations:.0f} evaluations): {why}"
+
+
+def main():
+    chosen = sys.argv[1:]
+    rows, marched = [HEADS], []
+    with tempfile.TemporaryDirectory() as work:
+        for name, scene in ORBITS.items():
+            if not chosen or name in chosen:
+                rows.append(row(name, scene, Path(work)))
+                print(*rows[-1], sep="  ", flush=True)
+        for name, words in WITHOUT.items():
+            if not chosen or name in chosen:
+                marched.append(without(name, words, Path(work) / "without"))
+                print(marched[-1], flush=True)
+    bench_file("orbit.rst").write_text(
+        PAGE.format(
+            today=date.today().isoformat(),
+            measured=MEASURED,
+            table="\n".join(rst_row(cells) for cells in rows),
+            without="\n".join(marched),
+        )
+    )
+
+
+if __name__ == "__main__":
+    main()
