@@ -10,6 +10,7 @@ import pytest
 from host import frames, liggghts, succeed, tables
 from raceway.runs.cage import pockets_around, whirl, whirl_order
 from raceway.runs.run import Run
+from raceway.theory.operating_point import figures as statics
 
 DECK = "tests/scenarios/in.cage_ring"
 VERLET = dict(integrator="verlet", dt=2e-7)
@@ -277,6 +278,19 @@ def share_below(level, pitch):
     turn = np.linspace(0, 2 * np.pi, 3601)[:-1]
     depth = np.clip(pitch * (np.cos(turn) - 1) - 1 + 2 * level, -1, 1)
     return ((1 + depth) ** 2 * (2 - depth) / 4).mean()
+
+
+def test_a_cage_under_moments_bears_what_statics_estimates(tmp_path):
+    """Balls that would run ahead by ten times the play press with their traction. The largest force
+    has the impacts, too. The load of the run is along -y, that of statics along x."""
+    point = dict(load=3500.0, axial=5000.0, rpm=1500.0)
+    found = dict(bearing="7208B", moment_x=25, moment_y=15, settle=1, passes=2)
+    succeed("inputs/in.cage_ring", out=tmp_path, **found, **point)
+    figures = Run(tmp_path).summary()
+    estimate = statics("7208B", "mineral", moment=(-15.0, 25.0), **point)
+    assert estimate["ball_excursion_m"] > 10 * figures["pocket_play_m"]
+    assert 0.5 < figures["pocket_force_max_N"] / estimate["pocket_force_N"] < 2
+    assert figures["cage_slip_angle"] < -0.01
 
 
 def test_an_unknown_part_of_a_cage_is_refused(tmp_path):
