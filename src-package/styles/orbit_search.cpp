@@ -28,6 +28,7 @@ void OrbitSearch::end_pass(LAMMPS_NS::LAMMPS *lmp, const SettlingChanges &change
   const bool only_follows = now_.jumped != 0.0;
   now_.jumped = 0.0;
   if (!only_follows) judge(balls, end, changes, settled);
+  now_.values = only_follows || now_.jumped != 0.0 ? 0.0 : now_.values + 1.0;
   if (now_.stage == ON && now_.passes - now_.best_pass >= patience) now_.stage = NONE;
   start_ = now_.jumped != 0.0 ? OrbitBalls(lmp).by_slot(now_.passes) : end;
 }
@@ -44,14 +45,16 @@ void OrbitSearch::judge(const OrbitBalls &balls, const std::vector<double> &end,
   now_.residual = next.residual;
   now_.distance = next.distance;
   const double steady = 0.2 * settled, close = 0.1 * settled;
-  if (changes.within({steady, steady, steady, settled}) && next.distance <= settled &&
-      std::fabs(now_.stretch - 1.0) <= settled) {
+  // a slow mode shows in two values one after the other, not across a jump
+  if (now_.values > 0.0 && changes.within({steady, steady, steady, settled}) &&
+      next.distance <= settled && std::fabs(now_.stretch - 1.0) <= settled) {
     now_.stage = FOUND;
     return;
   }
   const double keeps = map_.contraction(), progress = std::max(close, next.residual);
   if (keeps < 0.0) map_.forget();    // the last jump went too far: values beyond the orbit count
-  const bool jumps = next.residual > close && now_.jumps < most_jumps && keeps > slow;
+  const bool jumps =
+      (next.residual > close || next.distance > settled) && keeps > slow && now_.jumps < most_jumps;
   if (progress < less * now_.best || jumps) {
     now_.best = std::min(now_.best, progress);
     now_.best_pass = now_.passes;
