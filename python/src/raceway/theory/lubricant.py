@@ -14,6 +14,7 @@ import numpy as np
 
 from raceway.arrays import Numbers
 from raceway.core import laws
+from raceway.sweeps import variable_table
 
 
 class Fluid(NamedTuple):
@@ -88,10 +89,10 @@ class Lubricant:
     pressure_viscosity: float  # at 40 C, 1/Pa
     pressure_viscosity_hot: float  # at 100 C, 1/Pa
     permittivity: float  # at 40 C
-    conductivity: float = 0.134  # W/(m K)
-    heat_capacity: float = 1950.0  # J/(kg K)
-    eyring_stress: float = 5e6  # Pa
-    limiting_traction: float = 0.047
+    conductivity: float = float(variable_table.default("oil_conductivity"))  # W/(m K)
+    heat_capacity: float = float(variable_table.default("oil_heat_capacity"))  # J/(kg K)
+    eyring_stress: float = float(variable_table.default("eyring_stress"))  # Pa
+    limiting_traction: float = float(variable_table.default("limiting_traction"))
 
     def at(self, temperature: Numbers) -> Fluid:
         """The `Fluid` at a temperature in degrees C. Raises `ValueError` outside -40 to 200 C."""
