@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Sphinx: tables that C++ has: `.. columns:: SECTION`, output columns;
 `.. law-keywords:: dry|film`, keywords of the contact law; `.. law-parts::`, its parts;
-`.. validity::`, the rules of validity."""
+`.. validity::`, the rules of validity; `.. oil-constants::`, defaults of an oil's constants."""
 
 from docutils.statemachine import StringList
 from raceway import core
@@ -137,8 +137,24 @@ class ValidityTable(SphinxDirective):
         return self.parse_text_to_nodes(StringList(lines, source=str(COLUMNS)))
 
 
+class OilTable(SphinxDirective):
+    """Constants of oils with their defaults and effects."""
+
+    def run(self):
+        self.env.note_dependency(str(COLUMNS))
+        kinds = ("oil constant", "oil over temperature", "oil data")
+        rows = [
+            (f"*{r['name']}*", f"{r['default']} {r['unit']}".strip(), r["meaning"])
+            for r in core.table("variables")
+            if r["of"] in kinds and r["default"]
+        ]
+        lines = table("25 20 55", ("constant", "default", "meaning and effect"), rows)
+        return self.parse_text_to_nodes(StringList(lines, source=str(COLUMNS)))
+
+
 def setup(app):
     app.add_directive("columns", ColumnTable)
+    app.add_directive("oil-constants", OilTable)
     app.add_directive("law-keywords", KeywordTable)
     app.add_directive("law-parts", PartTable)
     app.add_directive("validity", ValidityTable)

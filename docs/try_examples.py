@@ -4,11 +4,12 @@ every Python or console block, in the order of its page.
 
     .venv/bin/python docs/try_examples.py [build/liggghts]
 
-A block under "Examples" stands in for the lines of decks/in.ehd that give the same command; the
-rest of that deck stays. Python and console blocks of a page run in a copy (workspace.py): a
-finished run is not replaced by default, so none from an earlier build may
-be present. They may use the run of `make run`, except on pages that make it themselves. As many
-pages run at a time as there are cores. Exit code 1 when a run fails; its last lines are shown.
+A block under "Examples" stands in for the lines of decks/in.ehd that give the same command, or,
+with commands of named bearings, for those of inputs/in.6208 with one ball pass; the rest of that
+deck stays. Python and console blocks of a page run in a copy (workspace.py): a
+finished run is not replaced unasked, so they must find none of an earlier time. They may use the
+run of `make run`, but on pages that make it themselves. As many pages run at a time as there are
+cores. Exit code 1 when a run fails; its last lines are shown.
 """
 
 import os
@@ -32,6 +33,8 @@ FILM_ONLY = (
     "variable out ",
     "shell mkdir ",
 )
+NAMED = ("bearing ", "run_bearing ", "bearing_dump ", "pair_style bearing ")
+SHORT = {"out": "out", "settle": 1, "passes": 1, "lubricant": "vg46"}
 MAIN = Path("build/run/6208")
 # they make the main run, or need none
 APART = ("tutorial.rst", "tutorial_twin.rst", "sweep.rst", "gallery.rst")
@@ -130,7 +133,7 @@ def run_session(page, folder):
 def key(line):
     """Key of a line: two lines with one key are the same command."""
     word = line.split()
-    if word[0] in ("pair_style", "create_bearing", "timestep", "run"):
+    if word[0] in ("pair_style", "create_bearing", "timestep", "run", "bearing", "run_bearing"):
         return word[0]
     if word[0] in ("pair_coeff", "variable"):
         return tuple(word[:3] if word[0] == "pair_coeff" else word[:2])
@@ -140,6 +143,14 @@ def key(line):
             return word[0], word[2]
         return word[0], style
     return line
+
+
+def base_of(block):
+    """Lines of the deck that a block is tried in."""
+    if not any(line.startswith(NAMED) or " bearing/heat" in line for line in block):
+        return joined((DOCS / "decks/in.ehd").read_text())
+    short = [f"variable {name} index {value}" for name, value in SHORT.items()]
+    return short + joined((DOCS.parent / "inputs/in.6208").read_text())
 
 
 def deck(base, block):
@@ -160,14 +171,14 @@ def deck(base, block):
     rest = [line for line in block if key(line) not in {key(line) for line in base}]
     result = []
     for line in base:
-        if line.startswith("create_bearing") or line.startswith("timestep"):
+        if line.startswith(("create_bearing", "timestep", "run_bearing")):
             early = [
                 new
                 for new in rest
                 if new.startswith(("pair_coeff", "variable")) == line.startswith("create_bearing")
             ]
             result += early
-        result.append("run 100" if line.startswith("run") else given.get(key(line), line))
+        result.append("run 100" if line.startswith("run ") else given.get(key(line), line))
     return result
 
 
@@ -231,10 +242,10 @@ def tasks(program, main_run):
         if f"docs/decks/{path.name}" not in gallery
     ]
     yield partial(of_decks, program, sorted(decks))
-    base = joined((DOCS / "decks/in.ehd").read_text())
     for page in sorted(DOCS.glob("*.rst")):
         for number, block in enumerate(blocks(page), 1):
-            example = [(f"{page.name} example {number}", deck(base, joined(block)))]
+            lines = joined(block)
+            example = [(f"{page.name} example {number}", deck(base_of(lines), lines))]
             yield partial(of_decks, program, example)
 
 

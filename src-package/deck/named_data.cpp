@@ -49,9 +49,9 @@ Names given_names(const Names &of_file)
   Names set = words_after("-var", "-v"), found;
   set.merge(set_by_deck());
   for (const std::string &name : set)
-    if (of_file.count(name) || find_deck_variable(name, "bearing data") ||
-        find_deck_variable(name, "usual data") || find_deck_variable(name, "oil data"))
-      found.insert(name);
+    if (of_file.count(name)) found.insert(name);
+  for (const DeckVariable &v : deck_variables())
+    if (v.of_data() && set.count(v.name)) found.insert(v.name);
   return found;
 }
 
@@ -101,13 +101,13 @@ std::vector<std::string> given_of(const NamedData &data, const std::vector<std::
   return list;
 }
 
-void check_data(const Arguments &args, NamedData &data, const std::string &of)
+std::vector<std::string> check_data(const Arguments &args, NamedData &data, const std::string &of)
 {
-  std::vector<std::string> missing;
+  std::vector<std::string> missing, assumed;
   for (const DeckVariable &v : deck_variables()) {
     if (!v.taken_by(of) || data.values.count(v.name)) continue;
     if (*v.initial) data.values[v.name] = v.initial;
-    else missing.push_back(v.name);
+    (*v.initial ? assumed : missing).push_back(v.name);
   }
   if (!missing.empty()) args.fail(data.label + " has no variable " + joined(missing));
   for (const DeckVariable &v : deck_variables()) {
@@ -115,6 +115,7 @@ void check_data(const Arguments &args, NamedData &data, const std::string &of)
     const std::string wrong = wrong_value(v, data.values[v.name]);
     if (!wrong.empty()) args.fail(wrong);
   }
+  return assumed;
 }
 
 }    // namespace bearing

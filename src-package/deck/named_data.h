@@ -22,9 +22,9 @@ NamedData read_data(LAMMPS_NS::LAMMPS *, const Arguments &, const std::string &i
 // Data of these kinds that differ from the file's, as NAME=VALUE
 std::vector<std::string> given_of(const NamedData &, const std::vector<std::string> &kinds);
 
-// Sets the defaults of the variables of the table that belong to `of`, and checks all; error if one
-// without default is missing.
-void check_data(const Arguments &, NamedData &, const std::string &of);
+// Sets the defaults of the variables of the table that are `of` this, and checks all; error if one
+// without default is missing. The names of those set.
+std::vector<std::string> check_data(const Arguments &, NamedData &, const std::string &of);
 
 }    // namespace bearing
 

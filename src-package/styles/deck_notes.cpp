@@ -64,15 +64,14 @@ std::string variables_of(LAMMPS *lmp, double within)
   std::string list;
   for (const DeckVariable &v : deck_variables()) {
     const std::string name = v.name;
-    const bool data =
-                   v.taken_by("bearing data") || v.taken_by("usual data") || v.taken_by("oil data"),
-               of_sampling = name == "sampling" || name == "oversampling",
+    const bool of_sampling = name == "sampling" || name == "oversampling",
                angle = name == "contact_angle" || name == "four_point";
     const std::optional<std::string> given = host_variable(lmp, name);
     if (v.taken_by("bearing/cage/ring") && host_variable(lmp, "cage").value_or("") != "ring")
       continue;
     if (cold && v.taken_by("bearing/heat")) continue;
-    if (v.of_one_deck() || (data && !angle) || (of_sampling && !vibration) || (angle && !given))
+    if (v.of_one_deck() || (v.of_data() && !angle) || (of_sampling && !vibration) ||
+        (angle && !given))
       continue;
     if (std::find(others.begin(), others.end(), name) != others.end()) continue;
     const auto at = own.find(name);
@@ -80,6 +79,32 @@ std::string variables_of(LAMMPS *lmp, double within)
     if (!value.empty()) list += (list.empty() ? "" : ",") + name + "=" + value;
   }
   return list;
+}
+
+// Text of a data file and its oil, as KEY=VALUE
+std::string words_of(const NamedBearing &b, const PairBearing &pair)
+{
+  const auto [oil, temperature] = pair.oil_of(b.name);
+  std::string words = "bearing=" + b.word("bearing");
+  if (!oil.empty()) words += " lubricant=" + oil;
+  if (pair.coefficients().lubricated()) words += " temperature_C=" + digits(temperature);
+  words += " contact_angle_deg=" + b.word("contact_angle");
+  for (const char *side : {"inner", "outer"})
+    words += std::string(" ") + side + "_shoulder_diameter_m=" +
+             digits(b.number_or(std::string(side) + "_shoulder_diameter", 0.0));
+  return words;
+}
+
+// Atom type of the first ball of each bearing of a record. Collective.
+std::vector<int> ball_types(LAMMPS *lmp, const RecordLayout &layout)
+{
+  std::vector<int> own(layout.bearings.size(), 0), all(own.size());
+  for (const RecordLayout::RecordBody &ball : layout.balls) {
+    const int i = lmp->atom->map(static_cast<tag_t>(ball.tag));
+    if (i >= 0 && i < lmp->atom->nlocal) own[ball.bearing] = lmp->atom->type[i];
+  }
+  MPI_Allreduce(own.data(), all.data(), static_cast<int>(own.size()), MPI_INT, MPI_MAX, lmp->world);
+  return all;
 }
 
 }    // namespace
@@ -99,7 +124,8 @@ std::vector<std::string> data_lines(LAMMPS *lmp)
   return lines;
 }
 
-void add_deck_notes(LAMMPS *lmp, const PairBearingHertz &pair, double within, Attributes &to)
+void add_deck_notes(LAMMPS *lmp, const PairBearingHertz &pair, const RecordLayout &layout,
+                    double within, Attributes &to)
 {
   const auto *named = dynamic_cast<const PairBearing *>(&pair);
   std::vector<const NamedBearing *> list;
@@ -121,9 +147,22 @@ void add_deck_notes(LAMMPS *lmp, const PairBearingHertz &pair, double within, At
         return one->word("bearing") == b.word("bearing");
       }))
     add("bearing", b.word("bearing"));
-  if (list.size() > 1) return;
+  if (list.size() > 1) {
+    std::string lines, numbers;    // a line a name, the line of each bearing of the record
+    for (const NamedBearing *one : list)
+      lines += (lines.empty() ? "" : "\n") + words_of(*one, *named);
+    for (const int type : ball_types(lmp, layout)) {
+      const auto at = std::find(list.begin(), list.end(), bearing_of_type(lmp, type));
+      numbers += (numbers.empty() ? "" : " ") + std::to_string(at - list.begin());
+    }
+    add("named_bearings", lines);
+    add("bearing_names", numbers);
+    return;
+  }
+  if (named->coefficients().lubricated()) add("temperature_C", named->oil_of(b.name).second);
   std::vector<std::string> given = b.given;
   given.insert(given.end(), named->given().begin(), named->given().end());
+  if (const std::string assumed = named->assumed(); !assumed.empty()) add("assumed_data", assumed);
   add("given_data", given.empty() ? std::string("none") : joined(given, ","));
   add("contact_angle_deg", b.number("contact_angle"));
   add("inner_shoulder_diameter_m", b.number_or("inner_shoulder_diameter", 0.0));

@@ -8,9 +8,9 @@
 
 namespace bearing {
 
-// Adds those that `to` does not have yet; none without a named bearing. Collective.
-void add_deck_notes(LAMMPS_NS::LAMMPS *, const LAMMPS_NS::PairBearingHertz &, double within,
-                    NetcdfHeader::Attributes &to);
+// Adds those that `to` does not have yet; none without a bearing with a name. Collective.
+void add_deck_notes(LAMMPS_NS::LAMMPS *, const LAMMPS_NS::PairBearingHertz &, const RecordLayout &,
+                    double within, NetcdfHeader::Attributes &to);
 
 // A line for each named bearing: its data and the permittivity of its oil, without paths.
 std::vector<std::string> data_lines(LAMMPS_NS::LAMMPS *);

@@ -299,7 +299,7 @@ void FixBearingRecord::open()
   find_heats();
   content.heat = !heats_.empty();
   content.spheres = pair_->coefficients().any_spheres() || layout_.pockets();
-  bearing::add_deck_notes(lmp, *pair_, within_, notes_);
+  bearing::add_deck_notes(lmp, *pair_, layout_, within_, notes_);
   about_ = bearing::record_settings(lmp, *pair_, layout_, notes_,
                                     {nevery * update->dt / within_, start_});
   content.about = about_;

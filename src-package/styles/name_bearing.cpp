@@ -63,8 +63,7 @@ void NameBearing::refuse_unknown(const Arguments &args, const std::string &input
     bearing::collect_deck(infile, deck);
     bearing::Names names = deck;
     for (const bearing::DeckVariable &v : bearing::deck_variables())
-      if (v.taken_by("bearing data") || v.taken_by("usual data") || v.taken_by("oil data"))
-        names.insert(v.name);
+      if (v.of_data()) names.insert(v.name);
     for (const char *sort : {"/bearings", "/lubricants"})
       bearing::collect_folder(inputs + sort, names);
     for (const std::string &set : bearing::words_after("-var", "-v")) {

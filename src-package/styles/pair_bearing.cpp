@@ -94,19 +94,34 @@ bearing::OilWords PairBearing::read_oil(const Arguments &args, const std::string
 {
   if (name == "dry") return {{"film", "dry"}};
   bearing::NamedData oil = bearing::read_data(lmp, args, folder_, "lubricants", name);
-  if (!oil.values.count("film")) args.fail(oil.label + " has no variable film");
+  oil.values.emplace("film", "film");
   if (oil.values["film"] == "dry") return oil.values;
-  given_ = bearing::given_of(oil, {"oil data"});
+  given_ = bearing::given_of(oil, {"oil data", "oil constant", "oil over temperature"});
   oil.values["temperature"] = digits(t);
-  bearing::DataValues values(lmp, args, oil.values, oil.label);
-  const bearing::DeriveLaws laws = bearing::data_laws();
-  if (values.there("vogel_viscosity")) laws.at("vogel")(values);
-  else if (values.there("kinematic_viscosity_40")) laws.at("walther")(values);
-  else if (const auto at = oil.of_file.find("temperature");
-           at != oil.of_file.end() && args.number_in(at->second, "temperature") != t)
+  std::vector<std::string> assumed = check_data(args, oil, "oil constant");
+  const bool vogel = oil.values.count("vogel_viscosity"),
+             follows = vogel || oil.values.count("kinematic_viscosity_40");
+  if (follows) {
+    const std::vector<std::string> more = check_data(args, oil, "oil over temperature");
+    assumed.insert(assumed.end(), more.begin(), more.end());
+    bearing::DataValues values(lmp, args, oil.values, oil.label);
+    bearing::data_laws().at(vogel ? "vogel" : "walther")(values);
+  } else if (const auto at = oil.of_file.find("temperature");
+             at != oil.of_file.end() && args.number_in(at->second, "temperature") != t)
     args.fail(oil.label + " has values for " + at->second + " C only, not for " + text(t) +
               " C: take a lubricant with physical data, vg46 for example");
-  bearing::check_data(args, oil, "oil data");
+  const std::vector<std::string> more = check_data(args, oil, "oil data");
+  assumed.insert(assumed.end(), more.begin(), more.end());
+  assumed_.clear();
+  const bool thins = choice_.models != "paper" && choice_.models != "none",
+             eyring = choice_.models == "eyring" || !own_model_.empty();
+  for (const std::string &constant : assumed) {
+    const bool unused =
+        constant == "oil_heat_capacity" || (constant == "oil_conductivity" && !thins) ||
+        ((constant == "eyring_stress" || constant == "limiting_traction") && !eyring);
+    if (!unused)
+      assumed_ += (assumed_.empty() ? "" : ",") + constant + "=" + oil.values.at(constant);
+  }
   return oil.values;
 }
 
@@ -126,15 +141,15 @@ void PairBearing::coeff(int narg, char **arg)
   Coeff own;
   own.bearing = b.name;
   own.oil = oil_name_;
-  double t = temperature_;
+  own.temperature = temperature_;
   while (args.more()) {
     if (args.take("oil")) own.oil = args.word("oil of inputs/lubricants, or a file");
-    else if (args.take("temperature")) t = args.number_of("temperature");
+    else if (args.take("temperature")) own.temperature = args.number_of("temperature");
     else if (args.take("speed")) own.speed = args.number("speed of the rings (rad/s)");
     else if (args.take("spheres")) own.printed = args.choice("spheres", {"exact", "printed"}) == 1;
     else own.law += " " + args.word("keyword");
   }
-  own.data = read_oil(args, own.oil, t);
+  own.data = read_oil(args, own.oil, own.temperature);
   if ((own.data.at("film") != "dry") != coefficients().lubricated())
     args.fail("oil " + own.oil + " of bearing " + b.name + " and oil " + oil_name_ +
               " of the pair style: all bearings of a run have films, or all are dry");
@@ -230,6 +245,13 @@ std::string PairBearing::oil() const
   const bool one =
       std::all_of(coeffs_.begin(), coeffs_.end(), [&](const Coeff &c) { return c.oil == first; });
   return one ? first : "";
+}
+
+std::pair<std::string, double> PairBearing::oil_of(const std::string &bearing) const
+{
+  for (const Coeff &c : coeffs_)
+    if (c.bearing == bearing) return {c.oil, c.temperature};
+  return {"", NAN};
 }
 
 bool PairBearing::oil_follows(const std::string &name) const

@@ -35,6 +35,8 @@ class PairBearing : public PairBearingHertz {
   // Share of oil in the space around its balls; 0: none, or models without drag.
   double oil_share(const std::string &bearing) const;
   std::string oil() const;    // of all bearings; empty if they have several
+  // Oil of a named bearing, and its temperature (C); empty and NaN without a pair_coeff.
+  std::pair<std::string, double> oil_of(const std::string &bearing) const;
   // True if the oil of a named bearing has data over temperature.
   bool oil_follows(const std::string &bearing) const;
   // During a run: its oil at another temperature (C). Raceways then have the sizes of cold parts.
@@ -42,11 +44,14 @@ class PairBearing : public PairBearingHertz {
   const std::string &models() const { return choice_.models; }
   double temperature() const { return temperature_; }
   const std::vector<std::string> &given() const { return given_; }    // oil data, NAME=VALUE
+  // Constants of the oil that the models take and its file does not have, NAME=VALUE,...
+  const std::string &assumed() const { return assumed_; }
 
  private:
   struct Coeff {
     std::string bearing;
     std::string oil;           // name
+    double temperature;        // C
     bearing::OilWords data;    // of the oil
     std::string law;           // further keywords of the raceways
     bool printed = false;      // for balls and cage balls
@@ -68,6 +73,7 @@ class PairBearing : public PairBearingHertz {
   bearing::ModelChoice choice_;
   std::string own_model_;    // keywords of a file of models
   std::vector<std::string> given_;
+  std::string assumed_;
   std::vector<Coeff> coeffs_;
   bool replays_ = false;    // commands of a restart file
 };

@@ -40,7 +40,7 @@ def test_errors_are_those_of_the_run(checked, tmp_path):
     for name, words in (
         ("fine", {"tolerance": 1e-8}),
         ("many", {"samples": 40, "within": 1}),
-        ("settled", {"settle": 21}),
+        ("settled", {"settle": 101}),
     ):
         succeed("inputs/in.6208", out=tmp_path / name, **{**COARSE, "within": 1, **words})
         other = summary(RunTables(tmp_path / name))

@@ -15,7 +15,7 @@ from scipy import io
 SPEC = """\
 title: Two records
 bearing: 6205
-deck: {settle: 1}
+deck: {settle: 1, models: paper}
 flaws:
   none:
   outer: {length: 1.0e-3}

@@ -1,13 +1,19 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A -var that the deck does not define ends the run at the command bearing."""
 
+import json
 import shutil
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 import raceway
+import xarray
 from host import ENVIRONMENT, QUICK, ROOT, run, succeed
+from raceway import inputs
+from raceway.cli import main
+from raceway.sweeps import variable_table
 
 SHORT = {"passes": 1, "samples": 20, "rpm": 20000}
 HOSTS = ["liggghts", "lammps", "wheel"]
@@ -88,16 +94,16 @@ def test_models(tmp_path):
 
 
 def test_models_of_an_oil_without_the_numbers(tmp_path):
-    """A user's own lubricant file with only the values that the paper needs."""
-    inputs = tmp_path / "inputs"
-    shutil.copytree(ROOT / "inputs", inputs)
-    (inputs / "lubricants" / "mine").write_text(
+    """A lubricant file of the user's own, with what the paper needs only."""
+    own = tmp_path / "inputs"
+    shutil.copytree(ROOT / "inputs", own)
+    (own / "lubricants" / "mine").write_text(
         "variable film index film\nvariable viscosity index 0.04\n"
         "variable pressure_viscosity index 22e-9\nvariable permittivity index 2.2\n"
         "variable roughness index 1e-7\nvariable ball_roughness index 0\n"
     )
     case = {
-        "inputs": inputs,
+        "inputs": own,
         "lubricant": "mine",
         "out": tmp_path / "run",
         "overwrite": "yes",
@@ -105,10 +111,42 @@ def test_models_of_an_oil_without_the_numbers(tmp_path):
     succeed("inputs/in.6208", **case)
     done = run("inputs/in.6208", models="full", **case)
     assert done.code != 0
-    assert (
-        "oil mine: the lubricant has no variable temperature_viscosity, oil_conductivity"
-        in done.text
-    )
+    assert "oil mine: the lubricant has no variable temperature_viscosity, oil_density" in done.text
+
+
+OIL = {"kinematic_viscosity_40": 46, "kinematic_viscosity_100": 6.8, "oil_density_40": 865}
+
+
+@pytest.mark.parametrize("models", ["paper", "full", "eyring"])
+def test_an_oil_of_three_numbers(tmp_path, models, capsys):
+    """Viscosities and density of a data sheet are enough. Run and statics have the same defaults
+    for what nobody measures; a file that states them makes the same run; summaries name them."""
+    short, whole = tmp_path / "short", tmp_path / "whole"
+    lines = "".join(f"variable {name} index {value}\n" for name, value in OIL.items())
+    short.write_text(lines)
+    defaults = {name: row["default"] for name, row in variable_table.oil().items()}
+    others = {"pressure_viscosity", "permittivity"}  # of an oil at one temperature
+    stated = {name: value for name, value in defaults.items() if name not in others}
+    whole.write_text(lines + "".join(f"variable {n} index {v}\n" for n, v in stated.items()))
+    records = []
+    for oil in (short, whole):
+        words = dict(models=models, lubricant=oil, temperature=60, **SHORT)
+        succeed("inputs/in.6208", out=tmp_path / "run", overwrite="yes", **words)
+        with xarray.open_dataset(tmp_path / "run/record.nc") as data:
+            records.append(data.load())
+        assumed = inputs.assumed(oil, models)
+        noted = records[-1].attrs.get("assumed_data", "")
+        assert noted == ",".join(f"{name}={defaults[name]}" for name in assumed)
+        assert main(["summary", str(tmp_path / "run"), "--json"]) == 0
+        figures = json.loads(capsys.readouterr().out)
+        assert figures.get("assumed_data", {}) == assumed and figures["statics_absent"] is None
+        assert main(["summary", str(tmp_path / "run")]) == 0
+        said = capsys.readouterr().out
+        assert all(f"  {name} {value:g}" in said for name, value in assumed.items())
+    for name, values in records[0].data_vars.items():
+        np.testing.assert_array_equal(values, records[1][name], err_msg=name)
+    assert ("eyring_stress" in inputs.assumed(short, models)) == (models == "eyring")
+    assert not inputs.assumed(whole)
 
 
 def test_other_spelling_of_the_option(tmp_path):

@@ -38,7 +38,7 @@ def test_composite_roughness(tmp_path):
     ("text", "message"),
     [
         (None, "cannot read"),
-        ("variable viscosity index 1\n", "has no variable pressure_viscosity, permittivity"),
+        ("variable permittivity index 2\n", "has no variable viscosity"),
         (
             "".join(
                 f"variable {name} index x\n"

@@ -6,7 +6,8 @@ first scene and 17 % more in the second."""
 import numpy as np
 import pytest
 import xarray
-from host import succeed
+from host import ROOT, succeed
+from raceway.cli import main
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
 
@@ -45,6 +46,21 @@ def test_a_settled_run_says_so(runs):
     assert settled["settling_load"] < 1e-3
     assert settled["settling_cage_speed"] < 1e-3
     assert settled["settling_spin_axis_rad"] < 1e-2
+
+
+def test_check_covers_the_rest(runs, tmp_path, monkeypatch):
+    """A run of the deck's own settling: its torque is within 1 % of that of the settled run, and
+    the error that `raceway check` finds is as large as the difference."""
+    name, _, settled, _ = runs
+    words = dict(settle=None, **SCENES[name], **OIL)
+    succeed("inputs/in.6208", out=tmp_path, **words)
+    monkeypatch.chdir(ROOT)
+    assert main(["check", str(tmp_path)]) == 0
+    figures = summary(RunTables(tmp_path))
+    for key in ("friction_torque_N_m", "cage_speed_rad_s"):
+        off = abs(figures[key] - settled[key])
+        assert off < 0.01 * settled[key]
+        assert off <= figures["numerical_errors"][key], key
 
 
 def test_of_the_record(runs):

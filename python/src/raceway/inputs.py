@@ -10,6 +10,7 @@ from raceway.data_file import comments as comments  # public here, too
 from raceway.data_file import text as text
 from raceway.errors import InputError
 from raceway.files import FilePath
+from raceway.sweeps import variable_table
 from raceway.theory import life, makers
 from raceway.theory.bearing import Bearing, DoubleRow
 from raceway.theory.lubricant import Fluid, Lubricant, Vogel, Walther
@@ -258,7 +259,7 @@ def oil(path: FilePath, temperature: float | None = None) -> Oil:
     default that of the file. Raises `InputError`, also for a dry one."""
     path = _named("lubricants", path)
     at = fluid(path, temperature)
-    data = numbers(path, "roughness", "ball_roughness")
+    data = _constants(path, "roughness", "ball_roughness")
     return Oil(
         at.viscosity,
         at.pressure_viscosity,
@@ -279,13 +280,15 @@ def fluid(path: FilePath, temperature: float | None = None) -> Fluid:
     path = _named("lubricants", path)
     data = values(path)
     own = numbers(path, "temperature")["temperature"] if "temperature" in data else math.nan
+    if physical(path) and "temperature" not in data:
+        own = float(variable_table.default("temperature"))
     if physical(path):
         try:
             result = lubricant(path).at(own if temperature is None else temperature)
         except ValueError as error:
             raise InputError(f"{path}: {error}") from None
     else:
-        numbers(path, "viscosity", "pressure_viscosity", "permittivity")
+        numbers(path, "viscosity")
         if temperature not in (None, own):
             raise InputError(
                 f"{path} has values for {own:g} C only and none for {temperature:g} C: take a file "
@@ -293,12 +296,37 @@ def fluid(path: FilePath, temperature: float | None = None) -> Fluid:
             )
         result = Fluid(own, *[math.nan] * (len(Fluid._fields) - 1))
     given = {field: key for field, key in FLUID.items() if key in data}
-    return result._replace(**dict(zip(given, numbers(path, *given.values()).values())))
+    result = result._replace(**dict(zip(given, numbers(path, *given.values()).values())))
+    usual = {field: key for field, key in FLUID.items() if key in assumed(path)}
+    return result._replace(**{field: assumed(path)[key] for field, key in usual.items()})
+
+
+def assumed(path: FilePath, models: str | None = None) -> dict[str, float]:
+    """Constants of an oil that its file does not have, by name, with the defaults by which decks
+    and statics replace them; with `models` only those that these take. Raises `InputError`."""
+    data, over = values(path), physical(path)
+    unused = {"oil_heat_capacity"} if models else set()
+    unused |= {"oil_conductivity"} if models == "paper" else set()
+    unused |= {"eyring_stress", "limiting_traction"} if models not in (None, "eyring") else set()
+    others = {"pressure_viscosity", "permittivity"}  # of an oil at one temperature
+    return {
+        name: float(row["default"])
+        for name, row in variable_table.oil().items()
+        if name not in data.keys() | unused
+        and (over if row["of"] == "oil over temperature" else not (over and name in others))
+    }
+
+
+def _constants(path, *names):
+    """Numbers of an oil by name, defaults where its file has none."""
+    usual = {name: value for name, value in assumed(path).items() if name in names}
+    found = numbers(path, *(name for name in names if name not in usual)) | usual
+    return {name: found[name] for name in names}
 
 
 def physical(path: FilePath) -> bool:
-    """True if a file of inputs/lubricants has physical data, valid at any temperature."""
-    return "oil_density_40" in values(path)
+    """True if a file of inputs/lubricants has physical data, for any temperature."""
+    return not {"kinematic_viscosity_40", "vogel_viscosity"}.isdisjoint(values(path))
 
 
 def lubricant(path: FilePath) -> Lubricant:
@@ -310,6 +338,8 @@ def lubricant(path: FilePath) -> Lubricant:
         else (Walther, ("kinematic_viscosity_40", "kinematic_viscosity_100"))
     )
     try:
-        return Lubricant(law(*numbers(path, *names).values()), *numbers(path, *PHYSICAL).values())
+        return Lubricant(
+            law(*numbers(path, *names).values()), *_constants(path, *PHYSICAL).values()
+        )
     except ValueError as error:
         raise InputError(f"{path}: {error}") from None

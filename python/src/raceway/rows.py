@@ -65,20 +65,29 @@ def lines(
     topics: Mapping[str, Sequence[Row]],
     errors: Mapping[str, float] | None = None,
     ranges: Mapping[str, tuple[float, float]] | None = None,
+    second: tuple[str, Mapping[str, Any]] | None = None,
 ) -> list[str]:
-    """The lines of a table of `topics` (`Row`s by heading); figures that are None are omitted.
-    If there are `errors` by key, in the unit of the figure, they form a column; `ranges` (low,
-    high) by key end a line."""
+    """The lines of a table of `topics` (`Row`s by heading); figures that are None are left out.
+    Where there are `errors` by key, in the unit of the figure, a column has them; `ranges` (low,
+    high) by key end a line. `second`, a name and figures by key, is a column of its own, with its
+    name above it in each topic that it has figures of."""
     result = []
-    for row in cells(figures, topics, errors, ranges):
-        if len(row) == 1:
-            result += ["", *row]
-            continue
-        label, value, error, span, source = row
-        error = "" if errors is None else f"{error:>12}"
-        span = f"  range {span}" if span else ""
-        source = f"({source})" if source else ""
-        result.append(f"  {label:<32}{value:>14}{error}  {source}{span}".rstrip())
+    name, others = second or ("", {})
+    for topic, rows in topics.items():
+        own = [row for row in rows if figures[row.key] is not None]
+        there = any(row.key in others for row in own)
+        for row, (head, *cell) in zip([None, *own], cells(figures, {topic: rows}, errors, ranges)):
+            if row is None:
+                result += ["", f"{head:<34}{'run':>14}{name:>14}" if there else head]
+                continue
+            value, error, span, source = cell
+            value = f"{value:>14}"
+            if there:
+                value += f"{_value(row, others[row.key]) if row.key in others else '':>14}"
+            error = "" if errors is None else f"{error:>12}"
+            span = f"  range {span}" if span else ""
+            source = f"({source})" if source else ""
+            result.append(f"  {head:<32}{value}{error}  {source}{span}".rstrip())
     return result[1:]
 
 

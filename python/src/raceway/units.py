@@ -11,16 +11,18 @@ def prefixed(value: float, unit: str, digits: int = 4) -> str:
     """`value` in `unit` as text with `digits` significant digits and an SI prefix: 2.571e9, "Pa" ->
     2.571 GPa.
 
-    A value without a unit gets no prefix either.
+    A value without a unit gets no prefix either, and an angle none below micro.
 
     >>> prefixed(2.571e9, "Pa"), prefixed(3.4867e-05, "m"), prefixed(1.4, "")
     ('2.571 GPa', '34.87 µm', '1.4')
+    >>> prefixed(2.22e-16, "rad"), prefixed(3e-6, "rad")
+    ('2.22e-16 rad', '3 µrad')
     """
     if not unit or value == 0 or not math.isfinite(value):
         return f"{value:.{digits}g} {unit}".strip()
     value = float(f"{value:.{digits - 1}e}")  # first, so that 999.99 m becomes 1 km and not 1000 m
     power = _power(value)
-    if abs(value) < 1e-18:  # of no prefix
+    if abs(value) < (1e-6 if unit == "rad" else 1e-18):  # of no prefix
         return f"{value:.{digits}g} {unit}"
     return f"{value / 10.0**power:.{digits}g} {PREFIX[power]}{unit}"
 

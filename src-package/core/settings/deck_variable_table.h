@@ -15,12 +15,13 @@ struct DeckVariable {
   const char *initial;    // default as text; "": that of the style, or the data must provide it
   const char *unit;       // "": a word, a count or a ratio
   const char *range;      // "LO HI", "LO HI whole", "LO HI or V", "one_of A B ..."; "": any words
-  const char *of;    // commands and styles that take it, `bearing data`, `oil data`, or one deck
+  const char *of;         // commands and styles that take it, a kind of data, or one deck
   const char *meaning;
 
   std::string label() const;    // name and unit, for messages
   bool taken_by(const std::string &command) const;
   bool of_one_deck() const;    // `of` is the name of its file
+  bool of_data() const;        // of a bearing or an oil, in data files
 };
 
 const std::vector<DeckVariable> &deck_variables();

@@ -9,9 +9,9 @@ from raceway.commands.quantity import takes_negative
 
 DESCRIPTION = """\
 Repeats a run of the main deck with a tenth of the tolerance (velocity Verlet: half the step), with
-twice the samples, and with 20 more ball passes of settling. The difference of a figure is its
-error. The repeats are in DIR/check, the errors in DIR/check.json. `raceway summary DIR` then shows
-their sum next to each figure.
+twice the samples, and settled for 100 more ball passes. The difference of a figure is its error.
+The repeats are in DIR/check, the errors in DIR/check.json. `raceway summary DIR` then shows their
+sum beside each figure.
 
 This is the numerical error, not the error of the model."""
 EXAMPLES = """\

@@ -21,7 +21,8 @@ def add(commands: Commands) -> None:
         help="the figures of a run, with units and equations",
         description=(
             "Loads, pressures, film, capacitance and speed of a finished run, each with its unit"
-            " and equation."
+            " and equation, and beside them those of `raceway static` at the run's load, speed,"
+            " clearance and models."
         ),
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
@@ -35,9 +36,12 @@ def add(commands: Commands) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Print the figures."""
+    from raceway.runs.statics import statics
     from raceway.runs.summary import summary, table
 
-    figures = summary(one_run.tables(arguments))
+    tables = one_run.tables(arguments)
+    figures = summary(tables)
+    figures |= statics(tables, figures)
     print(
         json.dumps(figures, indent=2, ensure_ascii=False, allow_nan=False)
         if arguments.json

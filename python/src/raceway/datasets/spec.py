@@ -37,8 +37,8 @@ RANGES = {  # m, except for the place
     "amplitude": (1e-10, 1e-5),
     "place": (0, 12),  # o'clock
 }
-# default: signals of the paper's model, which has the least contact damping
-USUAL = {"housing": "springs", "models": "paper", "settle": "1"}
+# where the file says nothing; otherwise the deck's defaults count
+USUAL = {"housing": "springs", "settle": "1"}
 SET_HERE = {
     **OURS,
     **dict.fromkeys(("flaw_inner", "flaw_outer", "flaw_ball", "flawed_ball"), "`flaws` says it"),

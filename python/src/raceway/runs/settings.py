@@ -22,6 +22,8 @@ COST = ("processor_s", "evaluations")  # in addition, in runs that note it
 LUBRICANT = ("viscosity_Pa_s", "pressure_viscosity_per_Pa", "permittivity", "roughness_m")
 NO_LUBRICANT = ("dry", "none")
 MEASURED = ("load_N", "load_azimuth_rad", "rpm", "samples_per_pass", "passes")
+OF_ALL = ("pair_commands", "named_bearings", "bearing_names")  # of all bearings of a record
+TEXT = ("bearing", "lubricant")
 RAD_S = np.pi / 30  # rad/s per revolution a minute
 NO_LOAD = 1e-9  # radial load over the forces on rings, below which its direction is rounding
 
@@ -49,7 +51,8 @@ def settings(record: Record) -> Settings:
     end = _the_end(path, beside)
     need_same_run(record, beside)
     one = {} if record.bearing is None else _bearing(record)
-    told = {key: value for key, value in record.attrs.items() if key != "pair_commands"}
+    told = {key: value for key, value in record.attrs.items() if key not in OF_ALL}
+    told |= _named(record)
     columns = {"contact_columns": " ".join(["ball", "ring", "raceway", *record.contact_columns])}
     found = {"bearing": "unnamed", "integrator": "unknown", **one, **told, **columns}
     for name in ("inner_ring", "outer_ring"):
@@ -62,6 +65,17 @@ def settings(record: Record) -> Settings:
 
 SIZES = ("ball_diameter", "inner_radius", "outer_radius", "inner_groove", "outer_groove")
 BODY = {"balls": 1e6, "ball_young": 1e15, **dict.fromkeys(SIZES, 100.0)}  # largest, SI
+
+
+def _named(record):
+    """What the deck's commands state of the chosen bearing, of a record with several names."""
+    lines = str(record.attrs.get("named_bearings", "")).splitlines()
+    numbers = str(record.attrs.get("bearing_names", "")).split()
+    if record.bearing is None or len(numbers) != len(record.bearings):
+        return {}
+    line = int(numbers[record.bearings.index(record.bearing)])
+    words = dict(word.split("=", 1) for word in lines[line].split()) if line < len(lines) else {}
+    return {key: value if key in TEXT else float(value) for key, value in words.items()}
 
 
 def _bearing(record):

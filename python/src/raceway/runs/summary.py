@@ -27,6 +27,7 @@ from raceway.runs.rating import rating
 from raceway.runs.settings import LUBRICANT
 from raceway.runs.settling import settling
 from raceway.runs.tables import RunTables
+from raceway.sweeps import variable_table
 from raceway.theory import models
 from raceway.theory.bearing import INNER, OUTER
 from raceway.theory.validity import Shoulders, doubts, past_shoulder
@@ -189,6 +190,9 @@ def summary(tables: RunTables) -> dict[str, Any]:
     ranges |= {key: Range(*one) for key, one in cage_ranges(tables, result).items()}
     result["model_ranges"] = {key: one._asdict() for key, one in ranges.items()} or None
     result |= warming.figures(tables)
+    if assumed := str(settings.get("assumed_data") or ""):
+        pairs = (word.split("=", 1) for word in assumed.split(","))
+        result["assumed_data"] = {name: float(value) for name, value in pairs}
     if flaws := by_part(settings):
         result["flaws"] = flaws
     if errors := numerical_errors(tables):
@@ -344,8 +348,9 @@ def _plain(value):
 
 
 def table(figures: Mapping[str, Any]) -> str:
-    """The mapping of `summary` as text, one block for each topic, without missing and negligible
-    figures. Warnings come last."""
+    """The mapping of `summary` as text, one block per topic, without missing and negligible
+    figures; with a column of those of `statics.statics` if `figures` has them, too. Warnings come
+    last."""
     warnings = ["", "Warnings", *(f"  {text}" for text in figures["warnings"])]
     ranges = figures.get("model_ranges") or {}
     text = lines(
@@ -353,7 +358,12 @@ def table(figures: Mapping[str, Any]) -> str:
         TOPICS,
         figures.get("numerical_errors"),
         {key: (one["low"], one["high"]) for key, one in ranges.items()},
+        ("statics", figures["statics"]) if figures.get("statics") else None,
     )
+    if why := figures.get("statics_absent"):
+        text += ["", "Statics", f"  none beside this run: {why}"]
+    if assumed := figures.get("assumed_data"):
+        text += variable_table.block(assumed)
     if ranges:
         text += ["", "Ranges of the model, as far as they are known"]
         text += [f"  {one}" for one in reasons(figures)]

@@ -23,7 +23,7 @@ from raceway.sweeps.point_run import FAILED, FINISHED, run_point
 
 FINER = 0.1  # factor on the tolerance; for velocity Verlet, half the step
 MORE = 2  # factor on the number of samples
-LONGER = 20  # ball passes added to those of settling
+LONGER = 100  # ball passes added to those of settling: slow drifts of light balls take as many
 IMPLICIT = ("implicit", "damping", "vibration")  # integrators with a tolerance
 TOLERANCES = ("tolerance", "relative_tolerance", "cage_tolerance")
 OF_IMPLICIT = (*TOLERANCES, "step_error", "control")

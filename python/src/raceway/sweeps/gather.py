@@ -42,7 +42,7 @@ def gather(folder: FilePath) -> pd.DataFrame:
         status, message = state(path.parent, asked)
         figures = mapping(path.parent / "summary.json", json.loads) if status == FINISHED else {}
         losses = figures.pop("losses_W", None) or {}
-        for nested in ("model_ranges", "absent"):
+        for nested in ("model_ranges", "absent", "assumed_data"):
             figures.pop(nested, None)
         figures.update({f"loss_{part}_W": loss for part, loss in losses.items()})
         share = {SHARE: shares.get(path.parent.name, "")} if shares else {}

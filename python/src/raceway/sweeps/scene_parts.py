@@ -46,8 +46,7 @@ def figures(summary: Mapping[str, Any]) -> dict[str, float]:
 
 def whole_scene(given: Mapping[str, str], lubricated: bool) -> dict[str, str]:
     """The deck's variables of a scene: those `given`, and assumed values for the others."""
-    film = _DATA["assumed_film"] if lubricated else {}
-    return {**{name: str(value) for name, value in _DATA["assumed"].items()}, **film, **given}
+    return {**(_DATA["assumed"] if lubricated else {}), **given}
 
 
 def choices(

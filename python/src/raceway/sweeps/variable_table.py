@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The variables that decks take from the command line, as the C++ table has them."""
 
+from collections.abc import Mapping
 from typing import Any
 
 from raceway import core
 
-DATA = {"bearing data", "usual data", "oil data"}
+OIL = ("oil constant", "oil over temperature", "oil data")
+DATA = {"bearing data", "usual data", *OIL}
 
 
 def rows() -> list[dict[str, Any]]:
@@ -17,6 +19,21 @@ def rows() -> list[dict[str, Any]]:
 def default(name: str) -> str:
     """Default as text; empty for that of the command, or of the data."""
     return next((row["default"] for row in rows() if row["name"] == name), "")
+
+
+def oil() -> dict[str, dict[str, Any]]:
+    """The rows of the data of oils that have a default, by name."""
+    return {row["name"]: row for row in rows() if row["of"] in OIL and row["default"]}
+
+
+def block(values: Mapping[str, float]) -> list[str]:
+    """Lines on `values`, constants of an oil that its file does not have: name, default, meaning
+    and effect of each."""
+    table = oil()
+    return ["", "Defaults of constants that the lubricant's file does not have"] + [
+        f"  {name} {value:g} {table[name]['unit']}".rstrip() + f": {table[name]['meaning']}"
+        for name, value in values.items()
+    ]
 
 
 def data() -> list[str]:

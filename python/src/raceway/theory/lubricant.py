@@ -7,13 +7,14 @@ pressure unless a pressure is given. Numbers or arrays of one shape, SI units ex
 viscosity in mm^2/s, the unit of its grades and of ASTM D341.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
 
 from raceway.arrays import Numbers
 from raceway.core import laws
+from raceway.sweeps import variable_table
 
 
 class Fluid(NamedTuple):
@@ -71,6 +72,11 @@ class Vogel:
         return tuple(laws.vogel(self.k, self.b, self.c, oil.density, oil.thinning, temperature))
 
 
+def _usual(name):
+    """A field with the default of the decks for a constant of an oil."""
+    return field(default_factory=lambda: float(variable_table.default(name)))
+
+
 @dataclass(frozen=True)
 class Lubricant:
     """Physical data of an oil: density and 1/xi linear in temperature, permittivity after
@@ -88,10 +94,10 @@ class Lubricant:
     pressure_viscosity: float  # at 40 C, 1/Pa
     pressure_viscosity_hot: float  # at 100 C, 1/Pa
     permittivity: float  # at 40 C
-    conductivity: float = 0.134  # W/(m K)
-    heat_capacity: float = 1950.0  # J/(kg K)
-    eyring_stress: float = 5e6  # Pa
-    limiting_traction: float = 0.047
+    conductivity: float = _usual("oil_conductivity")  # W/(m K)
+    heat_capacity: float = _usual("oil_heat_capacity")  # J/(kg K)
+    eyring_stress: float = _usual("eyring_stress")  # Pa
+    limiting_traction: float = _usual("limiting_traction")
 
     def at(self, temperature: Numbers) -> Fluid:
         """The `Fluid` at a temperature in degrees C. Raises `ValueError` outside -40 to 200 C."""

@@ -207,6 +207,8 @@ def figures(
     if ahead is not None and (text := excursion.warning(ahead)):
         result["warnings"].append(text)
     result["absent"] = model_names.absent(models, result) if wet else {}
+    if wet and (assumed := inputs.assumed(_lubricant(lubricant, folder), models)):
+        result["assumed_data"] = assumed
     result["balls"] = _plain(balls(state, films))
     return result
 
@@ -255,10 +257,14 @@ def _oil(lubricant, folder, temperature):
     """(`Oil`, `Fluid`), or (None, None) for no lubricant or a dry one."""
     if lubricant is None:
         return None, None
-    path = catalogue.find("lubricants", lubricant, folder)
+    path = _lubricant(lubricant, folder)
     if inputs.values(path).get("film") == "dry":
         return None, None
     return inputs.oil(path, temperature), inputs.fluid(path, temperature)
+
+
+def _lubricant(name, folder):
+    return catalogue.find("lubricants", name, folder)
 
 
 def _complete(fluid, models):

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from raceway.rows import Row, lines, row
+from raceway.sweeps import variable_table
 from raceway.theory import models
 from raceway.units import prefixed
 
@@ -141,6 +142,8 @@ def table(result: Mapping[str, Any]) -> str:
         filled.update(orbital_speed_rad_s=None, centrifugal_N=None)
     block = _table_of_balls(result["balls"])
     text = [*lines(filled, TOPICS), "", "Balls", *block]
+    if assumed := result.get("assumed_data"):
+        text += variable_table.block(assumed)
     if result["warnings"]:
         text += ["", "Warnings", *(f"  {one}" for one in result["warnings"])]
     return "\n".join(text)

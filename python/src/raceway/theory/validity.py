@@ -77,7 +77,14 @@ def past_shoulder(
     for name, groove, depth, alpha, a in zip(("inner", "outer"), grooves, depths, angle, semi_axis):
         if math.isnan(depth) or len(alpha) == 0:
             continue
-        edge = math.acos(max(-1.0, 1 - depth / groove))
+        if not 0 < depth <= groove:
+            texts.append(
+                f"the {name} shoulder does not fit the balls: it is {_shown(depth, 'm')} above the"
+                f" bottom of its groove, must be above 0 and at most its radius"
+                f" {_shown(groove, 'm')}"
+            )
+            continue
+        edge = math.acos(1 - depth / groove)
         reach = float(np.max(np.abs(alpha) + np.arcsin(np.minimum(a / groove, 1.0))))
         if reach > edge:
             texts.append(

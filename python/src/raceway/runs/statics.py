@@ -1,0 +1,212 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Figures of statics for the operating point of a run, to stand beside those of the run.
+
+Statics has the loads, speed, clearance, oil, temperature and models of the run. Its figures are
+means, or largest values, over `PLACES` places of the balls in a ball pass. A deck that does not
+note its variables has the measured axial displacement and tilts of its inner ring held.
+"""
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from raceway import catalogue, inputs
+from raceway.errors import InputError, NoEquilibrium
+from raceway.runs.measured import loading
+from raceway.runs.record_tables import ring_place
+from raceway.runs.tables import RunTables
+from raceway.runs.turning import changes
+from raceway.theory import models
+from raceway.theory.bearing import INNER, OUTER
+
+PLACES = 4
+# figures by how they follow from the values at all places
+MEANS = ("shift_z_m", "load_parameter", "capacitance_F", "friction_torque_N_m", "power_loss_W")
+LARGEST = (
+    *("q_max_N", "q_inner_max_N", "q_outer_max_N", "p_max_inner_Pa", "p_max_outer_Pa"),
+    *("capacitance_top_F", "entrainment_speed_m_s"),
+)
+AT_LARGEST_LOAD = ("h_min_m", "h_c_m", "lambda", "asperity_share")
+RENAMED = {"ring_shift_m": "shift_x_m", "cage_speed_rad_s": "orbital_speed_rad_s"}  # means
+PLACE = ("shift_z_m", "tilt_x_rad", "tilt_y_rad")
+FRICTION = ("friction_torque_N_m", "power_loss_W", "asperity_share")
+# given data that its figures do not depend on
+UNUSED = {
+    *("none", "inner_shoulder_diameter", "outer_shoulder_diameter", "cage_ball_diameter"),
+    *("pocket_play", "inner_mass", "inner_inertia", "inner_inertia_t"),
+}
+SAME = 1e-6  # relative difference within which data of run and file are the same
+
+
+class NoStatics(Exception):
+    """Statics does not apply; the text is the reason."""
+
+
+def statics(tables: RunTables, figures: Mapping[str, Any]) -> dict[str, Any]:
+    """{"statics": {key: figure}, "statics_absent": reason or None} for the run `tables` with the
+    `figures` of its summary; keys and units as there. Raises `RunError` as the summary does."""
+    try:
+        return {"statics": _figures(tables, figures), "statics_absent": None}
+    except (NoStatics, InputError, NoEquilibrium, ValueError) as why:
+        return {"statics": {}, "statics_absent": str(why)}
+
+
+def _figures(tables, run):
+    _applies(tables, run)
+    # scipy's elliptic integrals and root finders, which a summary alone does not need
+    from raceway.theory.operating_point import figures
+
+    words, seat = _point(tables, run)
+    pitch = 2 * math.pi / tables.settings["balls"]
+    found = [
+        figures(**words, phase=pitch * place / PLACES, exact_circle=True) for place in range(PLACES)
+    ]
+    _same_oil(found[0], tables)
+    for one in found:
+        one["power_loss_W"] = sum(one["losses_W"].values()) if one["losses_W"] else None
+    result = {key: _mean(found, key) for key in MEANS}
+    result |= {key: _mean(found, name) for key, name in RENAMED.items()}
+    result |= {key: max(one[key] for one in found) for key in LARGEST if found[0].get(key)}
+    top = max(found, key=lambda one: one["q_inner_max_N"])
+    result |= {key: top.get(key) for key in AT_LARGEST_LOAD}
+    if seat is None:
+        result["shift_z_m"] = None
+    else:
+        result["shift_z_m"] -= seat
+        result |= dict(zip(PLACE[1:], _turned(found, tables)))
+    left_out = models.absent(run["models"], FRICTION)
+    return {k: value for k, value in result.items() if value is not None and k not in left_out}
+
+
+def _mean(found, key):
+    values = [one.get(key) for one in found]
+    return None if None in values else float(np.mean(values))
+
+
+def _turned(found, tables):
+    """Mean tilts in rad about the axes of the run, from those about the load line of statics."""
+    azimuth = tables.settings["load_azimuth_rad"]
+    x, y = (_mean(found, key) for key in ("tilt_x_rad", "tilt_y_rad"))
+    return (
+        x * math.cos(azimuth) - y * math.sin(azimuth),
+        x * math.sin(azimuth) + y * math.cos(azimuth),
+    )
+
+
+def _applies(tables, run):
+    """Raises `NoStatics` where the run is none of one steady operating point."""
+    load, turning = loading(tables), tables.turning
+    if load is None:
+        raise NoStatics("the record has no forces of the ring")
+    if load.turns or tables.settings.get("unbalance_kg_m"):
+        raise NoStatics("the load turns")
+    if changes(turning.shaft_speed(tables.first, tables.last)):
+        raise NoStatics("the speed changes")
+    if turning.speed(OUTER, tables.first, tables.last).any():
+        raise NoStatics("the outer ring turns")
+    if run.get("flaws"):
+        raise NoStatics("raceways or balls have flaws")
+    if "thermal_time_s" in run:
+        raise NoStatics("temperatures follow the losses of the run")
+    if run["models"] not in (*models.STATICS, "film"):
+        raise NoStatics(f"statics has no models {run['models'] or 'of a deck without a name'}")
+
+
+def _point(tables, run):
+    """(keyword arguments of `operating_point.figures`, axial place in m of the inner ring at which
+    a run begins to count: where its balls meet both raceways; None where the place is not found by
+    statics)"""
+    settings, deck = tables.settings, _deck(tables)
+    given = str(settings.get("given_data", "none")).split(",")
+    if own := [word for word in given if word.partition("=")[0] not in UNUSED]:
+        raise NoStatics(f"the run has data of its own: {', '.join(own)}")
+    for name, usual in (("without", "none"), ("gap_film", "power"), ("inlet_shear", "murch")):
+        if deck.get(name, usual) != usual:
+            raise NoStatics(f"statics has no {name} {deck[name]}")
+    path = catalogue.find("bearings", str(settings["bearing"]))
+    body, angle = inputs.bearing(path), inputs.nominal_angle(path)
+    four_point = _four_point(tables, deck, path)
+    if four_point is not None:
+        body = inputs.bearing(path, four_point=four_point)
+    _same_bearing(body, tables)
+    azimuth = settings["load_azimuth_rad"]
+    words = dict(
+        bearing=str(path),
+        lubricant=str(settings["lubricant"]) if tables.lubricated else None,
+        models="full" if run["models"] == "film" else run["models"],
+        clearance=0.0 if angle else float(settings["clearance_m"]),
+        rpm=abs(float(settings["rpm"])),
+        four_point=four_point,
+        spin_law=deck.get("spin_law", "closed"),
+    )
+    if tables.lubricated:
+        words["temperature"] = settings.get("temperature_C")
+    if "lubrication" in deck:
+        from raceway.theory.oil_supply import Supply
+
+        words["supply"] = Supply(deck["lubrication"], float(deck["oil_level"]))
+    start = body.seat(angle)
+    if not deck:  # a deck of the user's own: which freedoms are held is not noted
+        z, *tilt = _place(tables)
+        held = {"z": z + math.copysign(start, loading(tables).axial)}
+        held.update(zip(("rx", "ry"), _about_load_line(*tilt, azimuth)))
+        return words | dict(load=loading(tables).radial, held=held), None
+    load, axial = float(settings["load_N"]), float(settings["axial_N"])
+    seat = None if four_point and axial else math.copysign(start, axial)
+    moment = [float(settings[f"moment_{axis}_N_m"]) for axis in "xy"]
+    held = {} if any(moment) else {"rx": 0.0, "ry": 0.0}
+    moment = _about_load_line(*moment, azimuth)
+    return words | dict(load=load, axial=axial, moment=moment, held=held), seat
+
+
+def _place(tables):
+    """Mean axial displacement (m) and tilts (rad) of the inner against the outer ring."""
+    first = max(tables.first, 1)
+    inner, outer = (
+        np.array(ring_place(tables.record, side, first, tables.last)[2:]).mean(axis=1)
+        for side in (INNER, OUTER)
+    )
+    return (inner - outer).tolist()
+
+
+def _about_load_line(x, y, azimuth):
+    """Components along and across the load line of those along the axes of the run."""
+    return (
+        x * math.cos(azimuth) + y * math.sin(azimuth),
+        y * math.cos(azimuth) - x * math.sin(azimuth),
+    )
+
+
+def _deck(tables):
+    """Variables of the main deck, empty for other decks."""
+    said = str(tables.settings.get("deck_variables", ""))
+    return dict(word.split("=", 1) for word in said.split(",") if "=" in word)
+
+
+def _four_point(tables, deck, path):
+    """Angle in rad of two grooves a ring, None of one groove."""
+    if not tables.record.two_grooves:
+        return None
+    angle = float(deck.get("four_point", 0)) or math.degrees(inputs.four_point_angle(path) or 0)
+    if not angle:
+        raise NoStatics("the record has two grooves a ring and no contact angle of them")
+    return math.radians(angle)
+
+
+def _same_bearing(body, tables):
+    names = ("balls", "ball_diameter", "inner_groove", "outer_groove", "young", "poisson")
+    own = tables.geometry
+    for name in names:
+        if not math.isclose(getattr(body, name), getattr(own, name), rel_tol=SAME):
+            raise NoStatics(
+                f"{name} of the run is {getattr(own, name):g}, of the file {getattr(body, name):g}"
+            )
+
+
+def _same_oil(found, tables):
+    for key in ("viscosity_Pa_s", "pressure_viscosity_per_Pa", "roughness_m"):
+        own = tables.settings.get(key)
+        if key in found and own and not math.isclose(found[key], own, rel_tol=SAME):
+            raise NoStatics(f"{key} of the run is {own:g}, of the lubricant's file {found[key]:g}")

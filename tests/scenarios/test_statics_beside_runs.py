@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Figures of statics in the column beside those of a run: which point they are of, how far runs are
+from them, and where there are none."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+from host import ROOT, run, succeed
+from raceway.cli import main
+from raceway.runs.statics import PLACES, statics
+from raceway.runs.summary import summary
+from raceway.runs.tables import RunTables
+
+OIL = dict(lubricant="vg46", temperature=60)
+POINT = dict(load=3000, axial=1500, rpm=1500, **OIL)
+SHORT = dict(passes=1, samples=20)
+
+
+def beside(folder, bearing=None):
+    """(figures of the run, statics, reason)"""
+    tables = RunTables(folder, bearing=bearing)
+    figures = summary(tables)
+    found = statics(tables, figures)
+    return figures, found["statics"], found["statics_absent"]
+
+
+@pytest.mark.parametrize("azimuth", [-math.pi / 2, 0.7])
+def test_the_point_of_the_run(tmp_path, capsys, azimuth):
+    """`raceway static` at the same point has the same figures, whatever the direction of the load;
+    moment and tilt turn with it."""
+    moment = 12.0
+    words = dict(moment_x=-moment * math.sin(azimuth), moment_y=moment * math.cos(azimuth))
+    out = tmp_path / "run"
+    succeed("inputs/in.6208", out=out, load_azimuth=azimuth, **POINT, **words, **SHORT)
+    _, found, why = beside(out)
+    assert why is None
+    options = "--load 3000 --axial 1500 --rpm 1500 --lubricant vg46 --temperature 60"
+    options += f" --moment 0 {moment} --models paper --exact-circle --json --phase"
+    places = []
+    for place in range(PLACES):
+        phase = 2 * math.pi / 9 * place / PLACES
+        assert main(["static", *options.split(), repr(phase)]) == 0
+        places.append(json.loads(capsys.readouterr().out))
+
+    def mean(key):
+        return np.mean([one[key] for one in places])
+
+    assert found["cage_speed_rad_s"] == pytest.approx(mean("orbital_speed_rad_s"), rel=1e-12)
+    assert found["ring_shift_m"] == pytest.approx(mean("shift_x_m"), rel=1e-9)
+    for key in ("capacitance_F", "shift_z_m"):
+        assert found[key] == pytest.approx(mean(key), rel=1e-9)
+    for key in ("q_inner_max_N", "p_max_outer_Pa"):
+        assert found[key] == pytest.approx(max(one[key] for one in places), rel=1e-9)
+    tilt = np.array([mean("tilt_x_rad"), mean("tilt_y_rad")])
+    turn = np.array([[np.cos(azimuth), -np.sin(azimuth)], [np.sin(azimuth), np.cos(azimuth)]])
+    own = [found["tilt_x_rad"], found["tilt_y_rad"]]
+    np.testing.assert_allclose(own, turn @ tilt, rtol=0, atol=1e-9 * np.abs(tilt).max())
+
+
+CASES = {
+    "radial": dict(load=3000, rpm=1500, clearance=1e-5),
+    "thrust": dict(bearing="7208", load=0.1, axial=-2000, rpm=600),
+    "combined": dict(bearing="6208", load=3000, axial=2000, rpm=600),
+    "held": dict(bearing="7205B", load=1000, rpm=1000),
+    "four points": dict(load=2000, rpm=477.5, four_point=35),
+    "film": dict(load=1000, rpm=1500, models="film"),
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_runs_are_near(tmp_path, case):
+    """Loads, films and cage speed of settled runs within 1 %; four places of the balls find the
+    largest load to 0.7 % and the mean capacitance to 0.5 %. Contact angles of a ring that is held
+    along its axis differ around it, and with them the speeds of the balls, of which statics takes
+    the mean: 1.2 % above the cage of the run."""
+    words = {"models": "full", **OIL, **CASES[case]}
+    settle = 2 if case == "four points" else 20
+    succeed("inputs/in.6208", out=tmp_path, settle=settle, passes=1, samples=40, **words)
+    own, found, why = beside(tmp_path)
+    assert why is None
+    keys = {"q_inner_max_N", "q_outer_max_N", "h_min_m", "lambda", "cage_speed_rad_s"}
+    keys |= {"capacitance_F", "p_max_inner_Pa"}
+    assert keys <= set(found)
+    for key in keys:
+        apart = 0.015 if (case, key) == ("held", "cage_speed_rad_s") else 0.01
+        assert found[key] == pytest.approx(own[key], rel=apart), key
+    assert ("friction_torque_N_m" in found) == (case != "film")
+
+
+def test_two_bearings_on_a_shaft(tmp_path):
+    """Each of two named bearings has its own data and oil; the place of its ring, that of another
+    that slides along the axis as well, is held as measured."""
+    done = run("docs/decks/in.two_bearings", out=tmp_path, models=None, settle=None)
+    assert done.code == 0, done.error
+    names = []
+    for bearing in (1, 2):
+        own, found, why = beside(tmp_path, bearing)
+        assert why is None
+        names.append((own["bearing"], own["lubricant"]))
+        for key in ("q_inner_max_N", "cage_speed_rad_s", "h_min_m", "friction_torque_N_m"):
+            assert found[key] == pytest.approx(own[key], rel=0.025), key
+        assert "shift_z_m" not in found
+    assert names == [("6208", "vg46"), ("6306", "grease110")]
+
+
+NONE = {
+    "the load turns": dict(unbalance=1e-4),
+    "raceways or balls have flaws": dict(flaw_inner="wave 8 1e-8 0"),
+    "the run has data of its own: ball_poisson=0.29": dict(ball_poisson=0.29),
+    "statics has no without drag": dict(models="full", without="drag"),
+    "statics has no models none": dict(models="none"),
+    "temperatures follow the losses of the run": dict(
+        models="full", heat="yes", lubricant="vg46", rpm=1910
+    ),
+}
+
+
+@pytest.mark.parametrize("why", NONE)
+def test_none(tmp_path, why, capsys):
+    succeed("inputs/in.6208", out=tmp_path, **{**SHORT, **NONE[why]})
+    _, found, said = beside(tmp_path)
+    assert not found and said == why
+    assert main(["summary", str(tmp_path)]) == 0
+    assert f"none beside this run: {why}" in capsys.readouterr().out
+
+
+def test_speed_that_changes(tmp_path):
+    done = run(ROOT / "docs/decks/in.run_up", out=tmp_path, models=None, settle=None, timeout=600)
+    assert done.code == 0, done.error
+    assert beside(tmp_path)[2] == "the speed changes"
