@@ -330,8 +330,8 @@ void FixBearingRing::begin_step()
   check_jumps();
 }
 
-// Error if an imposed position or spin speed jumped in the last step: it changed by far more than in
-// the steps before and after, and by more than contacts can follow: 1 um, or slip of 1 %.
+// Error if an imposed position or spin speed jumped in the last step: it changed by far more than
+// in the steps before and after, and by more than contacts can follow: 1 um, or slip of 1 %.
 void FixBearingRing::check_jumps()
 {
   constexpr double far = 20.0;

@@ -82,7 +82,8 @@ std::vector<std::string> cage_words(LAMMPS *lmp, Arguments &args, const NamedBea
     line << " oil " << viscosity << " " << words["cage_filled"] << " "
          << (out.count("shear") ? "0" : digits(0.35 * ball)) << " land_oil "
          << (out.count("land") ? "0" : words["cage_filled"]);
-  // the oil that drags at the balls; the cage is taken to reach 0.3 of a ball beyond the pitch circle
+  // the oil that drags at the balls; the cage is taken to reach 0.3 of a ball beyond the pitch
+  // circle
   const double churned = pair && !out.count("churning") ? pair->oil_share(b.name) : 0.0;
   if (churned > 0.0)
     line << " churning " << digits(churned) << " " << pair->oil_datum(b.name, "oil_density") << " "

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Every output column, the parts of the contact law and the rules of validity as JSON, for Python and
-// the pages.
+// Every output column, the parts of the contact law and the rules of validity as JSON, for Python
+// and the pages.
 #include "../contact/part_table.h"
 #include "../figures/bearing_columns.h"
 #include "../figures/bearing_figures.h"
