@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
 
 from raceway.errors import RunError
 from raceway.runs.record import CAGE_RING
@@ -15,6 +14,8 @@ from raceway.theory import cage_speed
 from raceway.theory.bearing import INNER, OUTER
 
 if TYPE_CHECKING:
+    import xarray as xr
+
     from raceway.runs.tables import RunTables
 
 CAGE_RING_FIGURES = (
@@ -192,7 +193,7 @@ def cage_ranges(
     return found
 
 
-def pockets_around(tables: "RunTables", bins: int = 72) -> xr.Dataset:
+def pockets_around(tables: "RunTables", bins: int = 72) -> "xr.Dataset":
     """Force of balls on the pockets of a cage ring by azimuth: Dataset (from_load_line) with `mean`
     and `largest` (N) and `samples`, the number of known forces, in each of `bins` equal sectors.
 
@@ -221,6 +222,8 @@ def pockets_around(tables: "RunTables", bins: int = 72) -> xr.Dataset:
     mean = np.divide(total, count, out=np.full(bins, np.nan), where=some)
     middle = (np.arange(bins) + 0.5) / bins * 2 * np.pi - np.pi
     at = "from_load_line"
+    import xarray as xr  # takes longer to load than a summary to compute
+
     return xr.Dataset(
         {
             "mean": (at, mean, {"units": "N", "long_name": "mean force on a pocket"}),
