@@ -5,21 +5,20 @@ published motor bearing, from their spectral lines."""
 import numpy as np
 import pytest
 import raceway
+from bench import cwru
 from host import ROOT, succeed
 from raceway import cage_speed, identify, inputs, steady_heat
 from raceway.recordings.prediction import Model
 from raceway.recordings.readings import Point, Reading, Readings
 
-# Orders, at 1797, 1772, 1750 and 1730 rpm, of flaws in the drive end bearing, relative to the
-# measured shaft speed: derived from the recordings of Case Western Reserve University
-# (docs/measured_bearings)
-RPM = 1797, 1772, 1750, 1730
-CWRU = {
-    "inner, 7 mil": ("BPFI", (5.4017, 5.4018, 5.4018, 5.4018)),
-    "inner, 21 mil": ("BPFI", (5.4065, 5.4058, 5.4053, 5.4057)),
-    "outer, 7 mil, at 6 o'clock": ("BPFO", (3.5972, 3.5975, 3.5972, 3.5973)),
-    "outer, 7 mil, at 3 o'clock": ("BPFO", (3.6002, 3.6003, 3.6001, 3.6005)),
-}
+# derived from the recordings of Case Western Reserve University (docs/measured_bearings)
+CWRU = {one.name: one for one in cwru.setups()}
+TRIED = (
+    "inner 7 mil",
+    "inner 21 mil",
+    "outer 7 mil at 6 o'clock",
+    "outer 7 mil at 3 o'clock",
+)
 THRUST = 30.0  # N, one for all
 
 
@@ -71,12 +70,12 @@ def test_hidden_clearance_of_a_run(tmp_path):
     assert np.interp(axial, thrusts, clearances) == pytest.approx(clearance, abs=2e-6)
 
 
-@pytest.mark.parametrize("name", CWRU)
+@pytest.mark.parametrize("name", TRIED)
 def test_a_motor_bearing(tmp_path, name):
     """One clearance, from the line at one speed, gives the lines at the other speeds and that of a
     run; with a single thrust it is inside class CN."""
-    line, orders = CWRU[name]
-    rows = [Reading(line, order, 2e-4, Point(float(rpm))) for rpm, order in zip(RPM, orders)]
+    line, orders = CWRU[name].line, list(CWRU[name].orders.values())
+    rows = [Reading(line, at, 2e-4, Point(rpm)) for rpm, at in CWRU[name].orders.items()]
     found = identify.identify(readings(rows[:1], {"clearance": (-5e-6, 20e-6)}))
     clearance = found.values["clearance"].best
     assert 2e-6 < clearance < 11e-6
