@@ -22,7 +22,7 @@ FixBearingRun::FixBearingRun(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
   nevery = 1;
 }
 
-int FixBearingRun::setmask() { return END_OF_STEP; }
+int FixBearingRun::setmask() { return END_OF_STEP | POST_RUN; }
 
 void FixBearingRun::init()
 {
@@ -121,7 +121,8 @@ void FixBearingRun::search_orbit()
   now_.begin_steps = static_cast<double>(update->ntimestep);
 }
 
-void FixBearingRun::run_done()
+// After the fix that may stop the run and write a restart file, which counts this run itself.
+void FixBearingRun::post_run()
 {
   if (now_.measures == 0.0) now_.evaluations += bearing::integrator_work(lmp).evaluations;
 }

@@ -43,13 +43,13 @@ class FixBearingRun : public Fix {
   int setmask() override;
   void init() override;
   void end_of_step() override;
+  void post_run() override;
   void write_restart(FILE *) override;
   void restart(char *) override;
 
   bool resumed() const { return resumed_; }
   State &now() { return now_; }
   bearing::OrbitSearch &orbit() { return orbit_; }
-  void run_done();    // each run of the command ends with it; collective
 
  private:
   std::string words_;    // of the command, except those that may change when a run is continued

@@ -190,10 +190,8 @@ void RunBearing::set_step(double dt) { input->one(("timestep " + digits(dt)).c_s
 
 void RunBearing::run(double steps)
 {
-  if (steps > static_cast<double>(update->ntimestep)) {
+  if (steps > static_cast<double>(update->ntimestep))
     input->one(("run " + digits(steps) + " upto").c_str());
-    fix_->run_done();
-  }
 }
 
 void RunBearing::show(double rows, const std::string &title, const std::string &more)
@@ -252,7 +250,6 @@ void RunBearing::settle_adaptively()
   while (written(bearing::SimulatedTime::now(*update)) < now().begin) {
     const double at = static_cast<double>(update->ntimestep);
     input->one(("run " + digits(chunk - std::fmod(at, chunk)) + " post no").c_str());
-    fix_->run_done();
   }
   FixBearingTimestep *const step = bearing::fixes_of<FixBearingTimestep>(lmp).back();
   const double limit = step->compute_vector(bearing::of_fix_timestep::SMALLEST);
@@ -276,7 +273,6 @@ void RunBearing::warm_up()
     const double passes =
         std::floor((static_cast<double>(update->ntimestep) - now().begin_steps) / steps) + 1.0;
     input->one(("run " + digits(now().begin_steps + passes * steps) + " upto post no").c_str());
-    fix_->run_done();
   }
   now().begin_steps = static_cast<double>(update->ntimestep);
 }
@@ -297,7 +293,6 @@ void RunBearing::settle_until_still()
     set_step(now().step_length);
     input->one(("run " + digits(now().begin_steps + (now().passes + 1.0) * steps) + " upto post no")
                    .c_str());
-    fix_->run_done();
     say_pass();
     if (searches) say_search();
   }
