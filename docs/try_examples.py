@@ -6,10 +6,10 @@ every Python or console block, in the order of its page.
 
 A block under "Examples" stands in for the lines of decks/in.ehd that give the same command, or,
 with commands of named bearings, for those of inputs/in.6208 with one ball pass; the rest of that
-deck stays. Python and console blocks of a page run in a copy (workspace.py): a
-finished run is not replaced unasked, so they must find none of an earlier time. They may use the
-run of `make run`, but on pages that make it themselves. As many pages run at a time as there are
-cores. Exit code 1 when a run fails; its last lines are shown.
+deck stays. Python and console blocks of a page run in a copy (workspace.py): a finished run is not
+replaced by default, so none from an earlier build may be present. They may use the run of `make
+run`, except on pages that make it themselves. As many pages run at a time as there are cores. Exit
+code 1 when a run fails; its last lines are shown.
 """
 
 import os
