@@ -40,7 +40,7 @@ Words chosen(LAMMPS *lmp, double within)
     of["tolerance"] = digits(control.tolerance);
     of["relative_tolerance"] = digits(control.relative);
     of["cage_tolerance"] = digits(control.cage);
-    of["control"] = control.estimate ? "estimate" : "bound";
+    of["step_control"] = control.estimate ? "estimate" : "bound";
   }
   return of;
 }

@@ -72,7 +72,8 @@ void FixBearingImplicit::read(Arguments &args)
     relative_ = args.within("tolerance relative to the largest overlap", 0.0, 1e-2);
   else if (args.take("error") || args.take("step_error"))
     settings.error = args.within("error of a step over the tolerance", 1.0, 100.0);
-  else if (args.take("control")) estimate_ = args.choice("control", {"bound", "estimate"});
+  else if (args.take("control") || args.take("step_control"))
+    estimate_ = args.choice("control", {"bound", "estimate"});
   else if (args.take("solve")) settings.dampers_only = args.choice("solve", {"all", "damping"});
   else if (args.take("order")) settings.order = args.integer("order", 1, 2);
   else if (args.take("corrections"))

@@ -22,11 +22,12 @@ FixBearingVerlet::FixBearingVerlet(LAMMPS *lmp, int narg, char **arg) : Fix(lmp,
         args.number_of(keyword);
         known = true;
       }
-    if (args.take("control")) {
-      args.value_of("control");
+    if (args.take("step_control")) {
+      args.value_of("step_control");
       known = true;
     }
-    if (!known) args.unknown("tolerance, relative_tolerance, cage_tolerance, step_error, control");
+    if (!known)
+      args.unknown("tolerance, relative_tolerance, cage_tolerance, step_error, step_control");
   }
 }
 

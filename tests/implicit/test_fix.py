@@ -320,7 +320,7 @@ def test_coarse_cage_balls_leave_unloaded_balls_at_rest(tmp_path):
     found = {}
     for cage, more in ((1e-7, {}), (1e-6, {}), (1e-10, dict(tolerance=1e-10))):
         out = tmp_path / str(cage)
-        words = dict(models="full", settle=1, rpm=47.75, control="bound", **more)
+        words = dict(models="full", settle=1, rpm=47.75, step_control="bound", **more)
         succeed("inputs/in.6208", out=out, cage_tolerance=cage, **words)
         found[cage] = summary(RunTables(out))
     assert found[1e-6]["evaluations"] < found[1e-7]["evaluations"]
@@ -354,7 +354,7 @@ def test_estimated_errors_need_fewer_evaluations(tmp_path, rpm):
         ("bound", dict(tolerance=1e-10, cage_tolerance=1e-10)),
     ):
         out = tmp_path / f"{control}{len(more)}"
-        words = dict(models="full", settle=1, rpm=rpm, control=control, **more)
+        words = dict(models="full", settle=1, rpm=rpm, step_control=control, **more)
         succeed("inputs/in.6208", out=out, **words)
         found[control, len(more)] = summary(RunTables(out))
     ours, bounds, truth = found.values()

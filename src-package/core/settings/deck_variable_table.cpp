@@ -152,7 +152,7 @@ const std::vector<DeckVariable> &deck_variables()
       {"step_error", "1", "", "1 100",
        "bearing/implicit|bearing/damping|bearing/vibration|bearing/verlet",
        "largest accepted error of a substep, in tolerances"},
-      {"control", "", "", "one_of bound estimate",
+      {"step_control", "", "", "one_of bound estimate",
        "bearing/implicit|bearing/damping|bearing/vibration|bearing/verlet",
        "substeps and corrections by bounds or estimates of their errors: by the models"},
       {"sampling", "48000", "Hz", "1.0e3 1.0e6", "bearing/vibration",

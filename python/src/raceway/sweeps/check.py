@@ -26,7 +26,7 @@ MORE = 2  # factor on the number of samples
 LONGER = 100  # ball passes added to those of settling: slow drifts of light balls take as many
 IMPLICIT = ("implicit", "damping", "vibration")  # integrators with a tolerance
 TOLERANCES = ("tolerance", "relative_tolerance", "cage_tolerance")
-OF_IMPLICIT = (*TOLERANCES, "step_error", "control")
+OF_IMPLICIT = (*TOLERANCES, "step_error", "step_control")
 # cost and settings, not figures
 LEFT_OUT = (
     *("wall_s", "real_time_factor", "processor_s", "evaluations"),
