@@ -14,20 +14,28 @@ import pytest
 import raceway
 from raceway.cli import _parser, main
 from raceway.commands import GROUPS
+from raceway.runs.statics import statics
 from raceway.runs.summary import summary, table
 from raceway.runs.tables import RunTables
+
+
+def figures(folder):
+    """Figures of a run with those of statics at its operating point."""
+    tables = RunTables(folder)
+    found = summary(tables)
+    return found | statics(tables, found)
 
 
 def test_summary(folder, capsys):
     assert main(["summary", str(folder)]) == 0
     printed = capsys.readouterr()
-    assert printed.out == table(summary(RunTables(folder))) + "\n"
+    assert printed.out == table(figures(folder)) + "\n"
     assert printed.err == ""
 
 
 def test_json(folder, capsys):
     assert main(["summary", str(folder), "--json"]) == 0
-    assert json.loads(capsys.readouterr().out) == summary(RunTables(folder))
+    assert json.loads(capsys.readouterr().out) == figures(folder)
 
 
 def test_plot(folder, tmp_path, capsys):

@@ -36,8 +36,8 @@ def test_leaves_a_mean_alone():
     [
         (2e5, "rate 200000 Hz must lie between 0 and 192000 Hz"),
         (0, "must lie between 0"),
-        (47999.37, "no simple ratio to 192000 Hz"),
-        (10, "no simple ratio"),
+        (47999.37, "is not a simple ratio to 192000 Hz"),
+        (10, "is not a simple ratio"),
     ],
 )
 def test_rates_that_it_refuses(rate, says):

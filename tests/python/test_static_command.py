@@ -131,7 +131,8 @@ def test_balls_without_load_have_no_contact_angle(capsys, axial):
     angles = [(ball["angle_inner_rad"], ball["q_inner_N"]) for ball in found["balls"]]
     loaded = [angle for angle, load in angles if load > 0.01 * found["q_inner_max_N"]]
     assert found["angle_max_rad"] == pytest.approx(max(loaded), rel=0.01)
-    assert found["angle_max_rad"] < np.radians(40) and not found["warnings"]
+    assert found["angle_max_rad"] < np.radians(40)
+    assert all("their cage" in one for one in found["warnings"])
     assert max(angles)[0] > np.radians(60) or axial == 300
 
 
@@ -146,7 +147,7 @@ def test_table(capsys):
         "lambda in.",
     ):
         assert said in text
-    balls = text.split("\nBalls\n")[1].splitlines()
+    balls = text.split("\nBalls\n")[1].split("\n\n")[0].splitlines()
     # a heading, nine balls, in columns
     assert len(balls) == 10 and len({len(line) for line in balls}) == 1
 

@@ -59,7 +59,9 @@ def test_work_of_the_drive_is_the_heat(warm):
     ).sum("ball")
     gained = float(moving[-1] - moving[0]) / float(balls["time"][-1] - balls["time"][0])
     assert work - gained == pytest.approx(said["power_loss_W"], rel=1e-3)
-    assert float(warm.heat["power"][-1]) == pytest.approx(said["power_loss_W"], rel=2e-3)
+    last = warm.heat["power"][-8:].to_numpy()  # single ball passes, which scatter
+    error = 3 * last.std(ddof=1) / np.sqrt(len(last))
+    assert last.mean() == pytest.approx(said["power_loss_W"], abs=error)
 
 
 def test_the_contacts_run_at_these_temperatures(warm, tmp_path):

@@ -15,9 +15,11 @@ VARIABLES = "deck_variables"  # YAML may have removed quotation marks from other
 def need_same_run(record: Record, said: Mapping[str, Any]) -> None:
     """Raise `RunError` if the `record` contradicts `said`, the texts of `run.yaml` by name: in
     a number, in the variables of the deck or, for a finished run, in its length."""
-    for key, own in record.attrs.items():
-        if key not in said:
+    # other differences follow from those of the deck's variables
+    for key in (VARIABLES, *record.attrs):
+        if key not in said or key not in record.attrs:
             continue
+        own = record.attrs[key]
         if key == VARIABLES and own != said[key]:
             own, other = own.split(","), str(said[key]).split(",")
             _refuse(record, key, *(_without(*two) for two in ((own, other), (other, own))))

@@ -117,8 +117,8 @@ def warning(found: Excursion) -> str | None:
         return None
     text = (
         f"the balls run up to {prefixed(found.ahead, 'm', 3)} ahead of and"
-        f" {prefixed(-found.behind, 'm', 3)} behind their cage, whose pockets have a play of"
-        f" {prefixed(found.play, 'm', 3)}"
+        f" {prefixed(-found.behind, 'm', 3)} behind their cage, {prefixed(found.whole, 'm', 3)} in"
+        f" all; its pockets have a play of {prefixed(found.play, 'm', 3)}"
     )
     if found.force is None or not math.isfinite(found.force):
         return text
