@@ -91,6 +91,7 @@ test: setup lint tree
 	@$(MAKE) --no-print-directory -s -j2 $(PROGRAMS) $(INTERFACES) build/sanitized/liggghts
 	@$(MAKE) --no-print-directory docs
 	@examples=0; .venv/bin/python docs/try_examples.py || examples=1; \
+	rm -rf docs/notebooks/run; \
 	echo ".venv/bin/python -m pytest --nbmake tests docs/notebooks"; \
 	.venv/bin/python -m pytest --nbmake tests/recipes tests/hosts tests docs/notebooks -n $(shell nproc) --dist loadfile --no-loadscope-reorder && \
 	{ [ $$examples = 0 ] || { echo "an example of docs failed, see above"; exit 1; }; }
