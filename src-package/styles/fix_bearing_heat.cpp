@@ -10,6 +10,7 @@
 #include "fixes.h"
 #include "named_bearing.h"
 #include "pair_bearing.h"
+#include "print_line.h"
 
 #include <algorithm>
 
@@ -290,18 +291,13 @@ void FixBearingHeat::end_pass()
 
 void FixBearingHeat::say(double power) const
 {
-  if (comm->me != 0) return;
   const HeatState &h = now_.heat;
   char line[160];
   snprintf(line, sizeof line,
            "Thermal time %.6g s: inner ring %.2f, balls %.2f, outer ring %.2f, housing %.2f C, "
            "losses %.4g W, gain %.2f",
            h.time, h.at[0], h.at[1], h.at[2], h.at[3], power, h.gain);
-  for (FILE *to : {screen, logfile})
-    if (to) {
-      fprintf(to, "%s\n", line);
-      fflush(to);
-    }
+  bearing::print_line(lmp, line);
 }
 
 bool FixBearingHeat::covers_type(int ball_type) const

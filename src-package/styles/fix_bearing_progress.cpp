@@ -5,6 +5,7 @@
 #include "compute_bearing_total.h"
 #include "fix_bearing_ring.h"
 #include "fixes.h"
+#include "print_line.h"
 #include "simulated_time.h"
 
 #include <algorithm>
@@ -90,10 +91,5 @@ void FixBearingProgress::show()
 
 void FixBearingProgress::say(const std::string &line) const
 {
-  if (comm->me != 0 || line.empty()) return;
-  for (FILE *to : {screen, logfile})
-    if (to) {
-      fprintf(to, "%s\n", line.c_str());
-      fflush(to);
-    }
+  if (!line.empty()) bearing::print_line(lmp, line);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "named_cage.h"
 
+#include "../core/geometry/cage_ring.h"
 #include "../core/settings/deck_variable_table.h"
 #include "../core/settings/written.h"
 #include "fix_bearing_ring.h"
@@ -55,7 +56,7 @@ std::vector<std::string> cage_words(LAMMPS *lmp, Arguments &args, const NamedBea
   };
   const double ball = b.number("ball_diameter"),
                pitch = written(b.number("inner_radius") + b.number("outer_radius")),
-               play = or_estimate("cage_play", 0.025 * ball),
+               play = or_estimate("cage_play", raceway::usual_play * ball),
                mass = or_estimate("cage_mass", 4060.0 * ball * ball * pitch),
                inertia = written(0.25 * mass * pitch * pitch);
   std::ostringstream line;

@@ -32,9 +32,8 @@ class OrbitSearch {
     double best = HUGE_VAL, best_pass = 0.0;    // smallest residual; last ball pass of use
     double values = 0.0;     // of the map, one after the other, up to the last ball pass
     double stretch = 1.0;    // next length of a ball pass over the last
-    double jumps = 0.0,
-           jumped = 0.0;    // ball passes that began with chosen speeds; 1: the present
-                            // one does
+    double jumps = 0.0;      // ball passes that began with chosen speeds
+    double jumped = 0.0;     // 1: the present one does
   };
 
   State &now() { return now_; }

@@ -19,7 +19,7 @@ struct ResumeRequest {
   bool resume, overwrite;    // continue from it; a finished run next to it may be removed
 };
 
-// Whether the run continues from the file. Prints so, or that there is none.
+// True if the run continues from the file. Prints that it does, or that the file is missing.
 bool goes_on(LAMMPS_NS::LAMMPS *, const Arguments &args, const ResumeRequest &);
 
 }    // namespace bearing

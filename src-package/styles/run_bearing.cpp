@@ -13,6 +13,7 @@
 #include "fixes.h"
 #include "named_bearing.h"
 #include "output.h"
+#include "print_line.h"
 #include "simulated_time.h"
 
 #include <algorithm>
@@ -320,7 +321,7 @@ void RunBearing::say_pass()
   snprintf(line, sizeof line,
            "Ball pass %.0f: change of torque %.1e, loads %.1e, cage speed %.1e, spin axes %.1e rad",
            now().passes, c.torque, c.load, c.cage_speed, c.spin_axis);
-  say(line);
+  bearing::print_line(lmp, line);
 }
 
 // ---- the measurement

@@ -53,7 +53,6 @@ class RunBearing : public bearing::CommandBase {
   std::string why_no_orbit();
   void begin_search();
   void say_search();
-  void say(const std::string &);
   bearing::Sampling sampling();
   double sampled_length();
   void fix_step(double wanted);

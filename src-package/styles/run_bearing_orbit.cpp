@@ -7,10 +7,12 @@
 #include "fix_bearing_profile.h"
 #include "fix_bearing_ring.h"
 #include "fixes.h"
+#include "print_line.h"
 #include "run_bearing.h"
 
 using namespace LAMMPS_NS;
 using bearing::fixes_of;
+using bearing::print_line;
 using bearing::text;
 
 // Why no ball pass of this scene can repeat the one before; empty if one may.
@@ -37,7 +39,7 @@ void RunBearing::begin_search()
   bearing::OrbitSearch::State &search = fix_->orbit().now();
   search.stage = why.empty() ? bearing::OrbitSearch::ON : bearing::OrbitSearch::NONE;
   now().settled = 0.1 * settings_.settled;
-  if (!why.empty()) say("No orbit: " + why + ". Settling until ball passes agree");
+  if (!why.empty()) print_line(lmp, "No orbit: " + why + ". Settling until ball passes agree");
 }
 
 // After a ball pass of the search.
@@ -49,20 +51,10 @@ void RunBearing::say_search()
     snprintf(line, sizeof line, "  speeds of the balls %.1e, %.1e in all ball passes to come",
              s.residual, s.distance);
   else snprintf(line, sizeof line, "  speeds of the balls %.1e; the next are chosen", s.residual);
-  say(line);
+  print_line(lmp, line);
   const std::string after = text(s.passes) + " ball passes";
-  if (fix_->orbit().found()) say("Orbit after " + after);
+  if (fix_->orbit().found()) print_line(lmp, "Orbit after " + after);
   else if (!fix_->orbit().runs())
-    say("No orbit: no ball pass of " + after +
-        " repeats the one before. Settling until they agree");
-}
-
-void RunBearing::say(const std::string &line)
-{
-  if (comm->me != 0) return;
-  for (FILE *to : {screen, logfile})
-    if (to) {
-      fprintf(to, "%s\n", line.c_str());
-      fflush(to);
-    }
+    print_line(lmp, "No orbit: no ball pass of " + after +
+                        " repeats the one before. Settling until they agree");
 }

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import against
 import raceway
-from machine import bench_file, machine
+from machine import bench_file, csv_table, machine
 
 WITHIN = 5  # samples in a host step
 STEP = 8.75e-4  # s: 200 samples a ball pass, as in the main deck
@@ -27,7 +27,6 @@ DECK = """include inputs/in.many
 undump table
 unfix record
 {record}
-thermo_modify lost ignore
 run {steps}
 """
 RECORD = "fix record all bearing/record 1 {out} within {within} overwrite yes"
@@ -93,22 +92,15 @@ def main(rounds=5):
         "================",
         "",
         f"A record of all contacts at {WITHIN} instants of a host step of {STEP * 1e3:g} ms,",
-        "200 samples a ball pass, over the",
-        f"same run that writes nothing; median (range) of {rounds} rounds, {date.today()}.",
+        "200 samples a ball pass, over the same run that writes nothing; median (range) of",
+        f"{rounds} rounds, {date.today()}.",
         "",
-        ".. list-table::",
-        "   :header-rows: 1",
-        "",
-        *(f"   {'* -' if k == 0 else '  -'} {head}" for k, head in enumerate(HEADS)),
+        *csv_table(("models", "bearings", "seconds of the user", "instructions"), rows),
+        *(f"- {fact}" for fact in machine()),
     ]
-    for row in rows:
-        lines += [f"   {'* -' if k == 0 else '  -'} {value}" for k, value in enumerate(row)]
-    lines += ["", *(f"- {fact}" for fact in machine())]
     PAGE.write_text("\n".join(lines) + "\n")
     print(f"{PAGE} is written")
 
-
-HEADS = ("models", "bearings", "seconds of the user", "instructions")
 
 if __name__ == "__main__":
     main(*map(int, sys.argv[1:]))

@@ -96,7 +96,7 @@ def test_figures_are_those_of_the_number(many, capsys):
 
 def test_mistakes(many, tmp_path, capsys):
     assert main(["check", str(many)]) == 1
-    assert "does not say the deck's variables" in capsys.readouterr().err
+    assert "does not have the deck's variables" in capsys.readouterr().err
     (tmp_path / "point").mkdir()
     (tmp_path / "point" / "point.yaml").write_text("load: 1\n")
     for words in (["report", str(tmp_path), "--bearing", "1"], ["summary", "x", "--bearing", "0"]):

@@ -20,6 +20,9 @@
 
 namespace raceway {
 
+// Estimate of the play along the circle, of the ball's diameter (docs/cage)
+constexpr double usual_play = 0.025;
+
 struct CageRing {
   enum Guide { by_balls, by_inner, by_outer };
   int pockets = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Hertz contact and the radii of a ball in its groove (hertz.h).
+// Hertz contact, the radii of a ball in its groove, the play of a cage pocket.
+#include "../geometry/cage_ring.h"
 #include "../laws/hertz.h"
 #include "exports.h"
 
@@ -74,3 +75,6 @@ FORMULA(CompleteElliptic, complete_elliptic, (double m1))
   const EllipticIntegrals v = complete_elliptic(m1);
   return {v.K, v.E, v.D};
 }
+
+// ---- cage
+FORMULA(double, usual_play, ()) { return raceway::usual_play; }

@@ -3,7 +3,6 @@
 #include "../settings/deck_variable_table.h"
 #include "json_text.h"
 
-// The texts of the table contain no quotes, backslashes or control characters.
 extern "C" const char *variables_json()
 {
   static JsonText json;

@@ -4,12 +4,13 @@ orbit, whirl and pocket forces."""
 
 import math
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from raceway.errors import RunError
 from raceway.runs.record import CAGE_RING
+from raceway.runs.settings import deck_words
 from raceway.theory import cage_speed
 from raceway.theory.bearing import INNER, OUTER
 
@@ -18,27 +19,29 @@ if TYPE_CHECKING:
 
     from raceway.runs.tables import RunTables
 
-CAGE_RING_FIGURES = (
-    "cage_slip",
-    "cage_slip_angle",
-    "cage_slip_groove",
-    "cage_slip_play",
-    "cage_orbit_m",
-    "cage_whirl",
-    "cage_whirl_order",
-    "pocket_play_m",
-    "pocket_force_max_N",
-    "pocket_force_mean_N",
-)
-GUIDES = ("balls", "inner", "outer")  # by CageRing::Guide
 TURNS = 2  # of the cage, least for a whirl
 ROUNDING = 1e-12  # of a slip
 WHIRLS = 0.02  # of the play: a smaller orbit is a cage at rest in its place
 NEAR = 0.1  # of the cage's speed: a whirl as fast as a part of the bearing turns with it
 
 
-def cage_figures(tables: "RunTables") -> dict[str, Any]:
-    """Figures of `CAGE_RING_FIGURES` of a run with such a cage, otherwise empty.
+class CageFigures(NamedTuple):
+    """Figures of a cage that is one rigid ring (`cage_figures`)."""
+
+    cage_slip: float
+    cage_slip_angle: float
+    cage_slip_groove: float
+    cage_slip_play: float
+    cage_orbit_m: float
+    cage_whirl: str | None
+    cage_whirl_order: float | None
+    pocket_play_m: float
+    pocket_force_max_N: float
+    pocket_force_mean_N: float
+
+
+def cage_figures(tables: "RunTables") -> CageFigures | None:
+    """`CageFigures` of a run, None without such a cage.
 
     `cage_slip`: 1 less the cage's speed over that of rolling at contact angle 0, both against the
     outer ring, means of the measured passes. It is the sum of `cage_slip_angle` (rolling at the
@@ -52,7 +55,7 @@ def cage_figures(tables: "RunTables") -> dict[str, Any]:
     record = tables.record
     side = record.fixed("ring_raceway").tolist()
     if CAGE_RING not in side:
-        return {}
+        return None
     start, stop = tables.first, len(record) if tables.stop is None else tables.stop
     cage = side.index(CAGE_RING)
     data = record.read(["ring_spin", "ring_x", "ring_y"], start, stop)
@@ -65,29 +68,23 @@ def cage_figures(tables: "RunTables") -> dict[str, Any]:
     angle, groove = _rolling_slip(tables, start, stop)
     place = data["ring_x"][:, cage] + 1j * data["ring_y"][:, cage]
     place = place - place.mean()
-    known = "ring_pocket_play" in record.variables  # not in records of versions before 1.0
-    play = float(record.fixed("ring_pocket_play")[cage]) if known else math.nan
+    has_play = "ring_pocket_play" in record.variables  # records of earlier versions have none
+    play = float(record.fixed("ring_pocket_play")[cage]) if has_play else math.nan
     speeds = {"cage": spin[cage], "inner ring": inner, "outer ring": outer}
     order = whirl_order(place, own * tables.settings["sample_s"], play)
     force = record.read(["ball_pocket_force"], start, stop)["ball_pocket_force"]
     known = force[np.isfinite(force)]
-    return dict(
-        zip(
-            CAGE_RING_FIGURES,
-            (
-                slip,
-                angle,
-                groove,
-                slip - angle - groove,
-                float(np.abs(place).max()),
-                whirl(order, {name: v / spin[cage] for name, v in speeds.items() if v}),
-                order,
-                play,
-                float(known.max()) if known.size else math.nan,
-                float(known.mean()) if known.size else math.nan,
-            ),
-            strict=True,
-        )
+    return CageFigures(
+        cage_slip=slip,
+        cage_slip_angle=angle,
+        cage_slip_groove=groove,
+        cage_slip_play=slip - angle - groove,
+        cage_orbit_m=float(np.abs(place).max()),
+        cage_whirl=whirl(order, {name: v / spin[cage] for name, v in speeds.items() if v}),
+        cage_whirl_order=order,
+        pocket_play_m=play,
+        pocket_force_max_N=float(known.max()) if known.size else math.nan,
+        pocket_force_mean_N=float(known.mean()) if known.size else math.nan,
     )
 
 
@@ -172,7 +169,7 @@ def cage_ranges(
     slip, shares = figures.get("cage_slip_play"), (1.0, 1.0)
     if not play or figures.get("cage_slip") is None:
         return {}
-    estimated = "cage_play=0," in f"{tables.settings.get('deck_variables', '')},"
+    estimated = float(deck_words(tables.settings).get("cage_play", 1)) == 0
     if estimated:
         shares = tuple(share * tables.geometry.ball_diameter / play for share in cage_speed.PLAYS)
     found, loaded = {}, figures["loaded_balls_mean"]

@@ -21,6 +21,7 @@ from typing import Any, NamedTuple
 import yaml
 
 from raceway import catalogue, inputs
+from raceway.runs.settings import deck_words
 from raceway.runs.tables import RunTables
 from raceway.theory import (
     asperity,
@@ -126,8 +127,7 @@ def _torques(tables, figures):
 
 
 def _temperature(tables):
-    said = str(tables.settings.get("deck_variables", ""))
-    known = dict(word.split("=", 1) for word in said.split(",") if "=" in word)
+    known = deck_words(tables.settings)
     return float(known["temperature"]) if "temperature" in known else None
 
 

@@ -63,12 +63,18 @@ def settings(record: Record) -> Settings:
     return Settings({**found, **end}, (record.need_one, record.need_samples))
 
 
+def deck_words(settings: Mapping[str, Any]) -> dict[str, str]:
+    """Variables of the main deck by name, as the run recorded them; empty for other decks."""
+    recorded = str(settings.get("deck_variables", ""))
+    return dict(word.split("=", 1) for word in recorded.split(",") if "=" in word)
+
+
 SIZES = ("ball_diameter", "inner_radius", "outer_radius", "inner_groove", "outer_groove")
 BODY = {"balls": 1e6, "ball_young": 1e15, **dict.fromkeys(SIZES, 100.0)}  # largest, SI
 
 
 def _named(record):
-    """What the deck's commands state of the chosen bearing, of a record with several names."""
+    """Data that the deck's commands give the chosen bearing, in a record of several names."""
     lines = str(record.attrs.get("named_bearings", "")).splitlines()
     numbers = str(record.attrs.get("bearing_names", "")).split()
     if record.bearing is None or len(numbers) != len(record.bearings):

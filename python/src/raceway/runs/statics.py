@@ -16,6 +16,7 @@ from raceway import catalogue, inputs
 from raceway.errors import InputError, NoEquilibrium
 from raceway.runs.measured import loading
 from raceway.runs.record_tables import ring_place
+from raceway.runs.settings import deck_words
 from raceway.runs.tables import RunTables
 from raceway.runs.turning import changes
 from raceway.theory import models
@@ -96,7 +97,7 @@ def _turned(found, tables):
 
 
 def _applies(tables, run):
-    """Raises `NoStatics` where the run is none of one steady operating point."""
+    """Raises `NoStatics` if the run is not at one steady operating point."""
     load, turning = loading(tables), tables.turning
     if load is None:
         raise NoStatics("the record has no forces of the ring")
@@ -111,20 +112,20 @@ def _applies(tables, run):
     if "thermal_time_s" in run:
         raise NoStatics("temperatures follow the losses of the run")
     if run["models"] not in (*models.STATICS, "film"):
-        raise NoStatics(f"statics has no models {run['models'] or 'of a deck without a name'}")
+        raise NoStatics(f"statics has no equivalent of models {run['models'] or 'without a name'}")
 
 
 def _point(tables, run):
     """(keyword arguments of `operating_point.figures`, axial place in m of the inner ring at which
     a run begins to count: where its balls meet both raceways; None where the place is not found by
     statics)"""
-    settings, deck = tables.settings, _deck(tables)
+    settings, deck = tables.settings, deck_words(tables.settings)
     given = str(settings.get("given_data", "none")).split(",")
     if own := [word for word in given if word.partition("=")[0] not in UNUSED]:
         raise NoStatics(f"the run has data of its own: {', '.join(own)}")
     for name, usual in (("without", "none"), ("gap_film", "power"), ("inlet_shear", "murch")):
         if deck.get(name, usual) != usual:
-            raise NoStatics(f"statics has no {name} {deck[name]}")
+            raise NoStatics(f"statics has no equivalent of -var {name} {deck[name]}")
     path = catalogue.find("bearings", str(settings["bearing"]))
     body, angle = inputs.bearing(path), inputs.nominal_angle(path)
     four_point = _four_point(tables, deck, path)
@@ -177,12 +178,6 @@ def _about_load_line(x, y, azimuth):
         x * math.cos(azimuth) + y * math.sin(azimuth),
         y * math.cos(azimuth) - x * math.sin(azimuth),
     )
-
-
-def _deck(tables):
-    """Variables of the main deck, empty for other decks."""
-    said = str(tables.settings.get("deck_variables", ""))
-    return dict(word.split("=", 1) for word in said.split(",") if "=" in word)
 
 
 def _four_point(tables, deck, path):

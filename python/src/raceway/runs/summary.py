@@ -15,7 +15,7 @@ from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.rows import Row, lines, row
 from raceway.runs import warming
-from raceway.runs.cage import CAGE_RING_FIGURES, cage_figures, cage_ranges
+from raceway.runs.cage import CageFigures, cage_figures, cage_ranges
 from raceway.runs.columns import BEARING, LOSSES
 from raceway.runs.flaws import by_part
 from raceway.runs.friction import STILL as RESTING
@@ -185,7 +185,8 @@ def summary(tables: RunTables) -> dict[str, Any]:
     result["absent"] = models.absent(result["models"], result)
     result.update(dict.fromkeys(result["absent"]))
     result["warnings"] = _warnings(tables, result)
-    result |= {key: _plain(value) for key, value in cage_figures(tables).items()}
+    if (cage := cage_figures(tables)) is not None:
+        result |= {key: _plain(value) for key, value in cage._asdict().items()}
     ranges = model_ranges(tables, result)
     ranges |= {key: Range(*one) for key, one in cage_ranges(tables, result).items()}
     result["model_ranges"] = {key: one._asdict() for key, one in ranges.items()} or None
@@ -385,7 +386,7 @@ def shown(figures: Mapping[str, Any]) -> dict[str, Any]:
     losses = figures["losses_W"] or dict.fromkeys(LOSSES)
     flaws = figures.get("flaws", {})
     return {
-        **dict.fromkeys(CAGE_RING_FIGURES),
+        **dict.fromkeys(CageFigures._fields),
         **dict.fromkeys(row.key for row in warming.ROWS),
         **result,
         **{key: why for key, why in figures["absent"].items() if key in models.HEADLINES},

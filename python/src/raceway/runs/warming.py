@@ -67,7 +67,7 @@ def _attributes(name):
 
 
 def heated(tables: RunTables) -> bool:
-    """Whether the run has temperatures that follow its losses."""
+    """True for a run whose temperatures follow its losses."""
     return "temperature_inner" in tables.totals
 
 

@@ -16,6 +16,7 @@ from raceway import files
 from raceway.errors import RacewayError
 from raceway.files import FilePath
 from raceway.runs.flaws import by_ball, by_raceway
+from raceway.runs.settings import deck_words
 from raceway.runs.settling import KEYS
 from raceway.runs.summary import CHECK, identity, summary
 from raceway.runs.tables import RunTables
@@ -49,15 +50,14 @@ SAME = (
 def variables(tables: RunTables) -> dict[str, str]:
     """The main deck's variables of the run `tables`. Raises `RacewayError` for a run that did not
     record them."""
-    said = tables.settings.get("deck_variables")
-    if not isinstance(said, str):
+    known = deck_words(tables.settings)
+    if not known:
         raise RacewayError(
-            f"{tables.folder} does not say the deck's variables: only runs of inputs/in.6208 with a"
-            " record can be repeated"
+            f"{tables.folder} does not have the deck's variables: only runs of inputs/in.6208 with"
+            " a record can be repeated"
         )
     given = str(tables.settings.get("given_data", "none"))  # bearing or lubricant data
-    words = said.split(",") + ([] if given == "none" else given.split(","))
-    known = dict(word.split("=", 1) for word in words)
+    known |= dict(word.split("=", 1) for word in given.split(",") if given != "none")
     for raceway, words in by_raceway(tables.settings).items():
         known[f"flaw_{raceway}"] = words
     if balls := by_ball(tables.settings):

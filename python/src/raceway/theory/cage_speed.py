@@ -62,7 +62,7 @@ def order(bearing: Bearing, state: Equilibrium, models: str = "full") -> float:
 
 
 class Rolling(NamedTuple):
-    """What the rolling of balls depends on, arrays of one shape, at the contacts of a ring."""
+    """Loads, contact angles and semi-axes of the contacts of a ring, arrays of one shape."""
 
     load: Floats  # N
     angle: Floats  # rad, contact angle

@@ -14,13 +14,13 @@ import numpy as np
 from scipy.optimize import brentq
 
 from raceway.arrays import Floats
+from raceway.core import laws
 from raceway.theory import cage_speed, sliding
 from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.static import Equilibrium
 from raceway.units import prefixed
 
 POINTS = 720  # of the path of a ball around the bearing
-PLAY = 0.025  # of the ball's diameter: what a run takes where nothing is known
 
 
 class Excursion(NamedTuple):
@@ -50,7 +50,7 @@ def excursion(
     Each ball rolls at its own contact angles (`cage_speed.rolling`), balls without load at the mean
     speed. The way of a ball ahead is R times the integral of 1 - w_c/w over the azimuth, with the
     harmonic mean w_c of the balls' speeds w, which makes it the same after a turn. Where it exceeds
-    `play` (m; `PLAY` of a ball's diameter), a ball is held back by
+    `play` (m; the estimate of a run by default), a ball is held back by
     (1 - play/excursion) (w - w_c) R at both raceways. The traction of that slip by Heathcote's law
     with the coefficients `friction` (2, Z) presses the ball against its pocket; the cage's speed is
     the one at which these forces balance.
@@ -69,7 +69,7 @@ def excursion(
     found = Excursion(
         float(path.max()),
         float(path.min()),
-        PLAY * bearing.ball_diameter if play is None else play,
+        laws.usual_play() * bearing.ball_diameter if play is None else play,
         None,
     )
     if friction is None:

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A line for the user, on the screen and in the log.
+#ifndef BEARING_PRINT_LINE_H
+#define BEARING_PRINT_LINE_H
+
+#include "bearing_compat.h"
+
+namespace bearing {
+
+// Printed by the first rank and flushed, so that a long run shows it at once.
+inline void print_line(LAMMPS_NS::LAMMPS *lmp, const std::string &line)
+{
+  if (lmp->comm->me != 0) return;
+  for (FILE *to : {lmp->screen, lmp->logfile})
+    if (to) {
+      fprintf(to, "%s\n", line.c_str());
+      fflush(to);
+    }
+}
+
+}    // namespace bearing
+
+#endif
