@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 import raceway
-from host import ENVIRONMENT, HOSTS, ROOT, run, succeed
+from host import ENVIRONMENT, ROOT, run, succeed
 from raceway.errors import RacewayError, RunError
 
 POINT = {"bearing": "6306", "load": 1234.5678901234567, "rpm": 1000, "models": "paper"}
@@ -34,15 +34,17 @@ def record(folder):
     return (Path(folder) / "record.nc").read_bytes()
 
 
-@pytest.mark.parametrize("host, ranks", [("liggghts", 1), ("liggghts", 2), ("wheel", 2)])
+@pytest.mark.parametrize(
+    "host, ranks", [("liggghts", 1), ("liggghts", 2), ("lammps", 1), ("wheel", 2)]
+)
 def test_bits_of_the_deck_run_by_hand(tmp_path, monkeypatch, host, ranks):
     """Bits of the deck it wrote and of the main deck with -var, also from a folder without
     inputs."""
     monkeypatch.chdir(tmp_path)
-    program = str(HOSTS[host][0]) if host == "liggghts" else None
+    name = None if host == "wheel" else host
     if host == "wheel":  # as if no source tree were near
-        monkeypatch.setattr(raceway.sweeps.host_program, "LIGGGHTS", Path("build/none"))
-    found = raceway.simulate(**POINT, **OIL, out="one", program=program, ranks=ranks)
+        monkeypatch.setitem(raceway.sweeps.host_program.BUILT, "liggghts", Path("build/none"))
+    found = raceway.simulate(**POINT, **OIL, out="one", host=name, ranks=ranks)
     written = Path("one/in.6208")
     hand = run(tmp_path / written, host=host, cwd=tmp_path, out="hand", resume="no")
     assert hand.code == 0, hand.text
@@ -55,7 +57,7 @@ def test_bits_of_the_deck_run_by_hand(tmp_path, monkeypatch, host, ranks):
     assert pickle.loads(pickle.dumps(found)).summary() == found.summary()
     # a second call makes no step; with overwrite it makes all of them
     for overwrite in (False, True):
-        raceway.simulate(**POINT, **OIL, out="one", program=program, overwrite=overwrite)
+        raceway.simulate(**POINT, **OIL, out="one", host=name, overwrite=overwrite)
         assert ("Settling" in Path("one/log.txt").read_text()) == overwrite
         assert record("one") == record("hand")
 
@@ -83,6 +85,8 @@ def test_errors_before_anything_runs(tmp_path, monkeypatch):
         ({"load": [1, 2]}, r"load is \[1, 2\], must be a number, a text, True or False"),
         ({"bearing": "a$b"}, r"bearing is 'a\$b', must be a text without quotes"),
         ({"ranks": 0}, "ranks is 0, must be a whole number from 1 on"),
+        ({"host": "gromacs"}, "host is 'gromacs', must be one of liggghts, lammps"),
+        ({"host": "lammps", "program": "lmp"}, "host 'lammps' and program 'lmp': give one"),
         ({"program": "no_such_program"}, "there is no program 'no_such_program'"),
         ({"deck": "in.none"}, "cannot read deck in.none"),
         ({"out": "two words"}, "out is 'two words': a deck's folders have no blanks"),

@@ -31,6 +31,7 @@ OIL = {
     "pressure_viscosity_per_Pa": 22e-9,
     "permittivity": 2.2,
     "roughness_m": 1.5e-7,
+    "temperature_C": 40.0,
 }
 
 
@@ -181,8 +182,8 @@ def spoil(folder, pattern, replacement):
 NUMBERS = (  # settings that are attributes of the file and entries of run.yaml
     "load_N rpm passes samples_per_pass load_azimuth_rad balls ball_diameter_m inner_radius_m"
     " outer_radius_m inner_groove_m outer_groove_m clearance_m ball_young_Pa ball_poisson"
-    " viscosity_Pa_s pressure_viscosity_per_Pa permittivity roughness_m inner_ring outer_ring"
-    " sample_s"
+    " viscosity_Pa_s pressure_viscosity_per_Pa permittivity roughness_m temperature_C"
+    " inner_ring outer_ring sample_s"
 ).split()
 WORDS = "bearing lubricant integrator models host".split()
 END = "step_s evaluations processor_s simulated_s wall_s".split()

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from raceway import kinematics, orders, readings
+from raceway import catalogue, identify, kinematics, line_table, orders, prediction, readings
 from raceway.cli import main
 from raceway.errors import RacewayError
 
@@ -85,6 +85,80 @@ def test_a_line_of_a_recording(tmp_path):
     assert abs(one.value - order) < 3 * one.within < 1e-3
     with pytest.raises(RacewayError, match="shows no line BPFI; it shows BPFO"):
         readings.read(write(tmp_path, path.read_text().replace("line: BPFO", "line: BPFI")))
+
+
+def lines(tmp_path, text):
+    path = tmp_path / "lines.csv"
+    path.write_text(text)
+    return path
+
+
+@pytest.mark.parametrize(
+    "text, options, says",
+    [
+        ("bpfo_Hz\n107", {}, "has no column speed_Hz"),
+        ("speed_Hz,bpf_Hz\n30,107", {}, "column bpf_Hz is none of speed_Hz, bpfo_Hz"),
+        ("speed_Hz,bpfo_Hz\n30,", {}, "has no line"),
+        ("speed_Hz,bpfo_Hz\n,107", {}, "speed_Hz nan must lie between"),
+        ("speed_Hz,bpfo_Hz\n-30,107", {}, "speed_Hz -30 must lie between 0.001 and"),
+        ("speed_Hz,bpfo_Hz\n30,one", {}, "needs rows of numbers"),
+        ("speed_Hz,bpfo_Hz,load_N\n30,107,\n30,107,5", {}, "load_N nan must lie between 0 and"),
+        ("speed_Hz,bpfo_Hz,load_N\n30,107,5", {"load": 1.0}, "leave out the load 1"),
+        ("speed_Hz,bpfo_Hz\n30,107", {"models": "half"}, "models 'half' is none of paper"),
+    ],
+)
+def test_mistakes_in_a_table_of_lines(tmp_path, text, options, says):
+    with pytest.raises(RacewayError, match=says):
+        line_table.read(lines(tmp_path, text), "6205", **options)
+
+
+def test_unknowns_of_a_table_of_lines(tmp_path):
+    """What neither table nor options give; a bearing with a contact angle has no clearance."""
+    path = lines(tmp_path, "speed_Hz,ftf_Hz,load_N\n30,11.9,5\n")
+    given = line_table.read(path, "6205")
+    assert set(given.unknown) == {"clearance", "axial", "temperature"}
+    assert (given.readings[0].point.rpm, given.readings[0].point.load) == (1800, 5)
+    assert set(line_table.read(path, "7205B", temperature=50).unknown) == {"axial"}
+
+
+def test_lines_of_hidden_clearance_and_thrust(tmp_path, capsys, monkeypatch):
+    """From statics, without errors: one line leaves a ridge through the truth, a ball's spin and a
+    second load determine the angle; the intervals hold clearance, thrust, angle and no slip."""
+    monkeypatch.setattr(identify, "TRIED", 2)
+    monkeypatch.setattr(identify, "VALLEY", 4)
+    true = {"clearance": 8e-6, "axial": 90.0}
+    path = catalogue.find("bearings", "6205"), catalogue.find("lubricants", "vg46")
+    rows = [
+        readings.Reading(name, 1.0, 1.0, readings.Point(1800.0, load=load, at=40.0))
+        for load in (10.0, 40.0)
+        for name in ("BPFO", "BSF")
+    ]
+    of = prediction.Model(readings.Readings(*path, "paper", {}, {}, rows)).predict(true)
+    head = "speed_Hz,load_N,temperature_C,bpfo_Hz"
+    tables = (
+        f"{head}\n30,10,40,{30 * of[0].value!r}\n",
+        f"{head},bsf_Hz\n"
+        f"30,10,40,{30 * of[0].value!r},{30 * of[1].value!r}\n"
+        f"30,40,40,{30 * of[2].value!r},{30 * of[3].value!r}\n",
+    )
+    for number, table in enumerate(tables):
+        words = ["--lines", str(lines(tmp_path, table)), "--bearing", "6205", "--models", "paper"]
+        assert main(["identify", *words, "--json"]) == 0
+        found = json.loads(capsys.readouterr().out)
+        truth = {"clearance_m": 8e-6, "axial_N": 90.0}
+        truth["contact_angle_deg"] = math.degrees(of[0].angle)
+        for key, value in truth.items():
+            _, low, high = found[key]
+            assert low < value < high, (number, key)
+        assert found["slip"][1] < 0 < found["slip"][2] and found["load_N"] is None
+        least, middle, most = (found["contact_angle_deg"][k] for k in (1, 0, 2))
+        assert most - least < 4 and middle == pytest.approx(truth["contact_angle_deg"], abs=1)
+        if number == 0:
+            ridge = np.array(found["ridge"])
+            assert np.interp(90.0, *ridge[:, ::-1].T) == pytest.approx(8e-6, abs=1.5e-6)
+    with pytest.raises(SystemExit, match="2"):
+        main(["identify"])
+    assert "give a FILE of readings, or --lines CSV" in capsys.readouterr().err
 
 
 def test_command(tmp_path, capsys):

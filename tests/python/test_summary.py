@@ -14,7 +14,8 @@ from raceway.runs.summary import summary, table
 from raceway.runs.tables import RunTables
 
 # the table of INTERFACE.md in its order, repeated here because it is a promise
-PROMISED = """bearing lubricant host integrator models load_N rpm clearance_m step_s passes
+PROMISED = """bearing lubricant host integrator models temperature_C load_N rpm clearance_m
+step_s passes
 viscosity_Pa_s pressure_viscosity_per_Pa permittivity roughness_m ring_shift_m load_parameter
 q_max_N q_inner_max_N q_outer_max_N p_max_inner_Pa p_max_outer_Pa loaded_balls_mean
 cage_speed_rad_s entrainment_speed_m_s h_min_m h_c_m lambda capacitance_F capacitance_top_F
@@ -22,7 +23,7 @@ capacitance_total_F wall_s simulated_s real_time_factor processor_s evaluations 
 force_y_N force_z_N moment_x_N_m moment_y_N_m shift_z_m tilt_x_rad tilt_y_rad rpm_inner rpm_outer
 rpm_least rpm_most rpm_top
 friction_torque_N_m power_loss_W losses_W torque_skf_N_m torque_palmgren_N_m asperity_share
-settling_torque settling_load settling_cage_speed settling_spin_axis_rad
+settled_torque settled_load settled_cage_speed settled_spin_axis_rad
 equivalent_load_N dynamic_rating_N life_reference_Mrev life_reference_h
 absent warnings model_ranges""".split()
 WORDS = ("bearing", "lubricant", "host", "integrator", "models")
@@ -32,6 +33,7 @@ TYPES |= dict.fromkeys(("losses_W", "model_ranges", "absent"), dict)
 LOST = {"friction_torque_N_m", "power_loss_W", "losses_W", "asperity_share"}
 ABSENT = {*LOST, "capacitance_total_F"}
 DRY_NULL = {
+    "temperature_C",
     "viscosity_Pa_s",
     "pressure_viscosity_per_Pa",
     "permittivity",

@@ -35,17 +35,17 @@ def test_torque(runs):
     name, first, settled, _ = runs
     off = abs(first["friction_torque_N_m"] / settled["friction_torque_N_m"] - 1)
     if name == "tilted":
-        assert 1e-2 < off < 5e-2 and first["settling_torque"] > 0.3 * off
+        assert 1e-2 < off < 5e-2 and first["settled_torque"] > 0.3 * off
     else:
-        assert off < 1e-2 and first["settling_torque"] < 1e-3
+        assert off < 1e-2 and first["settled_torque"] < 1e-3
 
 
 def test_a_settled_run_says_so(runs):
     _, _, settled, _ = runs
-    assert settled["settling_torque"] < 1e-3
-    assert settled["settling_load"] < 1e-3
-    assert settled["settling_cage_speed"] < 1e-3
-    assert settled["settling_spin_axis_rad"] < 1e-2
+    assert settled["settled_torque"] < 1e-3
+    assert settled["settled_load"] < 1e-3
+    assert settled["settled_cage_speed"] < 1e-3
+    assert settled["settled_spin_axis_rad"] < 1e-2
 
 
 def test_check_covers_the_rest(runs, tmp_path, monkeypatch):
@@ -79,6 +79,6 @@ def test_of_the_record(runs):
         before, now = values[-2 * half : -half].mean(), values[-half:].mean()
         return abs(now - before) / now
 
-    assert figures["settling_cage_speed"] == pytest.approx(change(speed), rel=1e-6, abs=1e-12)
+    assert figures["settled_cage_speed"] == pytest.approx(change(speed), rel=1e-6, abs=1e-12)
     loads = max(change(load) for load in loads)
-    assert figures["settling_load"] == pytest.approx(loads, rel=1e-6, abs=1e-12)
+    assert figures["settled_load"] == pytest.approx(loads, rel=1e-6, abs=1e-12)

@@ -8,18 +8,23 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from raceway.commands import Commands, options
+from raceway.commands.quantity import number
 from raceway.units import prefixed
 
 if TYPE_CHECKING:  # scipy takes longer to load than `--help` should
     from raceway.recordings.identify import Found
     from raceway.recordings.readings import Readings
 
+MODELS = ("paper", "full", "eyring")
 HELP = "clearance, thrust, oil temperature, cooling from lines, capacitance, temperatures"
 DESCRIPTION = """\
 State of a real bearing from readings: lines in orders of the shaft (FTF, BPFO, BPFI,
 BSF), capacitance of the contacts in F, temperature in degrees C, or a recording in which lines are
 found. Each reading has its standard deviation, `within`, and its operating point. Least squares
 over statics, films and friction determines the `unknown` quantities within their given ranges.
+
+A table of lines (--lines) needs no such file: clearance and thrust are looked for there, and load
+and oil temperature unless they are given.
 
 One line leaves a valley of clearance and thrust, which is printed. A capacitance, a second
 load (`load_more`, `axial_more`) or a temperature with a known cooling (`conductance`) separates
@@ -30,8 +35,13 @@ grooves speeds up the cage, by up to 1e-3 of a line (models full). Where balls a
 play of the pockets slows the cage by an unknown amount, which widens the result."""
 EXAMPLES = """\
 examples:
+  raceway identify --bearing 6205 --lines lines.csv --load 10
   raceway identify readings.yaml
   raceway identify readings.yaml --json
+
+A table of lines in hertz, one recording:
+  speed_Hz,bpfo_Hz,ftf_Hz
+  29.95,107.74,11.971
 
 A file of readings:
   bearing: 6205
@@ -51,6 +61,13 @@ NAMES = {
     "temperature": "oil temperature",
     "conductance": "cooling",
 }
+KEYS = {
+    "clearance": "clearance_m",
+    "axial": "axial_N",
+    "load": "load_N",
+    "temperature": "temperature_C",
+    "conductance": "conductance_W_K",
+}
 DECK = ("clearance", "load", "axial", "temperature")  # variables of the deck among the unknowns
 OUT = 3.0  # ratio to its uncertainty above which the result does not explain a reading
 
@@ -64,18 +81,57 @@ def add(commands: Commands) -> None:
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    one.add_argument("file", metavar="FILE", help="readings, YAML")
-    options.inputs(one)
+    one.add_argument("file", metavar="FILE", nargs="?", help="readings, YAML; or --lines")
+    one.add_argument(
+        "--lines",
+        metavar="CSV",
+        help="a row for each recording: speed_Hz, any of bpfo_Hz, bpfi_Hz, bsf_Hz, ftf_Hz, and"
+        " load_N, temperature_C if they are known",
+    )
+    lines = one.add_argument_group("with --lines")
+    options.bearing(lines)
+    options.lubricant(lines)
+    options.models(lines, MODELS, "films and cage speed")
+    lines.add_argument(
+        "--load", type=number(0, 1e6, "N"), metavar="N", help="radial load, newtons (unknown)"
+    )
+    lines.add_argument(
+        "--temperature",
+        type=number(-40, 200, "C"),
+        metavar="C",
+        help="of the oil, degrees Celsius (unknown)",
+    )
+    lines.add_argument(
+        "--within",
+        type=number(1e-6, 0.1, ""),
+        default=2e-4,
+        metavar="SHARE",
+        help="standard deviation of a line, relative (%(default)s)",
+    )
     one.add_argument("--json", action="store_true", help="one JSON object instead of text")
     one.set_defaults(command=run, complain=one.error)
 
 
 def run(arguments: argparse.Namespace) -> None:
     """Print the result of the readings. Raises `RacewayError`."""
-    from raceway.recordings import readings
+    from raceway.recordings import line_table, readings
     from raceway.recordings.identify import identify
 
-    given = readings.read(arguments.file, arguments.inputs)
+    if (arguments.file is None) == (arguments.lines is None):
+        arguments.complain("give a FILE of readings, or --lines CSV")
+    if arguments.lines is None:
+        given = readings.read(arguments.file, arguments.inputs)
+    else:
+        given = line_table.read(
+            arguments.lines,
+            arguments.bearing,
+            lubricant=arguments.lubricant,
+            models=arguments.models,
+            load=arguments.load,
+            temperature=arguments.temperature,
+            within=arguments.within,
+            inputs_folder=arguments.inputs,
+        )
     found = identify(given)
     if arguments.json:
         print(json.dumps(figures(given, found), indent=2))
@@ -84,8 +140,17 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def figures(given: "Readings", found: "Found") -> dict[str, Any]:
-    """Result for JSON, SI units, temperatures in degrees C."""
+    """Result for JSON, SI units, temperatures in degrees C. The first keys are [value, low, high],
+    95 %, or None for what was known or the readings do not give."""
+
+    def three(one, unit=1.0):
+        return one and [unit * one.best, unit * one.low, unit * one.high]
+
     return {
+        "contact_angle_deg": three(found.angle, math.degrees(1)),
+        "slip": three(found.slip),
+        **{key: three(found.values.get(name)) for name, key in KEYS.items()},
+        "ridge": [[one["clearance"], one["axial"]] for one in found.valley],
         "unknown": {
             name: dict(one._asdict(), told_apart=one.determined)
             for name, one in found.values.items()
@@ -135,6 +200,13 @@ def text(given: "Readings", found: "Found") -> str:
         cells = [_shown(value, STATE[name][2]) for value in (one.best, one.low, one.high)]
         row = f"  {NAMES[name]:<24}{cells[0]:>12}{cells[1]:>14}{cells[2]:>12}"
         rows.append(row if one.determined else f"{row}  not determined")
+    for name, one, unit, shown in (
+        ("contact angle", found.angle, math.degrees(1), "{:.3f}°"),
+        ("slip of the cage", found.slip, 100.0, "{:.3f} %"),
+    ):
+        if one:
+            cells = [shown.format(unit * value) for value in (one.best, one.low, one.high)]
+            rows.append(f"  {name:<24}{cells[0]:>12}{cells[1]:>14}{cells[2]:>12}")
     rows += ["", f"  {'reading':<24}{'read':>12}{'+-':>12}{'predicted':>12}{'off by':>10}"]
     for one, value, rest in zip(given.readings, found.predicted, found.residuals):
         row = f"  {f'{one.quantity} at {one.point.rpm:.5g} rpm':<24}{one.value:>12.6g}"

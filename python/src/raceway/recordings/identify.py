@@ -18,6 +18,7 @@ from raceway.arrays import Floats
 from raceway.errors import NoEquilibrium
 from raceway.recordings.prediction import Model, residuals
 from raceway.recordings.readings import Readings
+from raceway.theory import kinematics
 
 TRIED = 8  # starting points for each unknown; the best are refined until one explains the readings
 REFINED = 4
@@ -50,6 +51,9 @@ class Found(NamedTuple):
     # states that explain the readings equally well; empty: one point
     valley: list[dict[str, float]]
     idle: int  # largest number of unloaded balls at any point
+    angle: Value  # rad, contact angle at the first reading, mean of the contacts by load
+    # share by which the cage is slower there than by that angle; None without a line of it
+    slip: Value | None
 
     @property
     def chi(self) -> float:
@@ -67,19 +71,19 @@ def identify(readings: Readings) -> Found:
         search.slip = search.lag(best)
         best = search.refine(best)
     names = list(readings.unknown)
-    spread = search.spread(best)
-    weak = spread > OPEN * UNIFORM
-    valley = search.valley(best, int(np.argmax(spread))) if weak.any() else []
+    around = search.covariance(best)
+    weak = np.sqrt(np.diag(around)) > OPEN * UNIFORM
+    valley = search.valley(best, _along(names, np.diag(around), weak)) if weak.any() else []
+    # away from the valley the uncertainty is that across it
+    interval = _Interval(
+        best,
+        [(place, search.covariance(place, weakest=False)) for place in valley] or [(best, around)],
+    )
     values = {}
     for k, name in enumerate(names):
-        low, high = best[k] - TWO_SIDED * spread[k], best[k] + TWO_SIDED * spread[k]
-        if valley:
-            # away from the valley the uncertainty is that across it
-            across = TWO_SIDED * search.across(best)[k]
-            low = min(one[k] for one in valley) - across
-            high = max(one[k] for one in valley) + across
-        span = [search.value(name, min(max(one, 0.0), 1.0)) for one in (low, best[k], high)]
-        values[name] = Value(span[1], span[0], span[2], not weak[k])
+        one = interval.of(lambda place, k=k: float(place[k]))
+        span = [search.value(name, min(max(share, 0.0), 1.0)) for share in one]
+        values[name] = Value(*span, not weak[k])
     predicted = search.predicted(best)
     return Found(
         values,
@@ -88,7 +92,65 @@ def identify(readings: Readings) -> Found:
         np.array([one.value for one in predicted]),
         [search.state(one) for one in valley],
         max(one.idle for one in predicted),
+        Value(*interval.of(search.angle), not valley),
+        _slip(search, interval, not valley),
     )
+
+
+def _along(names, variances, weak):
+    """Number of the unknown along which the valley is traced: the most uncertain one, and one of
+    clearance and thrust before any other."""
+    first = [k for k, name in enumerate(names) if weak[k] and name in ("clearance", "axial")]
+    return max(first or range(len(names)), key=lambda k: variances[k])
+
+
+class _Interval(NamedTuple):
+    """95 % intervals of functions of the place."""
+
+    best: Floats
+    places: list[tuple[Floats, Floats]]  # that explain the readings, each with its covariance
+
+    def of(self, function, own=0.0):
+        """(best, low, high) of `function`, which has a standard deviation `own` besides that of
+        the place."""
+        ends = []
+        for place, covariance in self.places:
+            slope = _gradient(function, place)
+            spread = math.sqrt(own**2 + float(slope @ covariance @ slope))
+            value, reach = function(place), TWO_SIDED * spread
+            ends += [value - reach, value + reach]
+        return function(self.best), min(ends), max(ends)
+
+
+def _gradient(function, place):
+    """Derivatives of `function`, inside the ranges."""
+    found = []
+    for k in range(len(place)):
+        ends = np.array([place, place])
+        ends[0, k], ends[1, k] = max(place[k] - STEP, 0.0), min(place[k] + STEP, 1.0)
+        low, high = (function(one) for one in ends)
+        found.append((high - low) / (ends[1, k] - ends[0, k]))
+    return np.array(found)
+
+
+def _slip(search, interval, determined):
+    """`Found.slip`."""
+    point = search.readings.readings[0].point
+    read = [
+        (one.value, one.within)
+        for one in map(search.cage, search.readings.readings)
+        if one and one.point == point
+    ]
+    if not read:
+        return None
+    orders, within = np.transpose(read)
+    weights = within**-2 / (within**-2).sum()
+    order, own = float(orders @ weights), float((within**-2).sum() ** -0.5)
+
+    def slip(place):
+        return 1 - order / search.kinematic(place)
+
+    return Value(*interval.of(slip, own / order), determined)
 
 
 def value_of(of: Readings, name: str, share: float) -> float:
@@ -113,6 +175,7 @@ class _Search:
     def __init__(self, readings):
         self.readings, self.model = readings, Model(readings)
         self.slip = np.zeros(len(readings.readings))
+        self._predicted = {}
 
     def value(self, name, share):
         return value_of(self.readings, name, share)
@@ -122,7 +185,10 @@ class _Search:
         return {**self.readings.known, **found}
 
     def predicted(self, place):
-        return self.model.predict(self.state(place))
+        key = np.asarray(place).tobytes()
+        if key not in self._predicted:
+            self._predicted[key] = self.model.predict(self.state(place))
+        return self._predicted[key]
 
     def residuals(self, place):
         try:
@@ -169,28 +235,38 @@ class _Search:
             ).x
         return place
 
+    def angle(self, place):
+        """Contact angle at the first reading, rad."""
+        return self.predicted(place)[0].angle
+
+    def kinematic(self, place):
+        """FTF at that angle in orders of the shaft, without slip."""
+        return float(kinematics.frequencies(self.model.bearing, self.angle(place)).cage)
+
+    def cage(self, reading):
+        """The reading of a line of the cage as its FTF; None for another."""
+        balls = self.model.bearing.balls
+        order = {
+            "FTF": reading.value,
+            "BPFO": reading.value / balls,
+            "BPFI": 1 - reading.value / balls,
+        }.get(reading.quantity)
+        share = 1 if reading.quantity == "FTF" else balls
+        if order is None:
+            return None
+        return reading._replace(value=order, within=reading.within / share)
+
     def slopes(self, place):
         """(readings, unknowns) derivatives of the residuals."""
-        columns = []
-        for k in range(len(place)):
-            ends = np.array([place, place])
-            ends[0, k], ends[1, k] = max(place[k] - STEP, 0.0), min(place[k] + STEP, 1.0)
-            low, high = (self.residuals(one) for one in ends)
-            columns.append((high - low) / (ends[1, k] - ends[0, k]))
-        return np.transpose(columns)
+        return np.transpose(_gradient(self.residuals, place))
 
-    def spread(self, place):
-        """Standard deviations (unknowns,) as fractions of their ranges."""
+    def covariance(self, place, weakest=True):
+        """(unknowns, unknowns), of the place, with the ranges as prior knowledge; with or without
+        the `weakest` direction."""
         slopes = self.slopes(place)
-        known = slopes.T @ slopes + np.eye(len(place)) / UNIFORM**2
-        return np.sqrt(np.diag(np.linalg.inv(known)))
-
-    def across(self, place):
-        """The same without the weakest direction."""
-        slopes = self.slopes(place)
-        values, vectors = np.linalg.eigh(slopes.T @ slopes)
-        strong = vectors[:, 1:] / np.sqrt(np.maximum(values[1:], 1e-300))
-        return np.minimum(np.sqrt((strong**2).sum(1)), UNIFORM)
+        values, vectors = np.linalg.eigh(slopes.T @ slopes + np.eye(len(place)) / UNIFORM**2)
+        kept = vectors[:, 0 if weakest else 1 :] / np.sqrt(values[0 if weakest else 1 :])
+        return kept @ kept.T
 
     def valley(self, best, along):
         """States that explain the readings as well as the best one, along the unknown with the

@@ -22,6 +22,7 @@ class Predicted(NamedTuple):
     error: float  # standard deviation of the model, in the unit of the reading
     lag: float  # largest slip due to pocket play, share of the cage's speed
     idle: int  # unloaded balls
+    angle: float  # rad, contact angle, mean of the contacts by load
 
 
 class Model:
@@ -44,11 +45,15 @@ class Model:
         rows = self.readings.readings if rows is None else rows
         return [self._one(one, state, solved) for one in rows]
 
+    def _oil(self, point, state):
+        """C; NaN if it is the temperature read."""
+        return point.at if point.at is not None else state.get("temperature", math.nan)
+
     def _one(self, reading: Reading, state, solved) -> Predicted:
         point = reading.point
-        oil = point.at if point.at is not None else state.get("temperature", math.nan)
+        oil = self._oil(point, state)
         if reading.quantity == "temperature" and "conductance" not in state:
-            return Predicted(oil, 0.0, 0.0, 0)
+            return Predicted(oil, 0.0, 0.0, 0, 0.0)
         if math.isnan(oil):  # friction at the temperature read
             oil = reading.value
         key = point._replace(at=oil)
@@ -56,28 +61,25 @@ class Model:
             scene = self._scene(point, state)
             solved[key] = scene, scene.rest(oil, state["clearance"])
         scene, rest = solved[key]
-        idle = int((rest.state.inner.load <= 0).sum())
+        idle, angle = int((rest.state.inner.load <= 0).sum()), _contact_angle(rest.state)
         if reading.quantity == "temperature":
             lost = scene.figures(rest, state["clearance"])["power_loss_W"]
-            return Predicted(self.readings.ambient + lost / state["conductance"], 0.0, 0.0, idle)
+            steady = self.readings.ambient + lost / state["conductance"]
+            return Predicted(steady, 0.0, 0.0, idle, angle)
         if reading.quantity == "capacitance":
-            return Predicted(rest.films.total, 0.0, 0.0, idle)
+            return Predicted(rest.films.total, 0.0, 0.0, idle, angle)
         cage = cage_speed.order(self.bearing, rest.state, self.readings.models)
         slip = 0.0 if self.readings.models == "paper" else cage_speed.lag(self.bearing, rest.state)
-        return self._line(reading.quantity, cage, rest.state, slip, idle)
+        return self._line(reading.quantity, cage, angle, slip, idle)
 
-    def _line(self, name, cage, state, slip, idle):
+    def _line(self, name, cage, angle, slip, idle):
         balls = self.bearing.balls
         if name == "BSF":
-            load = np.concatenate([state.inner.load, state.outer.load])
-            cosine = np.average(
-                np.cos(np.concatenate([state.inner.angle, state.outer.angle])), weights=load
-            )
-            spin = float(kinematics.frequencies(self.bearing, math.acos(cosine)).spin)
-            return Predicted(spin, cage_speed.ERROR * spin, 0.0, idle)
+            spin = float(kinematics.frequencies(self.bearing, angle).spin)
+            return Predicted(spin, cage_speed.ERROR * spin, 0.0, idle, angle)
         value = {"FTF": cage, "BPFO": balls * cage, "BPFI": balls * (1 - cage)}[name]
         slope = {"FTF": 1.0, "BPFO": balls, "BPFI": balls}[name] * cage
-        return Predicted(value, cage_speed.ERROR * slope, slip, idle)
+        return Predicted(value, cage_speed.ERROR * slope, slip, idle, angle)
 
     def _scene(self, point: Point, state) -> Scene:
         load = state["load"] if point.load is None else point.load
@@ -97,6 +99,12 @@ class Model:
             held=held,
             size=self._size,
         )
+
+
+def _contact_angle(state):
+    load = np.concatenate([state.inner.load, state.outer.load])
+    angles = np.concatenate([state.inner.angle, state.outer.angle])
+    return math.acos(np.average(np.cos(angles), weights=load))
 
 
 def residuals(readings: Readings, found: list[Predicted], slip: Floats) -> Floats:

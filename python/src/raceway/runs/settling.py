@@ -12,17 +12,17 @@ from raceway.runs.tables import RunTables
 from raceway.runs.turning import changes
 
 KEYS = {
-    "torque": "settling_torque",
-    "load": "settling_load",
-    "cage_speed": "settling_cage_speed",
-    "spin_axis": "settling_spin_axis_rad",
+    "torque": "settled_torque",
+    "load": "settled_load",
+    "cage_speed": "settled_cage_speed",
+    "spin_axis": "settled_spin_axis_rad",
 }
 
 
 def settling(tables: RunTables) -> dict[str, float | None]:
     """Changes between the last two ball passes of the window, or between its halves if it has
     fewer than two: mean friction torque, largest load on either raceway and cage speed, relative;
-    `settling_spin_axis_rad`, the angle of the balls' mean spin axis, weighted by load. None if
+    `settled_spin_axis_rad`, the angle of the balls' mean spin axis, weighted by load. None if
     the run has not recorded a quantity, or if the speed of the rings changes.
 
     Formulas: `src-package/core/figures/settling.h`."""
@@ -55,7 +55,7 @@ def settling(tables: RunTables) -> dict[str, float | None]:
         value = getattr(found, field)
         result[key] = float(value) if math.isfinite(value) else None
     if not balls["load"].size:
-        result["settling_spin_axis_rad"] = None
+        result["settled_spin_axis_rad"] = None
     return result
 
 

@@ -113,10 +113,10 @@ TOPICS = {
     ),
     "Temperatures": warming.ROWS,
     "Settling, change from one ball pass to the next": (
-        Row("settling_torque", "friction torque", "", "last two, relative"),
-        Row("settling_load", "largest loads", "", "of both raceways, the larger"),
-        Row("settling_cage_speed", "cage speed", ""),
-        Row("settling_spin_axis_rad", "spin axis of the balls", "rad", "mean, by load"),
+        Row("settled_torque", "friction torque", "", "last two, relative"),
+        Row("settled_load", "largest loads", "", "of both raceways, the larger"),
+        Row("settled_cage_speed", "cage speed", ""),
+        Row("settled_spin_axis_rad", "spin axis of the balls", "rad", "mean, by load"),
     ),
     "Cost": (
         Row("host", "host", None),
@@ -161,6 +161,7 @@ def summary(tables: RunTables) -> dict[str, Any]:
             "host",
             "integrator",
             "models",
+            "temperature_C",
             "load_N",
             "rpm",
             "clearance_m",

