@@ -85,15 +85,22 @@ def run(arguments: argparse.Namespace) -> None:
 
 def figures(given: "Readings", found: "Found") -> dict[str, Any]:
     """Result for JSON, SI units, temperatures in degrees C."""
+    from raceway.recordings.readings import STATE, UNITS
+
+    def named(values):
+        """With units in the names."""
+        return {f"{key}_{STATE[key][2].replace('/', '_')}": one for key, one in values.items()}
+
     return {
         "unknown": {
-            name: dict(one._asdict(), told_apart=one.determined)
-            for name, one in found.values.items()
+            key: dict(one._asdict(), told_apart=one.determined)
+            for key, one in named(found.values).items()
         },
-        "state": found.state,
+        "state": named(found.state),
         "readings": [
             {
                 "quantity": one.quantity,
+                "unit": UNITS.get(one.quantity, "order"),
                 "rpm": one.point.rpm,
                 "value": one.value,
                 "within": one.within,
@@ -103,7 +110,7 @@ def figures(given: "Readings", found: "Found") -> dict[str, Any]:
             for one, value, rest in zip(given.readings, found.predicted, found.residuals)
         ],
         "chi_squared": found.chi,
-        "valley": found.valley,
+        "valley": [named(one) for one in found.valley],
         "idle_balls": found.idle,
         "deck": deck(given, found),
     }

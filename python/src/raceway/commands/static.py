@@ -147,7 +147,7 @@ def add(commands: Commands) -> None:
         metavar="WORD",
         help=f"of the lubricant, for the rating life: {', '.join(CLEANLINESS)} (normal)",
     )
-    one.add_argument("--json", action="store_true", help="JSON instead of tables: a list for several points")
+    one.add_argument("--json", action="store_true", help="JSON: a list for several points")
     one.set_defaults(command=run, complain=one.error)
 
 
@@ -206,9 +206,7 @@ def run(arguments: argparse.Namespace) -> None:
             if runs
             else load_spectrum.of_points(
                 duties,
-                lambda duty: evaluate(
-                    **points[0], load=duty.load, axial=duty.axial, rpm=duty.rpm
-                ),
+                lambda duty: evaluate(**points[0], load=duty.load, axial=duty.axial, rpm=duty.rpm),
             )
         )
         table = load_spectrum.table
