@@ -92,7 +92,7 @@ def test_over_a_ball_pass():
 
 def test_full_needs_the_fluid():
     with pytest.raises(ValueError, match="models full need the fluid"):
-        ring_response.turning_ring(B6208, 3000.0, spin=SPIN, oil=OIL, models="full")
+        ring_response.turning_ring(B6208, 3000.0, speed=SPIN, oil=OIL, models="full")
     assert "viscosity" in Fluid._fields
 
 

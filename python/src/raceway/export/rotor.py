@@ -99,7 +99,7 @@ def points(
                 body,
                 newtons,
                 axial,
-                spin=spin,
+                speed=spin,
                 oil=oil,
                 fluid=fluid,
                 models=models,

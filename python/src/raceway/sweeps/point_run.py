@@ -87,7 +87,7 @@ def run_point(
             if not _whole(folder, variables):
                 code = _execute(folder, variables, command, lock, stop)
                 if stopped(code):
-                    return STOPPED, "stopped; goes on when the sweep is started again"
+                    return STOPPED, "stopped; continues when the sweep is started again"
                 if code:
                     return _fail(folder, complaint(folder / "log.txt", code))
             try:
