@@ -1,7 +1,7 @@
 #!/bin/bash
 # One run on several ranks, from the root of the repository; it pays where one box holds many bearings. Restart as in run.sh, which does the work:
 #   sbatch --ntasks=8 inputs/cluster/mpi.sh build/run/mine -var passes 1000
-# The run may go on with another number of ranks: the bits do not depend on it.
+# The run may continue on another number of ranks, to the same bits.
 #SBATCH --job-name=raceway
 #SBATCH --ntasks=4
 #SBATCH --time=04:00:00

@@ -2,7 +2,7 @@
 # One run on one core, from the root of the repository:
 #   sbatch inputs/cluster/run.sh build/run/mine -var load 5000 -var rpm 1000 -var passes 1000
 # Words after the folder are for the deck. A restart file is written every KEEP samples and when Slurm sends the signal, two minutes before
-# the time limit or when the job is cancelled or preempted. Then the job puts itself back in the queue and goes on, to the same bits.
+# the time limit or when the job is cancelled or preempted. Then the job requeues itself and continues, to the same bits.
 #SBATCH --job-name=raceway
 #SBATCH --ntasks=1
 #SBATCH --time=04:00:00

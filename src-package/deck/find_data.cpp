@@ -35,6 +35,9 @@ static Data data_file(const fs::path &file)
   return data;
 }
 
+// A message lists all names up to the first number, of more the second number of nearest ones.
+static constexpr size_t longest_list = 12, nearest_names = 6;
+
 Data find_data(const std::string &folder, const std::string &name)
 {
   const fs::path file = fs::path(folder) / name;
@@ -54,7 +57,12 @@ Data find_data(const std::string &folder, const std::string &name)
   }
   for (fs::directory_iterator it(folder, ec), end; !ec && it != end; it.increment(ec))
     if (it->path().extension() != ".csv") names.insert(it->path().filename().string());
-  const std::string list = joined(near_first(name, names));
+  std::vector<std::string> near = near_first(name, names);
+  if (near.size() > longest_list) {
+    near.resize(nearest_names);
+    near.push_back(std::to_string(names.size()) + " in all");
+  }
+  const std::string list = joined(near);
   return {"there is no '" + name + "' in folder " + folder + "; there is: " +
           (list.empty()
                ? "nothing (run from the folder that holds it, or set the variable 'inputs')"

@@ -34,7 +34,9 @@ void CreateBearing::command_named(Arguments &args)
   const bearing::NamedBearing &b = bearing::bearing_of(lmp, args, args.word("name of a bearing"));
   auto *pair = dynamic_cast<PairBearing *>(force->pair);
   if (!pair)
-    args.fail("bearing " + b.name + " needs pair_style bearing before it, not below hybrid");
+    args.fail("bearing " + b.name +
+              " needs pair_style bearing before it, not below hybrid; particles beside bearings "
+              "have 'pair_coeff I J grain' and fix bearing/grains");
   double speed[2] = {0.0, 0.0}, thrust = 0.0;
   bool groups = true;
   std::string more;

@@ -223,6 +223,31 @@ std::vector<std::string> FixBearingCheckpoint::deck() const
   return lines;
 }
 
+// Leaves of two command lines the words from the first that differs to the last, after the name of
+// the command and its first argument.
+static constexpr size_t longest_difference = 8;    // words
+static void leave_difference(std::string &one, std::string &other)
+{
+  std::vector<std::string> words[2];
+  std::string *const lines[2] = {&one, &other};
+  for (int k = 0; k < 2; ++k) {
+    std::istringstream in(*lines[k]);
+    for (std::string word; in >> word;) words[k].push_back(word);
+  }
+  const size_t shorter = std::min(words[0].size(), words[1].size());
+  size_t first = 0, last = 0;    // words alike at both ends
+  while (first < shorter && words[0][first] == words[1][first]) ++first;
+  while (last < shorter - first && words[0].end()[-1 - last] == words[1].end()[-1 - last]) ++last;
+  for (int k = 0; k < 2; ++k) {
+    // the keyword before the first difference, if it is not the command itself
+    const size_t from = first > 4 ? first - 1 : 0;
+    const size_t end = words[k].size() - last, to = std::min(end, from + longest_difference);
+    *lines[k] = from ? words[k][0] + " ..." : "";
+    for (size_t n = from; n < to; ++n) *lines[k] += (lines[k]->empty() ? "" : " ") + words[k][n];
+    if (to < words[k].size()) *lines[k] += " ...";
+  }
+}
+
 // Error if the deck of a continued run has other data. It need not repeat create_bearing.
 void FixBearingCheckpoint::check_deck()
 {
@@ -236,16 +261,16 @@ void FixBearingCheckpoint::check_deck()
   const auto alone = [](const std::vector<std::string> &list,
                         const std::vector<std::string> &other) {
     for (const std::string &line : list)
-      if (!line.empty() && std::find(other.begin(), other.end(), line) == other.end())
-        return "'" + line + "'";
+      if (!line.empty() && std::find(other.begin(), other.end(), line) == other.end()) return line;
     return std::string();
   };
-  const std::string old = alone(then, now), own = alone(now, then);
+  std::string old = alone(then, now), own = alone(now, then);
+  if (!old.empty() && !own.empty()) leave_difference(old, own);
   if (!old.empty() || !own.empty())
     BRG_ALL(command_ + ": " + file_ + " belongs to another run, " +
-            (old.empty()
-                 ? "without " + own
-                 : "with " + old + ", this one " + (own.empty() ? "without it" : "with " + own)) +
+            (old.empty() ? "without '" + own + "'"
+                         : "with '" + old + "', this one " +
+                               (own.empty() ? "without it" : "with '" + own + "'")) +
             ". Remove it, or resume with its data");
 }
 
@@ -317,8 +342,8 @@ void FixBearingCheckpoint::stop()
   publish();
   if (comm->me == 0) {
     const std::string say = std::string("Stopped by signal ") + strsignal(caught) + " after step " +
-                            std::to_string(update->ntimestep) + "; the run goes on from " + file_ +
-                            "\n";
+                            std::to_string(update->ntimestep) +
+                            "; -var resume yes continues from " + file_ + "\n";
     if (screen) fputs(say.c_str(), screen);
     if (logfile) fputs(say.c_str(), logfile);
   }
@@ -340,7 +365,7 @@ void FixBearingCheckpoint::publish()
   unlink(part_.c_str());
   BRG_ONE(command_ + ": cannot write restart file " + file_ + " at step " +
           std::to_string(update->ntimestep) + ": " + why +
-          ". The one before it, if any, is still good: make room and go on from it");
+          ". The previous one, if any, is intact: make room and continue from it");
 }
 
 // Output files may be longer than at the time of the restart file, but not shorter.
@@ -382,7 +407,7 @@ void FixBearingCheckpoint::watch_files()
                                   " steps. Is it written less often, by another run as well, or "
                                   "was the disk full for a while?"
                             : room + '.') +
-              " Make room and go on from the last restart file, or start anew");
+              " Make room and continue from the last restart file, or start again");
     }
     seen_[k] = now;
   }

@@ -103,7 +103,7 @@ void PairBearingHertz::init_style()
     BRG_ALL("pair_style bearing: no raceway; give pair_coeff BALL RING inner|outer ...");
   if (!(update->dt >= shortest_step))
     BRG_ALL("timestep is " + text(update->dt) + " s, must be at least " + text(shortest_step) +
-            " s: time would not go on");
+            " s: time would stand still");
   time_.go_on(*update);
   comm->ghost_velocity = 1;
   BRG_REQUEST_HALF();

@@ -58,8 +58,8 @@ bool goes_on(LAMMPS *lmp, const Arguments &args, const ResumeRequest &ask)
   if (!complaint.empty()) args.fail(complaint);
   MPI_Bcast(&there, 1, MPI_INT, 0, lmp->world);
   if (ask.resume && is_first_rank(lmp)) {
-    const std::string say =
-        there ? "Going on from " + file + "\n" : "No " + file + " to go on from: starting anew\n";
+    const std::string say = there ? "Continuing from " + file + "\n"
+                                  : "There is no " + file + ": starting from the beginning\n";
     if (lmp->screen) fputs(say.c_str(), lmp->screen);
     if (lmp->logfile) fputs(say.c_str(), lmp->logfile);
   }

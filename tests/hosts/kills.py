@@ -160,7 +160,7 @@ def disturb(scene, out, which, reference, length, dice, *, ranks=(1,)):
         if code == 0:  # too late: the run was not disturbed
             shutil.rmtree(out)
             attempt = -1
-    story.resumed = Path(f"{out}.log").read_text(errors="replace").count("Going on from")
+    story.resumed = Path(f"{out}.log").read_text(errors="replace").count("Continuing from")
     story.different = tuple(name for name in FILES if not same(out / name, reference / name))
     if settings(out) != settings(reference):
         story.different += ("run.yaml",)

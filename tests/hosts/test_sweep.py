@@ -61,6 +61,20 @@ def table(tmp_path):
     return path
 
 
+def test_a_deck_of_several_bearings_without_resume(tmp_path):
+    """Columns for each bearing, as its own summary has them."""
+    (tmp_path / "t.csv").write_text("rpm\n3000\n")
+    out = tmp_path / "out"
+    done = sweep(tmp_path / "t.csv", "--deck", "docs/decks/in.two_bearings", "--out", out)
+    assert "1 finished" in done.stdout, done.stderr
+    row = pd.read_csv(out / "results.csv").iloc[0]
+    for number, name in ((1, "6208"), (2, "6306")):
+        figures = summary(RunTables(out / "rpm=3000", bearing=number))
+        assert str(row[f"bearing_{number}_bearing"]) == name == figures["bearing"]
+        assert row[f"bearing_{number}_q_max_N"] == pytest.approx(figures["q_max_N"], rel=1e-15)
+        assert row[f"bearing_{number}_loss_slip_W"] == pytest.approx(figures["losses_W"]["slip"])
+
+
 @pytest.fixture
 def counter(tmp_path):
     """The program, and a file next to each point's folder with a line for each start."""
@@ -339,7 +353,7 @@ def test_run_scripts(tmp_path, script, tasks):
     process.terminate()  # --signal=B:TERM@120 reaches the shell only
     text = process.communicate(timeout=60)[0]
     assert process.returncode == 138, text
-    assert "the run goes on from" in text
+    assert "-var resume yes continues from" in text
     resumed = subprocess.run(
         ["bash", "inputs/cluster/run.sh", *command[2:]],
         cwd=ROOT,
@@ -348,7 +362,7 @@ def test_run_scripts(tmp_path, script, tasks):
         text=True,
         check=False,
     )
-    assert resumed.returncode == 0 and "Going on from" in resumed.stdout
+    assert resumed.returncode == 0 and "Continuing from" in resumed.stdout
     succeed(
         "inputs/in.6208", out=tmp_path / "alone", passes=30, samples=100, models=None, settle=None
     )

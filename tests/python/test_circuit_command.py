@@ -63,7 +63,7 @@ def test_figures(folder):
     assert found["floor_share"] == 0
     # films are thinnest under the load
     assert abs(found["place_rad"]) < 0.5
-    assert found["bvr_mean"] is None
+    assert found["bearing_voltage_ratio_mean"] is None
     text = circuit_figures.table(found)
     assert f"number {found['discharges']}" in " ".join(text.split())
     assert "Bearing voltage ratio" not in text

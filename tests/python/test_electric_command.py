@@ -152,10 +152,10 @@ def test_command(capsys):
     assert found["bearing_voltage_ratio"] == pytest.approx(50e-12 / (1050e-12 + both))
     text = printed(capsys, "--load", "1000", "--rpm", "3000", "--measured", "3e-10")
     assert "by all capacitance" in text and len(text.splitlines()) > 30
-    two = printed(capsys, "--loads", "500", "1000", "--speeds", "1000", "2000")
+    two = printed(capsys, "--load", "500", "1000", "--rpm", "1000", "2000")
     assert len(two.splitlines()) == 5
     warm = json.loads(
-        printed(capsys, "--load", "900", "--rpm", "900", "--temperatures", "40", "80", "--json")
+        printed(capsys, "--load", "900", "--rpm", "900", "--temperature", "40", "80", "--json")
     )
     assert warm[1]["capacitance_total_F"] > warm[0]["capacitance_total_F"]
 
@@ -172,8 +172,8 @@ def test_measured_impedance_is_the_same_as_its_capacitance(capsys):
 @pytest.mark.parametrize(
     ("kind", "arguments"),
     [
-        ("parts", ["--load", "1000", "--speeds", "100", "1000", "10000"]),
-        ("parts", ["--load", "1000", "--rpm", "900", "--clearances", "-5e-6", "0", "2e-5"]),
+        ("parts", ["--load", "1000", "--rpm", "100", "1000", "10000"]),
+        ("parts", ["--load", "1000", "--rpm", "900", "--clearance", "-5e-6", "0", "2e-5"]),
         ("field", ["--load", "1000", "--rpm", "900", "--voltage", "5"]),
         ("bode", ["--load", "1000", "--rpm", "900", "--resistivity", "1e9"]),
         ("reading", ["--load", "1000", "--rpm", "900"]),
@@ -190,7 +190,7 @@ def test_pictures(capsys, tmp_path, kind, arguments):
 
 def test_tables(capsys, tmp_path):
     path = tmp_path / "table.csv"
-    printed(capsys, "--load", "1000", "--speeds", "100", "1000", "--csv", str(path))
+    printed(capsys, "--load", "1000", "--rpm", "100", "1000", "--csv", str(path))
     with open(path) as file:
         rows = list(csv.DictReader(file))
     assert [float(row["rpm"]) for row in rows] == [100, 1000]
@@ -212,7 +212,7 @@ POINT = ["--load", "1000", "--rpm", "900"]
 @pytest.mark.parametrize(
     ("arguments", "code", "message"),
     [
-        (["--load", "1000"], 2, "give --rpm or --speeds"),
+        (["--load", "1000"], 2, "give --rpm"),
         (["--rpm", "900"], 2, "a load is needed"),
         ([*POINT, "--c-wr", "1e-11"], 2, "--c-wr and --c-rf: give both"),
         ([*POINT, "--kind", "bode"], 2, "--kind and --out: give both"),

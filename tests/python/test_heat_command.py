@@ -101,10 +101,10 @@ def test_command(capsys):
         found["conductance_W_K"] * (found["temperature_C"] - 20), abs=0.05
     )
     assert found["reference_speed_rpm"] == pytest.approx(18000, rel=0.3)
-    assert main(["heat", "--loads", "500", "5000", "--speeds", "1000", "--json"]) == 0
+    assert main(["heat", "--load", "500", "5000", "--rpm", "1000", "--json"]) == 0
     cold, hot = json.loads(capsys.readouterr().out)
     assert hot["temperature_C"] > cold["temperature_C"]
-    assert main(["heat", "--loads", "500", "--speeds", "500", "1000"]) == 0
+    assert main(["heat", "--load", "500", "--rpm", "500", "1000"]) == 0
     assert len(capsys.readouterr().out.splitlines()) == 3
 
 
@@ -117,7 +117,7 @@ def test_command(capsys):
             1,
             "no bearing_width, bore_diameter, outside_diameter",
         ),
-        (["--load", "1"], 2, "give --rpm or --speeds"),
+        (["--load", "1"], 2, "give --rpm"),
         (["--rpm", "100"], 2, "a load is needed"),
         (["--load", "1", "--rpm", "0"], 2, "must lie from 1 to 100000 rpm"),
         (["--rpm", "9", "--nodes", "1", "1", "1", "--conductance", "1"], 2, "not allowed with"),

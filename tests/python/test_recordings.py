@@ -115,14 +115,38 @@ def test_a_format(name, tmp_path, bearing):
         assert line.found / line.harmonic / SHAFT == pytest.approx(ORDER, rel=1e-4)
 
 
-@pytest.mark.parametrize("mark", [";", ",", "\t", "  "])
+def test_the_true_speed_near_a_nominal_one(tmp_path, bearing, capsys):
+    """A file without a speed: the true one is found 1 % from the nominal one, and the lines are
+    those of a file with the true speed."""
+    columns(tmp_path / "a.csv", struck())
+    for away in (0.99, 1.01):
+        found = recording.Recording(tmp_path / "a.csv", bearing, nominal=60 * SHAFT * away)
+        assert found.rpm == pytest.approx(60 * SHAFT, rel=3e-5)
+    words = ["measured", str(tmp_path / "a.csv"), "--bearing", "6205", "--json"]
+    said = []
+    for speed in (["--nominal", "1800"], ["--rpm", f"{60 * SHAFT}"]):
+        assert main([*words, *speed]) == 0
+        said.append(json.loads(capsys.readouterr().out))
+    assert said[0]["rpm_nominal"] == 1800
+    for one, other in zip(*(given["lines"] for given in said)):
+        assert (one["name"], one["note"], one["found_Hz"]) == (
+            other["name"],
+            other["note"],
+            other["found_Hz"],
+        )
+
+
+@pytest.mark.parametrize("mark", [";", ";,", ",", "\t", "  "])
 @pytest.mark.parametrize("head", [True, False])
 @pytest.mark.parametrize("names", [["a_m_s2"], ["time_s", "a_m_s2", "b_g"]])
 def test_separators(tmp_path, bearing, mark, head, names):
-    """One column or several, with a heading or without, after a comment."""
+    """One column or several, with a heading or without, after a comment; numbers with points or,
+    between semicolons, with decimal commas."""
     values = struck(seconds=0.05)
     table = np.column_stack([np.arange(len(values)) / RATE, values, values])[:, -len(names) :]
-    lines = [mark.join(names)] * head + [mark.join(f"{x:.9g}" for x in row) for row in table]
+    mark, point = (";", "," if names[1:] else ".") if mark == ";," else (mark, ".")
+    rows = [mark.join(f"{x:.9e}".replace(".", point) for x in row) for row in table]
+    lines = [mark.join(names)] * head + rows
     (tmp_path / "a.csv").write_text("# a rig\n" + "\n".join(lines))
     rate = None if head and len(names) > 1 else RATE
     found = recording.Recording(tmp_path / "a.csv", bearing, rpm=60 * SHAFT, rate=rate)
@@ -181,7 +205,7 @@ def test_no_speed_from_what_is_no_shaft(bearing):
         ("a.csv", lambda path: path.write_text(""), {}, "cannot read"),
         ("a.npz", lambda path: path.write_text("nothing"), {}, "cannot read"),
         ("a.wav", lambda path: path.write_text("nothing"), {}, "cannot read"),
-        ("a.npz", lambda path: np.savez(path, a=np.ones(64)), {}, "does not say its sampling rate"),
+        ("a.npz", lambda path: np.savez(path, a=np.ones(64)), {}, "not state its sampling rate"),
         ("a.npz", lambda path: np.savez(path, a=np.ones(64)), {"rate": 1e3}, "speed of the shaft"),
         ("a.npz", lambda path: np.savez(path, a=[1, np.nan]), {}, "not finite"),
         ("a.csv", lambda path: path.write_text("t,a\n0,1\n1,2\n5,3\n"), {}, "even steps"),

@@ -8,6 +8,7 @@ import pytest
 from host import ROOT
 from raceway import beam, shaft, static
 from raceway.cli import main
+from raceway.commands import shaft as shaft_command
 from raceway.errors import NoEquilibrium
 from raceway.theory.beam import STEEL, Section
 from raceway.theory.bearing import Bearing
@@ -180,15 +181,30 @@ def test_command(capsys, tmp_path):
     assert main(["shaft", str(MOTOR), "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     first, second = found["bearings"]
-    assert first["load_z"] == 0.0 and second["load_z"] == pytest.approx(400.0, rel=1e-6)
+    assert first["load_z_N"] == 0.0 and second["load_z_N"] == pytest.approx(400.0, rel=1e-6)
     # about the second bearing: the belt's lever is 0.06 m, the shaft's 0.3 m; its tilts take 9 N m
-    held = first["load_ry"] + second["load_ry"]
-    assert first["load_x"] == pytest.approx((held - 1500 * 0.06) / 0.3, rel=1e-6)
+    held = first["moment_y_N_m"] + second["moment_y_N_m"]
+    assert first["load_x_N"] == pytest.approx((held - 1500 * 0.06) / 0.3, rel=1e-6)
     assert second["life_reference_h"] > 0 and second["tilt_rad"] < 1e-3
     assert main(["shaft", str(MOTOR), "--out", str(tmp_path / "x.png")]) == 0
     said = capsys.readouterr().out
     assert "6208" in said and "tilt" in said
     assert (tmp_path / "x.png").stat().st_size > 10_000
+
+
+def test_several_speeds(capsys):
+    """Each is the shaft at that speed; figures below the accuracy of the equilibrium are 0."""
+    speeds = ["1500", "9000"]
+    assert main(["shaft", str(MOTOR), "--rpm", *speeds, "--json"]) == 0
+    both = json.loads(capsys.readouterr().out)
+    assert main(["shaft", str(MOTOR), "--json"]) == 0
+    assert both[0] == json.loads(capsys.readouterr().out)
+    assert [one["rpm"] for one in both] == [1500.0, 9000.0]
+    said = shaft_command.over_speed(both).splitlines()
+    assert len(said) == 3 and said[2].split()[0] == "9000"
+    both[0]["bearings"][0].update(load_x_N=1e-7, moment_x_N_m=-1e-10)
+    row = shaft_command.table(both[0]).splitlines()[2].split()
+    assert row[0] == "6208" and row[3] == "0" and "0" in row[6:9]
 
 
 @pytest.mark.parametrize(

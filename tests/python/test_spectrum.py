@@ -188,7 +188,7 @@ def test_command(tmp_path, lubricated, bearing, capsys):
     assert list(data) == ["FTF", "BSF", "BPFO", "BPFI", "shaft"]
     assert (
         data["BPFO"]["difference"] == pytest.approx(-4e-4, abs=2e-5)
-        and data["BPFI"]["found"] is None
+        and data["BPFI"]["found_Hz"] is None
     )
 
 

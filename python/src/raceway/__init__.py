@@ -52,10 +52,12 @@ def __getattr__(name: str) -> Any:
 
         return version("raceway")
     if name not in NAMES:
-        raise AttributeError(f"module 'raceway' has no attribute '{name}'")
+        from raceway.errors import near
+
+        raise AttributeError(f"module 'raceway' has no attribute '{name}'{near(name, __all__)}")
     module = import_module(f"raceway.{NAMES[name]}")
     return module if module.__name__.endswith(f".{name}") else getattr(module, name)
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__})
+    return sorted({*(name for name in globals() if name.startswith("__")), *__all__})

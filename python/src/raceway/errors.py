@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Exceptions of the package. Formulas raise `ValueError` for values outside their domain."""
 
+from collections.abc import Iterable
+from difflib import get_close_matches
+
 
 class RacewayError(Exception):
     """Base of everything a user can cause; its text is a complete message."""
@@ -20,3 +23,13 @@ class NoEquilibrium(RacewayError):
 
 class InputError(RacewayError):
     """A data file is missing, broken or incomplete."""
+
+
+def near(word: str, known: Iterable[str]) -> str:
+    """The end of a message that `word` is wrong: the nearest of the words `known`, if any.
+
+    >>> near("sumary", ["summary", "static"]), near("x", ["summary"])
+    ('; did you mean summary?', '')
+    """
+    found = get_close_matches(word, list(known), 2, 0.6)
+    return f"; did you mean {' or '.join(found)}?" if found else ""

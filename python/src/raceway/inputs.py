@@ -288,6 +288,12 @@ def fluid(path: FilePath, temperature: float | None = None) -> Fluid:
         except ValueError as error:
             raise InputError(f"{path}: {error}") from None
     else:
+        if "viscosity" not in data:
+            raise InputError(
+                f"{path} has no viscosity: give kinematic_viscosity_40, kinematic_viscosity_100"
+                " (mm2/s) and oil_density_40 (kg/m3) for all temperatures, or viscosity (Pa s) for"
+                f" one; it has {', '.join(data) or 'nothing'}"
+            )
         numbers(path, "viscosity")
         if temperature not in (None, own):
             raise InputError(

@@ -91,6 +91,15 @@ def lines(
     return result[1:]
 
 
+def several(results: Sequence[Mapping[str, Any]], columns: Sequence[tuple[str, str, float]]) -> str:
+    """Several mappings of figures as text, one line each; `columns` are keys, headings and
+    factors."""
+    rows = [[heading for _, heading, _ in columns]]
+    rows += [[_plain(one.get(key), scale) for key, _, scale in columns] for one in results]
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    return "\n".join("  ".join(cell.rjust(n) for cell, n in zip(one, widths)) for one in rows)
+
+
 def cells(
     figures: Mapping[str, Any],
     topics: Mapping[str, Sequence[Row]],
@@ -115,6 +124,12 @@ def cells(
         if block:
             result += [(topic,), *block]
     return result
+
+
+def _plain(value, scale):
+    if value is None:
+        return "-"
+    return f"{scale * value:.0f}" if abs(scale * value) >= 1e4 else f"{scale * value:.4g}"
 
 
 def _value(row, value):

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "arguments.h"
 
+#include "data_table.h"
 #include "deck_variable_table.h"
 #include "deck_words.h"
 
@@ -10,6 +11,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iomanip>
+#include <set>
 #include <sstream>
 
 using LAMMPS_NS::LAMMPS;
@@ -174,9 +176,22 @@ int Arguments::choice(const std::string &what, const std::vector<std::string> &a
   fail(what + " is '" + s + "', must be one of: " + list);
 }
 
+// The word of a list "a, b, c" that a wrong one may have meant, as the end of a message
+static std::string meant(const std::string &wrong, const std::string &list)
+{
+  std::set<std::string> known;
+  std::istringstream in(list);
+  for (std::string word; in >> word;) known.insert(word.substr(0, word.find(',')));
+  if (known.empty()) return "";
+  const std::string near = near_first(wrong, known).front();
+  return distance(wrong, near) > near.size() / 3 ? "" : "; did you mean '" + near + "'?";
+}
+
 void Arguments::unknown(const std::string &allowed)
 {
-  fail("unknown keyword or one argument too many: '" + words_[next_] + "'; known: " + allowed);
+  const std::string &word = words_[next_];
+  fail("unknown keyword or one argument too many: '" + word + "'" + meant(word, allowed) +
+       "; known: " + allowed);
 }
 
 }    // namespace bearing

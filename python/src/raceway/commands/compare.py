@@ -62,6 +62,7 @@ def run(arguments: argparse.Namespace) -> None:
         arguments.file,
         simulated.geometry,
         rpm=arguments.rpm,
+        nominal=arguments.nominal,
         rate=arguments.rate,
         nominal_angle=simulated.nominal_angle,
         name=str(simulated.settings["bearing"]),
@@ -87,13 +88,20 @@ def figures(found: "Comparison") -> dict[str, Any]:
     """Both sides for JSON, None for lines not found."""
     sides = {
         name: {"title": side.title, "rate_Hz": side.rate, "shaft_Hz": side.shaft}
-        | {"units": side.units}
+        | {"unit": side.units}
         | {key: _known(value) for key, value in side.level._asdict().items()}
         for name, side in (("run", found.run), ("recording", found.recording))
     }
+    orders = ("nominal", "run", "recording")
     lines = [
-        {key: value if isinstance(value, str | int) else _known(value) for key, value in pair}
-        for pair in (one._asdict().items() for one in found.lines)
+        {
+            f"{key}_order" if key in orders else key: (
+                value if isinstance(value, str | int) else _known(value)
+            )
+            for key, value in one._asdict().items()
+        }
+        | {f"{key}_amplitude_unit": sides[key]["unit"] for key in sides}
+        for one in found.lines
     ]
     return sides | {"band_Hz": list(found.band), "lines": lines}
 

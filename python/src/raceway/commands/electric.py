@@ -24,8 +24,8 @@ unloaded balls. In addition the smallest voltage at which a film fails, the impe
 bearing voltage ratio of a motor. Loads and films are those of `raceway static`; docs/electric
 derives the formulas.
 
---speeds, --loads, --temperatures and --clearances take several values: a line for each. --measured
-calculates the film thickness from a measured capacitance.
+--load, --axial, --rpm, --clearance and --temperature take several values: a line for each.
+--measured calculates the film thickness from a measured capacitance.
 
 Pictures (--kind, with --out):
   parts    capacitance by parts, over the quantity with several values; for a run over time
@@ -36,7 +36,7 @@ EXAMPLES = """\
 examples:
   raceway electric --load 3000 --rpm 1500
   raceway electric --load 400 --rpm 6000 --clearance 12e-6 --surroundings cavitated 1
-  raceway electric --load 1000 --speeds 100 300 1000 3000 10000 --kind parts --out parts.png
+  raceway electric --load 1000 --rpm 100 300 1000 3000 10000 --kind parts --out parts.png
   raceway electric --load 1000 --rpm 3000 --c-wr 50e-12 --c-rf 1e-9 --frequency 1e4 --json
   raceway electric --load 1000 --rpm 3000 --measured 250e-12
   raceway electric build/run/6208 --frequency 1e4 --resistivity 1e9
@@ -48,11 +48,12 @@ is your own file in the same format.
 Exit codes: 0 done, 1 no equilibrium or unusable data, 2 wrong command line."""
 KINDS = ("parts", "field", "bode", "reading")
 PHASES = 12  # ball positions within a pitch, for the picture of the field
-SEVERAL = {  # option: (argument of `electric_point.solve`, key of its figures)
-    "speeds": ("rpm", "rpm"),
-    "loads": ("load", "load_N"),
-    "temperatures": ("temperature", "temperature_C"),
-    "clearances": ("clearance", "clearance_m"),
+KEYS = {  # of the figures of `electric_point`, by option
+    "load": "load_N",
+    "axial": "axial_N",
+    "rpm": "rpm",
+    "clearance": "clearance_m",
+    "temperature": "temperature_C",
 }
 
 
@@ -89,24 +90,8 @@ def _operating_point(one):
     )
     options.lubricant(point)
     options.inputs(point)
-    for name, several, kind, unit, what in (
-        ("--load", "--loads", number(0, 1e6, "N"), "N", "radial load, newtons (0)"),
-        ("--rpm", "--speeds", number(1e-3, 1e5, "rpm"), "R", "speed of the inner ring"),
-        ("--clearance", "--clearances", number(-1e-3, 1e-3, "m"), "M",
-         "diametral clearance, metres; negative is preload (0)"),
-        ("--temperature", "--temperatures", number(-40, 200, "C"), "C",
-         "of the lubricant, degrees Celsius (that of its file, 40)"),
-    ):  # fmt: skip
-        group = point.add_mutually_exclusive_group()
-        group.add_argument(name, type=kind, metavar=unit, help=what)
-        group.add_argument(several, type=kind, nargs="+", metavar=unit, help="several of it")
-    point.add_argument(
-        "--axial",
-        type=number(-1e6, 1e6, "N"),
-        default=0.0,
-        metavar="N",
-        help="along z, newtons (0)",
-    )
+    for name in KEYS:
+        options.point(point, name, kind=number(1e-3, 1e5, "rpm") if name == "rpm" else None)
     options.grooves(point)
     options.models(
         point, CAPACITANCE, "full: film in the gap, inlet shear; paper: as the publication"
@@ -196,17 +181,16 @@ def run(arguments: argparse.Namespace) -> None:
 
     _check(arguments)
     ask = _ask(arguments)
-    points = [_solve(arguments, values) for values in _values(arguments)]
+    points = [_solve(arguments, values) for values in options.points(arguments)]
     try:
         results = [electric_point.figures(point, ask) for point in points]
     except ValueError as error:
         arguments.complain(str(error))
-    many = any(getattr(arguments, name) for name in SEVERAL)
+    many = len(results) > 1
     if arguments.json:
         print(json.dumps(results if many else results[0], indent=2, allow_nan=False))
     else:
-        show = electric_table.curves if many else lambda found: electric_table.table(found[0])
-        print(show(results))
+        print(electric_table.curves(results) if many else electric_table.table(results[0]))
     curve = _reading(arguments, points[0]) if arguments.kind == "reading" else None
     with redirect_stdout(sys.stderr if arguments.json else sys.stdout):
         if arguments.csv:
@@ -217,17 +201,17 @@ def run(arguments: argparse.Namespace) -> None:
 
 def _check(arguments):
     complain = arguments.complain
-    if arguments.rpm is None and not arguments.speeds:
-        complain("give --rpm or --speeds: a film needs a speed")
-    if not arguments.axial and not (arguments.load or (arguments.loads and all(arguments.loads))):
-        complain("a load is needed: give --load, --loads or --axial")
+    if arguments.rpm is None:
+        complain("give --rpm: a film needs a speed")
+    if not all(point.get("load") or point.get("axial") for point in options.points(arguments)):
+        complain("a load is needed: give --load or --axial")
     if (arguments.c_wr is None) != (arguments.c_rf is None):
         complain("--c-wr and --c-rf: give both")
     if (arguments.kind is None) != (arguments.out is None):
         complain("--kind and --out: give both")
-    several = [name for name in SEVERAL if getattr(arguments, name)]
+    several = _several(arguments)
     if arguments.kind == "parts" and len(several) != 1:
-        complain("--kind parts: give several values of one quantity, --speeds for example")
+        complain("--kind parts: give several values of one quantity, --rpm 100 1000 for example")
     if arguments.kind in ("field", "bode", "reading") and several:
         complain(f"--kind {arguments.kind}: is of one operating point")
     if arguments.kind == "field" and arguments.voltage is None:
@@ -240,6 +224,11 @@ def _check(arguments):
         size, phase = arguments.measured_impedance
         if phase == 0:
             complain(f"--measured-impedance {size:g} 0: a capacitance has a phase below 0")
+
+
+def _several(arguments):
+    """Keys of the quantities that have several values."""
+    return [key for name, key in KEYS.items() if len(getattr(arguments, name) or ()) > 1]
 
 
 def _filling(arguments):
@@ -285,20 +274,6 @@ def _ask(arguments):
     )
 
 
-def _values(arguments):
-    """Arguments of `solve` for every point."""
-    points = [{}]
-    for several, (name, _) in SEVERAL.items():
-        one = getattr(arguments, name)
-        values = getattr(arguments, several) or [one]
-        points = [
-            dict(point, **({} if value is None else {name: value}))
-            for point in points
-            for value in values
-        ]
-    return points
-
-
 def _solve(arguments, values, phase=0.0):
     from raceway.theory import electric_point
 
@@ -307,7 +282,6 @@ def _solve(arguments, values, phase=0.0):
             arguments.bearing or "6208",
             arguments.lubricant,
             arguments.inputs,
-            axial=arguments.axial,
             models=arguments.models,
             filling=_filling(arguments),
             phase=phase,
@@ -352,11 +326,10 @@ def _picture(arguments, points, results, curve):
     draw = getattr(import_module(f"raceway.pictures.{module.get(kind, kind)}"), kind)
     out, names = arguments.out, points[0].names
     if kind == "parts":
-        key = next(key for name, (_, key) in SEVERAL.items() if getattr(arguments, name))
-        draw(results, key, out)
+        draw(results, *_several(arguments), out)
     elif kind == "field":
         turn = 2 * math.pi / points[0].bearing.balls
-        (values,) = _values(arguments)
+        (values,) = options.points(arguments)
         alike = [_solve(arguments, values, turn * step / PHASES) for step in range(PHASES)]
         draw(alike, names, arguments.voltage, out)
     elif kind == "bode":

@@ -9,8 +9,8 @@ from contextlib import redirect_stdout
 from pathlib import Path
 
 STATIC = (  # options of an operating point
-    "load", "loads", "rpm", "speeds", "clearance", "clearances", "temperature", "temperatures",
-    "axial", "models", "lubricant", "inputs", "measured", "measured_impedance",
+    "load", "axial", "rpm", "clearance", "temperature", "models", "lubricant", "inputs",
+    "measured", "measured_impedance",
 )  # fmt: skip
 
 

@@ -28,7 +28,7 @@ EXAMPLES = """\
 examples:
   raceway heat --load 5000 --rpm 1910 --lubricant vg46
   raceway heat --load 1000 --rpm 9549 --lubricant vg32 --nodes 0.5 2 3 --clearance 20e-6
-  raceway heat --loads 1000 5000 --speeds 500 2000 8000 --json
+  raceway heat --load 1000 5000 --rpm 500 2000 8000       a line for each load and speed
   raceway heat --load 5000 --rpm 9549 --runs 4 --out build/heat
 
 Exit codes: 0 done, 1 no steady state or unusable data, 2 wrong command line."""
@@ -44,7 +44,6 @@ def add(commands: Commands) -> None:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     takes_negative(one)
-    load, speed = number(0, 1e6, "N"), number(1, 1e5, "rpm")
     options.bearing(one)
     options.grooves(one)
     options.spin_law(one)
@@ -55,20 +54,10 @@ def add(commands: Commands) -> None:
         "eyring: Eyring's stress in the film instead of a constant coefficient",
     )
     options.lubricant(one)
-    one.add_argument("--load", type=load, default=0.0, metavar="N", help="radial, newtons (0)")
-    one.add_argument("--loads", type=load, nargs="+", metavar="N", help="several, instead of it")
-    one.add_argument(
-        "--axial", type=number(-1e6, 1e6, "N"), default=0.0, metavar="N", help="newtons (0)"
-    )
-    one.add_argument("--rpm", type=speed, metavar="R", help="speed of the inner ring")
-    one.add_argument("--speeds", type=speed, nargs="+", metavar="R", help="several, instead of it")
-    one.add_argument(
-        "--clearance",
-        type=number(-1e-3, 1e-3, "m"),
-        default=0.0,
-        metavar="M",
-        help="diametral clearance at ambient temperature, metres (0)",
-    )
+    options.point(one, "load")
+    options.point(one, "axial")
+    options.point(one, "rpm", kind=number(1, 1e5, "rpm"))
+    options.point(one, "clearance", "diametral, at ambient temperature, metres (0)")
     one.add_argument(
         "--ambient",
         type=number(-40, 150, "C"),
@@ -109,7 +98,7 @@ def add(commands: Commands) -> None:
         help="with --runs: program that runs the deck (default: build/liggghts)",
     )
     one.add_argument(
-        "--json", action="store_true", help="one JSON object, a list with --loads or --speeds"
+        "--json", action="store_true", help="one JSON object, a list for several points"
     )
     one.set_defaults(command=run, complain=one.error)
 
@@ -119,35 +108,27 @@ def run(arguments: argparse.Namespace) -> None:
     # scipy takes longer to load than --help to print
     from raceway.theory.steady_heat import curves, table
 
-    if (arguments.rpm is None) == (arguments.speeds is None):
-        arguments.complain("give --rpm or --speeds")
-    many = arguments.loads is not None or arguments.speeds is not None
-    points = [
-        (load, rpm)
-        for load in arguments.loads or [arguments.load]
-        for rpm in arguments.speeds or [arguments.rpm]
-    ]
-    if not arguments.axial and not all(load for load, _ in points):
-        arguments.complain("a load is needed: give --load, --loads or --axial")
+    points = options.points(arguments)
+    if arguments.rpm is None:
+        arguments.complain("give --rpm")
+    if not all(point.get("load") or point.get("axial") for point in points):
+        arguments.complain("a load is needed: give --load or --axial")
     given = [name for name in ("out", "program", "passes") if getattr(arguments, name) is not None]
     if given and arguments.runs is None:
         arguments.complain(f"--{given[0]} is for runs: give --runs")
-    results = [_figures(arguments, load, rpm) for load, rpm in points]
+    results = [_figures(arguments, point) for point in points]
     if arguments.json:
-        print(json.dumps(results if many else results[0], indent=2, allow_nan=False))
+        print(json.dumps(results if results[1:] else results[0], indent=2, allow_nan=False))
     else:
-        print(curves(results) if many else table(results[0]))
+        print(curves(results) if results[1:] else table(results[0]))
 
 
-def _figures(arguments, load, rpm):
+def _figures(arguments, of):
     from raceway.theory.steady_heat import Case, Nodes, figures
 
     shaft, housing, contact = arguments.nodes or (None, None, None)
     point = dict(
-        load=load,
-        axial=arguments.axial,
-        rpm=rpm,
-        clearance=arguments.clearance,
+        **of,
         ambient=arguments.ambient,
         conductance=arguments.conductance,
         nodes=arguments.nodes and Nodes(shaft, housing or None, contact or None),

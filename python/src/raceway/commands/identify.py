@@ -61,13 +61,6 @@ NAMES = {
     "temperature": "oil temperature",
     "conductance": "cooling",
 }
-KEYS = {
-    "clearance": "clearance_m",
-    "axial": "axial_N",
-    "load": "load_N",
-    "temperature": "temperature_C",
-    "conductance": "conductance_W_K",
-}
 DECK = ("clearance", "load", "axial", "temperature")  # variables of the deck among the unknowns
 OUT = 3.0  # ratio to its uncertainty above which the result does not explain a reading
 
@@ -142,6 +135,14 @@ def run(arguments: argparse.Namespace) -> None:
 def figures(given: "Readings", found: "Found") -> dict[str, Any]:
     """Result for JSON, SI units, temperatures in degrees C. The first keys are [value, low, high],
     95 %, or None for what was known or the readings do not give."""
+    from raceway.recordings.readings import STATE, UNITS
+
+    def key(name):
+        return f"{name}_{STATE[name][2].replace('/', '_')}"
+
+    def named(values):
+        """With units in the names."""
+        return {key(name): one for name, one in values.items()}
 
     def three(one, unit=1.0):
         return one and [unit * one.best, unit * one.low, unit * one.high]
@@ -149,16 +150,17 @@ def figures(given: "Readings", found: "Found") -> dict[str, Any]:
     return {
         "contact_angle_deg": three(found.angle, math.degrees(1)),
         "slip": three(found.slip),
-        **{key: three(found.values.get(name)) for name, key in KEYS.items()},
+        **{key(name): three(found.values.get(name)) for name in STATE},
         "ridge": [[one["clearance"], one["axial"]] for one in found.valley],
         "unknown": {
             name: dict(one._asdict(), told_apart=one.determined)
-            for name, one in found.values.items()
+            for name, one in named(found.values).items()
         },
-        "state": found.state,
+        "state": named(found.state),
         "readings": [
             {
                 "quantity": one.quantity,
+                "unit": UNITS.get(one.quantity, "order"),
                 "rpm": one.point.rpm,
                 "value": one.value,
                 "within": one.within,
@@ -168,7 +170,7 @@ def figures(given: "Readings", found: "Found") -> dict[str, Any]:
             for one, value, rest in zip(given.readings, found.predicted, found.residuals)
         ],
         "chi_squared": found.chi,
-        "valley": found.valley,
+        "valley": [named(one) for one in found.valley],
         "idle_balls": found.idle,
         "deck": deck(given, found),
     }

@@ -26,12 +26,13 @@ name; .csv of PRONOSTIA (acc_00001.csv), or with columns, the first of which may
 CWRU's .mat do not state their rate: give --rate 12000 or 48000. Accelerations in g are shown in
 m/s^2.
 
-The nominal speed of a file often differs from the true one by more than the slip of a cage. The
-true speed is searched within 1.5 % of it, from lines of the shaft that agree; --rpm sets it."""
+The nominal speed often differs from the true one by more than the slip of a cage. The true speed is
+searched within 1.5 % of it, from lines of the shaft that agree. --nominal gives it for a file that
+does not state it; --rpm sets the true speed."""
 EXAMPLES = """\
 examples:
   raceway measured 105.mat --bearing 6205 --rate 12000
-  raceway measured vibration.csv --bearing 6208 --rate 48000 --rpm 1482 --out lines.png
+  raceway measured vibration.csv --bearing 6208 --rate 48000 --nominal 1500 --out lines.png
   raceway measured 0002.mat --bearing 6205 --raw --kind time --out motion.png
 
 Exit codes: 0 done, 1 the file cannot be read or does not suffice, 2 wrong command line."""
@@ -101,7 +102,8 @@ def run(arguments: argparse.Namespace) -> None:
         picture(opened, found, lines, arguments.out)
     figures = _figures(opened)
     if arguments.json:
-        print(json.dumps({**figures, "lines": [plain(line) for line in lines]}, indent=2))
+        figures["lines"] = [plain(line, found.attrs["units"]) for line in lines]
+        print(json.dumps(figures, indent=2))
     else:
         print(_text(figures), "", table(opened, found, lines), sep="\n")
 
@@ -125,7 +127,7 @@ def _figures(opened: "Recording") -> dict[str, Any]:
             "name": name,
             "values": len(one.values),
             "rate_Hz": _known(one.rate),
-            "units": one.units,
+            "unit": one.units,
             "mean": float(one.values.mean()),
             **{
                 key: _known(value)
@@ -166,7 +168,7 @@ def _text(figures):
     for one in figures["channels"]:
         rate = "-" if one["rate_Hz"] is None else prefixed(one["rate_Hz"], "Hz", 5)
         cells = [str(one["values"]), rate]
-        cells += [_cell(one[key], one["units"]) for key in ("mean", "rms", "peak")]
+        cells += [_cell(one[key], one["unit"]) for key in ("mean", "rms", "peak")]
         cells.append(_cell(one["kurtosis"], ""))
         rows.append(f"  {one['name']:<24}" + "".join(f"{cell:>14}" for cell in cells))
     return "\n".join(rows)

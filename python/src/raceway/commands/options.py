@@ -3,6 +3,7 @@
 no common public type in argparse."""
 
 import argparse
+import itertools
 import math
 import os
 from collections.abc import Sequence
@@ -10,6 +11,22 @@ from typing import Any
 
 from raceway.commands.quantity import number, positive
 from raceway.theory.models import DEFAULT
+
+POINT = {  # quantities of an operating point: type, unit in the help, help
+    "load": (number(0, 1e6, "N"), "N", "radial, along x, newtons (0)"),
+    "axial": (number(-1e6, 1e6, "N"), "N", "along z, newtons (0)"),
+    "rpm": (number(0, 1e5, "rpm"), "R", "speed of the inner ring"),
+    "clearance": (
+        number(-1e-3, 1e-3, "m"),
+        "M",
+        "diametral clearance, metres; negative is preload (0)",
+    ),
+    "temperature": (
+        number(-40, 200, "C"),
+        "C",
+        "of the lubricant, degrees Celsius (that of its file, 40)",
+    ),
+}
 
 
 def run_folder(to: Any) -> None:
@@ -177,11 +194,21 @@ def inputs(to: Any) -> None:
     )
 
 
-def temperature(to: Any) -> None:
-    """--temperature of the lubricant."""
+def point(to: Any, name: str, said: str = "", kind: Any = None, several: bool = True) -> None:
+    """The option --`name` of `POINT`, with one value or `several`; `said` and `kind` replace its
+    help and type."""
+    usual, unit, text = POINT[name]
     to.add_argument(
-        "--temperature",
-        type=number(-40, 200, "C"),
-        metavar="C",
-        help="of the lubricant, degrees Celsius (that of its file, 40)",
+        f"--{name}",
+        type=kind or usual,
+        nargs="+" if several else None,
+        metavar=unit,
+        help=said or text,
     )
+
+
+def points(arguments: argparse.Namespace) -> list[dict[str, float]]:
+    """The operating points that the options of `point` ask for: every combination of their values,
+    without those that were not given."""
+    given = {name: found for name in POINT if (found := getattr(arguments, name, None))}
+    return [dict(zip(given, values)) for values in itertools.product(*given.values())]

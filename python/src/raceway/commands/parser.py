@@ -5,9 +5,9 @@ words."""
 import argparse
 import textwrap
 from collections.abc import Mapping, Sequence
-from difflib import get_close_matches
 
 from raceway.commands import GROUPS, Commands
+from raceway.errors import near
 
 REST = "Others"  # the heading of commands that are in no group
 NAMES, WIDTH = 12, 80  # columns of the list
@@ -32,16 +32,6 @@ class Parser(argparse.ArgumentParser):
             self.error(f"unrecognized arguments: {' '.join(unknown)}")
         name = wrong.partition("=")[0]
         self.error(f"there is no option {name}{near(name, options)}")
-
-
-def near(word: str, known: Sequence[str]) -> str:
-    """The end of a message that `word` is wrong: the nearest of the words `known`, if any.
-
-    >>> near("sumary", ["summary", "static"]), near("x", ["summary"])
-    ('; did you mean summary?', '')
-    """
-    found = get_close_matches(word, known, 2, 0.6)
-    return f"; did you mean {' or '.join(found)}?" if found else ""
 
 
 def grouped(helps: Mapping[str, str]) -> str:

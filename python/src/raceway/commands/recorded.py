@@ -12,7 +12,7 @@ if TYPE_CHECKING:  # scipy takes longer to load than `--help` should
 
 
 def add(to: Any, bearing: bool = True) -> None:
-    """FILE, --rate, --rpm, --channel, --band and, with `bearing`, the bearing's name."""
+    """FILE, --rate, --rpm, --nominal, --channel, --band and, with `bearing`, its name."""
     to.add_argument(
         "file",
         metavar="FILE",
@@ -26,11 +26,15 @@ def add(to: Any, bearing: bool = True) -> None:
         metavar="HZ",
         help="sampling rate, hertz (that of the file)",
     )
-    to.add_argument(
-        "--rpm",
+    speed = to.add_mutually_exclusive_group()
+    speed.add_argument(
+        "--rpm", type=number(1, 1e6, "rpm"), metavar="R", help="true speed of the inner ring"
+    )
+    speed.add_argument(
+        "--nominal",
         type=number(1, 1e6, "rpm"),
         metavar="R",
-        help="true speed of the inner ring (found near the nominal one of the file)",
+        help="nominal speed, from which the true one differs by at most 1.5 %% (that of the file)",
     )
     to.add_argument("--channel", default="", metavar="NAME", help="of the file (the first)")
     to.add_argument(
@@ -52,6 +56,7 @@ def opened(arguments: argparse.Namespace) -> "Recording":
         arguments.file,
         inputs.bearing(path),
         rpm=arguments.rpm,
+        nominal=arguments.nominal,
         rate=arguments.rate,
         nominal_angle=inputs.nominal_angle(path),
         name=path.name,

@@ -6,7 +6,7 @@ import json
 import math
 from typing import Any
 
-from raceway.commands import Commands
+from raceway.commands import Commands, options
 from raceway.commands.quantity import number
 from raceway.theory.cleanliness import CLEANLINESS
 from raceway.units import prefixed
@@ -15,7 +15,8 @@ DESCRIPTION = """\
 A shaft on several ball bearings at rest, from theory: loads and tilt of every bearing, its
 rating life, displacements of the shaft; and its rigid-body properties and natural frequencies
 with the bearings' stiffness at rest. The shaft is a Timoshenko beam, each bearing the statics of
-`raceway static`. The file names sections, bearings and loads in SI units (docs/shaft.rst).
+`raceway static`. The file names sections, bearings and loads in SI units (docs/shaft.rst). Several
+--rpm print a line for each: stiffness of the bearings and natural frequencies.
 
 For a rotor of ROSS (.toml), or its matrices (.npz), --reduced and the properties as a free body are
 available."""
@@ -23,6 +24,7 @@ EXAMPLES = """\
 examples:
   raceway shaft inputs/shafts/motor
   raceway shaft inputs/shafts/motor --json
+  raceway shaft inputs/shafts/motor --rpm 1500 3000 6000
   raceway shaft inputs/shafts/motor --out build/motor.png
   raceway shaft inputs/shafts/motor --reduced build/motor.modes --places 0.1 0.27
   raceway shaft rotor.toml --reduced build/rotor.modes
@@ -30,7 +32,8 @@ examples:
 Exit codes: 0 done, 1 no equilibrium or unusable data, 2 wrong command line."""
 SHOWN = 6  # natural frequencies and critical speeds
 FASTEST = 1e4  # rad/s, of critical speeds
-AXES = ("x", "y", "z", "rx", "ry")
+LOADS = ("load_x_N", "load_y_N", "load_z_N", "moment_x_N_m", "moment_y_N_m")
+PLACES = ("shift_x_m", "shift_y_m", "shift_z_m", "tilt_x_rad", "tilt_y_rad")
 
 
 def add(commands: Commands) -> None:
@@ -43,11 +46,8 @@ def add(commands: Commands) -> None:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     one.add_argument("file", metavar="FILE", help="YAML file of the shaft, or a rotor of ROSS")
-    one.add_argument(
-        "--inputs",
-        metavar="DIR",
-        help="the inputs folder (default: here or above, otherwise that of the package)",
-    )
+    options.inputs(one)
+    options.point(one, "rpm", "speed of the shaft (that of the file)")
     one.add_argument(
         "--cleanliness",
         choices=CLEANLINESS,
@@ -55,7 +55,7 @@ def add(commands: Commands) -> None:
         metavar="WORD",
         help=f"of the lubricant, for the rating life: {', '.join(CLEANLINESS)} (normal)",
     )
-    one.add_argument("--json", action="store_true", help="one JSON object instead of tables")
+    one.add_argument("--json", action="store_true", help="JSON: a list for several --rpm")
     one.add_argument("--out", metavar="PNG", help="draw the shaft's displacement")
     reduced = one.add_argument_group("a shaft that bends, for fix bearing/shaft")
     reduced.add_argument(
@@ -108,19 +108,25 @@ def run(arguments: argparse.Namespace) -> None:
 
         return _ross_rotor.run(arguments)
     case = shaft_file.read(arguments.file, arguments.inputs)
-    speed = case.rpm * math.pi / 30
-    try:
-        rest = shaft.rest(case.shaft, case.seats, case.loads, speed=speed)
-    except ValueError as error:
-        raise RacewayError(f"{arguments.file}: {error}") from None
-    result = figures(case, rest, arguments.inputs, arguments.cleanliness)
+    results = []
+    for rpm in arguments.rpm or [case.rpm]:
+        case = case._replace(rpm=rpm)
+        try:
+            rest = shaft.rest(case.shaft, case.seats, case.loads, speed=rpm * math.pi / 30)
+        except ValueError as error:
+            raise RacewayError(f"{arguments.file}: {error}") from None
+        results.append(figures(case, rest, arguments.inputs, arguments.cleanliness))
     if arguments.out:
         from raceway.pictures.shaft import picture
 
         picture(case, rest, arguments.out)
     if arguments.reduced:
         reduce(case, rest, arguments)
-    print(json.dumps(result, indent=2, allow_nan=False) if arguments.json else table(result))
+    result = results if results[1:] else results[0]
+    if arguments.json:
+        print(json.dumps(result, indent=2, allow_nan=False))
+    else:
+        print(over_speed(results) if results[1:] else table(results[0]))
 
 
 def _check(arguments):
@@ -130,6 +136,8 @@ def _check(arguments):
         raise RacewayError(f"--modes is {arguments.modes}, must be from 0 to 50")
     if not 0 <= arguments.damping < 1:
         raise RacewayError(f"--damping is {arguments.damping:g}, must be from 0 to below 1")
+    if len(arguments.rpm or ()) > 1 and (arguments.out or arguments.reduced):
+        raise RacewayError("--out and --reduced: of one speed; give one --rpm")
 
 
 def reduce(case: Any, rest: Any, arguments: argparse.Namespace) -> None:
@@ -170,13 +178,13 @@ def figures(case: Any, rest: Any, folder: str | None, cleanliness: str) -> dict[
         row = dict(
             bearing=name,
             at_m=one.seat.at,
-            **{f"load_{axis}": float(value) for axis, value in zip(AXES, one.load)},
-            **{f"place_{axis}": float(value) for axis, value in zip(AXES, one.place)},
+            **dict(zip(LOADS, one.load.tolist())),
+            **dict(zip(PLACES, one.place.tolist())),
             tilt_rad=float(math.hypot(*one.place[3:])),
             q_max_N=float(largest),
             p_max_Pa=float(pressure),
             static_safety=float(life.static_safety(pressure)) if pressure else None,
-            stiffness=state.stiffness.tolist(),
+            stiffness_SI=state.stiffness.tolist(),
         )
         if rated is not None and largest > 0:
             found = life.of_loads(
@@ -205,7 +213,7 @@ def figures(case: Any, rest: Any, folder: str | None, cleanliness: str) -> dict[
         lubricant=case.lubricant,
         bearings=bearings,
         z_m=rest.z.tolist(),
-        place=rest.place.tolist(),
+        place_SI=rest.place.tolist(),
         residual=rest.residual,
         rigid=rigid_figures(rigid),
         frequencies_Hz=(frequencies / (2 * math.pi)).tolist(),
@@ -224,11 +232,11 @@ def table(result: dict[str, Any]) -> str:
     columns = (
         ("bearing", "bearing", ""),
         ("at_m", "at", "m"),
-        ("load_x", "F_x", "N"),
-        ("load_y", "F_y", "N"),
-        ("load_z", "F_z", "N"),
-        ("load_rx", "M_x", "N m"),
-        ("load_ry", "M_y", "N m"),
+        ("load_x_N", "F_x", "N"),
+        ("load_y_N", "F_y", "N"),
+        ("load_z_N", "F_z", "N"),
+        ("moment_x_N_m", "M_x", "N m"),
+        ("moment_y_N_m", "M_y", "N m"),
         ("tilt_rad", "tilt", "rad"),
         ("q_max_N", "Q max", "N"),
         ("p_max_Pa", "p max", "Pa"),
@@ -238,12 +246,18 @@ def table(result: dict[str, Any]) -> str:
     )
     shown = [column for column in columns if any(column[0] in row for row in result["bearings"])]
     rows = [[heading for _, heading, _ in shown]]
-    rows += [[_cell(row.get(key), unit) for key, _, unit in shown] for row in result["bearings"]]
+    least = _noise(
+        (row.get(key), unit) for row in result["bearings"] for key, _, unit in shown if unit
+    )
+    rows += [
+        [_cell(row.get(key), unit, least) for key, _, unit in shown] for row in result["bearings"]
+    ]
     text = ["Bearings", *_block(rows), "", "Shaft"]
     rows = [["z", "x", "y", "z", "tilt x", "tilt y"]]
-    for z, place in zip(result["z_m"], result["place"]):
-        units = ("m", "m", "m", "rad", "rad")
-        rows.append([prefixed(z, "m"), *map(_cell, place, units)])
+    units = ("m", "m", "m", "rad", "rad")
+    least = _noise(pair for place in result["place_SI"] for pair in zip(place, units))
+    for z, place in zip(result["z_m"], result["place_SI"]):
+        rows.append([prefixed(z, "m"), *(_cell(*pair, least) for pair in zip(place, units))])
     body = result["rigid"]
     modes = [
         [prefixed(one["frequency_Hz"], "Hz"), one["shape"], one["whirl"]] for one in result["modes"]
@@ -265,6 +279,20 @@ def table(result: dict[str, Any]) -> str:
             rigid_line(body),
         ]
     )
+
+
+def over_speed(results: list[dict[str, Any]]) -> str:
+    """Several mappings of `figures` as text, one line each."""
+    names = [one["bearing"] for one in results[0]["bearings"]]
+    heads = [f"{name} {entry}" for name in names for entry in ("kxx", "kyy")]
+    rows = [["rpm", *heads, *(f"mode {k}" for k in range(1, SHOWN + 1))]]
+    for one in results:
+        matrices = [carried["stiffness_SI"] for carried in one["bearings"]]
+        stiff = [matrix[axis][axis] for matrix in matrices for axis in (0, 1)]
+        modes = [prefixed(mode["frequency_Hz"], "Hz") for mode in one["modes"]]
+        modes += ["-"] * (SHOWN - len(modes))
+        rows.append([f"{one['rpm']:g}", *(prefixed(value, "N/m") for value in stiff), *modes])
+    return "\n".join(line[2:] for line in _block(rows))
 
 
 def rigid_figures(rigid: Any) -> dict[str, float]:
@@ -292,9 +320,18 @@ def _block(rows):
     return ["  " + "  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows]
 
 
-def _cell(value, unit):
+def _noise(values):
+    """Below these values by unit, figures (value, unit) are shown as 0: those of a shaft at rest
+    are known to a thousand-millionth of its loads."""
+    largest: dict[str, float] = {}
+    for value, unit in values:
+        largest[unit] = max(largest.get(unit, 0.0), abs(value or 0.0))
+    return {unit: 1e-6 * value for unit, value in largest.items()}
+
+
+def _cell(value, unit, least):
     if value is None:
         return "-"
     if isinstance(value, str):
         return value
-    return "0" if unit and abs(value) < 1e-12 else prefixed(value, unit)
+    return "0" if unit and abs(value) <= least[unit] else prefixed(value, unit)

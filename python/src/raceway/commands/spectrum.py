@@ -131,7 +131,7 @@ def run(arguments: argparse.Namespace) -> None:
 
         picture(opened, spectrum, found, arguments.out)
     print(
-        json.dumps([plain(line) for line in found], indent=2)
+        json.dumps([plain(line, spectrum.attrs["units"]) for line in found], indent=2)
         if arguments.json
         else table(opened, spectrum, found)
     )
@@ -186,11 +186,15 @@ def table(run: "Source", spectrum: "xr.DataArray", found: Sequence["Line"]) -> s
     return "\n".join(rows)
 
 
-def plain(line: "Line") -> dict[str, Any]:
-    """A `Line` for JSON, None for what was not found."""
+def plain(line: "Line", unit: str) -> dict[str, Any]:
+    """A `Line` of a signal in `unit` for JSON, None for what was not found."""
+    values = line._asdict()
+    places = ("expected", "found", "by_cage")
+    keys = {key: f"{key}_{values['unit']}" if key in places else key for key in values}
+    values["unit"] = unit  # of the amplitude
     return {
-        key: None if isinstance(value, float) and not math.isfinite(value) else value
-        for key, value in line._asdict().items()
+        keys[key]: None if isinstance(value, float) and not math.isfinite(value) else value
+        for key, value in values.items()
     }
 
 

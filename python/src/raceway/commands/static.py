@@ -30,6 +30,7 @@ examples:
   raceway static --load 2000 --axial 1000 --moment 10 0 --rpm 477.5 --lubricant mineral
   raceway static --load 5000 --tilt 0 20arcmin --json
   raceway static --load 5000 --rpm 1910 --lubricant vg46 --temperature 70
+  raceway static --load 500 5000 --rpm 500 1500 4500 --lubricant vg46     a line for each point
   raceway static --load 2000 --rpm 477.5 --lubricant mineral --models paper
   raceway static --load 5kN --rpm 1500 --bearing 6208 --C 32.5kN
   raceway static --spectrum duties.csv --C 32.5kN
@@ -62,20 +63,8 @@ def add(commands: Commands) -> None:
     takes_negative(one)
     options.bearing(one)
     loads = one.add_argument_group("loads on the inner ring")
-    loads.add_argument(
-        "--load",
-        type=number(0, 1e6, "N"),
-        default=0.0,
-        metavar="N",
-        help="radial, along x, newtons (0)",
-    )
-    loads.add_argument(
-        "--axial",
-        type=number(-1e6, 1e6, "N"),
-        default=0.0,
-        metavar="N",
-        help="along z, newtons; 0 holds the ring along z (0)",
-    )
+    options.point(loads, "load")
+    options.point(loads, "axial", "along z, newtons; 0 holds the ring along z (0)")
     loads.add_argument(
         "--spectrum",
         metavar="FILE",
@@ -90,13 +79,7 @@ def add(commands: Commands) -> None:
         help="about x and y, newton metres; frees the tilts, 0 0 too",
     )
     ring = one.add_argument_group("the ring")
-    ring.add_argument(
-        "--clearance",
-        type=number(-1e-3, 1e-3, "m"),
-        default=0.0,
-        metavar="M",
-        help="diametral clearance, metres; negative is preload (0)",
-    )
+    options.point(ring, "clearance")
     options.grooves(ring)
     ring.add_argument(
         "--tilt",
@@ -129,12 +112,8 @@ def add(commands: Commands) -> None:
         metavar="ANGLE",
         help="azimuth of the first ball from the load line: rad, or 20deg (0)",
     )
-    balls.add_argument(
-        "--rpm",
-        type=number(0, 1e5, "rpm"),
-        default=0.0,
-        metavar="R",
-        help="speed of the inner ring; brings the centrifugal load of the balls (0)",
+    options.point(
+        balls, "rpm", "speed of the inner ring; brings the centrifugal load of the balls (0)"
     )
     balls.add_argument(
         "--density",
@@ -145,7 +124,7 @@ def add(commands: Commands) -> None:
     balls.add_argument(
         "--lubricant", metavar="NAME", help="a file of inputs/lubricants, or a path; needs --rpm"
     )
-    options.temperature(balls)
+    options.point(balls, "temperature")
     options.models(
         one,
         models.STATICS,
@@ -168,7 +147,7 @@ def add(commands: Commands) -> None:
         metavar="WORD",
         help=f"of the lubricant, for the rating life: {', '.join(CLEANLINESS)} (normal)",
     )
-    one.add_argument("--json", action="store_true", help="one JSON object instead of tables")
+    one.add_argument("--json", action="store_true", help="JSON: a list for several points")
     one.set_defaults(command=run, complain=one.error)
 
 
@@ -176,18 +155,22 @@ def run(arguments: argparse.Namespace) -> None:
     """Print the figures. Raises `RacewayError`."""
     # scipy takes longer to load than --help to print
     from raceway.theory import load_spectrum
-    from raceway.theory.operating_point import figures, table
+    from raceway.theory.operating_point import figures
+    from raceway.theory.operating_table import curves, table
 
-    single = [name for name in ("load", "axial", "rpm") if getattr(arguments, name)]
-    if single and arguments.spectrum is not None:
-        arguments.complain(f"--{single[0]}: the table of --spectrum has loads and speeds")
-
+    points, spectrum = options.points(arguments), arguments.spectrum is not None
+    for name in ("load", "axial", "rpm"):
+        if spectrum and name in points[0]:
+            arguments.complain(f"--{name}: the table of --spectrum has loads and speeds")
+    if spectrum and points[1:]:
+        arguments.complain("--spectrum: give one value of --clearance and of --temperature")
     if arguments.moment and arguments.tilt:
         arguments.complain(
             "--moment and --tilt: a tilt is either free under a moment or held; give one of them,"
             " or --hold"
         )
-    if arguments.lubricant not in (None, "dry") and not (arguments.rpm or arguments.spectrum):
+    speeds = spectrum or all(point.get("rpm") for point in points)
+    if arguments.lubricant not in (None, "dry") and not speeds:
         arguments.complain("--lubricant: a film needs a speed; give --rpm")
     if arguments.spin_law != "closed" and arguments.models == models.PAPER:
         arguments.complain("--spin-law: applies to the friction torque only; give --models full")
@@ -202,27 +185,28 @@ def run(arguments: argparse.Namespace) -> None:
         arguments.inputs,
         moment=arguments.moment or (0.0, 0.0),
         held=held,
-        clearance=arguments.clearance,
         phase=arguments.phase,
         density=arguments.density,
         exact_circle=arguments.exact_circle,
         models=arguments.models,
         spin_law=arguments.spin_law,
-        temperature=arguments.temperature,
         cleanliness=arguments.cleanliness,
         dynamic=arguments.dynamic,
         supply=options.supply_of(arguments),
         **options.grooves_of(arguments),
     )
-    if arguments.spectrum is None:
-        result = evaluate(load=arguments.load, axial=arguments.axial, rpm=arguments.rpm)
+    if not spectrum:
+        results = [evaluate(**point) for point in points]
+        result = results if results[1:] else results[0]
+        table = curves if results[1:] else table
     else:
         duties, runs = load_spectrum.read(arguments.spectrum)
         result = (
             load_spectrum.of_sweep(duties, runs, arguments.dynamic)
             if runs
             else load_spectrum.of_points(
-                duties, lambda duty: evaluate(load=duty.load, axial=duty.axial, rpm=duty.rpm)
+                duties,
+                lambda duty: evaluate(**points[0], load=duty.load, axial=duty.axial, rpm=duty.rpm),
             )
         )
         table = load_spectrum.table

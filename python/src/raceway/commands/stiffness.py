@@ -41,40 +41,15 @@ def add(commands: Commands) -> None:
     takes_negative(one)
     options.bearing(one)
     options.grooves(one)
-    one.add_argument(
-        "--load",
-        type=number(0, 1e6, "N"),
-        nargs="+",
-        default=[0.0],
-        metavar="N",
-        help="radial, along x, newtons; one or more (0)",
-    )
-    one.add_argument(
-        "--axial",
-        type=number(-1e6, 1e6, "N"),
-        default=0.0,
-        metavar="N",
-        help="along z, newtons (0)",
-    )
-    one.add_argument(
-        "--rpm",
-        type=number(0, 1e5, "rpm"),
-        nargs="+",
-        default=[0.0],
-        metavar="R",
-        help="speed of the inner ring; one or more, rising (0)",
-    )
-    one.add_argument(
-        "--clearance",
-        type=number(-1e-3, 1e-3, "m"),
-        default=0.0,
-        metavar="M",
-        help="diametral clearance, metres; negative is preload (0)",
-    )
+    options.point(one, "load")
+    options.point(one, "axial", several=False)
+    options.point(one, "rpm", "speed of the inner ring; several: rising (0)")
+    options.point(one, "clearance", several=False)
     one.add_argument(
         "--lubricant", metavar="NAME", help="a file of inputs/lubricants, or a path; adds damping"
     )
-    options.temperature(one)
+    options.point(one, "temperature", several=False)
+    one.set_defaults(load=[0.0], axial=0.0, rpm=[0.0], clearance=0.0)
     options.models(
         one,
         CAPACITANCE,

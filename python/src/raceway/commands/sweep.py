@@ -18,8 +18,8 @@ HELP = "run a deck for every row of a table"
 DESCRIPTION = """\
 Each row of the CSV file TABLE is a point, each column a variable of the deck: load, rpm, clearance,
 lubricant, ... Every point gets a folder in DIR named after its values. Finished points are not run
-again, so a sweep that was stopped (Ctrl-C, kill, a time limit) goes on when the same command is
-given again; two sweeps started on one DIR share the work. A point that fails keeps its message and
+again, so a sweep that was stopped (Ctrl-C, kill, a time limit) continues when the command is
+repeated; two sweeps started on one DIR share the work. A point that fails keeps its message and
 does not stop the others. At the end DIR/results.csv has a row per point.
 
 A column `share` is not a variable but the share of the time of a point in a load spectrum:

@@ -30,9 +30,9 @@ TOPICS = {
         Row("current_max_A", "current into the films, largest", "A", "mean of a step"),
     ),
     "Bearing voltage ratio": (
-        Row("bvr_mean", "mean", "", "by capacitances"),
-        Row("bvr_min", "least", ""),
-        Row("bvr_max", "largest", ""),
+        Row("bearing_voltage_ratio_mean", "mean", "", "by capacitances"),
+        Row("bearing_voltage_ratio_min", "least", ""),
+        Row("bearing_voltage_ratio_max", "largest", ""),
     ),
     "Threshold voltage": (
         Row("threshold_mean_V", "mean", "V", "balls without charge", "bridged"),
@@ -89,7 +89,7 @@ def figures(result: Result) -> dict[str, float | None]:
     }
     for key, name, unit in (
         ("capacitance", "bearing_capacitance", "_F"),
-        ("bvr", "bearing_voltage_ratio", ""),
+        ("bearing_voltage_ratio", "bearing_voltage_ratio", ""),
         ("threshold", "threshold_voltage", "_V"),
     ):
         values = data.get(name)

@@ -16,6 +16,7 @@ from raceway.units import axis
 OVER = {
     "rpm": ("inner ring speed (rpm)", 1.0),
     "load_N": ("radial load (N)", 1.0),
+    "axial_N": ("axial load (N)", 1.0),
     "temperature_C": ("temperature of the lubricant (°C)", 1.0),
     "clearance_m": ("diametral clearance (µm)", 1e6),
 }

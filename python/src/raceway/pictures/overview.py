@@ -8,7 +8,8 @@ from raceway.files import FilePath
 from raceway.pictures import around_ring, style
 from raceway.pictures.page import LEFT, RIGHT, against_time, finish, head, key
 from raceway.pictures.part import filmed, shown, tracks
-from raceway.pictures.style import BALL, COLOUR, INK, NAME
+from raceway.pictures.style import BALL, COLOUR, INK, NAME, PALETTE
+from raceway.runs.columns import LOSSES
 from raceway.runs.summary import ring_displacement, summary
 from raceway.runs.tables import RunTables
 from raceway.theory.bearing import INNER, OUTER
@@ -16,8 +17,8 @@ from raceway.units import axis, prefixed
 
 
 def overview(tables: RunTables, path: FilePath) -> None:
-    """Draw the run `tables` to the PNG `path`: loads, pressures, and film and capacitance or the
-    ring's path.
+    """Draw the run `tables` to the PNG `path`: loads, friction torque by its parts or pressures,
+    and film and capacitance or the ring's path.
 
     Raises `RunError` when the run's files are broken or the picture cannot be written.
     """
@@ -44,8 +45,7 @@ def _compose(figure, tables, figures, film):
         below = figure.add_gridspec(1, 2, **edges, top=4.1 / height, wspace=0.16)
         around_ring.loads(figure.add_subplot(above[0], projection="polar"), tables)
         around_ring.film(figure.add_subplot(above[1], projection="polar"), tables)
-        _pressures(figure.add_subplot(below[0]), tables)
-        last = figure.add_subplot(below[1])
+        middle, last = (figure.add_subplot(place) for place in below)
     else:
         left = figure.add_gridspec(
             1, 1, left=LEFT, right=0.5, top=1 - 2.15 / height, bottom=1.0 / height
@@ -54,8 +54,11 @@ def _compose(figure, tables, figures, film):
             2, 1, left=0.6, right=RIGHT, top=1 - 1.6 / height, bottom=0.65 / height, hspace=0.46
         )
         around_ring.loads(figure.add_subplot(left[0], projection="polar"), tables)
-        _pressures(figure.add_subplot(right[0]), tables)
-        last = figure.add_subplot(right[1])
+        middle, last = (figure.add_subplot(place) for place in right)
+    if figures["friction_torque_N_m"]:
+        _torque(middle, tables, figures["friction_torque_N_m"] / figures["power_loss_W"])
+    else:
+        _pressures(middle, tables)
     (_capacitance if tables.lubricated and "capacitance" in tables.contacts else _ring)(
         last, tables
     )
@@ -65,15 +68,41 @@ def _subtitle(figures):
     parts = (
         ("largest contact load", "q_max_N", "N"),
         ("inner pressure", "p_max_inner_Pa", "Pa"),
-        ("radial displacement", "ring_shift_m", "m"),
+        ("displacement", "ring_shift_m", "m"),
         ("inner $h_{min}$", "h_min_m", "m"),
         ("Λ", "lambda", ""),
-        ("mean capacitance", "capacitance_F", "F"),
+        ("friction torque", "friction_torque_N_m", "N m"),
+        ("capacitance", "capacitance_F", "F"),
     )
     return "    ".join(
         f"{name} {prefixed(figures[field], unit, 3)}"
         for name, field, unit in parts
         if figures[field] is not None
+    )
+
+
+def _torque(axes, tables, scale):
+    """Power lost by part times `scale`, one over the speed; parts below a hundredth together."""
+    samples = np.arange(len(tables.totals))
+    lost = {name: tables.totals[key] for name, key in LOSSES.items() if key in tables.totals}
+    # the cage's is known at the ends of steps only
+    full = {name: values.interpolate(limit_direction="both") for name, values in lost.items()}
+    lost = {name: scale * values.to_numpy(float) for name, values in full.items()}
+    whole = sum(lost.values())
+    large = {name: v for name, v in lost.items() if v.mean() > 0.01 * whole.mean()}
+    if len(large) < len(lost):
+        large["other"] = np.maximum(whole - sum(large.values()), 0.0)
+    factor, unit = axis(whole.max(), "N m")
+    colours = [PALETTE[k % len(PALETTE)] for k in range(len(large))]
+    layers = [values * factor for values in large.values()]
+    axes.stackplot(tables.passes(samples), layers, colors=colours, lw=0)
+    axes.set_ylabel(f"friction torque ({unit})")
+    against_time(axes, tables, len(samples))
+    finish(
+        axes,
+        "Friction torque by part",
+        1.22 * whole.max() * factor,
+        [key(name, color=colour, lw=6) for name, colour in zip(large, colours)],
     )
 
 

@@ -75,7 +75,9 @@ def _femto(path, kind):
 
 def _table(path, header):
     try:
-        table = pd.read_csv(path, sep=_separator(path), header=header, comment="#")
+        mark = _separator(path)
+        decimal = "," if mark == ";" and _commas(path) else "."
+        table = pd.read_csv(path, sep=mark, decimal=decimal, header=header, comment="#")
     except (ValueError, OSError, UnicodeDecodeError, pd.errors.ParserError) as error:
         raise RunError(f"cannot read {path}: {error}") from None
     if not len(table):
@@ -88,6 +90,12 @@ def _separator(path):
     with path.open(encoding="utf-8") as lines:
         first = next((line for line in lines if line.partition("#")[0].strip()), "")
     return next((mark for mark in (";", ",", "\t") if mark in first), r"\s+")
+
+
+def _commas(path):
+    """True if numbers have decimal commas: the last line has one and no point."""
+    last = path.read_text(encoding="utf-8").rstrip().rpartition("\n")[2]
+    return "," in last and "." not in last
 
 
 def _rate(path, time):

@@ -24,8 +24,9 @@ STATE = {
 }
 DEFAULTS = {"clearance": 0.0, "load": 0.0, "axial": 0.0}
 QUANTITIES = (*orders.LINES, "capacitance", "temperature")
+UNITS = {"capacitance": "F", "temperature": "C"}  # of the others: orders of the shaft
 MORE = ("load_more", "axial_more")
-FILE = ("file", "line", "rate", "channel")
+FILE = ("file", "line", "rate", "nominal", "channel")
 
 
 class ReadingsError(RacewayError):
@@ -156,11 +157,15 @@ def _reading(row: Any, where: str, bearing: Path, folder: Path) -> list[Reading]
 
 def _from_file(given, values, where, bearing, folder) -> list[Reading]:
     """A line of a recording, its order and uncertainty from the signal."""
-    rate = _number(given["rate"], f"{where}: rate", 1, 1e8) if "rate" in given else None
+    rate, nominal = (
+        _number(given[key], f"{where}: {key}", 1, 1e8) if key in given else None
+        for key in ("rate", "nominal")
+    )
     recording = Recording(
         folder / given["file"],
         inputs.bearing(bearing),
         rpm=values.get("rpm"),
+        nominal=nominal,
         rate=rate,
         nominal_angle=inputs.nominal_angle(bearing),
         name=bearing.name,

@@ -44,8 +44,8 @@ def contents(path: FilePath) -> Contents:
 class Recording:
     """Signals in the file `path` from a `bearing` with its outer ring at rest.
 
-    `rpm` of the inner ring and `rate` in Hz take precedence over the file; `nominal_angle` is the
-    contact angle in rad without load. If the file's nominal speed is used, the true one is
+    `rpm` or `nominal` speed of the inner ring and `rate` in Hz take precedence over the file;
+    `nominal_angle` is the contact angle in rad without load. Near a nominal speed the true one is
     searched in the first channel (`shaft_speed.find`); a given `rpm` is used as it is. Raises
     `RunError` for a file that cannot be read, and if neither file nor argument has speed or rate.
 
@@ -59,6 +59,7 @@ class Recording:
         bearing: Bearing,
         *,
         rpm: float | None = None,
+        nominal: float | None = None,
         rate: float | None = None,
         nominal_angle: float = 0.0,
         name: str = "",
@@ -73,11 +74,15 @@ class Recording:
         }
         first = next(iter(self.channels.values()))
         if not first.rate > 0:
-            raise RunError(f"{path} does not say its sampling rate: give it, --rate HZ")
+            raise RunError(f"{path} does not state its sampling rate: give --rate HZ")
         self._given = rpm
-        self.nominal_rpm = found.rpm if rpm is None else rpm
+        given = nominal if rpm is None else rpm
+        self.nominal_rpm = found.rpm if given is None else given
         if not self.nominal_rpm > 0:
-            raise RunError(f"{path} does not say the speed of the shaft: give it, --rpm R")
+            raise RunError(
+                f"{path} does not state the speed of the shaft: give --nominal R, near which it is"
+                " searched, or the true speed, --rpm R"
+            )
 
     @cached_property
     def speed(self) -> shaft_speed.Speed | None:
@@ -126,7 +131,7 @@ class Recording:
                 f"{self.where}: {name} has {len(one.values)} values: a spectrum needs 32"
             )
         if not one.rate > 0:
-            raise RunError(f"{self.where} does not say the rate of {name}: give it, --rate HZ")
+            raise RunError(f"{self.where} does not state the rate of {name}: give --rate HZ")
         return Signal(one.values, 1 / one.rate, {"units": one.units, "long_name": one.meaning})
 
     def shaft_angle(self, samples: int) -> Floats:

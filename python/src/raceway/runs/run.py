@@ -22,6 +22,7 @@ from raceway.runs.tables import RunTables
 from raceway.runs.turning import Motion
 from raceway.runs.warming import transient
 from raceway.theory.bearing import Bearing
+from raceway.units import prefixed
 
 if TYPE_CHECKING:  # optional
     from MDAnalysis import Universe
@@ -92,8 +93,8 @@ class Run:
         state += "" if self.tables.record.checked else ", without checksums"
         return (
             f"<raceway run {self.tables.folder}: {settings['bearing']}, {settings['lubricant']},"
-            f" {settings['load_N']:g} N, {settings['rpm']:g} rpm, clearance"
-            f" {settings['clearance_m']:g} m, {settings['host']}{flaws}{state}>"
+            f" {prefixed(settings['load_N'], 'N', 4)}, {settings['rpm']:g} rpm, clearance"
+            f" {prefixed(settings['clearance_m'], 'm', 4)}, {settings['host']}{flaws}{state}>"
         )
 
     @property

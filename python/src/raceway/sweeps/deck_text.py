@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A deck with other values of its variables, as a user would edit it."""
 
-import difflib
 import os
 import re
 from collections.abc import Mapping
 from numbers import Integral, Real
 
-from raceway.errors import RacewayError
+from raceway.errors import RacewayError, near
 from raceway.files import FilePath
 from raceway.sweeps.points import deck_variables
 
@@ -30,8 +29,7 @@ def values(deck: FilePath, given: Mapping[str, object]) -> dict[str, str]:
         if value is None:
             continue
         if name not in known:
-            near = difflib.get_close_matches(name, known, n=1, cutoff=0.0)
-            raise RacewayError(f"{deck} has no variable '{name}', nearest is '{near[0]}'")
+            raise RacewayError(f"{deck} has no variable '{name}'{near(name, known)}")
         found[name] = _text(name, value)
         if name in FILES and "/" in found[name]:
             found[name] = os.path.abspath(found[name])

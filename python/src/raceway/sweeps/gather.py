@@ -26,9 +26,9 @@ def write_shares(folder: FilePath, points: Iterable[Point]) -> None:
 def gather(folder: FilePath) -> pd.DataFrame:
     """A row per point of the sweep in `folder`: `point`, `status` (finished, failed, pending),
     `message`, the variables that were set, and every key of `raceway.summary.summary` (SI units),
-    the losses as `loss_rolling_W` and so on; `share` of the time where the sweep's table has it.
-    Sorted by the variables, whose names are `attrs["variables"]`. Raises `RacewayError` for no
-    point.
+    the losses as `loss_rolling_W` and so on, with `bearing_1_` and so on before the keys of several
+    bearings; `share` of the time where the sweep's table has it. Sorted by the variables, whose
+    names are `attrs["variables"]`. Raises `RacewayError` for no point.
     """
     rows, variables = [], {}
     shares = mapping(Path(folder) / SHARES, json.loads)
@@ -41,10 +41,10 @@ def gather(folder: FilePath) -> pd.DataFrame:
         variables.update(asked)
         status, message = state(path.parent, asked)
         figures = mapping(path.parent / "summary.json", json.loads) if status == FINISHED else {}
-        losses = figures.pop("losses_W", None) or {}
-        for nested in ("model_ranges", "absent", "assumed_data"):
-            figures.pop(nested, None)
-        figures.update({f"loss_{part}_W": loss for part, loss in losses.items()})
+        several = figures.pop("bearings", ())
+        figures = _flat(figures)
+        for number, one in enumerate(several, 1):
+            figures.update({f"bearing_{number}_{key}": v for key, v in _flat(one).items()})
         share = {SHARE: shares.get(path.parent.name, "")} if shares else {}
         names = {"point": path.parent.name, "status": status, "message": message}
         rows.append({**names, **asked, **share, **figures})
@@ -61,6 +61,14 @@ def gather(folder: FilePath) -> pd.DataFrame:
     table = table[[*KEYS, *variables, *rest]]
     table.attrs["variables"] = list(variables)
     return table
+
+
+def _flat(figures):
+    """Cells of a row."""
+    losses = figures.pop("losses_W", None) or {}
+    for nested in ("model_ranges", "absent", "assumed_data"):
+        figures.pop(nested, None)
+    return figures | {f"loss_{part}_W": loss for part, loss in losses.items()}
 
 
 def write_results(folder: FilePath) -> tuple[Path, pd.DataFrame]:

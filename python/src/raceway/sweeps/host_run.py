@@ -76,6 +76,7 @@ def complaint(log: Path, code: int) -> str:
     for line in lines:
         if line.startswith("ERROR"):
             return line.partition(": ")[2].rsplit(" (", 1)[0].strip() or line
-    last = next((line.strip() for line in reversed(lines) if line.strip()), "nothing printed")
+    words = (line.strip() for line in reversed(lines) if line.strip(" -=*"))  # no rules
+    last = next(words, "nothing printed")
     how = f"killed by signal {signal.Signals(-code).name}" if code < 0 else f"exit code {code}"
     return f"{how}; last line: {last[:200]}"

@@ -26,6 +26,7 @@ from raceway.files import FilePath
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
 from raceway.sweeps.host_run import complaint, execute, stopped
+from raceway.sweeps.points import deck_variables
 
 FINISHED, FAILED, PENDING, BUSY, STOPPED = "finished", "failed", "pending", "busy", "stopped"
 # variables of the deck and their names in `run.yaml`
@@ -86,12 +87,12 @@ def run_point(
             if not _whole(folder, variables):
                 code = _execute(folder, variables, command, lock, stop)
                 if stopped(code):
-                    return STOPPED, "stopped; goes on when the sweep is started again"
+                    return STOPPED, "stopped; continues when the sweep is started again"
                 if code:
                     return _fail(folder, complaint(folder / "log.txt", code))
             try:
                 run = RunTables(folder)
-                figures = summary(run)
+                figures = _figures(run)
             except RacewayError as error:
                 return _fail(folder, str(error))
             if wrong := _differs(run.settings, variables):
@@ -123,10 +124,28 @@ def _locked(folder):
 
 def _execute(folder, variables, command, lock, stop):
     """Exit code of the run; None if it was ended because `stop` became readable."""
-    words = list(command) + ["-log", "none", "-var", "out", str(folder), "-var", "resume", "yes"]
+    words = list(command) + ["-log", "none", "-var", "out", str(folder)]
+    if _resumes(command):
+        words += ["-var", "resume", "yes"]
     for name, value in variables.items():
         words += ["-var", name, value]
     return execute(words, folder / "log.txt", stop=stop, keep=(lock,))
+
+
+def _resumes(command):
+    """False for a deck without the variable `resume`: its points begin again."""
+    before = dict(zip(command[1:], command))
+    return not (decks := [word for word, flag in before.items() if flag in ("-in", "-i")]) or (
+        "resume" in deck_variables(decks[0])
+    )
+
+
+def _figures(run):
+    """Of several bearings a list of their figures, `bearings`."""
+    numbers = run.record.bearings
+    if len(numbers) == 1:
+        return summary(run)
+    return {"bearings": [summary(RunTables(run.folder, bearing=one)) for one in numbers]}
 
 
 def _whole(folder, variables):

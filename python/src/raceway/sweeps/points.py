@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import NamedTuple
 
-from raceway.errors import RacewayError
+from raceway.errors import RacewayError, near
 from raceway.files import FilePath
 from raceway.sweeps import variable_table
 
@@ -31,6 +31,7 @@ OURS = {
 SHARE = "share"  # column of the table that is not a variable: share of the time, for load spectra
 LONGEST = 160  # characters of a folder's name, well below the 255 of file systems
 SHOWN = 20  # complaints in one message
+LISTED = 20  # variables in one
 
 
 class TableError(RacewayError):
@@ -100,12 +101,13 @@ def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
         if name in OURS:
             wrong.append(f"column '{name}' cannot be swept: {OURS[name]}")
         elif name not in variables and name != SHARE:
-            wrong.append(f"column '{name}' is not a variable of the deck")
+            wrong.append(f"column '{name}' is not a variable of the deck{near(name, variables)}")
         if columns.count(name) > 1:
             wrong.append(f"column '{name}' is there {columns.count(name)} times")
     if wrong:
-        names = ", ".join(name for name in variables if name not in OURS)
-        raise TableError(f"{table}: {_some(wrong)}; there is: {names}")
+        names = [name for name in variables if name not in OURS]
+        some = names if len(names) <= LISTED else [*names[:LISTED], f"{len(names)} in all"]
+        raise TableError(f"{table}: {_some(wrong)}; there is: {', '.join(some)}")
     if len(lines) == 1:
         raise TableError(f"{table} has no row below its columns")
     points, seen, order = [], {}, [name for name in variables if name in columns]

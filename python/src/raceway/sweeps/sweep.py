@@ -75,7 +75,7 @@ def sweep(
                     bar.write(f"{futures[future].name}: {message}", file=sys.stderr)
     except BrokenProcessPool:
         raise RacewayError(
-            "a worker of the sweep was killed (out of memory?); start the sweep again to go on"
+            "a worker of the sweep was killed (out of memory?); start the sweep again to continue"
         ) from None
     finally:
         os.close(writing)

@@ -162,7 +162,7 @@ def reduced(whole: Matrices, kept: Sequence[int], modes: int) -> Reduced:
     return Reduced(*small, shapes, frequencies)
 
 
-def frequencies(whole: Matrices | Reduced, springs: Floats, spin: float = 0.0) -> Floats:
+def frequencies(whole: Matrices | Reduced, springs: Floats, speed: float = 0.0) -> Floats:
     """(n,) natural frequencies in rad/s, rising, on `springs` (n, n); 0 for free motions.
 
     >>> z, pieces = beam.divided([Section(0.1, 0.04)] * 12, [])
@@ -175,7 +175,7 @@ def frequencies(whole: Matrices | Reduced, springs: Floats, spin: float = 0.0) -
     """
     n = len(whole.mass)
     stiffness = whole.stiffness + springs
-    if spin == 0.0:
+    if speed == 0.0:
         import scipy.linalg
 
         return np.sqrt(np.maximum(scipy.linalg.eigh(stiffness, whole.mass, eigvals_only=True), 0.0))
@@ -183,7 +183,7 @@ def frequencies(whole: Matrices | Reduced, springs: Floats, spin: float = 0.0) -
     system = np.block(
         [
             [np.zeros((n, n)), np.eye(n)],
-            [-inverse @ stiffness, -spin * inverse @ whole.gyroscopic],
+            [-inverse @ stiffness, -speed * inverse @ whole.gyroscopic],
         ]
     )
     return np.sort(np.abs(np.linalg.eigvals(system).imag))[::2]

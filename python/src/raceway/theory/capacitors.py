@@ -207,7 +207,7 @@ def of_statics(
     bearing: Bearing,
     state: Equilibrium,
     oil: Oil,
-    spin: float,
+    speed: float,
     quiet: Numbers,
     *,
     filling: Filling = FLOODED,
@@ -215,16 +215,16 @@ def of_statics(
     factor: Callable[[Floats], Floats] | None = None,
     scale: float = 1.0,
 ) -> BearingCapacitors:
-    """`BearingCapacitors` of an `Equilibrium` with rotating balls, the inner ring at `spin` rad/s.
+    """`BearingCapacitors` of an `Equilibrium` with rotating balls, the inner ring at `speed` rad/s.
 
     `quiet` is `quiet_load` in N, which the outer film carries at least; two grooves share it.
     `clearance` and `factor` as `lubrication.lubricate`'s; `scale` multiplies every film. Raises
     `ValueError` without speed: then there is no film.
     """
-    if not spin:
-        raise ValueError("spin = 0 rad/s: balls that do not turn have no film")
+    if not speed:
+        raise ValueError("speed = 0 rad/s: balls that do not turn have no film")
     sides = []
-    speeds, _ = ball_motion.speeds(bearing, spin, state)
+    speeds, _ = ball_motion.speeds(bearing, speed, state)
     inner = bearing.raceways.count(INNER)
     for side, contact, drawn in (
         (INNER, state.inner, speeds[:inner]),

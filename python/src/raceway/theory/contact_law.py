@@ -47,7 +47,7 @@ class FilmInGap:
     """
 
     fluid: Fluid
-    spin: float  # of the inner ring, rad/s
+    speed: float  # of the inner ring, rad/s
     starvation: float = 1.0  # factor on the thickness
     share: float = 1.0  # zeta
     # (C, Z), m/s; by default that of rolling at each contact's angle
@@ -73,7 +73,7 @@ class FilmInGap:
         kappa = hertz.ellipticity(r_y / r_x)
         speed = self.entrainment
         if speed is None:
-            speed = kinematics.entrainment(bearing, self.spin, angle)
+            speed = kinematics.entrainment(bearing, self.speed, angle)
         exponent, cut = film.load_exponent(kappa), film_gap.CUT
         thickness = film_gap.power_law(
             self.fluid.viscosity,

@@ -33,7 +33,7 @@ class Point(NamedTuple):
     oil: inputs.Oil
     state: Equilibrium
     films: Lubrication
-    spin: float  # rad/s
+    speed: float  # rad/s
     quiet: float | Floats  # Q_u, N, of several rows by ball
     clearance: float  # m
     film: FilmInGap | None
@@ -47,7 +47,7 @@ class Point(NamedTuple):
             self.bearing,
             self.state,
             self.oil,
-            self.spin,
+            self.speed,
             self.quiet,
             filling=self.filling,
             clearance=self.clearance,
@@ -107,12 +107,12 @@ def solve(
     body = inputs.bearing(path, four_point=four_point, double_row=double_row)
     oil = inputs.oil(oil_path, temperature)
     fluid = inputs.fluid(oil_path, temperature)
-    spin = rpm * math.pi / 30
+    speed = rpm * math.pi / 30
     density = inputs.ball_density(path)
-    film = FilmInGap(fluid, spin) if models == "full" else None
+    film = FilmInGap(fluid, speed) if models == "full" else None
     state, orbit = lubrication.turning(
         body,
-        spin,
+        speed,
         load,
         axial,
         held=STRAIGHT | inputs.held(path, axial, clearance, double_row),
@@ -138,8 +138,8 @@ def solve(
         body,
         oil,
         state,
-        lubrication.lubricate(body, state, oil, spin, clearance, film and film.factor),
-        spin,
+        lubrication.lubricate(body, state, oil, speed, clearance, film and film.factor),
+        speed,
         capacitors.quiet_load(body, orbit, density),
         clearance,
         film,

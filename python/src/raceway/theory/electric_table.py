@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from raceway.rows import Row, lines, row
+from raceway.rows import Row, lines, row, several
 from raceway.units import prefixed
 
 TOPICS = {
@@ -92,7 +92,7 @@ def table(result: Mapping[str, Any]) -> str:
                 ),
             ]
         )
-    text = [*lines(shown, TOPICS), "", "Balls", *_aligned(rows, "  ")]
+    text = [*lines(shown, TOPICS), "", "Balls", *_aligned(rows)]
     if result["warnings"]:
         text += ["", "Warnings", *(f"  {one}" for one in result["warnings"])]
     return "\n".join(text)
@@ -100,14 +100,9 @@ def table(result: Mapping[str, Any]) -> str:
 
 def curves(results: Sequence[Mapping[str, Any]]) -> str:
     """Several mappings of `figures` as text, one line each."""
-    rows = [[heading for _, heading, _ in COLUMNS]]
-    rows += [
-        ["-" if one[key] is None else f"{scale * one[key]:.4g}" for key, _, scale in COLUMNS]
-        for one in results
-    ]
-    return "\n".join(_aligned(rows, ""))
+    return several(results, COLUMNS)
 
 
-def _aligned(rows, start):
-    widths = [max(map(len, column)) for column in zip(*rows)]
-    return [start + "  ".join(cell.rjust(n) for cell, n in zip(one, widths)) for one in rows]
+def _aligned(table):
+    widths = [max(map(len, column)) for column in zip(*table)]
+    return ["  " + "  ".join(cell.rjust(n) for cell, n in zip(one, widths)) for one in table]

@@ -49,11 +49,11 @@ def lubricate(
     bearing: Bearing,
     state: Equilibrium,
     oil: Oil,
-    spin: float,
+    speed: float,
     clearance: float = 0.0,
     factor: Callable[[Floats], Floats] | None = None,
 ) -> Lubrication:
-    """`Lubrication` of an `Equilibrium` with an `inputs.Oil`, the inner ring at `spin` rad/s;
+    """`Lubrication` of an `Equilibrium` with an `inputs.Oil`, the inner ring at `speed` rad/s;
     `clearance` as there, m; `factor` on the thickness at an entrainment speed in m/s, by default 1.
 
     >>> from raceway.theory.bearing import Bearing
@@ -66,7 +66,7 @@ def lubricate(
     >>> round(1e12 * float(films.total), 1)  # pF
     303.5
     """
-    speeds = np.array(ball_motion.speeds(bearing, spin, state))
+    speeds = np.array(ball_motion.speeds(bearing, speed, state))
     inner = bearing.raceways.count(INNER)
     sides = [
         _film(bearing, side, contact, own.reshape(2, *contact.load.shape), oil, clearance, factor)
@@ -82,7 +82,7 @@ def lubricate(
 def _film(bearing, side, contact, speeds, oil, clearance, factor):
     live = contact.load > 0
     values = np.zeros((6, *live.shape))
-    angle, (speed, rolling) = contact.angle[live], speeds[:, live]
+    angle, (entrained, rolling) = contact.angle[live], speeds[:, live]
     r_x, r_y = bearing.effective_radii(side, angle, clearance)
     group = film.group(
         oil.viscosity,
@@ -90,20 +90,20 @@ def _film(bearing, side, contact, speeds, oil, clearance, factor):
         bearing.effective_modulus,
         r_x,
         hertz.exact(r_x, r_y).kappa,
-        speed,
+        entrained,
         contact.load[live],
     )
-    thinned = 1.0 if factor is None else factor(speed)
+    thinned = 1.0 if factor is None else factor(entrained)
     h_min, h_c = thinned * film.h_min(r_x, group), thinned * film.h_c(r_x, group)
     electric = capacitance.contact(
         oil.permittivity, contact.pressure[live], contact.a[live], contact.b[live], h_c
     )
-    values[:, live] = speed, h_min, h_c, film.ratio(h_min, oil.roughness), electric, rolling
+    values[:, live] = entrained, h_min, h_c, film.ratio(h_min, oil.roughness), electric, rolling
     return Film(*values)
 
 
-def orbit(bearing: Bearing, state: Equilibrium, spin: float) -> float | Floats:
-    """Orbital speed of the balls in rad/s for an inner ring at `spin` rad/s: rolling at the mean
+def orbit(bearing: Bearing, state: Equilibrium, speed: float) -> float | Floats:
+    """Orbital speed of the balls in rad/s for an inner ring at `speed` rad/s: rolling at the mean
     contact angle, weighted with the loads of both raceways, since one cage carries all balls of a
     row (Harris, ch. 10). For several rows one speed for each ball (Z,). Raises `NoEquilibrium` if
     no ball carries load."""
@@ -117,24 +117,24 @@ def orbit(bearing: Bearing, state: Equilibrium, spin: float) -> float | Floats:
         rows = [bearing.row == row for row in range(len(bearing.layout.rows))]
         loads = [load * row if (load * row).any() else load for row in rows]
         mean = np.array([np.average(cosine, weights=one) for one in loads])[bearing.row]
-    return spin * kinematics.frequencies(bearing, np.arccos(mean)).cage
+    return speed * kinematics.frequencies(bearing, np.arccos(mean)).cage
 
 
 def turning(
-    bearing: Bearing, spin: float, *loads: float, **options: Any
+    bearing: Bearing, speed: float, *loads: float, **options: Any
 ) -> tuple[Equilibrium, float | Floats]:
-    """(`Equilibrium`, `orbit` in rad/s) with the centrifugal load of balls that roll at `spin`
+    """(`Equilibrium`, `orbit` in rad/s) with the centrifugal load of balls that roll at `speed`
     rad/s of the inner ring; loads and options as in `static.equilibrium`. The contact angles
     determine the speed and the speed the angles. The same applies to the film in the gap of several
     grooves.
     """
-    speed, film = spin * kinematics.frequencies(bearing).cage, options.get("film")
+    orbital, film = speed * kinematics.frequencies(bearing).cage, options.get("film")
     for _ in range(30):
-        state = equilibrium(bearing, *loads, orbital_speed=speed, **options)
-        before, speed = speed, orbit(bearing, state, spin)
-        same = np.all(np.abs(speed - before) <= 1e-9 * abs(spin))
+        state = equilibrium(bearing, *loads, orbital_speed=orbital, **options)
+        before, orbital = orbital, orbit(bearing, state, speed)
+        same = np.all(np.abs(orbital - before) <= 1e-9 * abs(speed))
         if film is not None and len(bearing.raceways) > 2:
-            drawn, _ = ball_motion.speeds(bearing, spin, state)
+            drawn, _ = ball_motion.speeds(bearing, speed, state)
             known = options["film"].entrainment
             same = same and known is not None and np.allclose(drawn, known, rtol=1e-6, atol=0)
             options["film"] = replace(film, entrainment=drawn)

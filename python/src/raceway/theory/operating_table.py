@@ -2,10 +2,10 @@
 """The figures of `operating_point` as text."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-from raceway.rows import Row, lines, row
+from raceway.rows import Row, lines, row, several
 from raceway.sweeps import variable_table
 from raceway.theory import models
 from raceway.units import prefixed
@@ -105,6 +105,20 @@ TOPICS = {
         row("capacitance_top_F"),
     ),
 }
+CURVES = (  # of the table of several points: key, heading, scale
+    ("load_N", "load N", 1),
+    ("axial_N", "axial N", 1),
+    ("rpm", "rpm", 1),
+    ("temperature_C", "T °C", 1),
+    ("clearance_m", "P_d µm", 1e6),
+    ("shift_x_m", "x µm", 1e6),
+    ("shift_z_m", "z µm", 1e6),
+    ("q_max_N", "Q max N", 1),
+    ("h_min_m", "h_min nm", 1e9),
+    ("lambda", "lambda", 1),
+    ("friction_torque_N_m", "torque N mm", 1e3),
+    ("capacitance_F", "plates pF", 1e12),
+)
 COLUMNS = (  # of the table of balls: key, heading, SI unit
     ("azimuth_rad", "azimuth, °", "deg"),
     ("q_inner_N", "Q inner", "N"),
@@ -129,6 +143,11 @@ CONTACT_COLUMNS = (  # of the table of contacts with several grooves a ring
     ("lambda", "lambda", ""),
     ("capacitance_F", "C", "F"),
 )
+
+
+def curves(results: Sequence[Mapping[str, Any]]) -> str:
+    """Several mappings of `figures` as text, one line each."""
+    return several(results, CURVES)
 
 
 def table(result: Mapping[str, Any]) -> str:

@@ -117,7 +117,7 @@ def turning_ring(
     load: float,
     axial: float = 0.0,
     *,
-    spin: float = 0.0,
+    speed: float = 0.0,
     oil: Oil | None = None,
     fluid: Fluid | None = None,
     models: str = DEFAULT,
@@ -125,32 +125,32 @@ def turning_ring(
     phases: int = PHASES,
     **options: Any,
 ) -> OverPass:
-    """`OverPass` under a radial load along x and an axial one, N, the inner ring at `spin` rad/s.
+    """`OverPass` under a radial load along x and an axial one, N, the inner ring at `speed` rad/s.
 
     Without an `oil` there is no damping. "full" `models` also need the `fluid`. `frequency` of the
     motion is in rad/s, 0 for slow. `options` are those of `static.equilibrium`: clearance, moment,
     held and others. Raises `NoEquilibrium`.
     """
     film = None
-    if oil is not None and spin and models == "full":
+    if oil is not None and speed and models == "full":
         if fluid is None:
             raise ValueError("models full need the fluid")
-        film = FilmInGap(fluid, spin)
+        film = FilmInGap(fluid, speed)
     clearance = options.get("clearance", 0.0)
     # a film hardly affects the contact angles, and takes long to solve
-    _, orbit = turning(bearing, spin, load, axial, **options)
+    _, orbit = turning(bearing, speed, load, axial, **options)
 
     def at(phase):
         # otherwise the balls' motion determines the entrainment
         if film is not None and len(bearing.raceways) > 2:
-            state, _ = turning(bearing, spin, load, axial, phase=phase, film=film, **options)
+            state, _ = turning(bearing, speed, load, axial, phase=phase, film=film, **options)
         else:
             state = equilibrium(
                 bearing, load, axial, phase=phase, orbital_speed=orbit, film=film, **options
             )
-        if oil is None or not spin:
+        if oil is None or not speed:
             return response(state.linear, 0.0, frequency)
-        films = lubricate(bearing, state, oil, spin, clearance, film and film.factor)
+        films = lubricate(bearing, state, oil, speed, clearance, film and film.factor)
         beside = dampers(
             bearing, state, films, oil, models, clearance=clearance, frequency=frequency
         )

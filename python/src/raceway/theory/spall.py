@@ -27,7 +27,7 @@ def seconds_to_blow(
     bearing: Bearing,
     raceway: int,
     lengths: ArrayLike,
-    spin: float,
+    speed: float,
     load: float,
     ring_mass: float,
     *,
@@ -39,7 +39,7 @@ def seconds_to_blow(
     """Times in s from entry to impact over spalls of `lengths` (N,) in m on a `raceway` (`INNER` or
     `OUTER`): (N,).
 
-    `spin` of the inner ring in rad/s; radial `load` in N; `ring_mass` in kg of the inner ring and
+    `speed` of the inner ring in rad/s; radial `load` in N; `ring_mass` in kg of the inner ring and
     the parts that turn with it, which the load pushes after the ball; diametral `clearance` in m;
     `ball_density` in kg/m^3. `heard` is the raceway whose ring has the sensor, by default that of
     the spall; the ball must fly back to the other one. `edge` is the radius of the spall's edges in
@@ -51,9 +51,9 @@ def seconds_to_blow(
     A 6208 at 1500 rpm and 2 kN keeps its load over 1 mm, not over 2 mm:
 
     >>> paper = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
-    >>> spin = 1500 * np.pi / 30
-    >>> late = seconds_to_blow(paper, OUTER, [1e-3, 2e-3], spin, 2000.0, 0.2)
-    >>> print((late / ([0.5e-3, 1e-3] / kinematics.entrainment(paper, spin))).round(1))
+    >>> speed = 1500 * np.pi / 30
+    >>> late = seconds_to_blow(paper, OUTER, [1e-3, 2e-3], speed, 2000.0, 0.2)
+    >>> print((late / ([0.5e-3, 1e-3] / kinematics.entrainment(paper, speed))).round(1))
     [1.  1.1]
     """
     w = np.atleast_1d(np.asarray(lengths, float))
@@ -68,8 +68,8 @@ def seconds_to_blow(
             f"length {w.max():g} m must be at most {longest(bearing, raceway):g} m, {LONGEST} of"
             " the distance of two balls"
         )
-    speed = float(kinematics.entrainment(bearing, spin))
-    orbit = spin * float(kinematics.frequencies(bearing).cage)
+    entrained = float(kinematics.entrainment(bearing, speed))
+    orbit = speed * float(kinematics.frequencies(bearing).cage)
     full = static.equilibrium(bearing, load, clearance=clearance, orbital_speed=orbit)
     without = static.equilibrium(
         replace(bearing, balls=int(bearing.balls) - 1),
@@ -95,17 +95,17 @@ def seconds_to_blow(
     ring, ring_v, ball, ball_v = (np.zeros(len(w)) for _ in range(4))  # m outwards, m/s
     lost, struck = np.zeros(len(w), bool), np.zeros(len(w), bool)
     turns = 0.5 * w - edge  # m from the entry: the path begins to rise
-    blow = turns / speed  # for a ball that keeps its load
+    blow = turns / entrained  # for a ball that keeps its load
     found = np.zeros(len(w), bool)
 
     def loads(time):
-        drop = _drop(speed * time, w, edge, rolling)
+        drop = _drop(entrained * time, w, edge, rolling)
         overlap = [rest[INNER] + ring - ball, rest[OUTER] + ball]
         overlap[raceway] = overlap[raceway] - drop
         return [hertz.load(K[side], overlap[side]) for side in (INNER, OUTER)]
 
     inner, outer = loads(0.0)
-    for n in range(1, int(np.ceil(w.max() / speed / step)) + 1):
+    for n in range(1, int(np.ceil(w.max() / entrained / step)) + 1):
         ring_v += 0.5 * step / ring_mass * (carried - inner - ring_spring * ring)
         ball_v += 0.5 * step / mass * (inner - outer + centrifugal)
         ring += step * ring_v
@@ -117,7 +117,7 @@ def seconds_to_blow(
         new = struck & ~found & (both[heard] > 0)
         blow[new] = n * step
         found |= new
-        lost |= (both[raceway] == 0) & (speed * n * step < turns)
+        lost |= (both[raceway] == 0) & (entrained * n * step < turns)
     return blow
 
 
@@ -125,7 +125,7 @@ def length(
     bearing: Bearing,
     raceway: int,
     seconds: ArrayLike,
-    spin: float,
+    speed: float,
     load: float,
     ring_mass: float,
     *,
@@ -141,14 +141,14 @@ def length(
     spall, it hits there, and the length cannot be determined.
 
     >>> paper = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
-    >>> case = dict(spin=1500 * np.pi / 30, load=2000.0, ring_mass=0.2)
+    >>> case = dict(speed=1500 * np.pi / 30, load=2000.0, ring_mass=0.2)
     >>> time = seconds_to_blow(paper, INNER, [1e-3, 2e-3], **case)
     >>> print((1e3 * length(paper, INNER, time, **case)).round(2))
     [1. 2.]
     """
     table = np.linspace(2 * edge, longest(bearing, raceway), LENGTHS + 1)
     more = {"heard": heard, "edge": edge, "clearance": clearance, "ball_density": ball_density}
-    times = seconds_to_blow(bearing, raceway, table[1:], spin, load, ring_mass, **more)
+    times = seconds_to_blow(bearing, raceway, table[1:], speed, load, ring_mass, **more)
     times = np.maximum.accumulate(np.concatenate([[0.0], times]))
     wanted = np.asarray(seconds, float)
     return np.where(wanted > 0, np.interp(wanted, times, table, right=np.nan), np.nan)

@@ -127,6 +127,10 @@ def equilibrium(
     >>> (rest.inner.load[:, 0] / rest.inner.load.max()).round(6).tolist()  # by groove
     [0.0, 1.0]
     """
+    if not isinstance(bearing, Bearing):
+        raise TypeError(
+            f"bearing is {bearing!r}, must be a Bearing: raceway.inputs.bearing('6208') for example"
+        )
     force = np.array(
         [radial_load * np.cos(load_azimuth), radial_load * np.sin(load_azimuth), axial_load], float
     )

@@ -19,7 +19,7 @@ from raceway import catalogue, inputs
 from raceway.arrays import Floats
 from raceway.errors import NoEquilibrium
 from raceway.files import FilePath
-from raceway.rows import Row, lines
+from raceway.rows import Row, lines, several
 from raceway.theory import friction_torque, heat, makers
 from raceway.theory.bearing import INNER, Bearing, DoubleRow
 from raceway.theory.contact_law import FilmInGap
@@ -365,9 +365,4 @@ def table(result: Mapping[str, Any]) -> str:
 
 def curves(results: list[dict[str, Any]]) -> str:
     """Several mappings of `figures` as text, one line each."""
-    rows = [[heading for _, heading, _ in COLUMNS]]
-    rows += [[f"{scale * one[key]:.4g}" for key, _, scale in COLUMNS] for one in results]
-    widths = [max(map(len, column)) for column in zip(*rows)]
-    return "\n".join(
-        "  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows
-    )
+    return several(results, COLUMNS)

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Options of an operating point take one value or several, in every command alike."""
+
+import itertools
+import json
+
+import pytest
+from raceway.cli import main
+
+OF = {
+    "static": ["--lubricant", "vg46", "--bearing", "7208B"],
+    "heat": [],
+    "electric": ["--bearing", "6205"],
+}
+VALUES = {"load": ("200", "0.9kN"), "axial": ("300",), "rpm": ("900", "12000")}
+
+
+def said(capsys, *words):
+    assert main(list(words)) == 0
+    return capsys.readouterr().out
+
+
+@pytest.mark.parametrize("command", OF)
+def test_several_values_are_the_points_one_by_one(capsys, command):
+    """Every combination, in the order of the options; one point is an object, not a list."""
+    given = [word for name, values in VALUES.items() for word in (f"--{name}", *values)]
+    together = json.loads(said(capsys, command, *OF[command], *given, "--json"))
+    alone = [
+        json.loads(
+            said(
+                capsys,
+                command,
+                *OF[command],
+                *itertools.chain(*zip((f"--{name}" for name in VALUES), point)),
+                "--json",
+            )
+        )
+        for point in itertools.product(*VALUES.values())
+    ]
+    assert together == alone
+
+
+def test_a_line_for_each_point(capsys):
+    lines = said(capsys, "static", "--load", "200", "0.9kN", "--rpm", "900", "12000").splitlines()
+    assert [[*line.split()[:1], line.split()[2]] for line in lines[1:]] == [
+        ["200", "900"],
+        ["200", "12000"],
+        ["900", "900"],
+        ["900", "12000"],
+    ]
