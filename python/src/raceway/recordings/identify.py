@@ -112,7 +112,7 @@ class _Search:
 
     def __init__(self, readings):
         self.readings, self.model = readings, Model(readings)
-        self.slip = np.zeros(len(readings.readings))
+        self.slip = np.zeros((len(readings.readings), 2))
 
     def value(self, name, share):
         return value_of(self.readings, name, share)
