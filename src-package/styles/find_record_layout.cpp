@@ -28,7 +28,7 @@ struct Piece {
   enum Kind { kind, ball, cage, ring } what;
   double bearing, tag;    // the bearing by its name
   int raceway;
-  double of[of_kind::N];    // of a bearing; of a ring: origin, pocket play, guide
+  double of[of_kind::N];    // of a bearing; of a ring: origin, pocket play, guide, phase
 };
 
 bool before(const Piece &a, const Piece &b)
@@ -148,11 +148,12 @@ RecordLayout find_record_layout(LAMMPS *lmp, PairBearingHertz &pair, int groupbi
     for (size_t r = 0; r < m.rings.size(); ++r) {
       Piece ring = {Piece::ring, name, double(m.rings[r].tag), side[r], {}};
       axes.lab(bearings.rings(p)[r].origin).to(ring.of);
-      ring.of[3] = ring.of[4] = NAN;
+      ring.of[3] = ring.of[4] = ring.of[5] = NAN;
       for (const BearingModel::Cage &c : m.cages)
         if (c.ring == static_cast<int>(r)) {
           ring.of[3] = 2.0 * c.of->along;
           ring.of[4] = c.of->guide;
+          ring.of[5] = c.of->phase;
         }
       mine.push_back(ring);
     }
@@ -173,8 +174,13 @@ RecordLayout find_record_layout(LAMMPS *lmp, PairBearingHertz &pair, int groupbi
       case Piece::ball: layout.balls.push_back({p.tag, number[p.bearing]}); break;
       case Piece::cage: layout.cage.push_back({p.tag, number[p.bearing]}); break;
       case Piece::ring:
-        layout.rings.push_back(
-            {p.tag, number[p.bearing], p.raceway, {p.of[0], p.of[1], p.of[2]}, p.of[3], p.of[4]});
+        layout.rings.push_back({p.tag,
+                                number[p.bearing],
+                                p.raceway,
+                                {p.of[0], p.of[1], p.of[2]},
+                                p.of[3],
+                                p.of[4],
+                                p.of[5]});
         break;
     }
   }

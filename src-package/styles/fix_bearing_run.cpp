@@ -3,6 +3,8 @@
 
 #include "../ranks/gather.h"
 #include "compute_bearing_total.h"
+#include "fix_bearing_cage_ring.h"
+#include "fixes.h"
 #include "integrator_work.h"
 #include "pair_bearing_hertz.h"
 
@@ -29,6 +31,9 @@ void FixBearingRun::init()
   pair_ = PairBearingHertz::find(lmp, "run_bearing");
   const int k = modify->find_compute(id);
   total_ = k < 0 ? nullptr : dynamic_cast<ComputeBearingTotal *>(modify->compute[k]);
+  pockets_ = 0.0;
+  for (const FixBearingCageRing *f : bearing::fixes_of<FixBearingCageRing>(lmp))
+    pockets_ = std::max(pockets_, static_cast<double>(f->pockets().of.pockets));
 }
 
 void FixBearingRun::end_of_step()
@@ -41,6 +46,7 @@ void FixBearingRun::end_of_step()
   SettlingSample &sum = now_.sum;
   sum.torque += s.torque;
   sum.cage_speed += s.cage_speed;
+  sum.pocket_force += s.pocket_force;
   sum.weight += s.weight;
   for (int k = 0; k < 2; ++k) sum.load[k] += s.load[k];
   for (int k = 0; k < 3; ++k) sum.axis[k] += s.axis[k];
@@ -78,6 +84,7 @@ SettlingSample FixBearingRun::sample()
   for (const double power : of.loss) s.torque += power;
   s.torque += of.cage_loss;
   s.cage_speed = of.cage_speed();
+  if (pockets_ > 0.0) s.pocket_force = of.cage_force;
   return s;
 }
 
@@ -88,8 +95,9 @@ void FixBearingRun::end_pass()
 {
   SettlingSample &mean = now_.sum;
   const double share = 1.0 / now_.samples;
-  for (double *one : {&mean.torque, &mean.load[0], &mean.load[1], &mean.cage_speed, &mean.weight,
-                      &mean.axis[0], &mean.axis[1], &mean.axis[2]})
+  for (double *one :
+       {&mean.torque, &mean.load[0], &mean.load[1], &mean.cage_speed, &mean.pocket_force,
+        &mean.weight, &mean.axis[0], &mean.axis[1], &mean.axis[2]})
     *one *= share;
   passes_.push_back(mean);
   mean = SettlingSample();

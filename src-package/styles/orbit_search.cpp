@@ -46,7 +46,7 @@ void OrbitSearch::judge(const OrbitBalls &balls, const std::vector<double> &end,
   now_.distance = next.distance;
   const double steady = 0.2 * settled, close = 0.1 * settled;
   // a slow mode shows in two values one after the other, not across a jump
-  if (now_.values > 0.0 && changes.within({steady, steady, steady, settled}) &&
+  if (now_.values > 0.0 && changes.within({steady, steady, steady, settled, 1.0}) &&
       next.distance <= settled && std::fabs(now_.stretch - 1.0) <= settled) {
     now_.stage = FOUND;
     return;

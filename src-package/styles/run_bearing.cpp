@@ -302,15 +302,25 @@ void RunBearing::settle_until_still()
              " ball passes: in one of them torque changes by " + text(now().changes.torque) +
              ", loads by " + text(now().changes.load) + ", cage speed by " +
              text(now().changes.cage_speed) + ", spin axes by " + text(now().changes.spin_axis) +
-             " rad; asked for " + text(settings_.settled));
+             " rad" + pocket_fall() + "; asked for " + text(settings_.settled));
 }
 
+// A ball that is in the loaded arc at the start keeps its place in its pocket until it leaves the
+// arc, at most half a turn of the cage later.
 bool RunBearing::still()
 {
   if (fix_->orbit().runs()) return false;
   if (fix_->orbit().found()) return true;
   const double s = settings_.settled;
-  return now().changes.within({s, 0.1 * s, s, s});
+  return now().passes >= 0.5 * fix_->pockets() && now().changes.within({s, 0.1 * s, s, s, 0.5});
+}
+
+std::string RunBearing::pocket_fall()
+{
+  char part[60] = "";
+  if (fix_->pockets() > 0.0)
+    snprintf(part, sizeof part, ", fall of pocket forces %.1e", now().changes.pocket_fall);
+  return part;
 }
 
 void RunBearing::say_pass()
@@ -321,7 +331,7 @@ void RunBearing::say_pass()
   snprintf(line, sizeof line,
            "Ball pass %.0f: change of torque %.1e, loads %.1e, cage speed %.1e, spin axes %.1e rad",
            now().passes, c.torque, c.load, c.cage_speed, c.spin_axis);
-  bearing::print_line(lmp, line);
+  bearing::print_line(lmp, line + pocket_fall());
 }
 
 // ---- the measurement
@@ -345,6 +355,8 @@ void RunBearing::start_fixes()
         f->note(NetcdfHeader::attribute("settled_load", c.load));
         f->note(NetcdfHeader::attribute("settled_cage_speed", c.cage_speed));
         f->note(NetcdfHeader::attribute("settled_spin_axis_rad", c.spin_axis));
+        if (fix_->pockets() > 0.0)
+          f->note(NetcdfHeader::attribute("settled_pocket_fall", c.pocket_fall));
       }
     }
     if (auto *f = dynamic_cast<bearing::WaitsForRun *>(modify->fix[k]); f && f->waits())

@@ -49,6 +49,7 @@ class RunBearing : public bearing::CommandBase {
   void begin_at_step_0(double time);
   bool still();
   void say_pass();
+  std::string pocket_fall();
   bool automatic() const { return settings_.automatic; }
   std::string why_no_orbit();
   void begin_search();

@@ -445,3 +445,35 @@ EXPORT(void, meeting, (double gap, double speed, double h, double newton, double
   const BearingIntegrator::Outcome o = step.step(set, h, 0.0, 1.0);
   *corrections = o.solved() ? o.corrections : HUGE_VAL;
 }
+
+// A ball and a ring that is free along both radial axes: matrix[48] holds the block of the ball (36)
+// and its columns of the ring (12). What restore() sets after corrections with new and, if `again`,
+// with old derivatives.
+EXPORT(void, matrix_kept, (int again, const double matrix[48], double restored[48]))
+{
+  BearingModel model;
+  model.bodies = {{1, 8e-3, 6.3e-3, true}};
+  model.rings = {{2, 0, {}}};
+  BearingBodies b(model);
+  b.rings[0].program.mode[0] = b.rings[0].program.mode[1] = Freedom::free;
+  b.rings[0].program.mass = 0.2;
+  b.load({BodyPose{{30e-3, 0.0, 0.0}, {}, {}}}, {RingPose()});
+  b.start();
+  BearingSystem system(b);
+  const auto each = [&](const auto &act) {
+    for (int k = 0; k < 36; ++k) act(b.groups[0].A[k], k);
+    for (int k = 0; k < 12; ++k) act(system.B(0, k / 6)[k % 6], 36 + k);
+  };
+  for (const bool fresh : {true, false}) {
+    if (!fresh && !again) break;
+    system.start(1.0, fresh);
+    if (fresh) each([&](Lane &to, int k) { to = all_lanes(matrix[k]); });
+    b.groups[0].coupled = true;
+    system.keep(fresh);
+    system.add_border(1.0, 1.0, 1.0, fresh);
+    if (fresh) system.factor();
+    system.solve();
+  }
+  system.restore();
+  each([&](const Lane &from, int k) { restored[k] = from[0]; });
+}

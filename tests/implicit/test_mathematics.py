@@ -452,3 +452,11 @@ def test_a_contact_that_opens_and_closes_in_turn_is_met_half_way(lib, gap, speed
     corrections = np.zeros(1)
     lib.call("meeting", gap=gap, speed=speed, h=h, newton=1e-9, corrections=corrections)
     assert corrections[0] <= 16
+
+
+@pytest.mark.parametrize("again", [0, 1])
+def test_corrections_of_the_cage_alone_start_from_the_matrix_of_the_raceways(lib, again):
+    """Also after a correction that used the factors of an earlier matrix."""
+    want = np.random.default_rng(4).standard_normal(48)
+    want[:36:7] += 10.0
+    np.testing.assert_array_equal(lib.call("matrix_kept", again=again, matrix=want), want)

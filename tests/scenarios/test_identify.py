@@ -117,8 +117,10 @@ def test_a_capacitance_parts_clearance_and_thrust():
 
 
 def test_play_of_the_pockets_counts_where_balls_are_idle():
-    """A published slip of 0.1 to 0.6 % lies inside; with all balls loaded there is none."""
+    """A published slip of 0.1 to 0.6 % lies inside, and that of a cage which hangs toward the load;
+    with all balls loaded there is none."""
     body = inputs.bearing(ROOT / "inputs/bearings/6205")
     idle = raceway.static.equilibrium(body, 400.0, clearance=10e-6)
-    assert 1e-3 < cage_speed.lag(body, idle) < 2e-2
-    assert cage_speed.lag(body, raceway.static.equilibrium(body, 0.0, 100.0)) == 0
+    low, high = cage_speed.lags(body, idle)
+    assert -2e-2 < low < -3e-3 and 6e-3 < high < 4e-2
+    assert cage_speed.lags(body, raceway.static.equilibrium(body, 0.0, 100.0)) == (0, 0)

@@ -206,6 +206,14 @@ void BearingBodies::load(const std::vector<BodyPose> &bodies, const std::vector<
     if (!turns.empty() && turns_at[at / lanes] >= 0)
       turns[turns_at[at / lanes]].load(i, g.from, b.turn);
   }
+  pocket_of.clear();
+  for (const BearingModel::Cage &c : model.cages) {
+    const RingPose &cage = rings[c.ring].from;
+    CageMotion m;
+    m.e = cage.e;
+    m.angle = cage.angle;
+    for (int ball : c.balls) pocket_of.push_back(pocket_at(*c.of, m, bodies[ball].x - cage.x));
+  }
 }
 
 void BearingBodies::store(std::vector<BodyPose> &bodies, std::vector<RingPose> &poses) const

@@ -121,6 +121,7 @@ class BearingBodies {
   std::vector<BallTurns> turns;    // of groups with profiled balls
   std::vector<int> turns_at;       // by group, -1: none
   std::vector<RailTrack> rail_tracks;
+  std::vector<int> pocket_of;     // by cage, then ball; a ball stays in its pocket
   int n_contacts = 0;             // groups of contacts: the sum over the tracks
   std::vector<int> contact_at;    // by groove of the model: lanes * group of contacts + lane
   std::vector<int> groove_at;     // inverse of contact_at, -1: none

@@ -14,9 +14,10 @@ namespace bearing {
 
 // One sample. Doubles only, to send it or keep it in a restart file.
 struct SettlingSample {
-  double torque = 0.0;        // of friction, N m; with a steady speed also the power lost, W
-  double load[2] = {};        // N, largest on the inner and on the outer raceway
-  double cage_speed = 0.0;    // rad/s
+  double torque = 0.0;          // of friction, N m; with a steady speed also the power lost, W
+  double load[2] = {};          // N, largest on the inner and on the outer raceway
+  double cage_speed = 0.0;      // rad/s
+  double pocket_force = 0.0;    // N, largest of a ball on its pocket in a one-piece cage
   // over the balls: load, and load times unit vector of the spin axis, in radial, tangential and
   // axial direction of the ball's place
   double weight = 0.0, axis[3] = {};
@@ -40,13 +41,15 @@ struct SettlingSample {
 };
 
 // Relative changes; of the loads, the larger of both raceways; of the spin axis, an angle (rad).
+// Pocket forces are impacts, which scatter: only their fall from a start counts, 0 if they rise.
 struct SettlingChanges {
-  double torque = HUGE_VAL, load = HUGE_VAL, cage_speed = HUGE_VAL, spin_axis = HUGE_VAL;
+  double torque = HUGE_VAL, load = HUGE_VAL, cage_speed = HUGE_VAL, spin_axis = HUGE_VAL,
+         pocket_fall = HUGE_VAL;
 
   bool within(const SettlingChanges &limits) const    // false for NaN
   {
     return torque <= limits.torque && load <= limits.load && cage_speed <= limits.cage_speed &&
-           spin_axis <= limits.spin_axis;
+           spin_axis <= limits.spin_axis && pocket_fall <= limits.pocket_fall;
   }
 };
 
@@ -65,6 +68,7 @@ class Settling {
     now_.torque += s.torque;
     for (int k = 0; k < 2; ++k) now_.load[k] += s.load[k];
     now_.cage_speed += s.cage_speed;
+    now_.pocket_force += s.pocket_force;
     now_.weight += s.weight;
     for (int k = 0; k < 3; ++k) now_.axis[k] += s.axis[k];
   }
@@ -83,12 +87,14 @@ class Settling {
     }
     return {change(before_.torque, now_.torque),
             std::max(change(before_.load[0], now_.load[0]), change(before_.load[1], now_.load[1])),
-            change(before_.cage_speed, now_.cage_speed), std::sqrt(turned)};
+            change(before_.cage_speed, now_.cage_speed), std::sqrt(turned),
+            share(std::max(before_.pocket_force - now_.pocket_force, 0.0), before_.pocket_force)};
   }
 
  private:
   struct Half {
-    double count = 0.0, torque = 0.0, load[2] = {}, cage_speed = 0.0, weight = 0.0, axis[3] = {};
+    double count = 0.0, torque = 0.0, load[2] = {}, cage_speed = 0.0, pocket_force = 0.0,
+           weight = 0.0, axis[3] = {};
   };
   static double change(double before, double now)
   {

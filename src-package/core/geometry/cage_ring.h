@@ -122,10 +122,10 @@ struct PocketBall {
   double radius, mass;
 };
 
-// barely: m, overlap assumed for a gap where derivatives of an open contact are needed; 0:
-// none. The forces are still those of the gap.
+// close: m, a gap up to which derivatives are those of an overlap `barely` (m). The forces are still
+// those of the gap.
 inline PocketContact pocket_contact(const CageRing &cage, const CageMotion &m, int pocket,
-                                    const PocketBall &ball, double barely = 0.0)
+                                    const PocketBall &ball, double close = 0.0, double barely = 0.0)
 {
   PocketContact c;
   const Vec3 p = pocket_axis(cage, m, pocket), t = cross(m.e, p), d = ball.x - m.x;
@@ -148,7 +148,7 @@ inline PocketContact pocket_contact(const CageRing &cage, const CageMotion &m, i
     c.cage_moment = couple;
     c.loss = dot(couple, spin);
   }
-  if (!(off > 0.0) || (c.overlap <= 0.0 && barely == 0.0)) return c;
+  if (!(off > 0.0) || c.overlap <= -close) return c;
   const Vec3 n = (t * qt + m.e * qz + p * qr) * (-1.0 / off);
   c.normal = n;
   c.side = cage.spherical ? Vec3() : cross(p, n);

@@ -68,6 +68,8 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
         Header::real, each(layout_.rings, [](const auto &r) { return r.play; }));
     fix({"ring_cage_guide", "", "what guides a cage: 0 balls, 1 inner ring, 2 outer ring"}, ring,
         Header::real, each(layout_.rings, [](const auto &r) { return r.guide; }));
+    fix({"ring_pocket_phase", "rad", "azimuth of a cage's first pocket at an angle of 0"}, ring,
+        Header::real, each(layout_.rings, [](const auto &r) { return r.phase; }));
   }
   std::vector<double> numbers;
   for (size_t b = 0; b < layout_.bearings.size(); ++b) numbers.push_back(b + 1.0);

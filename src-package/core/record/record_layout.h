@@ -19,7 +19,8 @@ struct RecordLayout {
     int bearing;
     int raceway;    // 0 inner, 1 outer, 2 a cage that is one ring
     double origin[3];
-    double play, guide;    // of a cage: of its pockets along the circle (m); CageRing::Guide
+    // of a cage: of its pockets along the circle (m); CageRing::Guide; of the first pocket (rad)
+    double play, guide, phase;
   };
   struct Bearing {
     double of[of_kind::N];

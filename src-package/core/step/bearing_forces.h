@@ -91,7 +91,7 @@ class BearingForces {
   void rails(const Stage &);
   Failure pockets(const Stage &);
   void cages(const Stage &);    // cage_ring_forces.cpp
-  void pocket(const Stage &, const BearingModel::Cage &, const CageMotion &, int body);
+  void pocket(const Stage &, const BearingModel::Cage &, const CageMotion &, int body, int number);
   void land(const Stage &, const BearingModel::Cage &, const CageMotion &);
 
   struct Place {

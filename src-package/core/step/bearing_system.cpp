@@ -68,25 +68,27 @@ void BearingSystem::add_border(double h, double follows, double s, bool fresh)
   add_spins(h, fresh);
 }
 
-void BearingSystem::keep()
+void BearingSystem::keep(bool fresh)
 {
   kept_.groups.resize(b_.groups.size());
   for (size_t k = 0; k < b_.groups.size(); ++k) {
     const BodyGroup &g = b_.groups[k];
     KeptGroup &to = kept_.groups[k];
-    std::copy(g.A, g.A + 36, to.A);
     std::copy(g.rhs, g.rhs + 6, to.rhs);
+    if (!fresh) continue;
+    std::copy(g.A, g.A + 36, to.A);
     to.coupled = g.coupled;
   }
-  kept_.B = B_;
-  kept_.C = C_;
-  kept_.corner.assign(corner_, corner_ + columns() * columns());
   kept_.y.assign(columns(), 0.0);
   kept_.pushes.clear();
   for (const RingBody &r : b_.rings) {
     kept_.pushes.push_back(r.force_lanes);
     kept_.pushes.push_back(r.moment_lanes);
   }
+  if (!fresh) return;
+  kept_.B = B_;
+  kept_.C = C_;
+  kept_.corner.assign(corner_, corner_ + columns() * columns());
 }
 
 RACEWAY_LANES void BearingSystem::restore()

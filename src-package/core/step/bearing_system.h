@@ -33,8 +33,9 @@ class BearingSystem {
   // Right-hand sides of the border and, if fresh, the part of D without contacts, at share s of the
   // step. Positions follow velocities over `follows` seconds.
   void add_border(double h, double follows, double s, bool fresh);
-  // Keeps the residuals and matrix of the raceways and of inertia, without cages and supports.
-  void keep();
+  // Keeps the residuals and, if fresh, the matrix of the raceways and of inertia, without cages
+  // and supports.
+  void keep(bool fresh);
   // Sets them again, the residuals at the end of the corrections since keep(), to first order. Not
   // with a flexible shaft.
   void restore();

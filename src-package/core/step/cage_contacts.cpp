@@ -25,7 +25,7 @@ Failure BearingForces::evaluate(const Stage &stage)
     for (RingBody &r : b_.rings) r.force_lanes = r.moment_lanes = Vec3L();
     failure = all_raceways(stage);
     if (failure != Failure::none) return failure;
-    if (stage.keep) system_.keep();
+    if (stage.keep) system_.keep(stage.evaluate == Evaluate::derivatives);
   }
   for (RingBody &r : b_.rings) r.force = r.moment = Vec3();
   rails(stage);

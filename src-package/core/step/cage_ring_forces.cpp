@@ -25,10 +25,11 @@ static CageMotion motion_of(const RingPose &r)
 
 void BearingForces::cages(const Stage &stage)
 {
+  auto number = b_.pocket_of.begin();
   for (const BearingModel::Cage &cage : b_.model.cages) {
     RingBody &ring = b_.rings[cage.ring];
     const CageMotion m = motion_of(ring.now);
-    for (int body : cage.balls) pocket(stage, cage, m, body);
+    for (int body : cage.balls) pocket(stage, cage, m, body, *number++);
     if (cage.land >= 0) land(stage, cage, m);
     const double churning = cage.of->churning(ring.now.spin);
     ring.moment -= m.e * churning;
@@ -36,22 +37,17 @@ void BearingForces::cages(const Stage &stage)
   }
 }
 
-// One term of the derivatives of a pocket's force: -a force (motion . velocity of the ball's point
-// against the cage's). `surface`: that point is on the ball's surface, otherwise at its centre.
-struct PocketTerm {
-  double a;
-  Vec3 force, motion;
-  bool surface;
-};
-
+// In the ball's frame. The force of the wall depends on the motion of the ball's centre, by springs
+// and damper along the normal n, and on that of the surface at the wall, -R n from the centre, by
+// friction across n.
 void BearingForces::pocket(const Stage &stage, const BearingModel::Cage &cage, const CageMotion &m,
-                           int body)
+                           int body, int number)
 {
   const bool fresh = stage.evaluate == Evaluate::derivatives;
   RingBody &ring = b_.rings[cage.ring];
   const int at = b_.slot[body], group = at / lanes, i = at % lanes;
   BodyGroup &g = b_.groups[group];
-  const double cosine = g.now.c[i], sine = g.now.s[i];
+  const double cosine = g.now.c[i], sine = g.now.s[i], R = g.radius[i], h = stage.h;
   const auto lab = [&](const Vec3L &a) -> Vec3 {
     return {a.x[i] * cosine - a.y[i] * sine, a.x[i] * sine + a.y[i] * cosine, a.z[i]};
   };
@@ -59,75 +55,70 @@ void BearingForces::pocket(const Stage &stage, const BearingModel::Cage &cage, c
     return {a.x * cosine + a.y * sine, a.y * cosine - a.x * sine, a.z};
   };
   const PocketBall ball = {Vec3{g.now.r[i] * cosine, g.now.r[i] * sine, g.now.z[i]} + b_.centre,
-                           lab(g.v), lab(g.w), g.radius[i], g.mass[i]};
-  const PocketContact c = pocket_contact(*cage.of, m, pocket_at(*cage.of, m, ball.x - m.x), ball,
-                                         fresh && stage.close_cage > 0.0 ? barely_touching : 0.0);
+                           lab(g.v), lab(g.w), R, g.mass[i]};
+  const PocketContact c =
+      pocket_contact(*cage.of, m, number, ball, fresh ? stage.close_cage : 0.0, barely_touching);
   power_lost_ += c.loss;
   contact_energy_ += c.energy;
   ring.force -= c.force;
   ring.moment += c.cage_moment;
-  const double h = stage.h;
-  const auto add = [i, h](Lane *to, const Vec3 &a) {
-    to[0][i] += h * a.x;
-    to[1][i] += h * a.y;
-    to[2][i] += h * a.z;
+  const auto add = [i](Lane *to, const Vec3 &a) {
+    to[0][i] += a.x;
+    to[1][i] += a.y;
+    to[2][i] += a.z;
   };
-  add(g.rhs, local(c.force));
-  add(g.rhs + 3, local(c.ball_torque));
-  if (!fresh || !(c.overlap > -stage.close_cage) || !(c.h.growth > 0.0)) return;
+  add(g.rhs, local(c.force) * h);
+  add(g.rhs + 3, local(c.ball_torque) * h);
+  if (!fresh || !(c.h.growth > 0.0)) return;
   if (stage.dampers_only && c.h.force > 0.0) {
     // ball and cage vibrate on one spring: its share in either is at most twice its own
     g.spring[i] += 2.0 * c.h.stiffness;
     g.damper[i] += c.h.damping;
     ring.spring += 2.0 * c.h.stiffness;
   }
-  const double springs = h * stage.follows();
-  const Vec3 n = c.normal, wall = n * -ball.radius,
-             other = cross(n, std::fabs(n.z) < 0.7 ? Vec3{0.0, 0.0, 1.0} : c.axis),
-             first = other * (1.0 / norm(other)), second = cross(n, first);
-  PocketTerm terms[5];
-  int count = 0;
-  terms[count++] = {h * c.h.damping + springs * c.h.growth, n - c.slide, n, false};
-  if (c.bend > 0.0 && springs > 0.0) {
-    if (c.spherical) {
-      terms[count++] = {springs * c.bend, first, first, false};
-      terms[count++] = {springs * c.bend, second, second, false};
-    } else {
-      terms[count++] = {springs * c.bend, c.side, c.side, false};
-    }
+  const double springs = h * stage.follows(), along = h * c.h.damping + springs * c.h.growth,
+               bend = springs * c.bend, across = h * c.braking;
+  const Vec3 n = local(c.normal), wall = n * -R, pull = n - local(c.slide), side = local(c.side);
+  // change of the force by motions of the centre and of the surface
+  const auto answer = [&](const Vec3 &centre, const Vec3 &surface) -> Vec3 {
+    const Vec3 f = pull * (along * dot(centre, n)) + (surface - n * dot(surface, n)) * across;
+    return f +
+           (c.spherical ? (centre - n * dot(centre, n)) * bend : side * (bend * dot(centre, side)));
+  };
+  Vec3 by_ball[6];    // by its velocity and its spin
+  const Vec3 unit[] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+  for (int k = 0; k < 3; ++k) {
+    by_ball[k] = answer(unit[k], unit[k]);
+    by_ball[3 + k] = cross(unit[k], wall) * across;
   }
-  if (c.braking > 0.0)
-    for (const Vec3 &way : {first, second}) terms[count++] = {h * c.braking, way, way, true};
+  double force[6];
+  const auto rows = [&](const Vec3 &f) {
+    f.to(force);
+    cross(wall, f).to(force + 3);
+  };
+  for (int k = 0; k < 6; ++k) {
+    rows(by_ball[k]);
+    for (int row = 0; row < 6; ++row) g.A[6 * row + k][i] += force[row];
+  }
   g.coupled = g.coupled || ring.loose;
-  for (int k = 0; k < count; ++k) {
-    const PocketTerm &t = terms[k];
-    // rows of the ball's velocity and spin
-    double force[6], motion[6];
-    local(t.force).to(force);
-    local(cross(wall, t.force)).to(force + 3);
-    local(t.motion).to(motion);
-    (t.surface ? local(cross(wall, t.motion)) : Vec3()).to(motion + 3);
-    for (int row = 0; row < 6; ++row)
-      for (int column = 0; column < 6; ++column)
-        g.A[6 * row + column][i] += t.a * force[row] * motion[column];
-    double moves[RingProgram::N_DOF], pushes[RingProgram::N_DOF];
-    for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
-      if (ring.column[dof] < 0) continue;
-      moves[dof] = t.a * dot(motion_of(dof, m.e, t.surface ? c.lever + wall : c.lever), t.motion);
-      pushes[dof] = dot(motion_of(dof, m.e, c.lever + wall), t.force);
+  int moving[RingProgram::N_DOF], count = 0;    // columns of the cage
+  Vec3 surface[RingProgram::N_DOF];             // motions at the wall
+  for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
+    if (ring.column[dof] < 0) continue;
+    moving[count] = ring.column[dof];
+    surface[count++] = local(motion_of(dof, m.e, c.lever - c.normal * R));
+  }
+  for (int dof = 0, k = 0; dof < RingProgram::N_DOF; ++dof) {
+    if (ring.column[dof] < 0) continue;
+    const Vec3 f = answer(local(motion_of(dof, m.e, c.lever)), surface[k]);
+    rows(f);
+    Lane *B = system_.B(group, moving[k]), *C = system_.C(group, moving[k]);
+    for (int row = 0; row < 6; ++row) {
+      B[row][i] -= force[row];
+      C[row][i] -= dot(surface[k], by_ball[row]);
     }
-    for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
-      const int j = ring.column[dof];
-      if (j < 0) continue;
-      const double pushed = t.a * pushes[dof];
-      Lane *B = system_.B(group, j), *C = system_.C(group, j);
-      for (int row = 0; row < 6; ++row) {
-        B[row][i] -= moves[dof] * force[row];
-        C[row][i] -= pushed * motion[row];
-      }
-      for (int o = 0; o < RingProgram::N_DOF; ++o)
-        if (ring.column[o] >= 0) system_.D(ring.column[o], j) += moves[dof] * pushes[o];
-    }
+    for (int o = 0; o < count; ++o) system_.D(moving[o], moving[k]) += dot(surface[o], f);
+    ++k;
   }
 }
 

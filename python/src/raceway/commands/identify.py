@@ -32,7 +32,7 @@ them.
 
 In the model, the film in the gap reduces the clearance by its thickness, and rolling on curved
 grooves speeds up the cage, by up to 1e-3 of a line (models full). Where balls are unloaded, the
-play of the pockets slows the cage by an unknown amount, which widens the result."""
+play of the pockets changes the cage's speed by an unknown amount, which widens the result."""
 EXAMPLES = """\
 examples:
   raceway identify --bearing 6205 --lines lines.csv --load 10
@@ -238,9 +238,9 @@ def _remarks(given, found) -> Sequence[str]:
     if found.idle and given.models != "paper":
         rows += [
             "",
-            f"Up to {found.idle} balls are without load: the play of the pockets slows the",
+            f"Up to {found.idle} balls are without load: the play of the pockets changes the",
         ]
-        rows.append("cage by an unknown amount, which is in the uncertainty of the lines.")
+        rows.append("cage's speed by an unknown amount, which is in the uncertainty of the lines.")
     return rows
 
 

@@ -6,9 +6,10 @@ from pathlib import Path
 import numpy as np
 
 from raceway import files
-from raceway.export import groove, vtu
+from raceway.export import groove, pocket, vtu
 from raceway.export.particles import frames
 from raceway.files import FilePath
+from raceway.runs.cage import pockets
 from raceway.runs.tables import RunTables
 from raceway.theory.bearing import INNER, OUTER
 
@@ -19,7 +20,8 @@ def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
 
     Balls are points with the `data` of `particles.frames` (part 0), raceways surfaces with the
     `azimuth` of their points in the ring (rad; parts 1 inner, 2 outer). The inner one moves and
-    rotates; its tilt is omitted. Raises `RunError` if the run's files are broken or
+    rotates; its tilt is omitted. The walls of the pockets of a cage that is one ring are part 3,
+    with the `force` of the ball on each (N). Raises `RunError` if the run's files are broken or
     `out` cannot be written.
     """
     out, entries, clearance = files.folder(out), [], tables.settings["clearance_m"]
@@ -38,16 +40,37 @@ def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
         c, s = np.cos(frame.ring_turned), np.sin(frame.ring_turned)
         moved = points @ [[c, s, 0], [-s, c, 0], [0, 0, 1]] + frame.ring
         _text(out / names[1], vtu.grid(moved.astype("f4"), quads, {"azimuth": azimuth}))
-        entries += [
-            (frame.time, part, name) for part, name in enumerate((*names, "outer_raceway.vtu"))
-        ]
+        names = (*names, "outer_raceway.vtu", *_pockets(tables, frame, number, out))
+        entries += [(frame.time, part, name) for part, name in enumerate(names)]
     kept = {name for *_, name in entries}
     for old in (
-        path for pattern in ("balls_*.vtu", "inner_raceway_*.vtu") for path in out.glob(pattern)
+        path
+        for pattern in ("balls_*.vtu", "inner_raceway_*.vtu", "pockets_*.vtu")
+        for path in out.glob(pattern)
     ):
         if old.name not in kept:  # left over from an earlier, longer export
             old.unlink()
     return _text(out / "bearing.pvd", vtu.series(entries))
+
+
+def _pockets(tables, frame, number, out):
+    """Writes the pockets of a cage that is one ring; the names of the files."""
+    found = pockets(tables, frame.sample, frame.sample + 1)
+    if found is None:
+        return
+    balls = ["ball_x", "ball_y", "ball_pocket_force"]
+    x, y, force = (
+        values[0] for values in tables.record.read(balls, frame.sample, frame.sample + 1).values()
+    )
+    centre = found.centre[0]
+    apart = np.hypot(centre[:, None, 0] - x, centre[:, None, 1] - y)
+    points, quads = pocket.mesh(tables.geometry, found.play)
+    c, s = np.cos(found.turned[0]), np.sin(found.turned[0])
+    moved = points @ [[c, s, 0], [-s, c, 0], [0, 0, 1]] + centre.mean(axis=0)
+    data = {"force": np.repeat(force[apart.argmin(axis=1)], 2 * pocket.AROUND)}
+    name = f"pockets_{number:05d}.vtu"
+    _text(out / name, vtu.grid(moved.astype("f4"), quads, data))
+    yield name
 
 
 def _text(path, text):

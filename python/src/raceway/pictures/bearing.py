@@ -122,6 +122,9 @@ class Sheet:
         self.cage = [
             _disc(axes, self.tables.cage_ball_radius, CAGE, SOFT) for _ in range(what.cage.shape[1])
         ]
+        hole = geometry.ball_radius + what.pocket_play / 2
+        self.pockets = [_disc(axes, 1.08 * hole, CAGE, SOFT) for _ in range(what.pockets.shape[1])]
+        self.pockets += [_disc(axes, hole, "white", SOFT) for _ in range(what.pockets.shape[1])]
         self.balls = [
             _disc(axes, geometry.ball_radius, IDLE, INK) for _ in range(what.balls.shape[1])
         ]
@@ -229,7 +232,8 @@ class Sheet:
         turn = what.ring_turned[k]
         middle = (self.geometry.inner_radius - THICK / 2 * 2 * radius) * MM
         self.mark.set_data([shift[0] + middle * np.cos(turn)], [shift[1] + middle * np.sin(turn)])
-        for disc, place in zip(self.cage, what.cage[k]):
+        places = [*what.cage[k], *what.pockets[k], *what.pockets[k]]
+        for disc, place in zip(self.cage + self.pockets, places):
             disc.set_center(place[:2] * MM)
         for disc, mark, place, angle, colour in zip(
             self.balls, self.marks, what.balls[k], what.turned[k], colours

@@ -13,6 +13,7 @@ import numpy as np
 from raceway.arrays import Floats, Integers
 from raceway.errors import RunError
 from raceway.pictures.part import LIGHT, need
+from raceway.runs.cage import pockets as cage_pockets
 from raceway.runs.record_tables import BALL, CAGE
 from raceway.runs.tables import RunTables
 
@@ -33,6 +34,8 @@ class Scene:
     factor: float  # exaggeration
     balls: Floats  # (n, Z, 3)
     cage: Floats  # (n, C, 3)
+    pockets: Floats  # (n, P, 3), centres of the pockets of a cage that is one ring
+    pocket_play: float  # along the pitch circle
     ring: Floats  # (n, 3), displacement of the inner ring
     half_clearance: float
     turned: Floats  # (n, Z), of the balls about z since the first sample
@@ -77,6 +80,8 @@ def scene(
                 np.abs(way[..., 2]).max(),
             ),
         )
+    holes = cage_pockets(tables, first, int(samples[-1]) + 1)
+    centres = np.empty((count, 0, 3)) if holes is None else holes.centre - axis[:, None]
     values, load = _values(tables, colour, samples, np.unique(balls["id"]))
     step = tables.settings["sample_s"]
     return Scene(
@@ -84,6 +89,8 @@ def scene(
         factor,
         _exaggerated(way[kept], pitch, factor),
         _exaggerated(cage_way[kept], pitch, factor),
+        _exaggerated(centres[kept], pitch, factor),
+        0.0 if holes is None else holes.play,
         factor * shift[kept],
         factor * tables.settings["clearance_m"] / 2,
         _turned(balls, step)[kept],

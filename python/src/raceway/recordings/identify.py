@@ -174,7 +174,7 @@ class _Search:
 
     def __init__(self, readings):
         self.readings, self.model = readings, Model(readings)
-        self.slip = np.zeros(len(readings.readings))
+        self.slip = np.zeros((len(readings.readings), 2))
         self._predicted = {}
 
     def value(self, name, share):

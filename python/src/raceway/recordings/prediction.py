@@ -14,13 +14,15 @@ from raceway.theory import cage_speed, kinematics
 from raceway.theory.static import STRAIGHT
 from raceway.theory.steady_heat import Scene
 
+NO_LAG = 0.0, 0.0
+
 
 class Predicted(NamedTuple):
     """A reading as predicted."""
 
     value: float
     error: float  # standard deviation of the model, in the unit of the reading
-    lag: float  # largest slip due to pocket play, share of the cage's speed
+    lag: tuple[float, float]  # least and largest slip by pocket play, share of the cage's speed
     idle: int  # unloaded balls
     angle: float  # rad, contact angle, mean of the contacts by load
 
@@ -53,7 +55,7 @@ class Model:
         point = reading.point
         oil = self._oil(point, state)
         if reading.quantity == "temperature" and "conductance" not in state:
-            return Predicted(oil, 0.0, 0.0, 0, 0.0)
+            return Predicted(oil, 0.0, NO_LAG, 0, 0.0)
         if math.isnan(oil):  # friction at the temperature read
             oil = reading.value
         key = point._replace(at=oil)
@@ -65,21 +67,22 @@ class Model:
         if reading.quantity == "temperature":
             lost = scene.figures(rest, state["clearance"])["power_loss_W"]
             steady = self.readings.ambient + lost / state["conductance"]
-            return Predicted(steady, 0.0, 0.0, idle, angle)
+            return Predicted(steady, 0.0, NO_LAG, idle, angle)
         if reading.quantity == "capacitance":
-            return Predicted(rest.films.total, 0.0, 0.0, idle, angle)
+            return Predicted(rest.films.total, 0.0, NO_LAG, idle, angle)
         cage = cage_speed.order(self.bearing, rest.state, self.readings.models)
-        slip = 0.0 if self.readings.models == "paper" else cage_speed.lag(self.bearing, rest.state)
-        return self._line(reading.quantity, cage, angle, slip, idle)
+        plays = self.readings.models != "paper"
+        lag = cage_speed.lags(self.bearing, rest.state) if plays else NO_LAG
+        return self._line(reading.quantity, cage, angle, lag, idle)
 
-    def _line(self, name, cage, angle, slip, idle):
+    def _line(self, name, cage, angle, lag, idle):
         balls = self.bearing.balls
         if name == "BSF":
             spin = float(kinematics.frequencies(self.bearing, angle).spin)
-            return Predicted(spin, cage_speed.ERROR * spin, 0.0, idle, angle)
+            return Predicted(spin, cage_speed.ERROR * spin, NO_LAG, idle, angle)
         value = {"FTF": cage, "BPFO": balls * cage, "BPFI": balls * (1 - cage)}[name]
         slope = {"FTF": 1.0, "BPFO": balls, "BPFI": balls}[name] * cage
-        return Predicted(value, cage_speed.ERROR * slope, slip, idle, angle)
+        return Predicted(value, cage_speed.ERROR * slope, lag, idle, angle)
 
     def _scene(self, point: Point, state) -> Scene:
         load = state["load"] if point.load is None else point.load
@@ -109,13 +112,14 @@ def _contact_angle(state):
 
 def residuals(readings: Readings, found: list[Predicted], slip: Floats) -> Floats:
     """(predicted - read)/uncertainty of each reading (N,), including the model's error in the
-    uncertainty; `slip` (N,) is the largest lag of the cage for each: half of it is subtracted, and
-    its range counts as error."""
+    uncertainty; `slip` (N, 2) is the least and the largest lag of the cage for each: their mean is
+    subtracted, and their range counts as error."""
     rest = []
-    for one, own, lag in zip(readings.readings, found, slip):
+    for one, own, (least, most) in zip(readings.readings, found, slip):
         slope = {"BPFI": -1.0}.get(one.quantity, 1.0)
         # change of the line per unit relative change of the cage's speed
         size = own.error / cage_speed.ERROR
-        shift, spread = -slope * size * lag / 2, size * lag / math.sqrt(12)
+        shift = -slope * size * (least + most) / 2
+        spread = size * (most - least) / math.sqrt(12)
         rest.append((own.value + shift - one.value) / math.hypot(one.within, own.error, spread))
     return np.array(rest)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.runs.record import CAGE_RING
 from raceway.runs.settings import deck_words
@@ -161,9 +162,9 @@ def cage_ranges(
     """(low, high, why) by key of the cage's `figures` that pocket play and guidance leave open.
 
     Play: `cage_speed.PLAYS` of the ball's diameter where the run estimated it. Slip by play over
-    the loaded arc L: j/L of a cage that is held in the middle, 2 j/L of one that shifts by its play
-    as well. Largest force: idle balls fall through the play under a steady drag, and an impact's
-    force is as their speed, so it goes with the root of the play.
+    the loaded arc: `cage_speed.slips_of_play`, wherever the cage lies. Largest force: idle balls
+    fall through the play under a steady drag, and an impact's force is as their speed, so it goes
+    with the root of the play.
     """
     play, balls = figures.get("pocket_play_m"), tables.geometry.balls
     slip, shares = figures.get("cage_slip_play"), (1.0, 1.0)
@@ -176,18 +177,46 @@ def cage_ranges(
     why = "pocket play {:g} to {:g} of the ball's diameter".format(*cage_speed.PLAYS)
     if slip is not None and 0 < loaded < balls - 0.5:
         arc = 2 * math.pi * tables.geometry.pitch_radius * loaded / balls
-        ends = [min(slip, shares[0] * play / arc), max(slip, 2 * shares[1] * play / arc)]
+        low, high = cage_speed.slips_of_play(shares[1] * play, arc)
         text = f"{why}, cage" if estimated else "cage"
         for key in ("cage_slip", "cage_slip_play"):
             off = figures[key] - slip
             found[key] = (
-                ends[0] + off,
-                ends[1] + off,
-                f"{text} held in the middle or free by its play",
+                min(slip, low) + off,
+                max(slip, high) + off,
+                f"{text} held in the middle or shifted by its play",
             )
     if estimated and (force := figures.get("pocket_force_max_N")):
         found["pocket_force_max_N"] = (*(force * math.sqrt(share) for share in shares), why)
     return found
+
+
+class Pockets(NamedTuple):
+    """The pockets of a cage that is one ring in s samples."""
+
+    centre: Floats  # (s, pockets, 3), m
+    turned: Floats  # (s,), rad, azimuth of the first pocket
+    play: float  # m, along the pitch circle
+
+
+def pockets(tables: "RunTables", start: int, stop: int) -> Pockets | None:
+    """`Pockets` in the samples from `start` to `stop`, without tilts of the cage. None without such
+    a cage, or if the record is of an earlier version."""
+    record = tables.record
+    side = record.fixed("ring_raceway").tolist()
+    if CAGE_RING not in side or "ring_pocket_phase" not in record.variables:
+        return None
+    cage = side.index(CAGE_RING)
+    phase, play = (float(record.fixed(f"ring_pocket_{name}")[cage]) for name in ("phase", "play"))
+    data = record.read(["ring_x", "ring_y", "ring_z", "ring_angle"], start, stop)
+    *place, angle = (values[:, cage] for values in data.values())
+    middle = np.stack(
+        [one + record.fixed(f"ring_origin_{axis}")[cage] for one, axis in zip(place, "xyz")], -1
+    )
+    balls = tables.geometry.balls
+    azimuth = (angle + phase)[:, None] + 2 * math.pi * np.arange(balls) / balls
+    way = np.stack([np.cos(azimuth), np.sin(azimuth), np.zeros_like(azimuth)], -1)
+    return Pockets(middle[:, None] + tables.geometry.pitch_radius * way, angle + phase, play)
 
 
 def pockets_around(tables: "RunTables", bins: int = 72) -> "xr.Dataset":

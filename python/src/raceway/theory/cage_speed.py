@@ -24,7 +24,9 @@ ERROR = 1e-4
 # Play of a pocket along the pitch circle, of the ball's diameter (docs/cage)
 PLAYS = (0.01, 0.04)
 PLAY = PLAYS[1]
-GRIP = 1.08  # slip of a cage with a play j, relative to j/(length of the loaded arc)
+# Slip of a cage with a play j, relative to j/(length of the loaded arc): of one whose weight hangs
+# toward the load, and of one that its driving ball lifts off; 1 in the middle (docs/cage)
+SLIPS = (-1.1, 2.2)
 
 
 def order(bearing: Bearing, state: Equilibrium, models: str = "full") -> float:
@@ -94,16 +96,25 @@ def _along(angle: Floats, tilt: Floats | float) -> Floats:
     return np.cos(angle) + tilt * np.sin(angle)
 
 
-def lag(bearing: Bearing, state: Equilibrium) -> float:
-    """Largest slip of a cage due to the play of its pockets, as a share of its speed; 0 if all
-    balls are loaded.
+def lags(bearing: Bearing, state: Equilibrium) -> tuple[float, float]:
+    """Least and largest slip of a cage due to the play of its pockets (`slips_of_play`), as a share
+    of its speed; 0 if all balls are loaded.
 
-    Unloaded balls fall back to the rear of their pockets and loaded ones run ahead to the front,
-    so a rigid cage loses 1.08 j over the length of the loaded arc; j is `PLAY` of a ball's
-    diameter, for which makers seldom give values. The arc is that of the loaded balls.
+    The arc is that of the loaded balls, the play `PLAY` of a ball's diameter, for which makers
+    seldom give values.
     """
     loaded = int(np.count_nonzero(np.atleast_2d(state.inner.load > 0).any(0)))
     if loaded >= len(state.azimuth) or not loaded:
-        return 0.0
+        return 0.0, 0.0
     arc = 2 * math.pi * bearing.pitch_radius * loaded / len(state.azimuth)
-    return GRIP * PLAY * bearing.ball_diameter / arc
+    return slips_of_play(PLAY * bearing.ball_diameter, arc)
+
+
+def slips_of_play(play: float, arc: float) -> tuple[float, float]:
+    """Least and largest slip of a rigid cage, wherever it lies: `play` of its pockets along the
+    pitch circle (m), length `arc` of that circle on which balls are loaded (m).
+
+    Unloaded balls fall back to the rear of their pockets and loaded ones run ahead to the front.
+    """
+    low, high = (share * play / arc for share in SLIPS)
+    return low, high
