@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Figures as text: one line for each, below the headings of their topics."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from raceway.units import prefixed
@@ -89,6 +89,11 @@ def lines(
             source = f"({source})" if source else ""
             result.append(f"  {head:<32}{value}{error}  {source}{span}".rstrip())
     return result[1:]
+
+
+def warning_lines(texts: Collection[str]) -> list[str]:
+    """The last lines of a table: its warnings, if there are any."""
+    return ["", "Warnings", *(f"  {text}" for text in texts)] if texts else []
 
 
 def cells(
