@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "kept_commands.h"
 
+#include <cstring>
+
 namespace bearing {
+
+struct Mark {
+  char name[8] = "Raceway";
+  int layout = RESTART_LAYOUT;
+};
 
 static void write_number(FILE *fp, size_t n)
 {
@@ -11,6 +18,8 @@ static void write_number(FILE *fp, size_t n)
 
 void write_commands(FILE *fp, const Commands &commands)
 {
+  const Mark mark;
+  fwrite(&mark, sizeof mark, 1, fp);
   write_number(fp, commands.size());
   for (const auto &words : commands) {
     write_number(fp, words.size());
@@ -21,10 +30,28 @@ void write_commands(FILE *fp, const Commands &commands)
   }
 }
 
-bool read_commands(FILE *fp, MPI_Comm world, Commands &commands)
+// Layout of the file, 0 for none; negative if it ends early
+static int read_layout(FILE *fp, MPI_Comm world, int rank)
+{
+  Mark found;
+  if (rank == 0 && fread(&found, sizeof found, 1, fp) != 1) found.layout = -1;
+  else if (memcmp(found.name, Mark().name, sizeof found.name) != 0) found.layout = 0;
+  MPI_Bcast(&found.layout, 1, MPI_INT, 0, world);
+  return found.layout;
+}
+
+std::string read_commands(FILE *fp, MPI_Comm world, Commands &commands)
 {
   int rank, whole = 1;
   MPI_Comm_rank(world, &rank);
+  const int layout = read_layout(fp, world, rank);
+  if (layout >= 0 && layout != RESTART_LAYOUT)
+    return "the restart file has " +
+           (layout ? "layout " + std::to_string(layout) : std::string("no layout number")) +
+           ", it was written by another build of Raceway; this program reads layout " +
+           std::to_string(RESTART_LAYOUT) +
+           ". Continue the run with the build that began it, or start it anew";
+  if (layout < 0) return ENDS_EARLY;
   const auto number = [&] {
     int n = 0;
     if (rank == 0 && whole && fread(&n, sizeof(int), 1, fp) != 1) whole = n = 0;
@@ -41,7 +68,7 @@ bool read_commands(FILE *fp, MPI_Comm world, Commands &commands)
     }
   }
   MPI_Bcast(&whole, 1, MPI_INT, 0, world);
-  return whole;
+  return whole ? "" : ENDS_EARLY;
 }
 
 }    // namespace bearing

@@ -10,11 +10,17 @@
 
 namespace bearing {
 
+// What the package writes to restart files, all its classes together. It goes up with every change
+// of these bytes; a file without a number is of a build before 2.
+constexpr int RESTART_LAYOUT = 2;
+
+constexpr const char *ENDS_EARLY = "the restart file ends early";
+
 using Commands = std::vector<std::vector<std::string>>;    // their words
 
 void write_commands(FILE *, const Commands &);
-// Rank 0 reads, all ranks return the same. False if the file ends early.
-bool read_commands(FILE *, MPI_Comm, Commands &);
+// Rank 0 reads, all ranks return the same: empty, or what is wrong with the file.
+std::string read_commands(FILE *, MPI_Comm, Commands &);
 
 }    // namespace bearing
 

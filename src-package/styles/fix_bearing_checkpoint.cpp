@@ -4,6 +4,7 @@
 #include "../core/settings/arguments.h"
 #include "../core/settings/deck_words.h"
 #include "../core/settings/restart_sum.h"
+#include "../deck/formulas.h"
 #include "deck_notes.h"
 #include "fix_bearing_capacitance.h"
 #include "fix_bearing_ring.h"
@@ -204,7 +205,8 @@ void FixBearingCheckpoint::init()
 }
 
 // Commands that determine a run: the bearings (first line), the pair style, data of named
-// bearings and the package's fixes, except those that only write or watch.
+// bearings, the package's fixes except those that only write or watch, and the formulas of variables
+// in them.
 std::vector<std::string> FixBearingCheckpoint::deck() const
 {
   std::vector<std::string> lines = {bearing::noted_words(lmp, "create_bearing")};
@@ -220,6 +222,8 @@ std::vector<std::string> FixBearingCheckpoint::deck() const
   for (int k = 0; k < modify->nfix; ++k)
     if (!idle.count(modify->fix[k]->style))
       lines.push_back(bearing::noted_words(lmp, bearing::name_of(*modify->fix[k])));
+  const std::vector<std::string> formulas = bearing::formulas(lmp, lines);
+  lines.insert(lines.end(), formulas.begin(), formulas.end());
   return lines;
 }
 

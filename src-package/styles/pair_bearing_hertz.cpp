@@ -262,8 +262,8 @@ void PairBearingHertz::read_restart BRG_READ_RESTART_SIG
 {
   BRG_UNUSED_RESTART_ARGS;
   bearing::Commands commands;
-  if (!bearing::read_commands(fp, world, commands))
-    BRG_ALL("pair_style bearing: restart file ends early");
+  const std::string wrong = bearing::read_commands(fp, world, commands);
+  if (!wrong.empty()) BRG_ALL("pair_style bearing: " + wrong);
   for (auto &words : commands) {
     std::vector<char *> arg;
     for (std::string &w : words) arg.push_back(&w[0]);
@@ -273,7 +273,7 @@ void PairBearingHertz::read_restart BRG_READ_RESTART_SIG
   }
   bearing::SimulatedTime::State time;
   if (comm->me == 0 && fread(&time, sizeof time, 1, fp) != 1)
-    BRG_ONE("pair_style bearing: restart file ends early");
+    BRG_ONE(std::string("pair_style bearing: ") + bearing::ENDS_EARLY);
   MPI_Bcast(&time, sizeof time, MPI_BYTE, 0, world);
   time_.read(*update, time);
 }

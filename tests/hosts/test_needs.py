@@ -84,6 +84,15 @@ def test_picked_set_keeps_what_is_wanted(answered, tmp_path):
     )
 
 
+def test_warnings_of_the_reference(undrawn, tmp_path, capsys):
+    """A 7205B under radial load alone, with one part to leave out."""
+    own = words({**SHORT, "bearing": "7205B", "load": "1000", "rpm": "3000"})
+    keep = sorted({one.name for one in choices({}, True)} - {"drag"})
+    assert main(["needs", "inputs/in.6208", *own, "--keep", *keep, "--out", str(tmp_path)]) == 0
+    (warning,) = json.loads((tmp_path / "needs.json").read_text())["warnings"]
+    assert "along its axis" in warning and warning in capsys.readouterr().out
+
+
 def reference(answered):
     own, _, folder = answered
     for point in folder.glob("*/summary.json"):

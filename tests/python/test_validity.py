@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Limits of the formulas: bounds from C++, and ellipses at the shoulder of their groove."""
 
+import json
 import math
 
 import numpy as np
 import pytest
 from raceway import catalogue, inputs, operating_point
+from raceway.cli import main
 from raceway.inputs import InputError
 from raceway.theory.bearing import Bearing
 from raceway.theory.validity import RULES, Shoulders, doubts, past_shoulder
@@ -68,3 +70,25 @@ def test_a_shoulder_that_is_none(tmp_path):
         )
         with pytest.raises(InputError, match="inner_shoulder_diameter = .* must be between 0.048"):
             inputs.shoulders(own)
+
+
+@pytest.mark.parametrize("name", ["static", "electric", "heat"])
+def test_a_ring_held_along_its_axis(name, capsys):
+    """An angular contact bearing under radial load alone: text and JSON of every command have the
+    force that holds its ring. As an axial load that force is balanced, and nothing is said; a
+    deep groove bearing has none."""
+
+    def said(*more):
+        point = ["--rpm", "3000", "--lubricant", "vg46", "--load", "1000"]
+        assert main([name, *point, *more]) == 0
+        text = capsys.readouterr().out
+        assert main([name, *point, *more, "--json"]) == 0
+        warnings = json.loads(capsys.readouterr().out)["warnings"]
+        assert all(one in text for one in warnings)
+        return [one for one in warnings if one.startswith("the balls push the inner ring along")]
+
+    angular = ["--bearing", "7205B"]
+    (text,) = said(*angular)
+    force = {"N": 1.0, "kN": 1e3}[text.split()[11].strip(",")] * float(text.split()[10])
+    assert 900 < force < 1.14e3  # e F_r of ISO 281 at 40 degrees is the induced force by rule
+    assert said(*angular, "--axial", str(force)) == said() == []

@@ -12,6 +12,8 @@ import pytest
 import xarray
 from host import ROOT, succeed
 from raceway import inputs
+from raceway.runs.summary import summary
+from raceway.runs.tables import RunTables
 from raceway.theory import friction_torque, static
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubrication import lubricate, turning
@@ -72,6 +74,22 @@ def test_loads_and_place(tmp_path, name, load, axial, moment, rpm, models):
     seat = inputs.held(path, 0.0)["z"]  # where a run counts z from
     place = [float(last["ring_x"]), float(last["ring_z"]) + seat]
     np.testing.assert_allclose(place, rest.shift[[0, 2]], rtol=0.01, atol=1e-7)
+
+
+def test_a_run_whose_ring_is_held_along_its_axis(tmp_path):
+    """The summary names the force that holds the ring of a 7205B; the same force as a load of the
+    run leaves none."""
+    words = dict(bearing="7205B", load=1000, rpm=3000, lubricant="vg46", settle=5, passes=1)
+
+    def warnings(axial):
+        succeed("inputs/in.6208", out=tmp_path / str(axial), axial=axial, samples=20, **words)
+        found = summary(RunTables(tmp_path / str(axial)))
+        held = [one for one in found["warnings"] if "along its axis" in one]
+        return held, round(-found["force_z_N"])
+
+    (warning,), force = warnings(0)
+    assert f" {force} N, and no load balances it" in warning
+    assert warnings(force) == ([], pytest.approx(force, rel=0.01))
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Figures as text: one line for each, below the headings of their topics."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from raceway.units import prefixed
@@ -92,12 +92,19 @@ def lines(
 
 
 def several(results: Sequence[Mapping[str, Any]], columns: Sequence[tuple[str, str, float]]) -> str:
-    """Several mappings of figures as text, one line each; `columns` are keys, headings and
-    factors."""
+    """Several mappings of figures as text, one line each, and their warnings; `columns` are keys,
+    headings and factors."""
     rows = [[heading for _, heading, _ in columns]]
     rows += [[_plain(one.get(key), scale) for key, _, scale in columns] for one in results]
     widths = [max(map(len, column)) for column in zip(*rows)]
-    return "\n".join("  ".join(cell.rjust(n) for cell, n in zip(one, widths)) for one in rows)
+    text = ["  ".join(cell.rjust(n) for cell, n in zip(one, widths)) for one in rows]
+    said = dict.fromkeys(one for result in results for one in result["warnings"])
+    return "\n".join([*text, *warning_lines(said)])
+
+
+def warning_lines(texts: Collection[str]) -> list[str]:
+    """The last lines of a table: its warnings, if there are any."""
+    return ["", "Warnings", *(f"  {text}" for text in texts)] if texts else []
 
 
 def cells(

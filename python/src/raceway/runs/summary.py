@@ -13,14 +13,14 @@ import numpy as np
 
 from raceway.arrays import Floats
 from raceway.errors import RunError
-from raceway.rows import Row, lines, row
+from raceway.rows import Row, lines, row, warning_lines
 from raceway.runs import warming
 from raceway.runs.cage import CageFigures, cage_figures, cage_ranges
 from raceway.runs.columns import BEARING, LOSSES
 from raceway.runs.flaws import by_part
 from raceway.runs.friction import STILL as RESTING
 from raceway.runs.friction import friction
-from raceway.runs.measured import load_parameter, measured
+from raceway.runs.measured import load_parameter, loading, measured
 from raceway.runs.model_range import Range, model_ranges
 from raceway.runs.rating import ROWS as RATING
 from raceway.runs.rating import rating
@@ -30,7 +30,7 @@ from raceway.runs.tables import RunTables
 from raceway.sweeps import variable_table
 from raceway.theory import models
 from raceway.theory.bearing import INNER, OUTER
-from raceway.theory.validity import Shoulders, doubts, past_shoulder
+from raceway.theory.validity import Shoulders, doubts, held, past_shoulder
 
 NAME = {INNER: "inner", OUTER: "outer"}
 
@@ -260,7 +260,20 @@ def _warnings(tables, figures):
             "lambda": figures["lambda"],
             "conducts": None if figures["capacitance_F"] is None else thinnest,
         }
-    ) + [*_past_shoulder(tables), *_still(figures), *_left_out(figures["absent"])]
+    ) + [
+        *_past_shoulder(tables),
+        *_held(tables, figures),
+        *_still(figures),
+        *_left_out(figures["absent"]),
+    ]
+
+
+def _held(tables, figures):
+    """The warning of a ring held along its axis, of runs that note the axial load."""
+    load, axial = loading(tables), tables.settings.get("axial_N")
+    if load is None or axial is None:
+        return []
+    return held(load.axial - axial, load.radial, figures["q_max_N"])
 
 
 def _still(figures):
@@ -353,7 +366,6 @@ def table(figures: Mapping[str, Any]) -> str:
     """The mapping of `summary` as text, one block per topic, without missing and negligible
     figures; with a column of those of `statics.statics` if `figures` has them, too. Warnings come
     last."""
-    warnings = ["", "Warnings", *(f"  {text}" for text in figures["warnings"])]
     ranges = figures.get("model_ranges") or {}
     text = lines(
         shown(figures),
@@ -369,7 +381,7 @@ def table(figures: Mapping[str, Any]) -> str:
     if ranges:
         text += ["", "Ranges of the model, as far as they are known"]
         text += [f"  {one}" for one in reasons(figures)]
-    return "\n".join(text + (warnings if figures["warnings"] else []))
+    return "\n".join(text + warning_lines(figures["warnings"]))
 
 
 def reasons(figures: Mapping[str, Any]) -> list[str]:

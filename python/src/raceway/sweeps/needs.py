@@ -61,6 +61,7 @@ class Needs(NamedTuple):
     best: Outcome
     costs: dict[str, list[float]]  # s, processor time of each run: reference, picked
     words: dict[str, str]  # variables to set for the cheapest set
+    warnings: list[str]  # of the reference
 
 
 def needs(
@@ -110,6 +111,7 @@ def needs(
         best,
         costs,
         best.variables,
+        reference["warnings"],
     )
 
 

@@ -7,6 +7,7 @@ import statistics
 from collections.abc import Mapping
 from typing import Any
 
+from raceway.rows import warning_lines
 from raceway.sweeps.needs import Needs, Outcome
 from raceway.sweeps.scene_parts import REFERENCE
 
@@ -33,6 +34,7 @@ def table(found: Needs) -> str:
         *([] if found.best.picked else ["    nothing dropped, nothing coarsened"]),
         "",
         "Processor time of the measured passes: " + _spread(found),
+        *warning_lines(found.warnings),
         "",
         command(found),
     ]
@@ -60,6 +62,7 @@ def as_json(found: Needs) -> dict[str, Any]:
         "best": _outcome(found.best),
         "processor_s": found.costs,
         "words": found.words,
+        "warnings": found.warnings,
     }
 
 

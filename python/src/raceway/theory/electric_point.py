@@ -22,7 +22,7 @@ from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubrication import Lubrication
 from raceway.theory.models import CAPACITANCE, PAPER
 from raceway.theory.static import STRAIGHT, Equilibrium
-from raceway.theory.validity import doubts, past_shoulder
+from raceway.theory.validity import of_statics
 
 
 class Point(NamedTuple):
@@ -38,6 +38,7 @@ class Point(NamedTuple):
     clearance: float  # m
     film: FilmInGap | None
     filling: Filling
+    four_point: float | None  # rad, contact angle of two grooves a ring
 
     __repr__ = short
 
@@ -144,6 +145,7 @@ def solve(
         clearance,
         film,
         filling._replace(shoulders=type(own)(*known)),
+        inputs.four_point_angle(path) if four_point is None else four_point,
     )
 
 
@@ -203,7 +205,15 @@ def figures(point: Point, ask: Ask = NOTHING) -> dict[str, Any]:
             measured_plates_m=result["h_c_m"] * plates.sum() / ask.measured,
         )
     result = {key: _plain(value) for key, value in result.items()}
-    result["warnings"] = _warnings(point)
+    result["warnings"] = of_statics(
+        point.bearing,
+        point.filling.shoulders,
+        point.state,
+        films,
+        load=point.names["load_N"],
+        axial=point.names["axial_N"],
+        four_point=point.four_point,
+    )
     result["balls"] = _balls(point, found, smooth, [solid.any(0) for solid in metallic])
     return result
 
@@ -228,21 +238,6 @@ def _impedance(found, ask):
         z = impedance.of_bearing(found, ask.frequency, ask.resistivity)
         result.update(impedance_ohm=abs(z), phase_deg=math.degrees(np.angle(z)))
     return result
-
-
-def _warnings(point):
-    sides = (point.state.inner, point.state.outer)
-    heavy = [side.heavy for side in sides]
-    ratio = np.concatenate([point.films.inner.ratio, point.films.outer.ratio], axis=None)
-    found = {"pressure": max(side.pressure.max() for side in sides)}
-    if np.any(ratio > 0):
-        found["conducts"] = ratio[ratio > 0].min()
-    return doubts(found) + past_shoulder(
-        point.bearing,
-        point.filling.shoulders,
-        tuple(side.angle[live] for side, live in zip(sides, heavy)),
-        tuple(side.a[live] for side, live in zip(sides, heavy)),
-    )
 
 
 def _balls(point, found, threshold, metallic):

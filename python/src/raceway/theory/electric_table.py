@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from raceway.rows import Row, lines, row, several
+from raceway.rows import Row, lines, row, several, warning_lines
 from raceway.units import prefixed
 
 TOPICS = {
@@ -93,9 +93,7 @@ def table(result: Mapping[str, Any]) -> str:
             ]
         )
     text = [*lines(shown, TOPICS), "", "Balls", *_aligned(rows)]
-    if result["warnings"]:
-        text += ["", "Warnings", *(f"  {one}" for one in result["warnings"])]
-    return "\n".join(text)
+    return "\n".join(text + warning_lines(result["warnings"]))
 
 
 def curves(results: Sequence[Mapping[str, Any]]) -> str:

@@ -201,7 +201,10 @@ def figures(
     if ahead is not None:
         result.update(ball_excursion_m=ahead.whole, pocket_force_N=ahead.force or None)
     result = {key: _plain(value) for key, value in result.items()}
-    result["warnings"] = _warnings(result, body, inputs.shoulders(path), state, films)
+    point = dict(load=load, axial=axial, four_point=four_point)
+    result["warnings"] = validity.of_statics(body, inputs.shoulders(path), state, films, **point)
+    if "life_reference_Mrev" in result:
+        result["warnings"] += _wide(body)
     if film is not None:
         result["warnings"] += _sliding(state, lost.friction, needed)
     if ahead is not None and (text := excursion.warning(ahead)):
@@ -213,32 +216,16 @@ def figures(
     return result
 
 
-def _warnings(figures, body, shoulders, state, films):
-    sides = (state.inner, state.outer)
-    loaded = [side.load > 0 for side in sides]
-    heavy = [side.heavy for side in sides]
-    pressure = max(figures["p_max_inner_Pa"], figures["p_max_outer_Pa"])
-    found = {"pressure": pressure}
-    if films is not None:
-        wet = ((films.inner, loaded[0]), (films.outer, loaded[1]))
-        ratios = np.concatenate([side.ratio[live] for side, live in wet])
-        thick = [side.h_c[live] / one.b[live] for (side, live), one in zip(wet, sides)]
-        if len(ratios):
-            found["thick_film"] = np.concatenate(thick).max()
-            found["lambda"], found["conducts"] = ratios.max(), ratios.min()
-    angle = tuple(side.angle[live] for side, live in zip(sides, heavy))
-    semi_axis = tuple(side.a[live] for side, live in zip(sides, heavy))
-    texts = validity.doubts(found) + validity.past_shoulder(body, shoulders, angle, semi_axis)
-    if "life_reference_Mrev" in figures and min(wide := life.wide_grooves(body)) < 1 - 1e-9:
-        texts.append(
-            "grooves wider than {:g} and {:g} of the ball reduce the ball ratings to"
-            " {:.0%} (inner) and {:.0%} (outer) of those of the file's C".format(
-                *life.CONFORMITY, *wide
-            )
+def _wide(body):
+    """The warning of a life with ratings for narrower grooves."""
+    if min(wide := life.wide_grooves(body)) >= 1 - 1e-9:
+        return []
+    return [
+        "grooves wider than {:g} and {:g} of the ball reduce the ball ratings to"
+        " {:.0%} (inner) and {:.0%} (outer) of those of the file's C".format(
+            *life.CONFORMITY, *wide
         )
-    if figures["four_point_rad"] is not None:
-        texts += validity.past_middle(body, figures["four_point_rad"], angle, semi_axis)
-    return texts
+    ]
 
 
 def _sliding(state, friction, needed):

@@ -5,7 +5,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from raceway.rows import Row, lines, row, several
+from raceway.rows import Row, lines, row, several, warning_lines
 from raceway.sweeps import variable_table
 from raceway.theory import models
 from raceway.units import prefixed
@@ -163,9 +163,7 @@ def table(result: Mapping[str, Any]) -> str:
     text = [*lines(filled, TOPICS), "", "Balls", *block]
     if assumed := result.get("assumed_data"):
         text += variable_table.block(assumed)
-    if result["warnings"]:
-        text += ["", "Warnings", *(f"  {one}" for one in result["warnings"])]
-    return "\n".join(text)
+    return "\n".join(text + warning_lines(result["warnings"]))
 
 
 def _table_of_balls(balls):

@@ -19,7 +19,7 @@ from raceway import catalogue, inputs
 from raceway.arrays import Floats
 from raceway.errors import NoEquilibrium
 from raceway.files import FilePath
-from raceway.rows import Row, lines, several
+from raceway.rows import Row, lines, several, warning_lines
 from raceway.theory import friction_torque, heat, makers
 from raceway.theory.bearing import INNER, Bearing, DoubleRow
 from raceway.theory.contact_law import FilmInGap
@@ -28,6 +28,7 @@ from raceway.theory.lubrication import Lubrication, lubricate, turning
 from raceway.theory.models import DEFAULT
 from raceway.theory.oil_supply import BATH, Supply
 from raceway.theory.static import STRAIGHT, Equilibrium
+from raceway.theory.validity import of_statics
 
 ENOUGH = 0.01  # K
 TOPICS = {
@@ -325,21 +326,34 @@ class Case:
         path, oil = self.files()
         level = 500 * scene.bearing.ball_diameter  # mm: the middle of the lowest ball
         known = "reference_speed" in inputs.values(path)
-        boundary = scene.boundary
+        boundary, play = scene.boundary, scene.bearing.play(inputs.nominal_angle(path))
+        rest = scene.rest(found["temperature_C"], found["clearance_warm_m"])
         return dict(
             bearing=path.name,
             lubricant=oil.name,
             load_N=self.load,
             axial_N=self.axial,
             rpm=self.rpm,
-            clearance_m=self.clearance,
+            clearance_m=self.clearance + play,
             ambient_C=self.ambient,
             conductance_W_K=self.cooling(),
-            **{key: value for key, value in found.items() if key not in ("sides", "contacts")},
+            **{key: value for key, value in found.items() if key not in ("sides", "contacts")}
+            | {"clearance_warm_m": found["clearance_warm_m"] + play},
             reference_speed_rpm=boundary and heat.reference_speed(boundary, level),
             reference_speed_dry_rpm=boundary and heat.reference_speed(boundary),
             reference_speed_catalogue_rpm=(
                 inputs.numbers(path, "reference_speed")["reference_speed"] if known else None
+            ),
+            warnings=of_statics(
+                scene.bearing,
+                inputs.shoulders(path),
+                rest.state,
+                rest.films,
+                load=self.load,
+                axial=self.axial,
+                four_point=(
+                    inputs.four_point_angle(path) if self.four_point is None else self.four_point
+                ),
             ),
         )
 
@@ -360,7 +374,8 @@ def table(result: Mapping[str, Any]) -> str:
     for key in ("reference_speed_rpm", "reference_speed_dry_rpm"):
         shown[key] = shown[key] and round(shown[key])
     parts = "\n".join(f"  {name:<32}{power:>12.4g} W" for name, power in result["losses_W"].items())
-    return "\n".join([*lines(shown, TOPICS), "", "Losses", parts])
+    text = [*lines(shown, TOPICS), "", "Losses", parts, *warning_lines(result["warnings"])]
+    return "\n".join(text)
 
 
 def curves(results: list[dict[str, Any]]) -> str:

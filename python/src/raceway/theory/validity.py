@@ -2,18 +2,26 @@
 """Range of validity of the contact formulas.
 
 The rules are defined in C++ (`src-package/core/raceway/validity.h`), which warns in a run;
-summary and statics use the same rules.
+summaries and all figures of statics use the same rules.
 """
+
+from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from raceway import core
 from raceway.theory.bearing import Bearing
 from raceway.units import prefixed
+
+if TYPE_CHECKING:
+    from raceway.theory.lubrication import Lubrication
+    from raceway.theory.static import Equilibrium
+
+COUNTS = 0.19  # of the radial load; smaller axial loads do not count in ISO 281 (its smallest e)
 
 
 class Rule(NamedTuple):
@@ -54,6 +62,46 @@ def doubts(values: Mapping[str, float | None]) -> list[str]:
 
 def _shown(value, unit):
     return prefixed(value, unit) if unit else f"{value:.4g}"
+
+
+def of_statics(
+    bearing: Bearing,
+    shoulders: Shoulders,
+    state: Equilibrium,
+    films: Lubrication | None,
+    *,
+    load: float,
+    axial: float,
+    four_point: float | None = None,
+) -> list[str]:
+    """A text for everything in the equilibrium `state` under `load` and `axial` (N) that is outside
+    its range of validity; `four_point` (rad) as `free` of `past_middle`."""
+    sides = (state.inner, state.outer)
+    found = {"pressure": max(side.pressure.max() for side in sides)}
+    if films is not None:
+        wet = [(film, one, one.load > 0) for film, one in zip((films.inner, films.outer), sides)]
+        ratio = np.concatenate([film.ratio[live] for film, _, live in wet])
+        thick = np.concatenate([film.h_c[live] / one.b[live] for film, one, live in wet])
+        if len(ratio):
+            found |= {"thick_film": thick.max(), "lambda": ratio.max(), "conducts": ratio.min()}
+    angle = tuple(side.angle[side.heavy] for side in sides)
+    semi_axis = tuple(side.a[side.heavy] for side in sides)
+    texts = doubts(found) + past_shoulder(bearing, shoulders, angle, semi_axis)
+    if four_point is not None:
+        texts += past_middle(bearing, four_point, angle, semi_axis)
+    return texts + held(state.force[2] + axial, load, max(side.load.max() for side in sides))
+
+
+def held(push: float, radial: float, largest: float) -> list[str]:
+    """A text if the balls push the inner ring along its axis with a force `push` (N) that no load
+    balances and that counts beside the `radial` load and the `largest` of a contact."""
+    if abs(push) <= COUNTS * max(radial, largest):
+        return []
+    return [
+        f"the balls push the inner ring along its axis with {_shown(abs(push), 'N')}, and no load"
+        " balances it: loads, life and friction are those of a ring that something else holds,"
+        " such as a second bearing"
+    ]
 
 
 def past_shoulder(

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "formulas.h"
+
+#include "bearing_compat.h"
+
+#include <cctype>
+#include <set>
+
+using namespace LAMMPS_NS;
+
+namespace bearing {
+
+// The hosts evaluate formulas, but no function of theirs returns the text of one. An explicit
+// instantiation may name a private member.
+typedef char ***Variable::*Texts;
+Texts texts_of_variables();
+
+template <Texts member> struct Opened {
+  friend Texts texts_of_variables() { return member; }
+};
+template struct Opened<&Variable::data>;
+
+static bool in_name(char c) { return isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+// Text of a variable, empty if there is none of that name
+static std::string text_of(LAMMPS *lmp, const std::string &name)
+{
+  Variable &all = *lmp->input->variable;
+  char *own = const_cast<char *>(name.c_str());
+  const int k = all.find(own);
+  if (k < 0) return "";
+  const bool formula = all.equalstyle(k) || all.atomstyle(k);
+  const char *text = formula ? (all.*texts_of_variables())[k][0] : all.retrieve(own);
+  return text ? text : "";
+}
+
+static void add(LAMMPS *lmp, const std::string &text, std::set<std::string> &seen,
+                std::vector<std::string> &lines)
+{
+  for (size_t at = text.find("v_"); at != std::string::npos; at = text.find("v_", at + 2)) {
+    if (at > 0 && in_name(text[at - 1])) continue;
+    size_t end = at + 2;
+    while (end < text.size() && in_name(text[end])) ++end;
+    const std::string name = text.substr(at + 2, end - at - 2);
+    if (!seen.insert(name).second) continue;
+    const std::string own = text_of(lmp, name);
+    if (own.empty()) continue;
+    lines.push_back("variable " + name + " = " + own);
+    add(lmp, own, seen, lines);
+  }
+}
+
+std::vector<std::string> formulas(LAMMPS *lmp, const std::vector<std::string> &commands)
+{
+  std::set<std::string> seen;
+  std::vector<std::string> lines;
+  for (const std::string &command : commands) add(lmp, command, seen, lines);
+  return lines;
+}
+
+}    // namespace bearing

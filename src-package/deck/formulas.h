@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Formulas of the variables that commands of a deck name as v_NAME, directly or through other
+// formulas, for the comparison of a continued run with its restart file.
+#ifndef BEARING_FORMULAS_H
+#define BEARING_FORMULAS_H
+
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace bearing {
+
+// A line `variable NAME = TEXT` for each, in the order of the commands. TEXT is the formula of an
+// equal- or atom-style variable, the value of another.
+std::vector<std::string> formulas(LAMMPS_NS::LAMMPS *, const std::vector<std::string> &commands);
+
+}    // namespace bearing
+
+#endif

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Restart files of another run or of another build are refused with the cause."""
+
+import re
+
+import pytest
+from host import run, succeed
+from hosts.test_time import BEARING, BOX, MOVES, READ, RUN
+
+HOSTS = ["liggghts", "lammps", "wheel"]
+RISING = "variable rising equal 50*(1+v_share*time)\nvariable share equal 100\n"
+SCENE = MOVES.replace("50*(1+100*time)", "v_rising")
+MORE = {
+    "as before": "",
+    "one value": "variable share equal 100.5\n",
+    "the same value now": "variable share equal 100*(1+step-500)\n",
+    "not of the run": "variable other equal 7\n",
+}
+REFUSED = {"one value": "variable share = 100.5", "the same value now": "100*(1+step-500)"}
+
+
+@pytest.mark.parametrize("host", HOSTS)
+def test_formulas(host, tmp_path):
+    """A run goes on with the formulas that it began with, also of variables that only a formula
+    names."""
+    deck, kept = tmp_path / "in.deck", tmp_path / "kept"
+    keep = f"fix keep all bearing/checkpoint 100 {tmp_path}/run"
+    deck.write_text(BOX + BEARING + RISING + SCENE + f"{keep}\n{RUN}write_restart {kept}\n")
+    succeed(deck, host=host)
+    read = f"{READ}read_restart {kept}\nneighbor 2.0e-3 bin\nneigh_modify delay 0 every 20\n"
+    for name, more in MORE.items():
+        deck.write_text(read + RISING + more + SCENE + f"{keep} resume yes\n{RUN}")
+        end = run(deck, host=host)
+        if name in REFUSED:
+            assert end.code != 0 and "belongs to another run" in end.error, name
+            assert REFUSED[name] in end.error and "variable share = 100'" in end.error, end.error
+        else:
+            assert end.code == 0, end.text[-2000:]
+
+
+@pytest.mark.parametrize("host", HOSTS)
+def test_builds(host, tmp_path):
+    """The layout of restart files has a number; files of builds before have none."""
+    deck, kept = tmp_path / "in.deck", tmp_path / "kept"
+    deck.write_text(BOX + BEARING + MOVES + RUN + f"write_restart {kept}\n")
+    succeed(deck, host=host)
+    whole, mark = kept.read_bytes(), b"Raceway\0"
+    at = whole.index(mark)
+    number = at + len(mark)
+    assert whole.count(mark) == 1 and whole[number : number + 4] == b"\2\0\0\0"
+    deck.write_text(f"{READ}read_restart {kept}\n")
+    for content, cause in (
+        (whole[:number] + b"\1" + whole[number + 1 :], "has layout 1, it was written by another"),
+        (whole[:at] + whole[number + 4 :], "has no layout number, it was written by another build"),
+    ):
+        kept.write_bytes(content)
+        end = run(deck, host=host)
+        assert end.code != 0 and f"pair_style bearing: the restart file {cause}" in end.error, cause
+        assert "this program reads layout 2" in end.error
+    for size in (number + 8, number - 2):  # the last release of LAMMPS looks for the end itself
+        kept.write_bytes(whole[:size])
+        end = run(deck, host=host)
+        assert end.code != 0 and re.search("ends early|Incomplete or corrupted", end.error)
