@@ -26,6 +26,7 @@ from raceway.files import FilePath
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
 from raceway.sweeps.host_run import complaint, execute, stopped
+from raceway.sweeps.points import deck_variables
 
 FINISHED, FAILED, PENDING, BUSY, STOPPED = "finished", "failed", "pending", "busy", "stopped"
 # variables of the deck and their names in `run.yaml`
@@ -64,9 +65,9 @@ def run_point(
 ) -> tuple[str, str]:
     """Run one point unless it is finished (or failed, without `retry`); return (status, message).
 
-    `command` is a list: program, its own options and the deck; `stop` is a file descriptor that
-    ends the run when it becomes readable. `BUSY` if another process works on the point, even a run
-    left over from a killed sweep.
+    `command` is a list: program, its own options and, last, the deck; `stop` is a file descriptor
+    that ends the run when it becomes readable. `BUSY` if another process works on the point, even a
+    run left over from a killed sweep.
     """
     folder = Path(folder)
     try:
@@ -123,8 +124,10 @@ def _locked(folder):
 
 def _execute(folder, variables, command, lock, stop):
     """Exit code of the run; None if it was ended because `stop` became readable."""
-    words = list(command) + ["-log", "none", "-var", "out", str(folder), "-var", "resume", "yes"]
-    for name, value in variables.items():
+    resumes = "resume" in deck_variables(command[-1])  # other decks start a stopped point anew
+    given = {"out": str(folder), **({"resume": "yes"} if resumes else {}), **variables}
+    words = [*command, "-log", "none"]
+    for name, value in given.items():
         words += ["-var", name, value]
     return execute(words, folder / "log.txt", stop=stop, keep=(lock,))
 
