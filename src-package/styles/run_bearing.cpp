@@ -41,15 +41,13 @@ void RunBearing::read(Arguments &args)
       if (!to.automatic) to.settle = args.within("ball passes to settle", 0.0, 1e6);
       settles = true;
     } else if (args.take("passes")) {
-      to.passes = args.integer("ball passes to measure", 1, 1000000);
+      to.passes = args.number_of("passes");
     } else if (args.take("step")) {
-      to.step = args.non_negative("step (s)");
-      if (to.step != 0.0 && !(to.step >= 1e-9 && to.step <= 1e-3))
-        args.fail("step (s) is " + text(to.step) + ", must be 1e-9 to 1e-3, or 0");
+      to.step = args.number_of("step");
     } else if (args.take("safety")) {
-      to.safety = args.within("share of the stability limit", 1e-3, 1.0);
+      to.safety = args.number_of("safety");
     } else if (args.take("settled")) {
-      to.settled = args.within("change of torque that counts as settled", 1e-6, 1.0);
+      to.settled = args.number_of("settled");
     } else if (args.take("limit")) {
       to.limit = args.integer("ball passes to settle in", 2, 1000000);
     } else if (args.take("rate")) {
@@ -208,7 +206,7 @@ void RunBearing::settle()
     set_step(now().step_length);
     for (auto *f : bearing::fixes_of<bearing::WaitsForRun>(lmp)) f->settle(sampling());
     show(std::ceil(now().begin_steps / 5), "Settling");
-    const bool coarse = fix_->orbit().runs();
+    const bool coarse = automatic();
     for (FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp))
       if (coarse) f->coarse(true);
     run(now().begin_steps);

@@ -73,7 +73,7 @@ def test_a_point_that_was_stopped_in_its_measurement(folder, finished):
     (folder / "point.yaml").write_text("load: '5000'\n")
     if not finished:
         spoil(folder, "^step_s: .*\n", "")
-    run_point(folder, {"load": "5000"}, ["true"])
+    run_point(folder, {"load": "5000"}, ["true", "inputs/in.6208"])
     assert (folder / "log.txt").exists() != finished  # words of the program that was started
 
 

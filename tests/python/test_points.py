@@ -43,6 +43,12 @@ def test_long_names():
     assert len(names) == 50 and max(map(len, names)) <= LONGEST
 
 
+def test_names_of_paths():
+    """Two files of one name in different folders."""
+    names = {folder_name({"bearing": path, "load": "1"}) for path in ("a/own", "b/own", "own")}
+    assert len(names) == 3 and not any("/" in name for name in names)
+
+
 def test_mark_of_spreadsheets(tmp_path):
     (tmp_path / "table.csv").write_bytes(b"\xef\xbb\xbfload,rpm\r\n1,2\r\n")
     assert read_points(tmp_path / "table.csv", VARIABLES)[0].variables == {"load": "1", "rpm": "2"}
@@ -64,7 +70,7 @@ def test_mark_of_spreadsheets(tmp_path):
         ("load,rpm\n1\n", "line 2: 1 cells, 2 columns"),
         ("load,rpm\n1,2,3\n", "line 2: 3 cells, 2 columns"),
         ("bearing\nmy bearing\n", "line 2: bearing is 'my bearing', must be one word"),
-        ("bearing\n../x\n", "line 2: bearing is '../x'"),
+        ("bearing\n./x;y\n", "line 2: bearing is './x;y'"),
         ("bearing\n${x}\n", "line 2: bearing is '${x}'"),
     ],
 )

@@ -65,9 +65,9 @@ def run_point(
 ) -> tuple[str, str]:
     """Run one point unless it is finished (or failed, without `retry`); return (status, message).
 
-    `command` is a list: program, its own options and the deck; `stop` is a file descriptor that
-    ends the run when it becomes readable. `BUSY` if another process works on the point, even a run
-    left over from a killed sweep.
+    `command` is a list: program, its own options and, last, the deck; `stop` is a file descriptor
+    that ends the run when it becomes readable. `BUSY` if another process works on the point, even a
+    run left over from a killed sweep.
     """
     folder = Path(folder)
     try:
@@ -124,20 +124,12 @@ def _locked(folder):
 
 def _execute(folder, variables, command, lock, stop):
     """Exit code of the run; None if it was ended because `stop` became readable."""
-    words = list(command) + ["-log", "none", "-var", "out", str(folder)]
-    if _resumes(command):
-        words += ["-var", "resume", "yes"]
-    for name, value in variables.items():
+    resumes = "resume" in deck_variables(command[-1])  # other decks start a stopped point anew
+    given = {"out": str(folder), **({"resume": "yes"} if resumes else {}), **variables}
+    words = [*command, "-log", "none"]
+    for name, value in given.items():
         words += ["-var", name, value]
     return execute(words, folder / "log.txt", stop=stop, keep=(lock,))
-
-
-def _resumes(command):
-    """False for a deck without the variable `resume`: its points begin again."""
-    before = dict(zip(command[1:], command))
-    return not (decks := [word for word, flag in before.items() if flag in ("-in", "-i")]) or (
-        "resume" in deck_variables(decks[0])
-    )
 
 
 def _figures(run):

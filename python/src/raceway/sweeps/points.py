@@ -20,8 +20,8 @@ INDEX = re.compile(r"^\s*variable\s+(\w+)\s+index\s+(\S+)", re.MULTILINE)
 VARS = re.compile(r"^(?!\s*#)(?:[^#\n]|&\n)*?\bvars ((?:\w+[ \t]*)+)", re.MULTILINE)
 BEARING = re.compile(r"^bearing\s", re.MULTILINE)
 DECK = re.compile(r"^include \S*?/(in\.\S+)", re.MULTILINE)
-# characters of a value: none of those that are special in a deck, a shell or a path
-WORD = re.compile(r"[A-Za-z0-9_.+-]+")
+# characters of a value, also of a file's path: none of those that are special in a deck or a shell
+WORD = re.compile(r"[A-Za-z0-9_.+/-]+")
 OURS = {
     "out": "the sweep gives every point its folder",
     "resume": "the sweep resumes points by itself",
@@ -147,12 +147,13 @@ def _some(wrong):
 
 
 def folder_name(variables: Mapping[str, str]) -> str:
-    """A readable name that depends only on the variables: load=5000_rpm=477.5. Long ones end with a
-    digest instead."""
+    """A readable name that depends only on the variables: load=5000_rpm=477.5. Long ones, and those
+    with the last word of a path, end with a digest."""
     name = "_".join(f"{key}={value}" for key, value in variables.items())
-    if len(name) <= LONGEST:
+    short = "_".join(f"{key}={value.rsplit('/', 1)[-1]}" for key, value in variables.items())
+    if len(name) <= LONGEST and name == short:
         return name
-    return name[: LONGEST - 17] + "_" + hashlib.sha256(name.encode()).hexdigest()[:16]
+    return short[: LONGEST - 17] + "_" + hashlib.sha256(name.encode()).hexdigest()[:16]
 
 
 def _lines(table):
