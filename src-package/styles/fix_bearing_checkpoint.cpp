@@ -205,8 +205,8 @@ void FixBearingCheckpoint::init()
 }
 
 // Commands that determine a run: the bearings (first line), the pair style, data of named
-// bearings, the package's fixes except those that only write or watch, and the formulas of variables
-// in them.
+// bearings, the package's fixes except those that only write or watch, and the formulas of
+// variables in them.
 std::vector<std::string> FixBearingCheckpoint::deck() const
 {
   std::vector<std::string> lines = {bearing::noted_words(lmp, "create_bearing")};

@@ -446,9 +446,9 @@ EXPORT(void, meeting, (double gap, double speed, double h, double newton, double
   *corrections = o.solved() ? o.corrections : HUGE_VAL;
 }
 
-// A ball and a ring that is free along both radial axes: matrix[48] holds the block of the ball (36)
-// and its columns of the ring (12). What restore() sets after corrections with new and, if `again`,
-// with old derivatives.
+// A ball and a ring that is free along both radial axes: matrix[48] holds the block of the ball
+// (36) and its columns of the ring (12). What restore() sets after corrections with new and, if
+// `again`, with old derivatives.
 EXPORT(void, matrix_kept, (int again, const double matrix[48], double restored[48]))
 {
   BearingModel model;

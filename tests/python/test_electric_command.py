@@ -231,7 +231,7 @@ POINT = ["--load", "1000", "--rpm", "900"]
             2,
             "-90 to 0 deg",
         ),
-        ([*POINT, "--lubricant", "dry"], 1, "has no variable viscosity"),
+        ([*POINT, "--lubricant", "dry"], 1, "has no viscosity"),
         ([*POINT, "--lubricant", "mineral", "--temperature", "70"], 1, "values for 40 C only"),
         ([*POINT, "--csv", "/nowhere/x.csv"], 1, "cannot write /nowhere/x.csv"),
     ],

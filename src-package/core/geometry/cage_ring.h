@@ -122,8 +122,8 @@ struct PocketBall {
   double radius, mass;
 };
 
-// close: m, a gap up to which derivatives are those of an overlap `barely` (m). The forces are still
-// those of the gap.
+// close: m, a gap up to which derivatives are those of an overlap `barely` (m). The forces are
+// still those of the gap.
 inline PocketContact pocket_contact(const CageRing &cage, const CageMotion &m, int pocket,
                                     const PocketBall &ball, double close = 0.0, double barely = 0.0)
 {
