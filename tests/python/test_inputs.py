@@ -38,7 +38,7 @@ def test_composite_roughness(tmp_path):
     ("text", "message"),
     [
         (None, "cannot read"),
-        ("variable permittivity index 2\n", "has no variable viscosity"),
+        ("variable permittivity index 2\n", "has no viscosity"),
         (
             "".join(
                 f"variable {name} index x\n"
