@@ -5,23 +5,20 @@
 #define BEARING_DATA_VALUES_H
 
 #include "../core/settings/arguments.h"
-#include "bearing_compat.h"
 
 #include <map>
-#include <optional>
 
 namespace bearing {
 
-class DataValues : protected LAMMPS_NS::Pointers {
+class DataValues {
  public:
   typedef std::map<std::string, std::string> Map;
 
   // From a map; `whose` names its owner in messages: "'6208' of 'inputs/bearings'".
-  DataValues(LAMMPS_NS::LAMMPS *lmp, const Arguments &args, Map &map, const std::string &whose) :
-      Pointers(lmp), args_(args), map_(&map), whose_(whose)
+  DataValues(const Arguments &args, Map &map, const std::string &whose) :
+      args_(args), map_(map), whose_(whose)
   {
   }
-  virtual ~DataValues() = default;
 
   static std::string written(double value)
   {
@@ -30,12 +27,11 @@ class DataValues : protected LAMMPS_NS::Pointers {
     return buf;
   }
 
-  bool there(const std::string &name) const { return find(name).has_value(); }
   std::string word(const std::string &name) const
   {
-    const std::optional<std::string> value = find(name);
-    if (!value) args_.fail(whose_ + " has no variable " + name + " that is one number");
-    return *value;
+    const auto at = map_.find(name);
+    if (at == map_.end()) fail(whose_ + " has no variable " + name + " that is one number");
+    return at->second;
   }
   double number(const std::string &name) const { return args_.number_in(word(name), name); }
   // Stops the run unless the number is 0; the message gives the reason.
@@ -45,35 +41,14 @@ class DataValues : protected LAMMPS_NS::Pointers {
       fail(name + " is " + text(number(name)) + ", must be from 0 to 0 (" + why + ")");
   }
   // Sets a value unless one of that name exists.
-  void suggest(const std::string &name, const std::string &value)
-  {
-    if (!there(name)) make(name, "index", value);
-  }
-  void suggest(const std::string &name, double value) { suggest(name, written(value)); }
-  void set(const std::string &name, double value) { make(name, "equal", written(value)); }
-  void set(const std::string &name, std::string words) { make(name, "string", words); }
+  void suggest(const std::string &name, double value) { map_.emplace(name, written(value)); }
+  void set(const std::string &name, double value) { map_[name] = written(value); }
+  void set(const std::string &name, const std::string &words) { map_[name] = words; }
   [[noreturn]] void fail(const std::string &why) const { args_.fail(why); }
 
- protected:
-  // Values of the host's variables
-  DataValues(LAMMPS_NS::LAMMPS *lmp, const Arguments &args) :
-      Pointers(lmp), args_(args), whose_("the deck")
-  {
-  }
-  virtual std::optional<std::string> find(const std::string &name) const
-  {
-    const auto at = map_->find(name);
-    return at == map_->end() ? std::nullopt : std::optional<std::string>(at->second);
-  }
-  virtual void make(const std::string &name, const std::string &, const std::string &value)
-  {
-    (*map_)[name] = value;
-  }
-
-  const Arguments &args_;
-
  private:
-  Map *map_ = nullptr;
+  const Arguments &args_;
+  Map &map_;
   std::string whose_;
 };
 

@@ -5,18 +5,12 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
+#include <sstream>
 
 namespace fs = std::filesystem;
 
 namespace bearing {
-
-// Byte order mark of UTF-8: some editors write it, and the host would read it as a command.
-static bool starts_with_mark(const fs::path &file)
-{
-  char first[3] = {};
-  std::ifstream(file, std::ios::binary).read(first, 3);
-  return std::string(first, 3) == "\xef\xbb\xbf";
-}
 
 std::string joined(const std::vector<std::string> &names, const char *between)
 {
@@ -27,21 +21,28 @@ std::string joined(const std::vector<std::string> &names, const char *between)
 
 static Data data_file(const fs::path &file)
 {
-  if (starts_with_mark(file))
-    return {"'" + file.string() + "' starts with a byte order mark: save it as UTF-8 without one"};
-  Data data{"", "'" + file.string() + "'", "include " + file.string(), {}};
-  std::ifstream in(file);
-  for (std::string line; std::getline(in, line);) data.variables.insert(variable_of(line));
+  Data data{"", "'" + file.string() + "'", ""};
+  std::ostringstream all;
+  all << std::ifstream(file).rdbuf();
+  data.lines = all.str();
+  // some editors write it
+  if (data.lines.compare(0, 3, "\xef\xbb\xbf") == 0)
+    data.complaint = data.label + " starts with a byte order mark: save it as UTF-8 without one";
   return data;
 }
 
 // A message lists all names up to the first number, of more the second number of nearest ones.
 static constexpr size_t longest_list = 12, nearest_names = 6;
 
-Data find_data(const std::string &folder, const std::string &name)
+Data find_data(std::string folder, std::string name)
 {
-  const fs::path file = fs::path(folder) / name;
   std::error_code ec;
+  const fs::path given = name;
+  if (name.find('/') != std::string::npos && fs::is_regular_file(given, ec)) {
+    folder = given.parent_path().string();
+    name = given.filename().string();
+  }
+  const fs::path file = fs::path(folder) / name;
   std::set<std::string> names;
   if (file.extension() != ".csv") {
     if (fs::is_regular_file(file, ec)) return data_file(file);
@@ -51,8 +52,7 @@ Data find_data(const std::string &folder, const std::string &name)
   for (const DataTable &table : tables_of(folder)) {
     if (!table.complaint().empty()) return {table.complaint()};
     if (table.has(name))
-      return {"", "'" + name + "' of '" + table.file() + "'", joined(table.commands(name), "\n"),
-              table.variables(name)};
+      return {"", "'" + name + "' of '" + table.file() + "'", joined(table.commands(name), "\n")};
     names.merge(table.names());
   }
   for (fs::directory_iterator it(folder, ec), end; !ec && it != end; it.increment(ec))

@@ -3,19 +3,17 @@
 #ifndef BEARING_FIND_DATA_H
 #define BEARING_FIND_DATA_H
 
-#include <set>
 #include <string>
 #include <vector>
 
 namespace bearing {
 
 struct Data {
-  std::string complaint = {}, label = {}, commands = {};
-  std::set<std::string> variables = {};    // set by the file itself, not by its includes
+  std::string complaint = {}, label = {}, lines = {};
 };
 
-// Commands of the host: for a file, its include. Reads files: call it on one rank.
-Data find_data(const std::string &folder, const std::string &name);
+// `name` may also be the path of a file, with a '/'. Reads files: call it on one rank.
+Data find_data(std::string folder, std::string name);
 
 std::string joined(const std::vector<std::string> &names, const char *between = ", ");
 

@@ -4,6 +4,7 @@
 #include "../core/settings/data_table.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -43,43 +44,65 @@ static std::vector<std::string> command_words(std::istream &file, std::string li
   return words;
 }
 
-bool collect(const fs::path &path, Names &names)
+// The variable of a word that ends with ${NAME}; empty for any other
+static std::string named_in(const std::string &word)
+{
+  const size_t at = word.find("${");
+  return at == std::string::npos || word.back() != '}' ? ""
+                                                       : word.substr(at + 2, word.size() - at - 3);
+}
+
+// The words of a command that hand a variable to it under the name that the table has
+static void collect_passed(const std::vector<std::string> &words, Names &passed)
+{
+  std::string keyword;
+  for (const std::string &word : words) {
+    const std::string name = named_in(word);
+    if (name.empty() && std::isalpha(static_cast<unsigned char>(word[0]))) keyword = word;
+    if (name.empty()) continue;
+    const bool style = word == "pass/${" + name + "}" || word == "bearing/${" + name + "}";
+    if (style || name == keyword || name.compare(0, keyword.size() + 1, keyword + "_") == 0)
+      passed.insert(name);
+  }
+}
+
+bool collect(const fs::path &path, DeckNames &names)
 {
   static const Names styles = {"index", "string", "loop", "uloop", "universe", "world"};
   std::ifstream file(path);
   if (!file) return false;
   for (std::string line; std::getline(file, line);) {
     const std::vector<std::string> words = command_words(file, line);
-    if (words.size() > 2 && words[0] == "variable" && styles.count(words[2]))
-      names.insert(words[1]);
+    if (words.size() > 2 && words[0] == "variable") {
+      if (styles.count(words[2])) names.settable.insert(words[1]);
+      if (words[2] == "index") names.index.insert(words[1]);
+      continue;
+    }
     const auto vars = std::find(words.begin(), words.end(), "vars");
-    if (vars != words.end()) names.insert(vars + 1, words.end());
+    if (vars != words.end()) {
+      names.settable.insert(vars + 1, words.end());
+      names.passed.insert(vars + 1, words.end());
+    }
+    collect_passed(words, names.passed);
   }
   return true;
 }
 
 Names set_by_deck()
 {
-  Names found;
-  for (const std::string &deck : words_after("-in", "-i")) {
-    std::ifstream file(deck);
-    for (std::string line; std::getline(file, line);) {
-      std::istringstream words(line);
-      std::string command, name, style;
-      if (words >> command >> name >> style && command == "variable" && style == "index")
-        found.insert(name);
-    }
-  }
-  return found;
+  DeckNames found;
+  for (const std::string &deck : words_after("-in", "-i")) collect(deck, found);
+  return found.index;
 }
 
-std::error_code collect_folder(const std::string &folder, Names &names)
+void collect_folder(const std::string &folder, Names &names)
 {
+  DeckNames files;
   std::error_code ec;
   for (fs::directory_iterator it(folder, ec), end; !ec && it != end; it.increment(ec))
-    if (it->path().extension() != ".csv") collect(it->path(), names);
+    if (it->path().extension() != ".csv") collect(it->path(), files);
+  names.merge(files.settable);
   for (const DataTable &table : tables_of(folder)) names.merge(table.variables());
-  return ec;
 }
 
 static std::string link_of(FILE *file) { return "/proc/self/fd/" + std::to_string(fileno(file)); }
@@ -90,7 +113,7 @@ std::string deck_name(FILE *infile)
   return infile ? fs::read_symlink(link_of(infile), ec).filename().string() : "";
 }
 
-void collect_deck(FILE *infile, Names &names)
+void collect_deck(FILE *infile, DeckNames &names)
 {
   if (infile) collect(link_of(infile), names);
   for (const std::string &deck : words_after("-in", "-i")) collect(deck, names);

@@ -14,22 +14,28 @@ typedef std::set<std::string> Names;
 // Words of the program's command line that follow either of two options
 Names words_after(const char *option, const char *other);
 
-// Variables that a line `variable NAME index VALUE` of the deck sets
+// Variables of a deck
+struct DeckNames {
+  Names settable;    // by -var: of styles that store such a value, and the words after `vars`
+  Names index;       // of a line `variable NAME index VALUE`
+  Names passed;      // handed to a command: after `vars`, or as `NAME ${NAME}`, `NA ${NA_ME}`
+};
+
+// False if the file cannot be read.
+bool collect(const std::filesystem::path &, DeckNames &);
+
+// Lines `variable NAME index VALUE` of the deck that the program was started with
 Names set_by_deck();
 
-// Collects the variables that -var may set in a deck: those of styles that store such a value,
-// and the words after `vars`. False if the file cannot be read.
-bool collect(const std::filesystem::path &, Names &);
-
-// Collects them from all files and tables in a folder; returns the error if it cannot be read.
-std::error_code collect_folder(const std::string &folder, Names &);
+// Collects the settable ones from all files and tables in a folder.
+void collect_folder(const std::string &folder, Names &);
 
 // Name of the file that the host reads; empty for the standard input
 std::string deck_name(FILE *infile);
 
 // Adds those of the deck that the host reads, `infile` or null, and of the decks after -in, which
 // may include it.
-void collect_deck(FILE *infile, Names &);
+void collect_deck(FILE *infile, DeckNames &);
 
 std::string nearest(const std::string &name, const Names &);
 

@@ -8,46 +8,16 @@
 #include "given_variables.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
-
-namespace fs = std::filesystem;
 
 namespace bearing {
 
 namespace {
 
-// On one rank: the text of the data, and a message if there is none
-struct Text {
-  std::string complaint, label, lines;
-};
-
-Text text_of(const std::string &folder, const std::string &name)
+// Of the names set by the user with -var or in the deck, those of data
+Names given_names(const Names &set, const DataValues::Map &of_file)
 {
-  std::error_code ec;
-  const bool path = name.find('/') != std::string::npos && fs::is_regular_file(name, ec);
-  const fs::path file = path ? fs::path(name) : fs::path(folder) / name;
-  Text text;
-  const Data data = path ? find_data(file.parent_path().string(), file.filename().string())
-                         : find_data(folder, name);
-  text.complaint = data.complaint;
-  text.label = data.label;
-  if (data.commands != "include " + file.string()) {
-    text.lines = data.commands;
-  } else {
-    std::ostringstream all;
-    all << std::ifstream(file).rdbuf();
-    text.lines = all.str();
-  }
-  return text;
-}
-
-// Names set by the user with -var or in the deck that are names of data
-Names given_names(const Names &of_file)
-{
-  Names set = words_after("-var", "-v"), found;
-  set.merge(set_by_deck());
+  Names found;
   for (const std::string &name : set)
     if (of_file.count(name)) found.insert(name);
   for (const DeckVariable &v : deck_variables())
@@ -60,30 +30,35 @@ Names given_names(const Names &of_file)
 NamedData read_data(LAMMPS_NS::LAMMPS *lmp, const Arguments &args, const std::string &inputs,
                     const std::string &sort, const std::string &name)
 {
-  Text text;
-  if (is_first_rank(lmp)) text = text_of(inputs + "/" + sort, name);
+  Data text;
+  if (is_first_rank(lmp)) text = find_data(inputs + "/" + sort, name);
   const std::string complaint = agree(text.complaint, lmp->world);
   if (!complaint.empty()) args.fail(complaint);
-  NamedData data{agree(text.label, lmp->world), {}, {}};
+  NamedData data;
+  data.label = agree(text.label, lmp->world);
   const std::string lines = agree(text.lines, lmp->world);
   std::istringstream in(lines);
   for (std::string line; std::getline(in, line);) {
     std::istringstream words(line.substr(0, line.find('#')));
     std::string command, key, style, value;
-    if (!(words >> command >> key >> style) || command != "variable") continue;
-    if (style != "index" || !(words >> value))
+    if (!(words >> command)) continue;
+    if (command != "variable" || !(words >> key >> style >> value) || style != "index")
       args.fail(data.label + ": a line of data is 'variable NAME index VALUE', not '" + line + "'");
     data.values.emplace(key, value);
   }
   data.of_file = data.values;
-  Names of_file;
-  for (const auto &value : data.values) of_file.insert(value.first);
-  std::string given;
-  if (is_first_rank(lmp))
-    for (const std::string &one : given_names(of_file)) given += one + " ";
-  std::istringstream names(agree(given, lmp->world));
+  std::string given, of_deck;
+  if (is_first_rank(lmp)) {
+    const Names deck = set_by_deck();
+    Names all = words_after("-var", "-v");
+    all.insert(deck.begin(), deck.end());
+    for (const std::string &one : given_names(all, data.of_file)) given += one + " ";
+    for (const std::string &one : given_names(deck, data.of_file)) of_deck += one + " ";
+  }
+  std::istringstream names(agree(given, lmp->world)), own(agree(of_deck, lmp->world));
   for (std::string one; names >> one;)
     if (const auto value = host_variable(lmp, one)) data.values[one] = *value;
+  for (std::string one; own >> one;) data.of_deck.push_back(one);
   return data;
 }
 
@@ -99,6 +74,22 @@ std::vector<std::string> given_of(const NamedData &data, const std::vector<std::
       list.push_back(value.first + "=" + value.second);
   }
   return list;
+}
+
+std::string note_of_deck(const NamedData &data)
+{
+  std::string list;
+  for (const std::string &name : data.of_deck) {
+    const auto of_file = data.of_file.find(name);
+    if (of_file == data.of_file.end() || of_file->second == data.values.at(name)) continue;
+    const DeckVariable *const of = find_deck_variable(name);
+    if (of && !of->of_data()) continue;    // temperature, for the pair style
+    list += (list.empty() ? "" : ", ") + name + " " + data.values.at(name) + " instead of " +
+            of_file->second;
+  }
+  return list.empty() ? ""
+                      : "Data of " + data.label + " by variables of the deck: " + list +
+                            ". Rename a variable of another meaning";
 }
 
 std::vector<std::string> check_data(const Arguments &args, NamedData &data, const std::string &of)

@@ -10,17 +10,21 @@ namespace bearing {
 
 // Lines `variable NAME index VALUE` of INPUTS/SORT/NAME, of a row NAME of its tables, or of the
 // file NAME if that has a '/'. The first line of a name counts; -var and the deck's own `variable`
-// take precedence. Other lines are commands of the old decks. Collective.
+// take precedence. Collective.
 struct NamedData {
   std::string label;    // for messages
   DataValues::Map values;
-  DataValues::Map of_file;    // values of the file alone
+  DataValues::Map of_file;             // values of the file alone
+  std::vector<std::string> of_deck;    // names that the deck sets
 };
 NamedData read_data(LAMMPS_NS::LAMMPS *, const Arguments &, const std::string &inputs,
                     const std::string &sort, const std::string &name);
 
 // Data of these kinds that differ from the file's, as NAME=VALUE
 std::vector<std::string> given_of(const NamedData &, const std::vector<std::string> &kinds);
+
+// For the user: data of the file that the deck replaces; empty without any.
+std::string note_of_deck(const NamedData &);
 
 // Sets the defaults of the variables of the table that are `of` this, and checks all; error if one
 // without default is missing. The names of those set.

@@ -64,7 +64,6 @@ template <class Registry> void register_bearing_styles(Registry &add)
   add.template compute<ComputeBearingTotal>("bearing/total");
   add.template command<NameBearing>("bearing");
   add.template command<CreateBearing>("create_bearing");
-  add.template command<BearingColumns>("bearing_columns");
   add.template command<BearingDump>("bearing_dump");
   add.template command<BearingResume>("bearing_resume");
   add.template command<RunBearing>("run_bearing");

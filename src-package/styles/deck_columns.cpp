@@ -51,25 +51,6 @@ static Columns columns_of(LAMMPS *lmp, Arguments &args, const std::string &id)
 
 static std::string quoted(const std::string &words) { return '"' + words + '"'; }
 
-static void set_string(Variable *variable, std::string name, std::string value)
-{
-  std::string style = "string";
-  char *words[] = {&name[0], &style[0], &value[0]};
-  variable->set(3, words);
-}
-
-void BearingColumns::command(int narg, char **arg)
-{
-  Arguments args(lmp, "bearing_columns", narg, arg, 0);
-  const std::string id = args.word("ID of a compute or fix");
-  const std::string stem = args.more() ? args.word("stem of the variables' names") : id;
-  if (args.more()) args.unknown("none, the command ends here");
-  const Columns of = columns_of(lmp, args, id);
-  set_string(input->variable, stem + "_columns", quoted(of.names));
-  set_string(input->variable, stem + "_values", of.compute ? of.values : quoted(of.values));
-  if (of.compute) set_string(input->variable, stem + "_format", quoted(of.format));
-}
-
 void BearingDump::command(int narg, char **arg)
 {
   Arguments args(lmp, "bearing_dump", narg, arg, 0);
@@ -84,7 +65,11 @@ void BearingDump::command(int narg, char **arg)
     else args.unknown("append, columns");
   }
   const Columns of = columns_of(lmp, args, source);
-  if (!names.empty()) set_string(input->variable, names, of.names);
+  if (!names.empty()) {
+    std::string style = "string", value = of.names;
+    char *words[] = {&names[0], &style[0], &value[0]};
+    input->variable->set(3, words);
+  }
   if (of.compute) {
     input->one(
         ("dump " + id + " " + group + " local " + every + " " + file + " " + of.values).c_str());

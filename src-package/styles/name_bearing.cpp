@@ -6,6 +6,7 @@
 #include "../deck/given_variables.h"
 #include "derive_laws.h"
 #include "named_bearing.h"
+#include "print_line.h"
 
 using namespace LAMMPS_NS;
 using bearing::Arguments;
@@ -50,6 +51,8 @@ void NameBearing::command(int narg, char **arg)
   b.given = bearing::given_of(b.data, {"bearing data", "usual data"});
   for (const auto &value : own) b.data.values[value.first] = value.second;
   b.data.values.emplace("bearing", data);
+  if (const std::string note = bearing::note_of_deck(b.data); !note.empty())
+    bearing::print_line(lmp, note);
   derive(args, b);
   set_variables(b);
   bearing::keep_bearing(lmp, b);
@@ -59,28 +62,38 @@ void NameBearing::refuse_unknown(const Arguments &args, const std::string &input
 {
   std::string complaint;
   if (comm->me == 0) {
-    bearing::Names deck;
+    bearing::DeckNames deck;
     bearing::collect_deck(infile, deck);
-    bearing::Names names = deck;
+    bearing::Names names = deck.settable;
     for (const bearing::DeckVariable &v : bearing::deck_variables())
       if (v.of_data()) names.insert(v.name);
     for (const char *sort : {"/bearings", "/lubricants"})
       bearing::collect_folder(inputs + sort, names);
-    for (const std::string &set : bearing::words_after("-var", "-v")) {
+    const bearing::Names given = bearing::words_after("-var", "-v");
+    for (const std::string &set : given) {
       // the word after -v of another program, such as python, is not a variable
       const auto value = bearing::host_variable(lmp, set);
-      if (deck.empty() || !value) continue;
+      if (deck.settable.empty() || !value) continue;
       const std::string wrong = names.count(set) ? bearing::wrong_with(*value)
                                                  : ": the deck has no such variable, nearest is '" +
                                                        bearing::nearest(set, names) + "'";
       if (!wrong.empty()) complaint += (complaint.empty() ? "-var " : "; -var ") + set + wrong;
     }
     // variables of later commands: out-of-range values are found before anything runs
-    for (const std::string &name : deck) {
-      const bearing::DeckVariable *of = bearing::find_deck_variable(name);
-      if (of && of->of_one_deck() && !of->taken_by(bearing::deck_name(infile))) continue;
-      const auto value = of && complaint.empty() ? bearing::host_variable(lmp, name) : std::nullopt;
-      if (value) complaint = bearing::wrong_value(*of, *value);
+    const std::string file = bearing::deck_name(infile);
+    bool main = true;    // all variables of a main deck, which converts rpm by a formula
+    for (const bearing::DeckVariable &v : bearing::deck_variables())
+      if (v.taken_by("deck")) main = main && deck.settable.count(v.name);
+    for (const bearing::DeckVariable &v : bearing::deck_variables()) {
+      const bool ours = v.taken_by("deck") ? main : deck.passed.count(v.name) || v.taken_by(file);
+      if (!ours || !complaint.empty() || &v != bearing::find_deck_variable(v.name)) continue;
+      const auto value = bearing::host_variable(lmp, v.name);
+      const std::string wrong = value ? bearing::wrong_value(v, *value) : "";
+      if (wrong.empty()) continue;
+      complaint = wrong;
+      if (!given.count(v.name))
+        complaint += ". It is variable " + std::string(v.name) +
+                     " of the deck: rename one of another meaning";
     }
   }
   complaint = bearing::agree(complaint, world);
@@ -97,7 +110,7 @@ void NameBearing::derive(const Arguments &args, NamedBearing &b)
       const std::string wrong = bearing::wrong_value(*bearing::find_deck_variable(key), at->second);
       if (!wrong.empty()) args.fail(b.data.label + ": " + wrong);
     }
-  DataValues values(lmp, args, map, b.data.label);
+  DataValues values(args, map, b.data.label);
   const bearing::DeriveLaws laws = bearing::data_laws();
   const bool usual = map.count("pitch_diameter") && !map.count("inner_radius");
   if (usual || map.count("inner_conformity")) {

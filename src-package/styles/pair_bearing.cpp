@@ -2,10 +2,12 @@
 #include "pair_bearing.h"
 
 #include "../core/settings/arguments.h"
+#include "../core/settings/deck_variable_table.h"
 #include "../core/settings/written.h"
 #include "../deck/find_data.h"
 #include "derive_laws.h"
 #include "named_bearing.h"
+#include "print_line.h"
 
 #include <algorithm>
 #include <sstream>
@@ -104,7 +106,7 @@ bearing::OilWords PairBearing::read_oil(const Arguments &args, const std::string
   if (follows) {
     const std::vector<std::string> more = check_data(args, oil, "oil over temperature");
     assumed.insert(assumed.end(), more.begin(), more.end());
-    bearing::DataValues values(lmp, args, oil.values, oil.label);
+    bearing::DataValues values(args, oil.values, oil.label);
     bearing::data_laws().at(vogel ? "vogel" : "walther")(values);
   } else if (const auto at = oil.of_file.find("temperature");
              at != oil.of_file.end() && args.number_in(at->second, "temperature") != t)
@@ -113,14 +115,13 @@ bearing::OilWords PairBearing::read_oil(const Arguments &args, const std::string
   const std::vector<std::string> more = check_data(args, oil, "oil data");
   assumed.insert(assumed.end(), more.begin(), more.end());
   assumed_.clear();
-  const bool thins = choice_.models != "paper" && choice_.models != "none",
-             eyring = choice_.models == "eyring" || !own_model_.empty();
-  for (const std::string &constant : assumed) {
-    const bool unused =
-        constant == "oil_heat_capacity" || (constant == "oil_conductivity" && !thins) ||
-        ((constant == "eyring_stress" || constant == "limiting_traction") && !eyring);
-    if (!unused)
+  const std::string models = own_model_.empty() ? choice_.models : "file";
+  for (const std::string &constant : assumed)
+    if (bearing::find_deck_variable(constant)->taken_by_models(models))
       assumed_ += (assumed_.empty() ? "" : ",") + constant + "=" + oil.values.at(constant);
+  if (const std::string note = bearing::note_of_deck(oil); note != noted_) {
+    noted_ = note;
+    bearing::print_line(lmp, note);
   }
   return oil.values;
 }

@@ -73,6 +73,7 @@ class PairBearing : public PairBearingHertz {
   bearing::ModelChoice choice_;
   std::string own_model_;    // keywords of a file of models
   std::vector<std::string> given_;
+  std::string noted_;    // printed note on data that the deck sets
   std::string assumed_;
   std::vector<Coeff> coeffs_;
   bool replays_ = false;    // commands of a restart file

@@ -7,6 +7,7 @@ import re
 import numpy as np
 import pytest
 from host import BOX, FORMATS, run, succeed
+from raceway import core
 
 HOSTS = pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])
 RACEWAYS = """pair_style bearing/hertz friction constant 0.1
@@ -75,11 +76,9 @@ def test_one_command_for_new_and_resumed_runs(tmp_path, host, resumed):
 
 
 BY_HAND = """
-bearing_columns contact
-bearing_columns inner
-dump contacts balls local 2 OUT.contacts ${contact_values}
-dump_modify contacts append APPEND FORMAT ${contact_format}
-fix rings all print 2 ${inner_values} FILE OUT.rings screen no title TITLE
+dump contacts balls local 2 OUT.contacts c_contact[1] c_contact[2]
+dump_modify contacts append APPEND FORMAT "%.0f %.12g"
+fix rings all print 2 "VALUES" FILE OUT.rings screen no title TITLE
 """
 AT_ONCE = """
 bearing_dump contacts balls 2 OUT.contacts contact append APPEND columns names
@@ -94,7 +93,11 @@ def test_dump(tmp_path, host):
     first = BOX + RACEWAYS + CREATE + " groups yes\n" + MOVE
     first += "compute contact balls bearing/contact ball load\n"
     said = {}
-    words = {"FORMAT": FORMATS.get(host, "format"), "FILE": "file", "TITLE": "${inner_columns}"}
+    names = [row["name"] for row in core.table("columns")["fix_ring"]]
+    names = names[: names.index("torque") + 1]  # not the loads, which the deck knows
+    values = ["$(step)", "$(step*dt)", *(f"$(f_inner[{k + 1}])" for k in range(len(names)))]
+    words = {"FORMAT": FORMATS.get(host, "format"), "VALUES": " ".join(values), "FILE": "file"}
+    words["TITLE"] = f'"# step time {" ".join(names)}"'
     more_words = {**words, "FILE": "append", "TITLE": "none"}
     for name, text in (("hand", BY_HAND), ("once", AT_ONCE)):
         new, more = text.replace("APPEND", "no"), text.replace("APPEND", "yes")

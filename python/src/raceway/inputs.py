@@ -310,16 +310,14 @@ def fluid(path: FilePath, temperature: float | None = None) -> Fluid:
 def assumed(path: FilePath, models: str | None = None) -> dict[str, float]:
     """Constants of an oil that its file does not have, by name, with the defaults by which decks
     and statics replace them; with `models` only those that these take. Raises `InputError`."""
-    data, over = values(path), physical(path)
-    unused = {"oil_heat_capacity"} if models else set()
-    unused |= {"oil_conductivity"} if models == "paper" else set()
-    unused |= {"eyring_stress", "limiting_traction"} if models not in (None, "eyring") else set()
-    others = {"pressure_viscosity", "permittivity"}  # of an oil at one temperature
+    data, over, table = values(path), physical(path), variable_table.oil()
     return {
         name: float(row["default"])
-        for name, row in variable_table.oil().items()
-        if name not in data.keys() | unused
-        and (over if row["of"] == "oil over temperature" else not (over and name in others))
+        for name, row in table.items()
+        if name not in data
+        and (models is None or not row["models"] or models in row["models"].split())
+        # of an oil over temperature, or of one at a single temperature
+        and (over if row["of"] == "oil over temperature" else not (over and f"{name}_40" in table))
     }
 
 

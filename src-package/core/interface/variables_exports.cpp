@@ -11,8 +11,9 @@ extern "C" const char *variables_json()
   const auto &table = bearing::deck_variables();
   for (const bearing::DeckVariable &v : table)
     json.add("  {\"name\": \"%s\", \"default\": \"%s\", \"unit\": \"%s\", \"range\": \"%s\",\n"
-             "   \"of\": \"%s\", \"meaning\": \"%s\"}%s\n",
-             v.name, v.initial, v.unit, v.range, v.of, v.meaning, &v == &table.back() ? "" : ",");
+             "   \"of\": \"%s\", \"meaning\": \"%s\", \"models\": \"%s\"}%s\n",
+             v.name, v.initial, v.unit, v.range, v.of, v.meaning, v.models,
+             &v == &table.back() ? "" : ",");
   json.add("]\n");
   return json.text.c_str();
 }

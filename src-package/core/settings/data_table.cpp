@@ -72,14 +72,6 @@ std::set<std::string> DataTable::variables() const
   return found;
 }
 
-std::set<std::string> DataTable::variables(const std::string &name) const
-{
-  std::set<std::string> found;
-  for (const std::string &line : commands(name)) found.insert(variable_of(line));
-  found.erase("");
-  return found;
-}
-
 std::vector<std::string> DataTable::commands(const std::string &name) const
 {
   std::vector<std::string> found;

@@ -20,7 +20,6 @@ class DataTable {
   std::set<std::string> names() const;                           // of the rows
   std::set<std::string> variables() const;                       // of all rows
   bool has(const std::string &name) const { return rows_.count(name) > 0; }
-  std::set<std::string> variables(const std::string &name) const;      // of one row
   std::vector<std::string> commands(const std::string &name) const;    // as in a file
 
  private:

@@ -8,6 +8,9 @@
 
 namespace bearing {
 
+static const char *const moves =
+    "bearing/implicit|bearing/damping|bearing/vibration|bearing/verlet";
+
 // Styles as in a deck: `bearing/ring` is fix bearing/ring. A head variable of the main deck belongs
 // to the style of its keyword.
 const std::vector<DeckVariable> &deck_variables()
@@ -138,20 +141,14 @@ const std::vector<DeckVariable> &deck_variables()
        "largest change of a temperature in a jump"},
       {"warm_error", "0.5", "K", "1.0e-3 20", "bearing/heat",
        "error of temperatures that a jump may leave"},
-      {"tolerance", "0", "m", "1.0e-13 1.0e-5 or 0",
-       "bearing/implicit|bearing/damping|bearing/vibration|bearing/verlet",
+      {"tolerance", "0", "m", "1.0e-13 1.0e-5 or 0", moves,
        "position error of a substep; 0: automatic"},
-      {"relative_tolerance", "", "", "0 1.0e-2",
-       "bearing/implicit|bearing/damping|bearing/vibration|bearing/verlet",
+      {"relative_tolerance", "", "", "0 1.0e-2", moves,
        "the same relative to the largest overlap: 2e-4 without a tolerance, otherwise 0"},
-      {"cage_tolerance", "", "m", "1.0e-13 1.0e-3 or 0",
-       "bearing/implicit|bearing/damping|bearing/vibration|bearing/verlet",
+      {"cage_tolerance", "", "m", "1.0e-13 1.0e-3 or 0", moves,
        "the same for cage balls: 1, 100 or 1000 times as much, depending on the models"},
-      {"step_error", "1", "", "1 100",
-       "bearing/implicit|bearing/damping|bearing/vibration|bearing/verlet",
-       "largest accepted error of a substep, in tolerances"},
-      {"step_control", "", "", "one_of bound estimate",
-       "bearing/implicit|bearing/damping|bearing/vibration|bearing/verlet",
+      {"step_error", "1", "", "1 100", moves, "largest accepted error of a substep, in tolerances"},
+      {"step_control", "", "", "one_of bound estimate", moves,
        "substeps and corrections by bounds or estimates of their errors: by the models"},
       {"sampling", "48000", "Hz", "1.0e3 1.0e6", "bearing/vibration",
        "sampling rate of the signal"},
@@ -195,13 +192,15 @@ const std::vector<DeckVariable> &deck_variables()
       // Oils. Defaults are of mineral oils; effects are those in a 6208 with vg46 at 70 C under
       // 1 to 5 kN at 100 to 6000 rpm.
       {"oil_conductivity", "0.14", "W/(m K)", "1.0e-3 100", "oil constant",
-       "thermal conductivity; 20 % more thicken the film by 0 to 1 %, torque changes less"},
+       "thermal conductivity; 20 % more thicken the film by 0 to 1 %, torque changes less",
+       "film full eyring file"},
       {"oil_heat_capacity", "1950", "J/(kg K)", "1 1.0e5", "oil constant",
-       "heat capacity; no figure depends on it"},
+       "heat capacity; no figure depends on it", "-"},
       {"eyring_stress", "5.0e6", "Pa", "1.0e4 1.0e9", "oil constant",
-       "Eyring's stress, of models eyring; 20 % more add 0.4 to 6 % to the torque"},
+       "Eyring's stress, of models eyring; 20 % more add 0.4 to 6 % to the torque", "eyring file"},
       {"limiting_traction", "0.047", "", "1.0e-4 1", "oil constant",
-       "limiting shear stress over pressure, of models eyring; no effect below that limit"},
+       "limiting shear stress over pressure, of models eyring; no effect below that limit",
+       "eyring file"},
       {"oil_density_slope", "0.6", "kg/(m^3 K)", "0 10", "oil over temperature",
        "density lost per K; 20 % more thin the film by 0.3 % at 70 C"},
       {"pressure_viscosity_40", "22.5e-9", "1/Pa", "1.0e-10 1.0e-6", "oil over temperature",
@@ -255,6 +254,11 @@ bool DeckVariable::of_data() const
   return false;
 }
 
+bool DeckVariable::taken_by_models(const std::string &name) const
+{
+  return !*models || (" " + std::string(models) + " ").find(" " + name + " ") != std::string::npos;
+}
+
 bool DeckVariable::of_one_deck() const { return std::string(of).compare(0, 3, "in.") == 0; }
 
 const DeckVariable *find_deck_variable(const std::string &name, const std::string &of)
@@ -262,13 +266,6 @@ const DeckVariable *find_deck_variable(const std::string &name, const std::strin
   for (const DeckVariable &v : deck_variables())
     if (v.name == name && (of.empty() || v.taken_by(of))) return &v;
   return nullptr;
-}
-
-std::set<std::string> deck_variable_names()
-{
-  std::set<std::string> names;
-  for (const DeckVariable &v : deck_variables()) names.insert(v.name);
-  return names;
 }
 
 static std::string wrong_word(const DeckVariable &v, const std::string &value, std::istream &words)

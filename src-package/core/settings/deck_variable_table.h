@@ -4,7 +4,6 @@
 #ifndef BEARING_DECK_VARIABLE_TABLE_H
 #define BEARING_DECK_VARIABLE_TABLE_H
 
-#include <set>
 #include <string>
 #include <vector>
 
@@ -17,16 +16,18 @@ struct DeckVariable {
   const char *range;      // "LO HI", "LO HI whole", "LO HI or V", "one_of A B ..."; "": any words
   const char *of;         // commands and styles that take it, a kind of data, or one deck
   const char *meaning;
+  // of a constant of an oil: the models that take it, `file` for a file of keywords; "": all
+  const char *models = "";
 
   std::string label() const;    // name and unit, for messages
   bool taken_by(const std::string &command) const;
   bool of_one_deck() const;    // `of` is the name of its file
   bool of_data() const;        // of a bearing or an oil, in data files
+  bool taken_by_models(const std::string &) const;
 };
 
 const std::vector<DeckVariable> &deck_variables();
 const DeckVariable *find_deck_variable(const std::string &name, const std::string &of = "");
-std::set<std::string> deck_variable_names();
 
 // Reason why a variable cannot have this value; "" if it can.
 std::string wrong_value(const DeckVariable &, const std::string &value);

@@ -11,8 +11,9 @@ DATA = {"bearing data", "usual data", *OIL}
 
 
 def rows() -> list[dict[str, Any]]:
-    """{"name", "default", "unit", "range", "of", "meaning"} of each; `of` names the commands that
-    take it, joined by |, or the kind of data."""
+    """{"name", "default", "unit", "range", "of", "meaning", "models"} of each; `of` names the
+    commands that take it, joined by |, or the kind of data, `models` those that take a constant of
+    an oil, "" for all."""
     return core.table("variables")
 
 
