@@ -253,7 +253,7 @@ def uninstall(host, tree):
     try:
         take_out(src, manifest, patches)
     except OSError as error:
-        raise Refused(f"{error}; make uninstall-tree again goes on where this stopped") from None
+        raise Refused(f"{error}; repeat make uninstall-tree to continue") from None
     print(
         f"Raceway is out of {tree}. Objects and programs that were built are left"
         f" ({host.hint(tree)[1]})."

@@ -243,8 +243,8 @@ static void leave_difference(std::string &one, std::string &other)
   while (first < shorter && words[0][first] == words[1][first]) ++first;
   while (last < shorter - first && words[0].end()[-1 - last] == words[1].end()[-1 - last]) ++last;
   for (int k = 0; k < 2; ++k) {
-    // the keyword before the first difference, if it is not the command itself
-    const size_t from = first > 4 ? first - 1 : 0;
+    // from a few words before the first difference, if they are not the command itself
+    const size_t from = first > 6 ? first - 3 : 0;
     const size_t end = words[k].size() - last, to = std::min(end, from + longest_difference);
     *lines[k] = from ? words[k][0] + " ..." : "";
     for (size_t n = from; n < to; ++n) *lines[k] += (lines[k]->empty() ? "" : " ") + words[k][n];

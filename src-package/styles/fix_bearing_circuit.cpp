@@ -215,7 +215,7 @@ void FixBearingCircuit::sample()
               " has other balls than at the sample before");
     if (update->ntimestep < last_step_ || update->dt != dt_)
       BRG_ALL(bearing::name_of(*this) +
-              ": steps must be consecutive and the time step constant: step " +
+              ": the step must not go back, nor the time step change: step " +
               std::to_string(last_step_) + " with " + bearing::text(dt_) + " s, then step " +
               std::to_string(update->ntimestep) + " with " + bearing::text(update->dt) + " s");
     for (int k = 1; k < settings_.within; ++k) {

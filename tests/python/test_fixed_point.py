@@ -68,7 +68,7 @@ def test_weights():
 
 
 def test_reach():
-    """Where residuals do not change, it goes on along them, as far as it may."""
+    """Where residuals do not change, it continues along them, as far as allowed."""
     step = np.array([1e-3, -2e-3, 0.0])
     starts, said = search(lambda x: x + step, np.zeros(3), 3, reach=0.5)
     for k in (2, 3):

@@ -16,6 +16,8 @@ PHRASES = (
     "un" + "asked",
     "is no " + "number",
     "as it" + " were",
+    "goes" + " on",
+    "go" + " on from",
 )
 
 
