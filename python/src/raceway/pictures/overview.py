@@ -15,6 +15,8 @@ from raceway.runs.tables import RunTables
 from raceway.theory.bearing import INNER, OUTER
 from raceway.units import axis, prefixed
 
+PARTS = 3  # of the friction torque with a colour of their own: as many as the legend has room for
+
 
 def overview(tables: RunTables, path: FilePath) -> None:
     """Draw the run `tables` to the PNG `path`: loads, friction torque by its parts or pressures,
@@ -82,14 +84,16 @@ def _subtitle(figures):
 
 
 def _torque(axes, tables, scale):
-    """Power lost by part times `scale`, one over the speed; parts below a hundredth together."""
+    """Power lost by part times `scale`, one over the speed; the others than the
+    largest `PARTS`, and those below a hundredth, together."""
     samples = np.arange(len(tables.totals))
     lost = {name: tables.totals[key] for name, key in LOSSES.items() if key in tables.totals}
     # the cage's is known at the ends of steps only
     full = {name: values.interpolate(limit_direction="both") for name, values in lost.items()}
     lost = {name: scale * values.to_numpy(float) for name, values in full.items()}
     whole = sum(lost.values())
-    large = {name: v for name, v in lost.items() if v.mean() > 0.01 * whole.mean()}
+    order = sorted(lost, key=lambda name: -lost[name].mean())[:PARTS]
+    large = {name: lost[name] for name in order if lost[name].mean() > 0.01 * whole.mean()}
     if len(large) < len(lost):
         large["other"] = np.maximum(whole - sum(large.values()), 0.0)
     factor, unit = axis(whole.max(), "N m")
