@@ -11,9 +11,11 @@ from raceway.cli import _parser, main
 
 twin = test_compare.run  # a run long enough for an envelope
 
-UNITS = "m m2 kg s h rad deg rpm Hz N Pa F V A J W K C ohm Mrev order SI"
+UNITS = "m m2 kg s h rad deg rpm Hz N Pa F V A J W K C ohm Mrev order"
+# their entries have units of their own (docs/static)
+MATRIX = "^(stiffness|damping|place)(_|$)"
 # a unit at the end, or several of one compound: _rad_s, _N_m_rad, _kg_m2
-NAMED = re.compile(f"_(per_)?({'|'.join(UNITS.split())})$|^rpm(_|$)")
+NAMED = re.compile(f"_(per_)?({'|'.join(UNITS.split())})$|^rpm(_|$)|{MATRIX}")
 # numbers without a unit: counts, shares, ratios and factors
 PLAIN = set(
     """passes load_parameter lambda lambda_inner lambda_outer permittivity loaded_balls

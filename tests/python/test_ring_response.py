@@ -101,10 +101,10 @@ def test_static_prints_it(capsys):
     shape = ["static", "--load", "1500", "--axial", "2500", "--clearance", "20e-6", "--json"]
     assert main([*shape, "--rpm", "1910", "--lubricant", "mineral"]) == 0
     found = json.loads(capsys.readouterr().out)
-    matrix = np.array(found["damping_SI"])
+    matrix = np.array(found["damping"])
     assert matrix.shape == (5, 5) and np.all(np.diag(matrix) > 0)
     assert found["damping_x_N_s_m"] == matrix[0, 0]
     assert np.linalg.eigvalsh(matrix)[0] > -1e-12 * matrix.max()
     assert found["damping_law"] == ring_response.LAWS["full"]
     assert main(shape) == 0
-    assert json.loads(capsys.readouterr().out)["damping_SI"] is None
+    assert json.loads(capsys.readouterr().out)["damping"] is None

@@ -58,7 +58,7 @@ def test_figures_are_the_library_s(capsys):
     assert [ball["q_inner_N"] for ball in found["balls"]] == state.inner.load.tolist()
     assert [ball["h_min_outer_m"] for ball in found["balls"]] == films.outer.h_min.tolist()
     assert found["capacitance_F"] == films.total and found["orbital_speed_rad_s"] == orbit
-    assert np.array(found["stiffness_SI"]).shape == (5, 5)
+    assert np.array(found["stiffness"]).shape == (5, 5)
     assert found["support_x_N"] is None
 
 

@@ -124,7 +124,7 @@ def test_deck_with_an_unbalanced_shaft(tmp_path):
         assert abs(met) == pytest.approx(force + 4 * speed**2 * abs(whirl), rel=0.01)
         assert math.cos(np.angle(met) - np.angle(whirl)) < -0.99
     words = "--bearing 6208 --load 500 --clearance -20e-6".split()
-    stiff = np.array(statics(*words)["stiffness_SI"])[:2, :2].diagonal().mean()
+    stiff = np.array(statics(*words)["stiffness"])[:2, :2].diagonal().mean()
     assert abs(whirl) == pytest.approx(force / (stiff - 4 * speed**2), rel=0.05)
 
 

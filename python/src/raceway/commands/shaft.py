@@ -184,7 +184,7 @@ def figures(case: Any, rest: Any, folder: str | None, cleanliness: str) -> dict[
             q_max_N=float(largest),
             p_max_Pa=float(pressure),
             static_safety=float(life.static_safety(pressure)) if pressure else None,
-            stiffness_SI=state.stiffness.tolist(),
+            stiffness=state.stiffness.tolist(),
         )
         if rated is not None and largest > 0:
             found = life.of_loads(
@@ -213,7 +213,7 @@ def figures(case: Any, rest: Any, folder: str | None, cleanliness: str) -> dict[
         lubricant=case.lubricant,
         bearings=bearings,
         z_m=rest.z.tolist(),
-        place_SI=rest.place.tolist(),
+        place=rest.place.tolist(),
         residual=rest.residual,
         rigid=rigid_figures(rigid),
         frequencies_Hz=(frequencies / (2 * math.pi)).tolist(),
@@ -255,8 +255,8 @@ def table(result: dict[str, Any]) -> str:
     text = ["Bearings", *_block(rows), "", "Shaft"]
     rows = [["z", "x", "y", "z", "tilt x", "tilt y"]]
     units = ("m", "m", "m", "rad", "rad")
-    least = _noise(pair for place in result["place_SI"] for pair in zip(place, units))
-    for z, place in zip(result["z_m"], result["place_SI"]):
+    least = _noise(pair for place in result["place"] for pair in zip(place, units))
+    for z, place in zip(result["z_m"], result["place"]):
         rows.append([prefixed(z, "m"), *(_cell(*pair, least) for pair in zip(place, units))])
     body = result["rigid"]
     modes = [
@@ -287,7 +287,7 @@ def over_speed(results: list[dict[str, Any]]) -> str:
     heads = [f"{name} {entry}" for name in names for entry in ("kxx", "kyy")]
     rows = [["rpm", *heads, *(f"mode {k}" for k in range(1, SHOWN + 1))]]
     for one in results:
-        matrices = [carried["stiffness_SI"] for carried in one["bearings"]]
+        matrices = [carried["stiffness"] for carried in one["bearings"]]
         stiff = [matrix[axis][axis] for matrix in matrices for axis in (0, 1)]
         modes = [prefixed(mode["frequency_Hz"], "Hz") for mode in one["modes"]]
         modes += ["-"] * (SHOWN - len(modes))

@@ -254,7 +254,7 @@ def as_mapping(points: Sequence[Point]) -> dict[str, Any]:
     for one in points:
         row: dict[str, Any] = dict(rpm=one.rpm, load_N=one.load, axial_N=one.axial)
         for word, part in zip(("", "_least", "_most"), one.over):
-            row[f"stiffness{word}_SI"], row[f"damping{word}_SI"] = (m.tolist() for m in part)
+            row[f"stiffness{word}"], row[f"damping{word}"] = (m.tolist() for m in part)
         rows.append(row)
     return dict(order=list(FREEDOMS), points=rows)
 

@@ -118,7 +118,7 @@ def figures(
         models=models,
         friction_torque_N_m=None,
         losses_W=None,
-        damping_SI=None,
+        damping=None,
         load_N=load,
         axial_N=axial,
         moment_x_N_m=moment[0],
@@ -357,7 +357,7 @@ def _ring(state, load, axial, moment, held, play, reach):
         stiffness_x_N_m=state.stiffness[0, 0],
         stiffness_z_N_m=state.stiffness[2, 2],
         stiffness_ry_N_m_rad=state.stiffness[4, 4],
-        stiffness_SI=state.stiffness.tolist(),
+        stiffness=state.stiffness.tolist(),
         residual_N=state.residual,
     )
     return result
@@ -369,7 +369,7 @@ def _damping(body, state, films, oil, models, play):
     return dict(
         damping_x_N_s_m=matrix[0, 0],
         damping_z_N_s_m=matrix[2, 2],
-        damping_SI=matrix.tolist(),
+        damping=matrix.tolist(),
         damping_law=ring_response.LAWS[models],
     )
 
