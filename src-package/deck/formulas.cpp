@@ -10,15 +10,20 @@ using namespace LAMMPS_NS;
 
 namespace bearing {
 
-// The hosts evaluate formulas, but no function of theirs returns the text of one. An explicit
-// instantiation may name a private member.
+// The hosts evaluate formulas, but no function of theirs returns the text of one, or the style of a
+// variable. An explicit instantiation may name private members.
 typedef char ***Variable::*Texts;
+typedef int *Variable::*Styles;
 Texts texts_of_variables();
+Styles styles_of_variables();
 
-template <Texts member> struct Opened {
-  friend Texts texts_of_variables() { return member; }
+template <Texts texts, Styles styles> struct Opened {
+  friend Texts texts_of_variables() { return texts; }
+  friend Styles styles_of_variables() { return styles; }
 };
-template struct Opened<&Variable::data>;
+template struct Opened<&Variable::data, &Variable::style>;
+
+constexpr int INDEX_STYLE = 0, STRING_STYLE = 5;    // in variable.cpp or variable.h of all hosts
 
 static bool in_name(char c) { return isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
@@ -29,9 +34,9 @@ static std::string text_of(LAMMPS *lmp, const std::string &name)
   char *own = const_cast<char *>(name.c_str());
   const int k = all.find(own);
   if (k < 0) return "";
-  const bool formula = all.equalstyle(k) || all.atomstyle(k);
-  const char *text = formula ? (all.*texts_of_variables())[k][0] : all.retrieve(own);
-  return text ? text : "";
+  if (all.equalstyle(k) || all.atomstyle(k)) return (all.*texts_of_variables())[k][0];
+  const int style = (all.*styles_of_variables())[k];
+  return style == INDEX_STYLE || style == STRING_STYLE ? all.retrieve(own) : "";
 }
 
 static void add(LAMMPS *lmp, const std::string &text, std::set<std::string> &seen,

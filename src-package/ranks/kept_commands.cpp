@@ -30,6 +30,8 @@ void write_commands(FILE *fp, const Commands &commands)
   }
 }
 
+constexpr int MOST = 1000000;    // commands, words of one, characters of a word
+
 // Layout of the file, 0 for none; negative if it ends early
 static int read_layout(FILE *fp, MPI_Comm world, int rank)
 {
@@ -51,10 +53,12 @@ std::string read_commands(FILE *fp, MPI_Comm world, Commands &commands)
            ", it was written by another build of Raceway; this program reads layout " +
            std::to_string(RESTART_LAYOUT) +
            ". Continue the run with the build that began it, or start it anew";
-  if (layout < 0) return ENDS_EARLY;
+  if (layout < 0) return CUT_OR_DAMAGED;
   const auto number = [&] {
     int n = 0;
-    if (rank == 0 && whole && fread(&n, sizeof(int), 1, fp) != 1) whole = n = 0;
+    if (rank == 0 && whole && fread(&n, sizeof(int), 1, fp) != 1) whole = 0;
+    if (n < 0 || n > MOST) whole = 0;
+    if (!whole) n = 0;
     MPI_Bcast(&n, 1, MPI_INT, 0, world);
     return n;
   };
@@ -68,7 +72,7 @@ std::string read_commands(FILE *fp, MPI_Comm world, Commands &commands)
     }
   }
   MPI_Bcast(&whole, 1, MPI_INT, 0, world);
-  return whole ? "" : ENDS_EARLY;
+  return whole ? "" : CUT_OR_DAMAGED;
 }
 
 }    // namespace bearing

@@ -14,7 +14,7 @@ namespace bearing {
 // of these bytes; a file without a number is of a build before 2.
 constexpr int RESTART_LAYOUT = 2;
 
-constexpr const char *ENDS_EARLY = "the restart file ends early";
+constexpr const char *CUT_OR_DAMAGED = "the restart file ends early or is damaged";
 
 using Commands = std::vector<std::vector<std::string>>;    // their words
 

@@ -273,7 +273,7 @@ void PairBearingHertz::read_restart BRG_READ_RESTART_SIG
   }
   bearing::SimulatedTime::State time;
   if (comm->me == 0 && fread(&time, sizeof time, 1, fp) != 1)
-    BRG_ONE(std::string("pair_style bearing: ") + bearing::ENDS_EARLY);
+    BRG_ONE(std::string("pair_style bearing: ") + bearing::CUT_OR_DAMAGED);
   MPI_Bcast(&time, sizeof time, MPI_BYTE, 0, world);
   time_.read(*update, time);
 }
