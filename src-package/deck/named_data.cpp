@@ -4,6 +4,7 @@
 #include "../core/settings/data_table.h"
 #include "../core/settings/deck_variable_table.h"
 #include "agree.h"
+#include "bearing_compat.h"
 #include "find_data.h"
 #include "given_variables.h"
 

@@ -2,6 +2,7 @@
 #include "named_bearing.h"
 
 #include "../deck/find_data.h"
+#include "bearing_compat.h"
 
 namespace bearing {
 
