@@ -102,6 +102,8 @@ def run_session(page, folder):
     Console lines after "$ " are commands of `.venv/bin`, what follows has to be in what they print,
     in that order."""
     paths = dict(os.environ, PATH=f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}")
+    # containers run as root, which Open MPI otherwise refuses
+    paths |= dict.fromkeys(("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"), "1")
     for number, (kind, block) in enumerate(session(page), 1):
         transcript = block.startswith("$ ")
         commands = (

@@ -13,7 +13,8 @@ from raceway.sweeps import host_program
 def program(text: str) -> list[str]:
     """Words of the program; if the default is not here, those of the program that
     `host_program.find` finds. Raises `RacewayError` if there is none."""
-    absent = text == str(host_program.LIGGGHTS) and not host_program.LIGGGHTS.is_file()
+    usual = host_program.BUILT["liggghts"]
+    absent = text == str(usual) and not usual.is_file()
     return host_program.find() if absent else host_program.words(text)
 
 

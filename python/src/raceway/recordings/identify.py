@@ -83,7 +83,7 @@ def identify(readings: Readings) -> Found:
     for k, name in enumerate(names):
         one = interval.of(lambda place, k=k: float(place[k]))
         span = [search.value(name, min(max(share, 0.0), 1.0)) for share in one]
-        values[name] = Value(*span, not weak[k])
+        values[name] = Value(*span, one[2] - one[1] <= 2 * TWO_SIDED * OPEN * UNIFORM)
     predicted = search.predicted(best)
     return Found(
         values,
