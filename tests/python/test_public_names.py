@@ -92,6 +92,8 @@ def test_hints_name_types_that_are():
         "Readings": Readings,
         "Found": Found,
         "Comparison": Comparison,
+        "Equilibrium": raceway.static.Equilibrium,
+        "Lubrication": raceway.lubrication.Lubrication,
         "xr": xarray,
     }
     functions = [one for name in MODULES for _, one in public(importlib.import_module(name))]

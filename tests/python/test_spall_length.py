@@ -83,7 +83,7 @@ def test_the_other_ring_hears_it_later(bearing):
     ],
 )
 def test_mistakes_of_a_spall(bearing, words, says):
-    given = {"lengths": 1e-3, "spin": SPIN, "load": LOAD, "ring_mass": 0.2, **words}
+    given = {"lengths": 1e-3, "speed": SPIN, "load": LOAD, "ring_mass": 0.2, **words}
     with pytest.raises(ValueError, match=says):
         spall.seconds_to_blow(bearing, OUTER, **given)
 
