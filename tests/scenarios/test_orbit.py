@@ -37,21 +37,6 @@ def test_figures_are_those_of_a_settled_run(scene, settle, share, tmp_path):
     assert evaluations(tmp_path / "orbit") < share * evaluations(tmp_path / str(settle))
 
 
-def test_auto_applies_the_loads_in_coarse_steps(tmp_path):
-    """Fine steps follow a vibration of the loads that the measurement does not have: at half the
-    evaluations the figures are as near to those of a long run as `settled` asks for."""
-    scene = {**FULL, "load": 4830, "rpm": 109, "tolerance": 1e-10, "relative_tolerance": 0}
-    for settle in (1, "auto", 20):
-        succeed(DECK, out=tmp_path / str(settle), settle=settle, **scene)
-    runs = [raceway.open(tmp_path / how) for how in ("auto", "20")]
-    found, want = (one.summary() for one in runs)
-    for name in ("friction_torque_N_m", "cage_speed_rad_s", "h_min_m", "capacitance_F"):
-        assert found[name] == pytest.approx(want[name], rel=1e-2), name
-    loads = [float(one.contacts["load"].sum(["ball", "raceway"]).mean()) for one in runs]
-    assert loads[0] == pytest.approx(loads[1], rel=1e-3)
-    assert evaluations(tmp_path / "auto") < 0.5 * evaluations(tmp_path / "1")
-
-
 @pytest.mark.parametrize(
     "words, why",
     [

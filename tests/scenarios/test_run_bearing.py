@@ -239,7 +239,7 @@ def test_stopped_while_it_settles(scene, at, tmp_path):
         ),
         ({"settle": -1}, "ball passes to settle is -1, must be from 0 to"),
         ({"more": "step 1.0"}, r"step \(s\) is 1, must be from 1e-09 to 0.001, or 0"),
-        ({"more": "stepp 1"}, "'stepp'; known: settle, passes"),
+        ({"more": "stepp 1"}, "'stepp'; did you mean 'step'"),
         ({"rpm": 0}, "no ring turns, so balls do not pass"),
         ({"samples": 0}, "samples in a ball pass is 0, must be"),
     ],
