@@ -47,18 +47,22 @@ def test_heat_balances(warm):
     assert float(end["power"]) == pytest.approx(carried, abs=0.05 * cooling + 1e-3 * carried)
 
 
-def test_work_of_the_drive_is_the_heat(warm):
+def test_work_of_the_drive_is_the_heat(warm, tmp_path):
     """Torque of the inner ring times its speed, minus the balls' gain of kinetic energy, over the
-    measured passes: the cage makes balls speed up and slow down."""
-    rings, balls, said = warm.rings, warm.balls, warm.summary()
+    measured passes: the cage makes balls speed up and slow down. Iterations end when the torque at
+    an instant is that which moved the balls; at the defaults both differ by up to 1.3e-3."""
+    succeed("inputs/in.6208", heat="yes", out=tmp_path, tolerance=1e-10, **POINT)
+    fine = raceway.open(tmp_path)
+    rings, balls, said = fine.rings, fine.balls, fine.summary()
     work = abs(float((rings["torque"] * rings["spin"]).mean()))
-    mass, radius = warm.settings["ball_mass_kg"], warm.geometry.ball_radius
+    mass, radius = fine.settings["ball_mass_kg"], fine.geometry.ball_radius
     moving = sum(
         0.5 * mass * balls[f"v{k}"] ** 2 + 0.2 * mass * radius**2 * balls[f"omega{k}"] ** 2
         for k in "xyz"
     ).sum("ball")
     gained = float(moving[-1] - moving[0]) / float(balls["time"][-1] - balls["time"][0])
-    assert work - gained == pytest.approx(said["power_loss_W"], rel=1e-3)
+    assert work - gained == pytest.approx(said["power_loss_W"], rel=2e-4)
+    said = warm.summary()
     last = warm.heat["power"][-8:].to_numpy()  # single ball passes, which scatter
     error = 3 * last.std(ddof=1) / np.sqrt(len(last))
     assert last.mean() == pytest.approx(said["power_loss_W"], abs=error)
