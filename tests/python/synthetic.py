@@ -31,7 +31,6 @@ OIL = {
     "pressure_viscosity_per_Pa": 22e-9,
     "permittivity": 2.2,
     "roughness_m": 1.5e-7,
-    "temperature_C": 40.0,
 }
 
 
@@ -96,7 +95,7 @@ def run(
         "load_azimuth_rad": load_azimuth,
         "sample_s": sample_s,
         "samples_per_pass": samples_per_pass,
-        **(oil or {}),
+        **({**oil, "temperature_C": 40.0} if oil else {}),
         "contact_columns": " ".join(LUBRICATED if oil else MECHANICAL),
         "inner_ring": inner_ring,
         "outer_ring": outer_ring,
