@@ -10,8 +10,8 @@
 
 namespace bearing {
 
-// What the package writes to restart files, all its classes together. It goes up with every change
-// of these bytes; a file without a number is of a build before 2.
+// Layout of the package's data in restart files: raise it with every change of what any class
+// writes. Files of builds before 2 have no number.
 constexpr int RESTART_LAYOUT = 2;
 
 constexpr const char *CUT_OR_DAMAGED = "the restart file ends early or is damaged";

@@ -227,8 +227,8 @@ std::vector<std::string> FixBearingCheckpoint::deck() const
   return lines;
 }
 
-// Leaves of two command lines the words from the first that differs to the last, after the name of
-// the command and its first argument.
+// Shortens two command lines to the words between their first and last difference, after the name
+// of the command.
 static constexpr size_t longest_difference = 8;    // words
 static void leave_difference(std::string &one, std::string &other)
 {

@@ -99,7 +99,7 @@ def test_data_in_another_format(deck, tmp_path):
 
 
 def test_sweep(deck, tmp_path, monkeypatch):
-    """Of files as values, and of a deck that does not resume."""
+    """A sweep takes paths of files as values, and a deck that does not resume."""
     monkeypatch.chdir(ROOT)
     lines = [line for line in DECK.splitlines() if " z" not in line and "_z" not in line]
     path = deck(text="\n".join(lines).replace("create_box 8", "create_box 4") + "\n")

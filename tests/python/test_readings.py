@@ -113,7 +113,7 @@ def test_mistakes_in_a_table_of_lines(tmp_path, text, options, says):
 
 
 def test_unknowns_of_a_table_of_lines(tmp_path):
-    """What neither table nor options give; a bearing with a contact angle has no clearance."""
+    """Quantities that neither the table nor an option gives; a contact angle sets the clearance."""
     path = lines(tmp_path, "speed_Hz,ftf_Hz,load_N\n30,11.9,5\n")
     given = line_table.read(path, "6205")
     assert set(given.unknown) == {"clearance", "axial", "temperature"}
@@ -171,3 +171,17 @@ def test_command(tmp_path, capsys):
     assert main(["identify", str(write(tmp_path, GOOD.rstrip() + row)), "--json"]) == 0
     said = json.loads(capsys.readouterr().out)
     assert max(abs(one["residual"]) for one in said["readings"]) > 3 and said["chi_squared"] > 9
+
+
+def test_angle_beside_a_temperature_that_was_read_first(tmp_path, capsys):
+    """The contact angle is that of the line, whatever the order of the readings."""
+    line = "  - {rpm: 1797, BPFO: 3.5972, within: 2e-4}"
+    rows = ["  - {rpm: 1797, temperature: 40, within: 1}", line]
+    head = GOOD.split("readings:")[0].replace(", temperature: 40", "")
+    head = head.replace("unknown: {", "models: paper\nunknown: {temperature: 30 50, ")
+    head += "readings:\n"
+    angles = []
+    for order in (rows, rows[::-1]):
+        assert main(["identify", str(write(tmp_path, head + "\n".join(order))), "--json"]) == 0
+        angles.append(json.loads(capsys.readouterr().out)["contact_angle_deg"])
+    assert angles[0][0] > 5 and angles[0] == pytest.approx(angles[1], abs=0.05)

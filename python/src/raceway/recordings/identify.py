@@ -51,7 +51,9 @@ class Found(NamedTuple):
     # states that explain the readings equally well; empty: one point
     valley: list[dict[str, float]]
     idle: int  # largest number of unloaded balls at any point
-    angle: Value  # rad, contact angle at the first reading, mean of the contacts by load
+    # rad, contact angle at the first reading for which statics is solved, mean of the contacts by
+    # load; None if only temperatures of the oil were read
+    angle: Value | None
     # share by which the cage is slower there than by that angle; None without a line of it
     slip: Value | None
 
@@ -92,8 +94,8 @@ def identify(readings: Readings) -> Found:
         np.array([one.value for one in predicted]),
         [search.state(one) for one in valley],
         max(one.idle for one in predicted),
-        Value(*interval.of(search.angle), not valley),
-        _slip(search, interval, not valley),
+        None if search.first is None else Value(*interval.of(search.angle), not valley),
+        None if search.first is None else _slip(search, interval, not valley),
     )
 
 
@@ -135,7 +137,7 @@ def _gradient(function, place):
 
 def _slip(search, interval, determined):
     """`Found.slip`."""
-    point = search.readings.readings[0].point
+    point = search.readings.readings[search.first].point
     read = [
         (one.value, one.within)
         for one in map(search.cage, search.readings.readings)
@@ -176,6 +178,10 @@ class _Search:
         self.readings, self.model = readings, Model(readings)
         self.slip = np.zeros((len(readings.readings), 2))
         self._predicted = {}
+        # number of the first reading that is not just the oil's temperature
+        heats = "conductance" in {*readings.known, *readings.unknown}
+        solved = [heats or one.quantity != "temperature" for one in readings.readings]
+        self.first = solved.index(True) if any(solved) else None
 
     def value(self, name, share):
         return value_of(self.readings, name, share)
@@ -236,8 +242,8 @@ class _Search:
         return place
 
     def angle(self, place):
-        """Contact angle at the first reading, rad."""
-        return self.predicted(place)[0].angle
+        """Contact angle at the `first` reading, rad."""
+        return self.predicted(place)[self.first].angle
 
     def kinematic(self, place):
         """FTF at that angle in orders of the shaft, without slip."""

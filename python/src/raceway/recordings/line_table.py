@@ -8,6 +8,7 @@ import pandas as pd
 from raceway import catalogue, clearance_classes, inputs
 from raceway.errors import InputError
 from raceway.files import FilePath
+from raceway.recordings import readings
 from raceway.recordings.readings import STATE, Point, Reading, Readings, ReadingsError
 from raceway.theory.cage_speed import MODELS
 
@@ -58,16 +59,7 @@ def read(
 
 
 def _table(path):
-    try:
-        table = pd.read_csv(path)
-    except (OSError, ValueError) as error:
-        raise ReadingsError(f"cannot read {path}: {error}") from None
-    if strange := [name for name in table if name not in COLUMNS]:
-        raise ReadingsError(f"{path}: column {strange[0]} is none of {', '.join(COLUMNS)}")
-    if "speed_Hz" not in table:
-        raise ReadingsError(f"{path} has no column speed_Hz")
-    if not len(table) or not all(kind.kind in "if" for kind in table.dtypes):
-        raise ReadingsError(f"{path}: needs rows of numbers")
+    table = readings.table(path, COLUMNS, ("speed_Hz",))
     for column in table:
         low, high = _limits(column)
         values = table[column].dropna() if column in LINES else table[column]

@@ -24,7 +24,7 @@ class Predicted(NamedTuple):
     error: float  # standard deviation of the model, in the unit of the reading
     lag: tuple[float, float]  # least and largest slip by pocket play, share of the cage's speed
     idle: int  # unloaded balls
-    angle: float  # rad, contact angle, mean of the contacts by load
+    angle: float  # rad, contact angle, mean of the contacts by load; NaN where it is not needed
 
 
 class Model:
@@ -55,7 +55,7 @@ class Model:
         point = reading.point
         oil = self._oil(point, state)
         if reading.quantity == "temperature" and "conductance" not in state:
-            return Predicted(oil, 0.0, NO_LAG, 0, 0.0)
+            return Predicted(oil, 0.0, NO_LAG, 0, math.nan)
         if math.isnan(oil):  # friction at the temperature read
             oil = reading.value
         key = point._replace(at=oil)

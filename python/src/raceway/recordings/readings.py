@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Readings of a real bearing, and the known part of its state: the file of `raceway identify`."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -234,8 +234,9 @@ def series(path: FilePath, inputs_folder: FilePath | None = None) -> Series:
             raise ValueError(f"{missing[0]} is missing")
         within = _mapping(own["within"], "within")
         _only(within, QUANTITIES, "within")
-        table = _table(Path(path).parent / own["series"])
-        rows, times = _rows(table, within), [float(one) for one in table["time_s"]]
+        known = ("time_s", *Point._fields, *QUANTITIES)
+        read = table(Path(path).parent / own["series"], known, ("time_s", "rpm"))
+        rows, times = _rows(read, within), [float(one) for one in read["time_s"]]
         readings = [dict(one) for row in rows for one in row]
         result = _readings(dict(data, readings=readings), Path(path).parent, inputs_folder)
         drift = _mapping(own["drift"] or {}, "drift")
@@ -247,19 +248,20 @@ def series(path: FilePath, inputs_folder: FilePath | None = None) -> Series:
     return Series(result, [one for one in found if one[1]], drift)
 
 
-def _table(path):
+def table(path: FilePath, known: Sequence[str], needed: Sequence[str]) -> pd.DataFrame:
+    """The csv file at `path`: rows of numbers, columns among the `known` ones and at least those
+    `needed`; empty cells are NaN. Raises `ReadingsError`."""
     try:
-        table = pd.read_csv(path)
+        found = pd.read_csv(path)
     except (OSError, ValueError) as error:
         raise ReadingsError(f"cannot read {path}: {error}") from None
-    known = ("time_s", *Point._fields, *QUANTITIES)
-    if strange := [name for name in table if name not in known]:
+    if strange := [name for name in found if name not in known]:
         raise ReadingsError(f"{path}: column {strange[0]} is none of {', '.join(known)}")
-    if missing := [name for name in ("time_s", "rpm") if name not in table]:
+    if missing := [name for name in needed if name not in found]:
         raise ReadingsError(f"{path} has no column {missing[0]}")
-    if not len(table) or not all(kind.kind in "if" for kind in table.dtypes):
+    if not len(found) or not all(kind.kind in "if" for kind in found.dtypes):
         raise ReadingsError(f"{path}: needs rows of numbers")
-    return table
+    return found
 
 
 def _rows(table, within):

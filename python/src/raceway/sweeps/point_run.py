@@ -133,7 +133,7 @@ def _execute(folder, variables, command, lock, stop):
 
 
 def _figures(run):
-    """Of several bearings a list of their figures, `bearings`."""
+    """Figures of a run; a run of several bearings has a list of those of each, `bearings`."""
     numbers = run.record.bearings
     if len(numbers) == 1:
         return summary(run)
