@@ -159,6 +159,9 @@ def test_lines_of_hidden_clearance_and_thrust(tmp_path, capsys, monkeypatch):
     with pytest.raises(SystemExit, match="2"):
         main(["identify"])
     assert "give a FILE of readings, or --lines CSV" in capsys.readouterr().err
+    with pytest.raises(SystemExit, match="2"):
+        main(["identify", "readings.yaml", "--load", "5"])
+    assert "--load is for --lines" in capsys.readouterr().err
 
 
 def test_command(tmp_path, capsys):

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 from raceway.commands import Commands, options
 from raceway.commands.quantity import number
+from raceway.theory.models import STATICS
 from raceway.units import prefixed
 
 if TYPE_CHECKING:  # scipy takes longer to load than `--help` should
     from raceway.recordings.identify import Found
     from raceway.recordings.readings import Readings
 
-MODELS = ("paper", "full", "eyring")
 HELP = "clearance, thrust, oil temperature, cooling from lines, capacitance, temperatures"
 DESCRIPTION = """\
 State of a real bearing from readings: lines in orders of the shaft (FTF, BPFO, BPFI,
@@ -84,7 +84,7 @@ def add(commands: Commands) -> None:
     lines = one.add_argument_group("with --lines")
     options.bearing(lines)
     options.lubricant(lines)
-    options.models(lines, MODELS, "films and cage speed")
+    options.models(lines, STATICS, "films and cage speed")
     lines.add_argument(
         "--load", type=number(0, 1e6, "N"), metavar="N", help="radial load, newtons (unknown)"
     )
@@ -113,6 +113,9 @@ def run(arguments: argparse.Namespace) -> None:
     if (arguments.file is None) == (arguments.lines is None):
         arguments.complain("give a FILE of readings, or --lines CSV")
     if arguments.lines is None:
+        for name in ("load", "temperature"):
+            if getattr(arguments, name) is not None:
+                arguments.complain(f"--{name} is for --lines: a FILE has its own `known`")
         given = readings.read(arguments.file, arguments.inputs)
     else:
         given = line_table.read(
