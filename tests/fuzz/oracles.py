@@ -40,16 +40,18 @@ def move(scene, first, lab, draw):
 def split(scene, first, lab, draw):
     """run N, then run M."""
     steps = draw.randint(1, scene["every"] * scene["samples"] - 1)
-    _near(scene, first, lab, lab.figures(scene, "split", split=steps), f"split at step {steps}")
+    _near(scene, first, lab, f"split at step {steps}", split=steps)
 
 
 def _posed(scene, first, lab, pose, name):
-    _near(scene, first, lab, lab.figures(scene, name, pose), name)
+    _near(scene, first, lab, name, pose=pose)
 
 
-def _near(scene, first, lab, other, what):
-    """Equal figures, unless a rounding-size change of the scene itself makes them differ as well,
-    for balls at the limit of contact."""
+def _near(scene, first, lab, what, **changes):
+    """Equal figures with `changes`, unless a rounding-size change of the scene itself makes them
+    differ as well, for balls at the limit of contact, or figures that rounding sets apart by
+    the integrator's error, which converge to each other with its tolerance."""
+    other = lab.figures(scene, "changed", **changes)
     if not figures.differences(first, other, POSED):
         return
     for k, share in enumerate((1e-13, -1e-12, 1e-11)):
@@ -60,6 +62,16 @@ def _near(scene, first, lab, other, what):
         near = lab.figures(scene | {"inner": inner, "grooves": grooves}, f"near{k}")
         if figures.differences(first, near, 0.1 * POSED):
             return
+    if scene["implicit"] is not None and "solve" not in scene["implicit"]:
+        for tolerance in ("1e-10", "1e-11"):
+            words = re.sub(r"tolerance \S+", "", scene["implicit"])
+            fine = scene | {"implicit": f"{words} tolerance {tolerance}".strip()}
+            pair = (
+                lab.figures(fine, f"at_{tolerance}"),
+                lab.figures(fine, f"changed_at_{tolerance}", **changes),
+            )
+            if not figures.differences(*pair, POSED):
+                return
     same(first, other, POSED, what)
 
 

@@ -296,7 +296,7 @@ void BearingBodies::accept()
   on_border([](auto &one) { one.accept(); });
   for (BallTurns &t : turns) t.accept();
   for (States &s : kept) std::copy(s.now, s.now + states_, s.from);
-  for (Entrained &u : entrained) u.from = u.now;
+  for (BalancedContact &c : balanced) c.from = c.now;
 }
 
 }    // namespace raceway

@@ -127,13 +127,15 @@ class BearingBodies {
   std::vector<int> groove_at;     // inverse of contact_at, -1: none
   std::vector<States> kept;       // by group of contacts, if the law has states
   std::vector<KeptSlopes> kept_slopes;
-  // Entrainment speeds for the energy balance, m/s, 0: apart; by group of contacts, empty without a
-  // balance or if the elastic energy does not depend on them.
-  struct alignas(32) Entrained {
-    Lane from = {}, now = {};
+  // What the elastic energy of a contact depends on besides its overlap; cos_angle < 0: apart.
+  struct EnergyBasis {
+    Lane entrainment = {}, cos_angle = all_lanes(-1.0);
   };
-  std::vector<Entrained> entrained;
-  std::vector<RingBody> rings;    // rings of the model, then one per shaft
+  struct alignas(32) BalancedContact {
+    EnergyBasis from, now;
+  };
+  std::vector<BalancedContact> balanced;    // by group of contacts, empty without a balance
+  std::vector<RingBody> rings;              // rings of the model, then one per shaft
   std::vector<Carried> on_shafts;
   // Free degrees of freedom of rings and rigid shafts, then those of flexible shafts, then modes.
   std::vector<Coordinate> border;

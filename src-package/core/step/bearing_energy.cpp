@@ -7,8 +7,7 @@ namespace raceway {
 void BearingIntegrator::keep_energy(bool yes)
 {
   keep_energy_ = yes;
-  const LawFacts facts = law_facts(bodies_.model.parts);
-  bodies_.entrained.assign(yes && facts.decides ? bodies_.n_contacts : 0, {});
+  bodies_.balanced.assign(yes ? bodies_.n_contacts : 0, {});
 }
 
 // Adds the work of loads and drives and the losses of the contacts at the end of a stage, times its
@@ -40,7 +39,7 @@ void BearingIntegrator::add_energy(const Stage &stage, double weight, double s)
     }
   pending_.work += weight * power;
   pending_.dissipated += weight * lost;
-  pending_.stored = forces_.film_work();    // of the last stage
+  pending_.stored = forces_.energy_gained();    // of the last stage
 }
 
 // Power of the residual of the last correction of a stage of h seconds, W. Corrections end once

@@ -73,9 +73,9 @@ class BearingForces {
   int body() const { return body_; }                           // body of the failure, or -1
   double power_lost() const { return power_lost_; }            // W, in contacts
   double contact_energy() const { return contact_energy_; }    // J, elastic
-  // J, change of the elastic energy by the change of the entrainment speeds since the start of the
-  // step: thicker films load the contacts
-  double film_work() const { return film_work_; }
+  // J, change of the elastic energy by entrainment speeds and contact angles since the start of the
+  // step: thicker films load the contacts, and no force works along the angle
+  double energy_gained() const { return energy_gained_; }
 
  private:
   template <class L> RACEWAY_INLINE Failure raceways(const L &law, const Stage &);
@@ -100,7 +100,7 @@ class BearingForces {
 
   BearingBodies &b_;
   BearingSystem &system_;
-  double power_lost_ = 0.0, contact_energy_ = 0.0, film_work_ = 0.0;
+  double power_lost_ = 0.0, contact_energy_ = 0.0, energy_gained_ = 0.0;
   int body_ = -1;
   ProfiledContactT<Lane> on_;              // four contacts on a raceway with a profile
   BallSlopesT<Lane> turned_;               // of balls with a profile

@@ -41,10 +41,10 @@ BearingIntegrator::Outcome BearingIntegrator::step(const Settings &asked, double
   const Settings set = asked.relative > 0.0 ? asked.at(forces_.largest_overlap()) : asked;
   Outcome o;
   o.tolerance = set.error * set.newton;
-  if (keep_energy_ && !entrained_) {
+  if (keep_energy_ && !balanced_) {
     stored_energy();
-    for (BearingBodies::Entrained &u : bodies_.entrained) u.from = u.now;
-    entrained_ = true;
+    for (BearingBodies::BalancedContact &c : bodies_.balanced) c.from = c.now;
+    balanced_ = true;
   }
   pending_ = Energy();
   present_ = {h, s0, s1};

@@ -146,8 +146,8 @@ class BearingIntegrator {
   BearingInstants instants_;
   const double slowest_;
   double remains_ = 1.0;    // last estimate of the error after a correction, over the correction
-  bool keep_energy_ = false, entrained_ = false;    // entrained_: at the start of the step
-  std::vector<double> loads_;                       // on the coordinates
+  bool keep_energy_ = false, balanced_ = false;    // balanced_: at the start of the step
+  std::vector<double> loads_;                      // on the coordinates
   Energy energy_, pending_;
   struct {
     double h, s0, s1;

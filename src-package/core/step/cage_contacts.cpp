@@ -16,7 +16,7 @@ BearingForces::BearingForces(BearingBodies &bodies, BearingSystem &system) :
 
 Failure BearingForces::evaluate(const Stage &stage)
 {
-  power_lost_ = contact_energy_ = film_work_ = 0.0;
+  power_lost_ = contact_energy_ = energy_gained_ = 0.0;
   body_ = -1;
   Failure failure = Failure::none;
   if (stage.kept) {

@@ -14,7 +14,7 @@ Failure BearingForces::all_raceways(const Stage &stage)
   if (!wide_lanes()) return narrow_raceways(stage);
 #endif
   Failure failure = Failure::none;
-  const bool balance = stage.evaluate == Evaluate::only && !b_.entrained.empty();
+  const bool balance = stage.evaluate == Evaluate::only && !b_.balanced.empty();
   if (!b_.flawed && !balance && (paper_raceways(stage, failure) || full_raceways(stage, failure)))
     return failure;
   return any_raceways(stage);

@@ -104,28 +104,40 @@ static RACEWAY_INLINE void look_at_gap(const RacewayPhysics &p, const BallStateT
   find_motions<false>(p, ball, ring, seen);
 }
 
-// Elastic energy of contacts at this overlap at the present entrainment speeds less that at those
-// at the start of the step, J.
+// Elastic energy of contacts at this overlap less that at the entrainment speeds and contact angles
+// of the start of the step, J: no force does the work of these changes.
 template <class L>
-static RACEWAY_INLINE double work_on_films(const L &law, const RacewayPhysics &p,
-                                           const LaneMask &near, const ContactStateT<Lane> &c,
-                                           BearingBodies::Entrained &entrained)
+static RACEWAY_INLINE double gain_energy(const L &law, const RacewayPhysics &p,
+                                         const LaneMask &near, const ContactStateT<Lane> &c,
+                                         BearingBodies::BalancedContact &balanced)
 {
-  entrained.now = where(near, c.entrainment, 0.0);
-  const LaneMask both = near & (entrained.from > 0.0);
-  double work = 0.0;
+  using Basis = BearingBodies::EnergyBasis;
+  const Basis &from = balanced.from;
+  balanced.now = {where(near, c.entrainment, 0.0), where(near, c.cos_angle, -1.0)};
+  LaneMask moved = c.cos_angle != from.cos_angle;
+  if (law.decides) moved |= c.entrainment != from.entrainment;
+  moved &= near & (from.cos_angle >= 0.0);
+  if (!any(moved)) return 0.0;
+  double gained = 0.0;
   for (const bool before : {false, true}) {
     ContactStateT<Lane> at = c;
-    if (before) at.entrainment = where(both, entrained.from, c.entrainment);
-    const LaneMask live = both & ~law.misses(p, p.law.at(c.cos_angle), at);
-    at.overlap = where(live, at.overlap, Lane(at.overlap - law.beyond(p, at) + barely_touching));
+    if (before) {
+      at.entrainment = where(moved, from.entrainment, c.entrainment);
+      at.cos_angle = where(moved, from.cos_angle, c.cos_angle);
+    }
+    const auto k = p.law.at(at.cos_angle);
+    LaneMask live = moved;
+    if (law.decides) {
+      live &= ~law.misses(p, k, at);
+      at.overlap = where(live, at.overlap, Lane(at.overlap - law.beyond(p, at) + barely_touching));
+    }
     const Lane none[L::room] = {};
     Lane unused[L::room];
-    law.act(p, p.law.at(c.cos_angle), LawStates<Lane>{0.0, none, unused}, at);
+    law.act(p, k, LawStates<Lane>{0.0, none, unused}, at);
     const double energy = sum(where(live, law.energy(p, at), 0.0));
-    work += before ? -energy : energy;
+    gained += before ? -energy : energy;
   }
-  return work;
+  return gained;
 }
 
 // Slopes are set and read in the same stages, which the compiler cannot infer.
@@ -210,8 +222,8 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const L &law, 
       const BallStateT<Lane> ball = {d, g.v, g.w};
       find_motions<L::couples>(p, ball, r, c);
       if constexpr (flawed)    // the loop of every balance
-        if (stage.evaluate == Evaluate::only && !stage.looks && !b_.entrained.empty())
-          film_work_ += work_on_films(law, p, live, c, b_.entrained[contact]);
+        if (stage.evaluate == Evaluate::only && !stage.looks && !b_.balanced.empty())
+          energy_gained_ += gain_energy(law, p, live, c, b_.balanced[contact]);
       if (law.decides) {
         live &= ~law.misses(p, p.law.at(c.cos_angle), c);
         if (stage.looks) stage.looks[contact].live = live;
