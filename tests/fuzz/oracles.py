@@ -40,18 +40,18 @@ def move(scene, first, lab, draw):
 def split(scene, first, lab, draw):
     """run N, then run M."""
     steps = draw.randint(1, scene["every"] * scene["samples"] - 1)
-    _near(scene, first, lab, f"split at step {steps}", split=steps)
+    _near(scene, first, lab, f"split at step {steps}", lambda _: {"split": steps})
 
 
 def _posed(scene, first, lab, pose, name):
-    _near(scene, first, lab, name, pose=pose)
+    _near(scene, first, lab, name, lambda _: {"pose": pose})
 
 
-def _near(scene, first, lab, what, **changes):
-    """Equal figures with `changes`, unless a rounding-size change of the scene itself makes them
-    differ as well, for balls at the limit of contact, or figures that rounding sets apart by
-    the integrator's error, which converge to each other with its tolerance."""
-    other = lab.figures(scene, "changed", **changes)
+def _near(scene, first, lab, what, changes):
+    """Equal figures with the options `changes(scene)` of a run, unless a rounding-size change of
+    the scene itself makes them differ as well, for balls at the limit of contact, or rounding sets
+    them apart by the integrator's error and they converge to each other with its tolerance."""
+    other = lab.figures(scene, "changed", **changes(scene))
     if not figures.differences(first, other, POSED):
         return
     for k, share in enumerate((1e-13, -1e-12, 1e-11)):
@@ -68,7 +68,7 @@ def _near(scene, first, lab, what, **changes):
             fine = scene | {"implicit": f"{words} tolerance {tolerance}".strip()}
             pair = (
                 lab.figures(fine, f"at_{tolerance}"),
-                lab.figures(fine, f"changed_at_{tolerance}", **changes),
+                lab.figures(fine, f"changed_at_{tolerance}", **changes(fine)),
             )
             if not figures.differences(*pair, POSED):
                 return
@@ -150,11 +150,16 @@ def neighbour(scene, first, lab, draw):
 
 def shaft(scene, first, lab, draw):
     """A shaft of one ring behaves like that ring."""
-    text = deck(scene)
-    if "unbalance" in text or scene["gravity"]:
+    if "unbalance" in deck(scene) or scene["gravity"]:
         return
-    text = text.replace("fix ring_inner inner bearing/ring", "fix ring_inner inner bearing/shaft")
-    same(first, lab.figures(scene, "shaft", text=text), POSED, "a shaft of one ring")
+    ring, shaft = (f"fix ring_inner inner bearing/{word}" for word in ("ring", "shaft"))
+    _near(
+        scene,
+        first,
+        lab,
+        "a shaft of one ring",
+        lambda scene: {"text": deck(scene).replace(ring, shaft)},
+    )
 
 
 def rest(scene, first, lab, draw):

@@ -20,7 +20,7 @@ from raceway.cli import main as command
 from raceway.electric import circuit
 from raceway.electric.breakdown import Breakdown
 from raceway.electric.leak import Leak
-from raceway.runs import envelope, losses, spectrum
+from raceway.runs import envelope, losses, sensor, spectrum
 from recorded_runs import SMALL, small
 
 UPRIGHT = Pose()
@@ -111,6 +111,18 @@ def figures(folder):
             for key, value in line._asdict().items()
             if isinstance(value, float) and key != "prominence"  # over a floor of rounding
         }
+    return found | of_data_set(run)
+
+
+def of_data_set(run):
+    """{name: array} of what a data set has of `run`: its lines, and signals of sensors."""
+    found = {
+        f"label {line}": np.array(place)
+        for (line, _), place in spectrum.places(run, harmonics=1).items()
+    }
+    for name in ("ax", "ay", "az"):
+        with contextlib.suppress(raceway.errors.RunError):  # the ring does not move along this axis
+            found[f"sensor {name}"] = sensor.of_run(run, name, "inner").to_numpy()
     return found
 
 
