@@ -67,6 +67,21 @@ def test_lines_are_those_of_its_balls_and_rings(run):
             assert lines[name].by_cage * unit == pytest.approx(abs(hertz), rel=1e-3), name
 
 
+def test_rotation_of_balls_that_are_not_recorded(tmp_path):
+    """A thrust lifts the contact angle of a radial bearing; a record without contacts and balls, as
+    of data sets, has the cage's speed alone."""
+    case = dict(axial=1000, load=300, clearance=30e-6, models="full", settle="auto")
+    found = []
+    for kind in ("all", "summary"):
+        succeed("inputs/in.6208", out=tmp_path / kind, record=kind, passes=2, samples=40, **case)
+        found.append(raceway.open(tmp_path / kind))
+    whole, short = found
+    (_, own), (_, told) = (spectrum.places(one, own=False)["BSF", 1] for one in found)
+    assert np.isnan(short.motion.angle) and np.degrees(whole.motion.angle) > 10
+    assert told == pytest.approx(own, rel=3e-4)
+    assert spectrum.contact_angle(short) == pytest.approx(whole.motion.angle, abs=np.radians(0.5))
+
+
 def test_speed_at_the_largest_load(run):
     """Also on a ramp, where the summary has the range of speeds."""
     figures = summary(run.tables)

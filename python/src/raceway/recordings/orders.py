@@ -93,12 +93,12 @@ def _cage(bearing, name, order):
 
 
 def _cosine(bearing, name, order):
-    gamma = bearing.ball_radius / bearing.pitch_radius
     if name not in LINES:
         raise ValueError(f"line '{name}' is none of {', '.join(LINES)}")
     if name == "BSF":
+        gamma = bearing.ball_radius / bearing.pitch_radius
         return math.sqrt(max(1 - 2 * gamma * order, 0.0)) / gamma
-    return (1 - 2 * _cage(bearing, name, order)) / gamma
+    return kinematics.cosine_of_cage(bearing, _cage(bearing, name, order))
 
 
 def words(bearing: Bearing, found: Mapping[str, Order]) -> str:

@@ -159,9 +159,16 @@ def expected(
 
 
 def contact_angle(of: Source) -> float:
-    """Contact angle of a run or recording in rad: the measured one, otherwise the nominal one."""
-    measured = of.motion.angle
-    return of.nominal_angle if np.isnan(measured) else measured
+    """Contact angle of a run or recording in rad: that of its contacts; in a record without
+    contacts, if the bearing has no nominal angle, that at which balls roll at the speed of the cage;
+    otherwise the nominal one."""
+    motion, nominal = of.motion, of.nominal_angle
+    if math.isfinite(motion.angle):
+        return motion.angle
+    if nominal or not motion.shaft or not math.isfinite(motion.cage):
+        return nominal
+    order = (motion.cage - motion.outer) / motion.shaft
+    return math.acos(min(max(kinematics.cosine_of_cage(of.geometry, order), 0.0), 1.0))
 
 
 def places(

@@ -41,6 +41,13 @@ def frequencies(
     return Frequencies(orbit, *passes, np.abs(orbit - spin) * np.cos(angle))
 
 
+def cosine_of_cage(bearing: Bearing, order: float) -> float:
+    """Cosine of the contact angle at which balls that roll without slip give the cage this `order`
+    of the shaft, the outer ring at rest: the inverse of FTF in `frequencies`. Above 1 for a cage
+    that slips more than any angle explains."""
+    return (1 - 2 * order) * bearing.pitch_radius / bearing.ball_radius
+
+
 def entrainment(bearing: Bearing, spin: Numbers, angle: Numbers = 0.0) -> Numbers:
     """Entrainment speed in m/s, the same at both raceways, for an inner ring at `spin` rad/s.
 
