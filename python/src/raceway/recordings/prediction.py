@@ -10,7 +10,7 @@ import numpy as np
 from raceway import inputs
 from raceway.arrays import Floats
 from raceway.recordings.readings import Point, Reading, Readings
-from raceway.theory import cage_speed, kinematics
+from raceway.theory import cage_speed
 from raceway.theory.static import STRAIGHT
 from raceway.theory.steady_heat import Scene
 
@@ -70,16 +70,17 @@ class Model:
             return Predicted(steady, 0.0, NO_LAG, idle, angle)
         if reading.quantity == "capacitance":
             return Predicted(rest.films.total, 0.0, NO_LAG, idle, angle)
-        cage = cage_speed.order(self.bearing, rest.state, self.readings.models)
+        of = self.bearing, rest.state, self.readings.models
+        if reading.quantity == "BSF":
+            spin = cage_speed.ball_order(*of)
+            return Predicted(spin, cage_speed.ERROR * spin, NO_LAG, idle, angle)
+        cage = cage_speed.order(*of)
         plays = self.readings.models != "paper"
         lag = cage_speed.lags(self.bearing, rest.state) if plays else NO_LAG
         return self._line(reading.quantity, cage, angle, lag, idle)
 
     def _line(self, name, cage, angle, lag, idle):
         balls = self.bearing.balls
-        if name == "BSF":
-            spin = float(kinematics.frequencies(self.bearing, angle).spin)
-            return Predicted(spin, cage_speed.ERROR * spin, NO_LAG, idle, angle)
         value = {"FTF": cage, "BPFO": balls * cage, "BPFI": balls * (1 - cage)}[name]
         slope = {"FTF": 1.0, "BPFO": balls, "BPFI": balls}[name] * cage
         return Predicted(value, cage_speed.ERROR * slope, lag, idle, angle)

@@ -159,9 +159,9 @@ def expected(
 
 
 def contact_angle(of: Source) -> float:
-    """Contact angle of a run or recording in rad: that of its contacts; in a record without
-    contacts, if the bearing has no nominal angle, that at which balls roll at the speed of the cage;
-    otherwise the nominal one."""
+    """Contact angle of a run or recording in rad: that of its contacts; without contacts in its
+    record, that at which balls roll at the speed of the cage if the bearing has no nominal angle,
+    and the nominal one otherwise."""
     motion, nominal = of.motion, of.nominal_angle
     if math.isfinite(motion.angle):
         return motion.angle

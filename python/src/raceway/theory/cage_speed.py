@@ -49,18 +49,49 @@ def order(bearing: Bearing, state: Equilibrium, models: str = "full") -> float:
     >>> [round(9 * order(b, rest, models), 4) for models in ("paper", "full")]
     [3.6006, 3.6015]
     """
+    return _mean(bearing, state, models, _orbit)
+
+
+def ball_order(bearing: Bearing, state: Equilibrium, models: str = "full") -> float:
+    """Rotation of a ball relative to the cage (BSF), otherwise as `order`.
+
+    A ball rolls on the outer raceway about its axis at the angle b, half the sum of both contact
+    angles: w_b/w_c = (1 + g cos a_o)/(g cos(b - a_o)). Models paper, which leave the axis of a ball
+    where it starts, have no value of their own and take this one. Differential slip adds
+    (1 - w_c/w) e_i + w_c/w e_o of it: both rings are slower than the surface of the ball.
+
+    >>> from raceway.theory import static
+    >>> b = Bearing(9, 7.94e-3, 15.55e-3, 23.49e-3, 4.0891e-3, 4.1685e-3)
+    >>> rest = static.equilibrium(b, 0.0, 30.0, clearance=8e-6)
+    >>> [round(ball_order(b, rest, models), 4) for models in ("paper", "full")]
+    [2.3602, 2.3615]
+    """
+    return _mean(bearing, state, models, _rotation)
+
+
+def _mean(bearing, state, models, of):
+    """Mean of `of` over all balls, weighted with their loads."""
     if models not in MODELS:
         raise ValueError(f"models '{models}' is none of {', '.join(MODELS)}")
     inner, outer = (Rolling(side.load, side.angle, side.a) for side in (state.inner, state.outer))
-    load = inner.load + outer.load
-    speed = float(
-        np.average(rolling(bearing, inner, outer, tilted=models != "paper"), weights=load)
-    )
-    if models == "paper":
-        return speed
-    return speed * (
-        1 + (1 - speed) * float(np.average(shortened(bearing, inner, outer), weights=load))
-    )
+    values = of(bearing, inner, outer, models != "paper")
+    return float(np.average(values, weights=inner.load + outer.load))
+
+
+def _orbit(bearing, inner, outer, full):
+    speed = rolling(bearing, inner, outer, tilted=full)
+    return speed * (1 + (1 - speed) * shortened(bearing, inner, outer)) if full else speed
+
+
+def _rotation(bearing, inner, outer, full):
+    gamma = bearing.ball_radius / bearing.pitch_radius
+    speed = rolling(bearing, inner, outer, tilted=True)
+    apart = (inner.angle - outer.angle) / 2
+    own = speed * (1 + gamma * np.cos(outer.angle)) / (gamma * np.cos(apart))
+    if not full:
+        return own
+    slip_i, slip_o = slips(bearing, inner, outer)
+    return own * (1 + (1 - speed) * slip_i + speed * slip_o)
 
 
 class Rolling(NamedTuple):
@@ -81,15 +112,21 @@ def rolling(bearing: Bearing, inner: Rolling, outer: Rolling, *, tilted: bool) -
     return there / (there + here)
 
 
-def shortened(bearing: Bearing, inner: Rolling, outer: Rolling) -> Floats:
-    """e_i - e_o of `order` for each ball: how much slower the rings are than the ball's surface in
+def slips(bearing: Bearing, inner: Rolling, outer: Rolling) -> list[Floats]:
+    """e_i, e_o of `order` for each ball: how much slower the rings are than the ball's surface in
     free rolling, relative to it."""
     found = []
     for side, one in ((INNER, inner), (OUTER, outer)):
         r_x, _ = bearing.effective_radii(side, one.angle)
         r_d = sliding.deformed_radius(bearing.groove(side), bearing.ball_radius)
         found.append(sliding.free_slip(1.0, one.a, r_d, r_x))
-    return found[0] - found[1]
+    return found
+
+
+def shortened(bearing: Bearing, inner: Rolling, outer: Rolling) -> Floats:
+    """e_i - e_o of `order` for each ball."""
+    slip_i, slip_o = slips(bearing, inner, outer)
+    return slip_i - slip_o
 
 
 def _along(angle: Floats, tilt: Floats | float) -> Floats:
