@@ -90,8 +90,8 @@ build: setup
 interfaces: setup
 	@$(MAKE) --no-print-directory -s -j2 $(INTERFACES)
 
-# Downloads run beside the tree, which needs none of them, the pages beside everything else that is compiled, in one make, so
-# that no core waits for the last object of a program.
+# Downloads run beside the tree, which needs none of them, the pages beside everything else that is
+# compiled, in one make, so that no core waits for the last object of a program.
 # pytest starts with the folders whose files take longest, so that no core idles at the end
 test: setup
 	@$(MAKE) --no-print-directory -j2 tree packages_of_tests lint
