@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The Python sessions that docs/static.rst shows; its commands are tried by
-docs/try_examples.py."""
+tests/docs/test_examples.py."""
 
 import doctest
 from pathlib import Path

@@ -23,7 +23,7 @@ from scipy.io import netcdf_file
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from host import ENVIRONMENT, HOSTS, QUICK, ROOT, succeed  # noqa: E402
 
-READERS, KILLS = 60, 12
+READERS, KILLS = 30, 8
 CASE = {"passes": 600, "samples": 100, "within": 5}
 
 

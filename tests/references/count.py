@@ -53,7 +53,7 @@ REFERENCE = re.compile(
 
 def _of_module(tree, source):
     """({name: (its text, names that it uses)}, nodes of the tests)."""
-    known, tests, imported = {}, [], {}
+    known, tests, imported, lines = {}, [], {}, source.splitlines()
     for node in tree.body:
         names = [getattr(node, "name", None)]
         if isinstance(node, ast.Assign):
@@ -64,7 +64,7 @@ def _of_module(tree, source):
             for alias in node.names:
                 imported[alias.asname or alias.name] = f"{module} {alias.name}"
             continue
-        text = ast.get_source_segment(source, node) or ""
+        text = "\n".join(lines[node.lineno - 1 : node.end_lineno])
         used = {one.id for one in ast.walk(node) if isinstance(one, ast.Name)}
         used |= {one.arg for one in ast.walk(node) if isinstance(one, ast.arg)}
         for name in filter(None, names):

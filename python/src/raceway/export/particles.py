@@ -40,24 +40,17 @@ def frames(tables: RunTables, every: int | None = None) -> Iterator[Frame]:
     """
     if every is None:
         every = max(1, -(-(tables.last - tables.first) // FRAMES))
-    turned = before = 0.0
-    for (sample, atoms), (_, contacts) in zip(
-        _samples(tables, "balls"), _samples(tables, "contacts")
+    for (sample, atoms, turned), (_, contacts, _) in zip(
+        _samples(tables, "balls", every), _samples(tables, "contacts", every)
     ):
-        inner = atoms[atoms["id"] == tables.settings["inner_ring"]]
-        spin = float(inner["omegaz"].iloc[0])
-        if sample > tables.first:
-            turned += (before + spin) / 2 * tables.settings["sample_s"]
-        before = spin
-        if (sample - tables.first) % every == 0:
-            yield _frame(
-                tables,
-                sample,
-                atoms[atoms["type"].isin((BALL, CAGE))].sort_values("id"),
-                contacts,
-                _vectors(inner, "")[0],
-                turned,
-            )
+        yield _frame(
+            tables,
+            sample,
+            atoms[atoms["type"].isin((BALL, CAGE))].sort_values("id"),
+            contacts,
+            _vectors(atoms[_inner(tables, atoms)], "")[0],
+            turned,
+        )
 
 
 def _frame(tables, sample, atoms, contacts, ring, turned):
@@ -86,12 +79,26 @@ def _frame(tables, sample, atoms, contacts, ring, turned):
     )
 
 
-def _samples(tables, name):
+def _samples(tables, name, every):
+    """(sample, its rows, angle of the inner ring at it; 0 in a table without balls)."""
+    turned = before = 0.0
     for table in tables.blocks(name):
-        first = table.attrs["first"]
-        ends = np.searchsorted(table["sample"], first + np.arange(table.attrs["samples"] + 1))
-        for k in range(table.attrs["samples"]):
-            yield first + k, table.iloc[ends[k] : ends[k + 1]]
+        first, count = table.attrs["first"], table.attrs["samples"]
+        angles = np.zeros(count)
+        if name == "balls":
+            spins = table.loc[_inner(tables, table), "omegaz"].to_numpy(float)
+            steps = (np.append(before, spins[:-1]) + spins) / 2 * tables.settings["sample_s"]
+            if first == tables.first:
+                steps[0] = 0.0
+            angles = np.cumsum(np.append(turned, steps))[1:]
+            turned, before = angles[-1], spins[-1]
+        ends = np.searchsorted(table["sample"], first + np.arange(count + 1))
+        for k in range((tables.first - first) % every, count, every):
+            yield first + k, table.iloc[ends[k] : ends[k + 1]], float(angles[k])
+
+
+def _inner(tables, atoms):
+    return atoms["id"] == tables.settings["inner_ring"]
 
 
 def _vectors(table, prefix):

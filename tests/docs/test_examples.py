@@ -1,15 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run what the pages show: the decks in docs/decks, every block under a heading "Examples", and
+"""What the pages show runs: the decks in docs/decks, every block under a heading "Examples", and
 every Python or console block, in the order of its page.
 
-    .venv/bin/python docs/try_examples.py [build/liggghts]
-
-A block under "Examples" stands in for the lines of decks/in.ehd that give the same command, or,
-with commands of named bearings, for those of inputs/in.6208 with one ball pass; the rest of that
-deck stays. Python and console blocks of a page run in a copy (workspace.py): a finished run is not
-replaced by default, so none from an earlier build may be present. They may use the run of `make
-run`, except on pages that make it themselves. As many pages run at a time as there are cores. Exit
-code 1 when a run fails; its last lines are shown.
+A block under "Examples" stands in for the lines of docs/decks/in.ehd that give the same command,
+or, with commands of named bearings, for those of inputs/in.6208 with one ball pass; the rest of
+that deck stays. Python and console blocks of a page run in a folder that looks like the built
+tree: a finished run is not replaced by default, so none from an earlier build may be present. They
+may use the run of `make run`, except on pages that make it themselves.
 """
 
 import os
@@ -17,14 +14,13 @@ import re
 import shutil
 import subprocess
 import sys
-import tempfile
-from concurrent.futures import ThreadPoolExecutor
-from functools import partial
 from pathlib import Path
 
-from workspace import workspace
+import pytest
+from host import HOSTS, ROOT
 
-DOCS = Path(__file__).resolve().parent
+DOCS = ROOT / "docs"
+PROGRAM = HOSTS["liggghts"][0]
 FILM_ONLY = (
     "fix cap ",
     "compute contact ",
@@ -97,7 +93,7 @@ def not_printed(block, output):
 
 
 def run_session(page, folder):
-    """Run the blocks of a page in `folder`; the message of each failed one, or nothing.
+    """Run the blocks of a page in `folder`; of each the message if it failed, or nothing.
 
     Console lines after "$ " are commands of `.venv/bin`, what follows has to be in what they print,
     in that order."""
@@ -129,7 +125,7 @@ def run_session(page, folder):
             failed = not_printed(block, done.stdout)
         else:
             failed = done.returncode != 0 and block
-        yield f"{page.name} {kind} block {number}", failed and f"{failed}\n{done.stdout[-1200:]}"
+        yield failed and f"{kind} block {number}:\n{failed}\n{done.stdout[-1200:]}"
 
 
 def key(line):
@@ -152,7 +148,7 @@ def base_of(block):
     if not any(line.startswith(NAMED) or " bearing/heat" in line for line in block):
         return joined((DOCS / "decks/in.ehd").read_text())
     short = [f"variable {name} index {value}" for name, value in SHORT.items()]
-    return short + joined((DOCS.parent / "inputs/in.6208").read_text())
+    return short + joined((ROOT / "inputs/in.6208").read_text())
 
 
 def deck(base, block):
@@ -184,85 +180,77 @@ def deck(base, block):
     return result
 
 
-def of_script(script):
-    """A Python script among the decks, run from the root."""
+PAGES = {
+    page: count
+    for page in [ROOT / "README.md", *DOCS.glob("*.rst")]
+    if (count := len(list(session(page))))
+}
+BLOCKS = {
+    f"{page.stem} {number}": joined(block)
+    for page in sorted(DOCS.glob("*.rst"))
+    for number, block in enumerate(blocks(page), 1)
+}
+
+
+@pytest.fixture(scope="session")
+def main_run(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("main")
+    (folder / "inputs").symlink_to(ROOT / "inputs")
+    command = [PROGRAM, "-in", "inputs/in.6208", "-log", "none"]
+    subprocess.run(command, cwd=folder, capture_output=True, check=True)
+    return folder / MAIN
+
+
+@pytest.mark.parametrize("page", sorted(PAGES, key=PAGES.get, reverse=True), ids=lambda p: p.stem)
+def test_page(page, tmp_path, request):
+    """The commands and Python of a page, in order, and what they print."""
+    for folder in ("inputs", "docs/decks"):
+        shutil.copytree(ROOT / folder, tmp_path / folder)
+    (tmp_path / "build").mkdir()
+    (tmp_path / "build/liggghts").symlink_to(PROGRAM)
+    (tmp_path / ".venv").symlink_to(ROOT / ".venv")
+    if page.name not in APART:
+        shutil.copytree(request.getfixturevalue("main_run"), tmp_path / MAIN)
+    failed = [trouble for trouble in run_session(page, tmp_path) if trouble]
+    assert not failed, "\n\n".join(failed)
+
+
+@pytest.mark.parametrize("script", sorted(DOCS.glob("decks/*.py")), ids=lambda path: path.stem)
+def test_script(script):
     done = subprocess.run(
-        [sys.executable, script],
-        cwd=DOCS.parent,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
+        [sys.executable, script], cwd=ROOT, capture_output=True, text=True, errors="replace"
+    )
+    assert done.returncode == 0, done.stdout[-400:] + done.stderr[-800:]
+
+
+def try_deck(lines, folder):
+    (folder / "in.deck").write_text("\n".join(lines) + "\n")
+    done = subprocess.run(
+        [PROGRAM, "-in", "in.deck", "-log", "none"],
+        cwd=folder,
+        capture_output=True,
         text=True,
         errors="replace",
     )
-    return [(script.name, done.returncode and done.stdout[-400:])]
+    told = [*lines, done.stdout[-800:], done.stderr[-400:]]
+    assert done.returncode == 0, "\n".join(told)
 
 
-def of_page(page, program, main_run):
-    """Examples of a page, in a copy of the tree with the main run unless the page makes it."""
-    with workspace(program) as folder:
-        if page.name not in APART:
-            shutil.copytree(main_run, folder / MAIN)
-        return list(run_session(page, folder))
+@pytest.fixture
+def beside_inputs(tmp_path):
+    (tmp_path / "inputs").symlink_to(ROOT / "inputs")
+    return tmp_path
 
 
-def of_decks(program, decks):
-    """Decks (name, lines) one after the other in one folder: they read what those before them
-    wrote."""
-    found = []
-    with tempfile.TemporaryDirectory() as top:
-        folder = Path(top)
-        (folder / "inputs").symlink_to(DOCS.parent / "inputs")
-        path = folder / "in.deck"
-        for name, lines in decks:
-            path.write_text("\n".join(lines) + "\n")
-            done = subprocess.run(
-                [program, "-in", path, "-log", "none"],
-                cwd=folder,
-                capture_output=True,
-                text=True,
-                errors="replace",
-            )
-            told = "\n".join([*lines, done.stdout[-800:], done.stderr[-400:]])
-            found.append((name, done.returncode and told))
-    return found
-
-
-def tasks(program, main_run):
-    """All examples, the longest first; each returns pairs of a name and its message when it
-    failed, or nothing."""
-    pages = [DOCS.parent / "README.md", *DOCS.glob("*.rst")]
-    blocks_of = {page: len(list(session(page))) for page in pages}
-    for page in sorted(blocks_of, key=blocks_of.get, reverse=True):
-        if blocks_of[page]:
-            yield partial(of_page, page, program, main_run)
-    for script in sorted((DOCS / "decks").glob("*.py")):
-        yield partial(of_script, script)
+def test_decks(beside_inputs):
+    """One after the other in one folder: they read what those before them wrote."""
     gallery = (DOCS / "gallery.rst").read_text()  # runs the decks that it names
-    decks = [
-        (path.name, joined(path.read_text()))
-        for path in (DOCS / "decks").glob("in.*")
-        if f"docs/decks/{path.name}" not in gallery
-    ]
-    yield partial(of_decks, program, sorted(decks))
-    for page in sorted(DOCS.glob("*.rst")):
-        for number, block in enumerate(blocks(page), 1):
-            lines = joined(block)
-            example = [(f"{page.name} example {number}", deck(base_of(lines), lines))]
-            yield partial(of_decks, program, example)
+    for path in sorted(DOCS.glob("decks/in.*")):
+        if f"docs/decks/{path.name}" not in gallery:
+            try_deck(joined(path.read_text()), beside_inputs)
 
 
-def main():
-    program = Path(sys.argv[1] if len(sys.argv) > 1 else DOCS.parent / "build/liggghts").resolve()
-    failed = 0
-    with workspace(program) as folder, ThreadPoolExecutor(os.cpu_count()) as pool:
-        command = [program, "-in", "inputs/in.6208", "-log", "none"]
-        subprocess.run(command, cwd=folder, capture_output=True, check=True)
-        for found in pool.map(lambda task: task(), tasks(program, folder / MAIN)):
-            for name, trouble in found:
-                print(f"{'FAILED' if trouble else 'ok    '} {name}", trouble or "", flush=True)
-                failed += bool(trouble)
-    return 1 if failed else 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+@pytest.mark.parametrize("lines", BLOCKS.values(), ids=BLOCKS)
+def test_block(lines, beside_inputs):
+    """A block under "Examples" in its deck."""
+    try_deck(deck(base_of(lines), lines), beside_inputs)

@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""How tests are shared among processes: file by file, because tests of a file share runs; the
+examples of the pages one by one."""
+
+from xdist.scheduler import LoadFileScheduling
+
+
+class Scheduling(LoadFileScheduling):
+    def _split_scope(self, nodeid):
+        file = super()._split_scope(nodeid)
+        return nodeid if file.endswith("docs/test_examples.py") else file
+
+
+def pytest_xdist_make_scheduler(config, log):
+    return Scheduling(config, log)
