@@ -5,7 +5,8 @@
 
 RECORD(SettlingRest, double torque, load, cage_speed, spin_axis, pocket_fall;)
 
-// By ball pass: torque, load of either raceway, cage speed, pocket force, pitch of the spin axis (rad).
+// By ball pass: torque, load of either raceway, cage speed, pocket force, pitch of the spin axis
+// (rad).
 EXPORT(void, settling_rest,
        (int passes, const double *torque, const double *load, const double *cage_speed,
         const double *pocket_force, const double *pitch, SettlingRest *out))

@@ -45,8 +45,7 @@ static bool scatters(const Series &steps)
 // Of steps without a drift: their mean, but no less than the share of the last one in it.
 static double change(const Series &steps)
 {
-  return std::max(length(mean_of(steps)),
-                  length(steps.back()) / static_cast<double>(steps.size()));
+  return std::max(length(mean_of(steps)), length(steps.back()) / static_cast<double>(steps.size()));
 }
 
 // What is left of a drift, 0 without one.
@@ -68,7 +67,8 @@ static double rest_of(const Series &passes)
 {
   const size_t longest = std::max<size_t>(1, passes.size() / 4);
   const Series slow = steps_of(passes, longest);
-  double rest = (scatters(slow) ? change(slow) : length(slow.back())) / static_cast<double>(longest);
+  double rest =
+      (scatters(slow) ? change(slow) : length(slow.back())) / static_cast<double>(longest);
   for (size_t span = 1; span <= longest; span *= 2)
     rest = std::max(rest, rest_of_drift(steps_of(passes, span), span));
   return rest;
