@@ -334,9 +334,9 @@ tree: setup
 	@python3 tests/debian_tree.py
 
 # ---- physics for the tests: plain functions behind a C interface ---------------------------------------
-PHYSICS_CORE := $(filter build/obj/core/contact/% build/obj/core/geometry/% build/obj/core/numbers/%,$(CORE))
+PHYSICS_CORE := $(filter build/obj/core/contact/% build/obj/core/geometry/% build/obj/core/numbers/% build/obj/core/figures/settling%,$(CORE))
 PHYSICS_C := $(addprefix tests/physics/,physics_c.cpp law_c.cpp film_c.cpp friction_c.cpp grain_c.cpp capacitor_c.cpp \
-                                  cage_c.cpp)
+                                  cage_c.cpp settling_c.cpp)
 build/libraceway_physics.so: $(PHYSICS_C:tests/physics/%.cpp=build/obj-physics/%.o) $(PHYSICS_CORE)
 	@echo "  LINK $@"
 	@g++ -shared $(filter %.o,$^) -o $@

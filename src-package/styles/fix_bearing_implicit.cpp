@@ -48,6 +48,7 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
               text(tolerance_));
   if (cage_ > 0.0) settings.cage = cage_ / tolerance_;
   else settings.cage = pair_->cage_tolerance_share();
+  solver_->fine = settings;
   time_integrate = 1;
   scalar_flag = vector_flag = 1;
   size_vector = bearing::of_fix_implicit::N;
@@ -104,15 +105,18 @@ FixBearingImplicit::Control FixBearingImplicit::control() const
 void FixBearingImplicit::coarse(bool yes)
 {
   BearingIntegrator::Settings &settings = solver_->settings;
-  if (settings.dampers_only) return;
-  if (!yes) {
-    settings = solver_->fine;
-    return;
-  }
-  solver_->fine = settings;
+  settings = solver_->fine;
+  if (!yes || !can_be_coarse()) return;
+  settings.dampers_only = false;
   settings.order = 1;
   settings.estimate = false;
   settings.error = 100.0;
+  settings.newton = std::max(settings.newton, 1e-9);
+}
+
+bool FixBearingImplicit::coarse_saves() const
+{
+  return can_be_coarse() && (solver_->fine.dampers_only || tolerance_ < 1e-7);
 }
 
 int FixBearingImplicit::setmask() { return INITIAL_INTEGRATE; }

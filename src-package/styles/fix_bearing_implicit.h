@@ -56,9 +56,12 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   // Hz, samples of a record requested by bearing/vibration; 0: by the record
   double sampling_rate() const { return sampling_ * oversampling_; }
 
-  // Coarse steps, which damp all that vibrates, on the way to a state that is settled afterwards;
-  // back to the steps of the deck. Steps of 'solve damping' stay.
+  // Coarse implicit steps, which damp all that vibrates, on the way to a state that is settled
+  // afterwards, or the steps of the deck. A deck that measures vibration has its own all the way.
   void coarse(bool);
+  bool can_be_coarse() const { return sampling_ == 0.0; }
+  // False if the steps of the deck cost hardly more than coarse ones.
+  bool coarse_saves() const;
   // The constants of the contact law change from the next step on.
   void laws_changed() { laws_changed_ = true; }
 

@@ -22,9 +22,8 @@ struct FixBearingImplicit::OwnBearing {
 };
 
 struct FixBearingImplicit::Solver {
-  raceway::BearingIntegrator::Settings settings,
-      fine;                                     // fine: of the deck, while steps are coarse
-  raceway::BearingIntegrator::Energy energy;    // of bearings of earlier neighbour builds
+  raceway::BearingIntegrator::Settings settings, fine;    // of the present step, of the deck
+  raceway::BearingIntegrator::Energy energy;              // of bearings of earlier neighbour builds
   bearing::HomeBearings bearings;
   std::vector<OwnBearing> own;    // one per bearing at home on this rank
   std::vector<std::unique_ptr<raceway::BearingIntegrator>> integrators;

@@ -88,9 +88,6 @@ SettlingSample FixBearingRun::sample()
   return s;
 }
 
-// Change per ball pass between two spans of whole ball passes: the last quarter of all, and the
-// quarter before it. Longer spans average other periods such as unbalance and cage. A search of an
-// orbit compares two ball passes.
 void FixBearingRun::end_pass()
 {
   SettlingSample &mean = now_.sum;
@@ -103,29 +100,23 @@ void FixBearingRun::end_pass()
   mean = SettlingSample();
   now_.samples = 0.0;
   now_.passes += 1.0;
-  const size_t span = orbit_.runs() ? 1 : std::max<size_t>(1, passes_.size() / 4);
-  if (passes_.size() < 2 * span) {
-    if (orbit_.runs()) search_orbit();
-    return;
-  }
-  Settling settling(static_cast<int>(span));
-  for (auto p = passes_.end() - 2 * span; p != passes_.end(); ++p) settling.add(*p);
-  now_.changes = settling.changes();
-  bearing::SettlingChanges &a_pass = now_.changes;
-  for (double *one : {&a_pass.torque, &a_pass.load, &a_pass.cage_speed, &a_pass.spin_axis})
-    *one /= static_cast<double>(span);
+  now_.rest = bearing::settling_rest(passes_);
   if (orbit_.runs()) search_orbit();
 }
 
 // Without an orbit the ball passes are counted again.
 void FixBearingRun::search_orbit()
 {
+  Settling settling;
+  for (size_t k = passes_.size() > 1 ? passes_.size() - 2 : 0; k < passes_.size(); ++k)
+    settling.add(passes_[k]);
+  now_.changes = settling.changes();
   orbit_.end_pass(lmp, now_.changes, now_.settled);
   now_.step_length *= orbit_.now().stretch;
   if (orbit_.runs() || orbit_.found()) return;
   passes_.clear();
   now_.passes = 0.0;
-  now_.changes = bearing::SettlingChanges();
+  now_.changes = now_.rest = bearing::SettlingChanges();
   now_.begin_steps = static_cast<double>(update->ntimestep);
 }
 

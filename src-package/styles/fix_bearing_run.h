@@ -7,7 +7,7 @@ FixStyle(bearing/run,FixBearingRun)
 #ifndef LMP_FIX_BEARING_RUN_H
 #define LMP_FIX_BEARING_RUN_H
 
-#include "../core/figures/settling.h"
+#include "../core/figures/settling_rest.h"
 #include "bearing_compat.h"
 #include "orbit_search.h"
 #include "run_phase.h"
@@ -35,8 +35,11 @@ class FixBearingRun : public Fix {
     double samples = 0.0;                // in the present one
     double settled = 0.0;                // `settle orbit`: changes within which it ends
     double evaluations = 0.0;            // of the forces, to settle
-    bearing::SettlingSample sum;         // of these
-    bearing::SettlingChanges changes;    // per ball pass
+    double may_be_coarse = 0.0;          // 1: steps on the way may be
+    double coarse = 0.0;                 // 1: those of the present ball pass are
+    bearing::SettlingSample sum;         // of the samples
+    bearing::SettlingChanges changes;    // from one ball pass to the next, of `settle orbit`
+    bearing::SettlingChanges rest;       // until settled, by estimate
   };
 
   FixBearingRun(class LAMMPS *, int, char **);

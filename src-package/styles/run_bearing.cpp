@@ -13,7 +13,6 @@
 #include "fixes.h"
 #include "named_bearing.h"
 #include "output.h"
-#include "print_line.h"
 #include "simulated_time.h"
 
 #include <algorithm>
@@ -129,6 +128,7 @@ void RunBearing::plan()
   const double least = fix_->orbit().runs() ? 1e-3 : 1e-2;    // s
   now().begin = written(before * now().pass + std::max(least, ramp));
   plan_samples();
+  plan_coarse();
   if (implicit()) plan_steps();
 }
 
@@ -206,16 +206,14 @@ void RunBearing::settle()
     set_step(now().step_length);
     for (auto *f : bearing::fixes_of<bearing::WaitsForRun>(lmp)) f->settle(sampling());
     show(std::ceil(now().begin_steps / 5), "Settling");
-    const bool coarse = fix_->orbit().runs();
-    for (FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp))
-      if (coarse) f->coarse(true);
+    choose_steps();
     run(now().begin_steps);
-    for (FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp))
-      if (coarse) f->coarse(false);
     input->one(("unfix " + show_id).c_str());
   } else if (now().begin_steps == 0.0) {
     settle_adaptively();
   }
+  if (now().steps == 0.0 || settings_.orbit) now().coarse = now().may_be_coarse;
+  choose_steps();
   warm_up();
   if (automatic()) settle_until_still();
   // by the number of steps where they are even, so that a stopped run has the same rounding
@@ -281,57 +279,6 @@ double RunBearing::steps_a_pass()
   return now().every * std::max(1.0, std::round(now().a_pass / now().within));
 }
 
-// Ball pass by ball pass until their means agree. The compared spans consist of whole ball
-// passes, so that the ripple of ball passes cancels.
-void RunBearing::settle_until_still()
-{
-  const double steps = steps_a_pass();
-  now().steps = steps;
-  while (!still() && now().passes < settings_.limit) {
-    const bool searches = fix_->orbit().runs();
-    set_step(now().step_length);
-    input->one(("run " + digits(now().begin_steps + (now().passes + 1.0) * steps) + " upto post no")
-                   .c_str());
-    say_pass();
-    if (searches) say_search();
-  }
-  if (!still() && comm->me == 0)
-    BRG_WARN(std::string(command_name) + ": not settled after " + text(now().passes) +
-             " ball passes: in one of them torque changes by " + text(now().changes.torque) +
-             ", loads by " + text(now().changes.load) + ", cage speed by " +
-             text(now().changes.cage_speed) + ", spin axes by " + text(now().changes.spin_axis) +
-             " rad" + pocket_fall() + "; asked for " + text(settings_.settled));
-}
-
-// A ball that is in the loaded arc at the start keeps its place in its pocket until it leaves the
-// arc, at most half a turn of the cage later.
-bool RunBearing::still()
-{
-  if (fix_->orbit().runs()) return false;
-  if (fix_->orbit().found()) return true;
-  const double s = settings_.settled;
-  return now().passes >= 0.5 * fix_->pockets() && now().changes.within({s, 0.1 * s, s, s, 0.5});
-}
-
-std::string RunBearing::pocket_fall()
-{
-  char part[60] = "";
-  if (fix_->pockets() > 0.0)
-    snprintf(part, sizeof part, ", fall of pocket forces %.1e", now().changes.pocket_fall);
-  return part;
-}
-
-void RunBearing::say_pass()
-{
-  if (now().passes < 2.0) return;
-  const bearing::SettlingChanges &c = now().changes;
-  char line[160];
-  snprintf(line, sizeof line,
-           "Ball pass %.0f: change of torque %.1e, loads %.1e, cage speed %.1e, spin axes %.1e rad",
-           now().passes, c.torque, c.load, c.cage_speed, c.spin_axis);
-  bearing::print_line(lmp, line + pocket_fall());
-}
-
 // ---- the measurement
 
 void RunBearing::start_fixes()
@@ -342,8 +289,8 @@ void RunBearing::start_fixes()
       f->note(NetcdfHeader::attribute("passes", settings_.passes), true);
       f->note(NetcdfHeader::attribute("settling_evaluations", now().evaluations));
       if (automatic()) {
-        const bearing::SettlingChanges &c = now().changes;
         const bearing::OrbitSearch &orbit = fix_->orbit();
+        const bearing::SettlingChanges &c = orbit.found() ? now().changes : now().rest;
         if (settings_.orbit) {
           f->note(NetcdfHeader::attribute("orbit", orbit.found() ? "found" : "none"));
           f->note(NetcdfHeader::attribute("orbit_passes", orbit.now().passes));

@@ -14,7 +14,7 @@ CommandStyle(run_bearing,RunBearing)
 namespace LAMMPS_NS {
 
 // run_bearing settle N|auto|orbit passes P [step DT] [safety F] [rate HZ] [angle A] [settled S]
-// [limit L]: choose the step, settle for N ball passes, until they agree or until one
+// [limit L]: choose the step, settle for N ball passes, until little change is left or until one
 // returns to its begin (orbit_search.h), and measure P of them
 // with the fixes that wait for it (run_phase.h).
 class RunBearing : public bearing::CommandBase {
@@ -25,9 +25,9 @@ class RunBearing : public bearing::CommandBase {
  private:
   struct Settings {
     double settle = 1.0, passes = 0.0;    // ball passes
-    bool automatic = false;               // settle until ball passes agree,
+    bool automatic = false;               // settle until little change is left,
     bool orbit = false;                   // on the orbit if there is one
-    double settled = 1e-2;                // relative change of torque that counts as settled
+    double settled = 1e-2;                // relative rest of torque that counts as settled
     double limit = 100.0;                 // allowed ball passes of settling
     double step = 0.0;                    // s; 0: chosen
     double safety = 0.3;                  // of the stability limit
@@ -47,7 +47,11 @@ class RunBearing : public bearing::CommandBase {
   double steps_a_pass();
   void settle_until_still();
   void begin_at_step_0(double time);
+  void plan_coarse();
+  void plan_pass();
+  void choose_steps();
   bool still();
+  bool rests_are_small();
   void say_pass();
   std::string pocket_fall();
   bool automatic() const { return settings_.automatic; }

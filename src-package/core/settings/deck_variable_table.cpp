@@ -24,11 +24,11 @@ const std::vector<DeckVariable> &deck_variables()
       {"rpm", "477.5", "1/min", "1 1.0e5", "deck", "speed of the inner ring"},
       {"passes", "4", "", "1 1.0e6 whole", "run_bearing", "ball passes that are measured"},
       {"settle", "auto", "", "", "run_bearing",
-       "ball passes before the measurement, 0 to 1e6; auto: until they agree; orbit: until one "
-       "repeats the one before, with speeds of the balls chosen on the way"},
+       "ball passes before the measurement, 0 to 1e6; auto: until little change is left; orbit: "
+       "until one repeats the one before, with speeds of the balls chosen on the way"},
       {"settled", "1e-2", "", "1.0e-6 1", "run_bearing",
-       "change of the torque from one ball pass to the next at which `settle auto` ends; for "
-       "`orbit` a fiftieth of it"},
+       "estimated rest of the change of torque at which `settle auto` ends; for `orbit` a fiftieth "
+       "of it as the change in a ball pass"},
       {"step", "0", "s", "1.0e-9 1.0e-3 or 0", "run_bearing", "time step; 0: automatic"},
       {"safety", "0.3", "", "1.0e-3 1", "run_bearing",
        "fraction of the stability limit, with verlet and step 0"},

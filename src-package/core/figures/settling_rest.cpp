@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "settling_rest.h"
+
+namespace bearing {
+
+using raceway::Vec3;
+using Series = std::vector<Vec3>;    // a figure by ball pass; a number has one component
+
+// Largest ratio of steps one ball pass apart: a mode that decays more slowly cannot be told from a
+// constant drift.
+static constexpr double slowest = 0.98;
+
+static double length(const Vec3 &v) { return std::sqrt(dot(v, v)); }
+
+// Steps between the means of the last spans, at most three, the latest last.
+static Series steps_of(const Series &passes, size_t span)
+{
+  const size_t spans = std::min<size_t>(4, passes.size() / span);
+  Series means(spans), steps;
+  for (size_t k = 0; k < spans; ++k) {
+    const auto from = passes.end() - static_cast<std::ptrdiff_t>((spans - k) * span);
+    for (size_t i = 0; i < span; ++i) means[k] += from[static_cast<std::ptrdiff_t>(i)];
+    means[k] = means[k] * (1.0 / static_cast<double>(span));
+    if (k > 0) steps.push_back(means[k] - means[k - 1]);
+  }
+  return steps;
+}
+
+static Vec3 mean_of(const Series &steps)
+{
+  Vec3 sum;
+  for (const Vec3 &s : steps) sum += s;
+  return sum * (1.0 / static_cast<double>(steps.size()));
+}
+
+// True if steps scatter about their mean as much as that is large.
+static bool scatters(const Series &steps)
+{
+  const Vec3 mean = mean_of(steps);
+  double squares = 0.0;
+  for (const Vec3 &s : steps) squares += dot(s - mean, s - mean);
+  return steps.size() > 2 && squares / (static_cast<double>(steps.size()) - 1.0) >= dot(mean, mean);
+}
+
+// Of steps without a drift: their mean, but no less than the share of the last one in it.
+static double change(const Series &steps)
+{
+  return std::max(length(mean_of(steps)), length(steps.back()) / static_cast<double>(steps.size()));
+}
+
+// What is left of a drift, 0 without one.
+static double rest_of_drift(const Series &steps, size_t span)
+{
+  double products = 0.0, squares = 0.0;
+  for (size_t k = 1; k < steps.size(); ++k) {
+    products += dot(steps[k], steps[k - 1]);
+    squares += dot(steps[k - 1], steps[k - 1]);
+  }
+  if (!(products > 0.0) || scatters(steps)) return 0.0;
+  const double ratio = std::min(products / squares, std::pow(slowest, static_cast<double>(span)));
+  // a drift does not end at once
+  const double last = std::max(length(steps.back()), ratio * length(steps[steps.size() - 2]));
+  return last * ratio / (1.0 - ratio);
+}
+
+static double rest_of(const Series &passes)
+{
+  const size_t longest = std::max<size_t>(1, passes.size() / 4);
+  const Series slow = steps_of(passes, longest);
+  double rest =
+      (scatters(slow) ? change(slow) : length(slow.back())) / static_cast<double>(longest);
+  for (size_t span = 1; span <= longest; span *= 2)
+    rest = std::max(rest, rest_of_drift(steps_of(passes, span), span));
+  return rest;
+}
+
+template <class Number>
+static double relative_rest(const std::vector<SettlingSample> &passes, Number number)
+{
+  Series all;
+  for (const SettlingSample &p : passes) all.push_back({number(p), 0.0, 0.0});
+  const double rest = rest_of(all);
+  return rest == 0.0 ? 0.0 : rest / std::fabs(all.back().x);
+}
+
+static double rest_of_axes(const std::vector<SettlingSample> &passes)
+{
+  Series all;
+  for (const SettlingSample &p : passes)
+    all.push_back(p.weight > 0.0 ? Vec3::from(p.axis) * (1.0 / p.weight) : Vec3());
+  return rest_of(all);
+}
+
+static double fall_of_pockets(const std::vector<SettlingSample> &passes)
+{
+  const size_t span = std::max<size_t>(1, passes.size() / 4);
+  Settling settling(static_cast<int>(span));
+  for (auto p = passes.end() - static_cast<std::ptrdiff_t>(2 * span); p != passes.end(); ++p)
+    settling.add(*p);
+  return settling.changes().pocket_fall;
+}
+
+SettlingChanges settling_rest(const std::vector<SettlingSample> &passes)
+{
+  if (passes.size() < 2) return {};
+  const auto load = [&passes](int side) {
+    return relative_rest(passes, [side](const SettlingSample &p) { return p.load[side]; });
+  };
+  return {relative_rest(passes, [](const SettlingSample &p) { return p.torque; }),
+          std::max(load(0), load(1)),
+          relative_rest(passes, [](const SettlingSample &p) { return p.cage_speed; }),
+          rest_of_axes(passes), fall_of_pockets(passes)};
+}
+
+}    // namespace bearing

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What is left of the changes of a bearing that settles, estimated from the means of its ball
+// passes. Independent of the host.
+//
+// Means over spans of 1, 2, 4 ... ball passes, up to a quarter of all of them, are compared. Steps
+// that keep a direction are a drift: with the ratio r of one step to the one before, d r/(1 - r) is
+// left of it after a step d. Steps that scatter about their mean are noise, of which nothing is
+// left. No rest is below the change of a ball pass by the longest span, with noise by the mean of
+// its steps.
+#ifndef BEARING_SETTLING_REST_H
+#define BEARING_SETTLING_REST_H
+
+#include "settling.h"
+
+#include <vector>
+
+namespace bearing {
+
+// Of torque, loads and cage speed relative, of the spin axis in rad; of pocket forces, the fall
+// over the longest span. Infinite with fewer than two ball passes.
+SettlingChanges settling_rest(const std::vector<SettlingSample> &passes);
+
+}    // namespace bearing
+
+#endif

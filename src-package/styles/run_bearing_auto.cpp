@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// `settle auto` of run_bearing: ball pass by ball pass until what is left of the changes is small
+// (core/figures/settling_rest.h). Implicit steps are coarse on the way there, those of the deck in
+// the last ball passes.
+#include "../core/settings/arguments.h"
+#include "fix_bearing_heat.h"
+#include "fix_bearing_implicit.h"
+#include "fixes.h"
+#include "print_line.h"
+#include "run_bearing.h"
+
+using namespace LAMMPS_NS;
+using bearing::digits;
+using bearing::text;
+
+// So many ball passes tell a drift from noise.
+static constexpr double first_passes = 3.0;
+
+// Coarse steps while the loads are applied, and where they save evaluations afterwards, too.
+// Temperatures follow the losses of the deck's own steps.
+void RunBearing::plan_coarse()
+{
+  now().coarse = now().may_be_coarse = 0.0;
+  if (!automatic()) return;
+  for (const FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp)) {
+    if (f->can_be_coarse()) now().coarse = 1.0;
+    if (f->coarse_saves() && !settings_.orbit) now().may_be_coarse = 1.0;
+  }
+  for (const FixBearingHeat *f : bearing::fixes_of<FixBearingHeat>(lmp))
+    if (!f->idle()) now().may_be_coarse = 0.0;
+}
+
+void RunBearing::settle_until_still()
+{
+  const double steps = steps_a_pass();
+  now().steps = steps;
+  while (!still() && now().passes < settings_.limit) {
+    const bool searches = fix_->orbit().runs();
+    plan_pass();
+    choose_steps();
+    set_step(now().step_length);
+    input->one(("run " + digits(now().begin_steps + (now().passes + 1.0) * steps) + " upto post no")
+                   .c_str());
+    say_pass();
+    if (searches) say_search();
+  }
+  if (!still() && comm->me == 0)
+    BRG_WARN("run_bearing: not settled after " + text(now().passes) +
+             " ball passes: by estimate the rest of torque is " + text(now().rest.torque) +
+             ", of loads " + text(now().rest.load) + ", of cage speed " +
+             text(now().rest.cage_speed) + ", of spin axes " + text(now().rest.spin_axis) + " rad" +
+             pocket_fall() + "; asked for " + text(settings_.settled));
+}
+
+// Steps of the next ball pass, or of the present one when a stopped run continues: coarse while
+// there is a rest. They are taken again if those of the deck show one, for the end of coarse steps
+// may be a little beside it.
+void RunBearing::plan_pass()
+{
+  const bool last = now().passes + 1.0 >= settings_.limit;
+  if (last || (now().passes >= first_passes && rests_are_small())) now().coarse = 0.0;
+  else now().coarse = now().may_be_coarse;
+}
+
+void RunBearing::choose_steps()
+{
+  for (FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp))
+    f->coarse(now().coarse != 0.0);
+}
+
+bool RunBearing::still()
+{
+  if (fix_->orbit().runs()) return false;
+  return fix_->orbit().found() || (now().coarse == 0.0 && rests_are_small());
+}
+
+// A ball that is in the loaded arc at the start keeps its place in its pocket until it leaves the
+// arc, at most half a turn of the cage later.
+bool RunBearing::rests_are_small()
+{
+  const double s = settings_.settled;
+  return now().passes >= 0.5 * fix_->pockets() && now().rest.within({s, 0.1 * s, s, s, 0.5});
+}
+
+std::string RunBearing::pocket_fall()
+{
+  char part[60] = "";
+  if (fix_->pockets() > 0.0)
+    snprintf(part, sizeof part, ", fall of pocket forces %.1e", now().rest.pocket_fall);
+  return part;
+}
+
+void RunBearing::say_pass()
+{
+  if (now().passes < 2.0) return;
+  const bearing::SettlingChanges &r = now().rest;
+  char line[160];
+  snprintf(line, sizeof line,
+           "Ball pass %.0f: rest of torque %.1e, loads %.1e, cage speed %.1e, spin axes %.1e rad",
+           now().passes, r.torque, r.load, r.cage_speed, r.spin_axis);
+  bearing::print_line(lmp, line + pocket_fall() + (now().coarse != 0.0 ? " (coarse steps)" : ""));
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What is left of the changes of ball passes, for test_physics_settling.py.
+#include "../../src-package/core/figures/settling_rest.h"
+#include "../../src-package/core/interface/exports.h"
+
+RECORD(SettlingRest, double torque, load, cage_speed, spin_axis, pocket_fall;)
+
+// By ball pass: torque, load of either raceway, cage speed, pocket force, pitch of the spin axis
+// (rad).
+EXPORT(void, settling_rest,
+       (int passes, const double *torque, const double *load, const double *cage_speed,
+        const double *pocket_force, const double *pitch, SettlingRest *out))
+{
+  std::vector<bearing::SettlingSample> all(static_cast<size_t>(passes));
+  for (size_t k = 0; k < all.size(); ++k) {
+    bearing::SettlingSample &one = all[k];
+    one.torque = torque[k];
+    one.load[0] = load[2 * k];
+    one.load[1] = load[2 * k + 1];
+    one.cage_speed = cage_speed[k];
+    one.pocket_force = pocket_force[k];
+    one.weight = 100.0;
+    one.axis[0] = 100.0 * std::sin(pitch[k]);
+    one.axis[2] = 100.0 * std::cos(pitch[k]);
+  }
+  const bearing::SettlingChanges rest = bearing::settling_rest(all);
+  *out = {rest.torque, rest.load, rest.cage_speed, rest.spin_axis, rest.pocket_fall};
+}

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""settling_rest.h: what is left of a decay, from the means of ball passes."""
+
+import numpy as np
+import pytest
+
+S = 1e-2  # of `settled`
+
+
+def rest(physics, passes, **series):
+    """Rests after ball passes with these means, 1 or a pitch of 0 for the others."""
+    given = dict(
+        torque=np.ones(passes),
+        load=np.ones((passes, 2)),
+        cage_speed=np.ones(passes),
+        pocket_force=np.ones(passes),
+        pitch=np.zeros(passes),
+    )
+    return physics.call("settling_rest", passes=passes, **{**given, **series})
+
+
+def of_torque(physics, means):
+    return rest(physics, len(means), torque=np.array(means)).torque
+
+
+def decay(passes, ratio, start=0.2):
+    return 1 + start * ratio ** np.arange(passes)
+
+
+@pytest.mark.parametrize("ratio", [0.2, 0.5, 0.9, 0.97])
+@pytest.mark.parametrize("passes", [3, 4, 7, 12, 19])
+def test_a_decay_has_its_rest(physics, ratio, passes):
+    """At least what is left, and no more than was left a span before or than has changed in a
+    ball pass, in the mean of three spans."""
+    means = decay(passes, ratio)
+    found, left = of_torque(physics, means) * means[-1], means[-1] - 1
+    span = max(1, passes // 4)
+    steps = min(3, passes // span - 1)
+    before = means[passes - (steps + 1) * span : passes - steps * span].mean()
+    change = (before - means[-span:].mean()) / steps / span
+    assert (1 - 1e-6) * left < found < 1.01 * max(left / ratio ** (span - 1), change)
+
+
+def test_each_figure_has_its_own(physics):
+    means = decay(4, 0.9)
+    loads = np.stack([means, np.ones(4)], axis=-1)
+    left = (means[-1] - 1) / means[-1]
+    for series, name in (
+        (dict(cage_speed=means), "cage_speed"),
+        (dict(load=loads), "load"),
+        (dict(load=loads[:, ::-1]), "load"),
+    ):
+        found = vars(rest(physics, 4, **series))
+        assert found.pop(name) == pytest.approx(left, rel=1e-6)
+        assert set(found.values()) == {0.0}
+    assert rest(physics, 4, pitch=means).spin_axis == pytest.approx(means[-1] - 1, rel=0.05)
+
+
+def test_a_drift_that_does_not_decay(physics):
+    """Its rest is that of the slowest mode that can be told, and grows no further."""
+    steady = of_torque(physics, 1 + 1e-3 * np.arange(4))
+    assert steady == pytest.approx(0.049, rel=1e-2)
+    assert of_torque(physics, 1 + 1e-3 * np.cumsum(1.2 ** np.arange(4))) > 0.049
+
+
+def test_a_small_change_in_the_middle_of_a_decay(physics):
+    """One ball pass that repeats the one before does not end a drift."""
+    means = decay(8, 0.9)
+    means[-1] = means[-2]
+    assert of_torque(physics, means) > 3 * S
+
+
+def test_noise_ends_as_early_as_the_change_of_a_pass(physics):
+    """Without a drift the rest is the change of one ball pass by the longest span, but for chance:
+    the median number of ball passes is that of the change alone, with a noise of a third, one, or
+    three of the limit."""
+    draw = np.random.default_rng(3)
+    for noise in (S / 3, S, 3 * S):
+        ends, changes = [], []
+        for _ in range(300):
+            means = 1 + noise * draw.standard_normal(60)
+
+            def change(n, means=means):
+                span = max(1, n // 4)
+                last, before = means[n - span : n].mean(), means[n - 2 * span : n - span].mean()
+                return abs(last / before - 1) / span
+
+            count = range(2, 61)
+            ends.append(next(n for n in count if of_torque(physics, means[:n]) <= S))
+            changes.append(next(n for n in count if change(n) <= S))
+        assert np.median(ends) <= np.median(changes) + 1, noise
+        assert np.mean(ends) <= np.mean(changes) + 2, noise
+
+
+def test_a_slow_mode_shows_in_noise(physics):
+    """1 % of change a ball pass and a time of 50 ball passes, in a noise of 0.1 %: the change alone
+    would end at once, with 40 % left."""
+    draw = np.random.default_rng(4)
+    left = []
+    for _ in range(100):
+        means = decay(500, 0.98, start=0.5) + 1e-3 * draw.standard_normal(500)
+        end = next(n for n in range(3, 501) if of_torque(physics, means[:n]) <= S)
+        left.append(decay(500, 0.98, start=0.5)[end - 1] - 1)
+    assert np.median(left) < 2 * S
+    assert np.quantile(left, 0.9) < 5 * S
+
+
+def test_one_pass_does_not_say(physics):
+    assert np.isinf(rest(physics, 1).torque)
+
+
+def test_pocket_forces_fall(physics):
+    """Their fall over a span, not their rise."""
+    force = np.array([100.0, 100.0, 40.0, 20.0])
+    assert rest(physics, 4, pocket_force=force).pocket_fall == pytest.approx(0.5)
+    assert rest(physics, 4, pocket_force=force[::-1].copy()).pocket_fall == 0.0
