@@ -136,9 +136,9 @@ def run(arguments: argparse.Namespace) -> None:
         if counts.get("failed"):
             several = "s" if counts["failed"] > 1 else ""
             raise RacewayError(
-                f"{counts['failed']} point{several} failed: see message in {path}; --retry runs"
-                " failed points again. A point that is no longer in the table stays until its folder"
-                " is removed"
+                f"{counts['failed']} point{several} failed: see column message of {path}. --retry"
+                " runs failed points again; a point that the table no longer has stays until its"
+                " folder is removed"
             )
 
 

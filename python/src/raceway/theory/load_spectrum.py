@@ -74,8 +74,8 @@ def _run(path, number, point):
     if point["status"] != "finished":
         why = f": {point['message']}" if point.get("message") else ""
         raise InputError(
-            f"{where} is {point['status']}{why}. `raceway sweep --retry` runs it; without its folder"
-            " `raceway gather` leaves it out"
+            f"{where} is {point['status']}{why}. `raceway sweep --retry` runs it; once its folder"
+            " is removed, `raceway gather` leaves it out"
         )
     if not point.get(KEYS[0]):
         raise InputError(
