@@ -26,8 +26,8 @@ WORD = re.compile(r"[A-Za-z0-9_.+/-]+")
 OURS = {
     "out": "the sweep gives every point its folder",
     "resume": "the sweep resumes points by itself",
-    "overwrite": "the sweep knows which points are done",
-    "inputs": "it says where the deck's files are; start from the folder that holds them",
+    "overwrite": "the sweep skips finished points by itself",
+    "inputs": "it is the folder of the deck's data files; start where they are found",
 }
 SHARE = "share"  # column of the table that is not a variable: share of the time, for load spectra
 LONGEST = 160  # characters of a folder's name, well below the 255 of file systems
