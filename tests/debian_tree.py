@@ -59,7 +59,7 @@ def run(*command, quiet=True, **kwargs):
 
 
 def release():
-    """The codename of this Debian, and the suite names that stand for it."""
+    """The codename of this Debian and the names of its suites."""
     names = dict(
         re.findall(r'^(\w+)="?([^"\n]*)"?$', Path("/etc/os-release").read_text(), flags=re.M)
     )

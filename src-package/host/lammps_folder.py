@@ -70,7 +70,7 @@ def from_installed(folder):
     described = sorted(folder.glob("**/pkgconfig/liblammps*.pc"))
     if not described:
         raise Refused(
-            f"{folder} has include/lammps but no pkgconfig/liblammps.pc, which says the version:"
+            f"{folder} has include/lammps but no pkgconfig/liblammps.pc, which states the version:"
             " install LAMMPS with CMake, or name its source tree"
         )
     text = described[0].read_text()

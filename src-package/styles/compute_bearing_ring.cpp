@@ -18,7 +18,7 @@ using bearing::RacewayContact;
 using bearing::RingSum;
 namespace of_ring = bearing::of_ring;
 
-// A contact sends its figures to its ring, then the direction of the orbit over its radius.
+// Values of a contact for its ring: its figures, then the direction of the orbit over its radius.
 static constexpr size_t ALONG = BallFigures::numbers(), N_SAID = ALONG + 3;
 
 // compute ID group bearing/ring all|value ...

@@ -258,7 +258,7 @@ void FixBearingCapacitance::find_integrators()
   integrators_ = bearing::fixes_of<bearing::InstantSource>(lmp);
   if (integrators_.empty())
     BRG_ALL(std::string("fix ") + id + " bearing/capacitance: 'within " + std::to_string(within_) +
-            "' needs fix bearing/implicit, which knows what happens within a step; with other "
+            "' needs fix bearing/implicit, which has the states within a step; with other "
             "integrators sample every step");
   for (bearing::InstantSource *f : integrators_)
     f->want_instants(instants(within_), std::string("fix ") + id + " bearing/capacitance");

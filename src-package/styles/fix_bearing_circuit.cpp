@@ -81,7 +81,7 @@ void FixBearingCircuit::find_integrators()
   integrators_ = bearing::fixes_of<bearing::InstantSource>(lmp);
   if (integrators_.empty())
     BRG_ALL(who + ": 'within " + std::to_string(settings_.within) +
-            "' needs fix bearing/implicit, which knows what happens within a step; with other "
+            "' needs fix bearing/implicit, which has the states within a step; with other "
             "integrators sample every step");
   bearing::Instants wanted = cap_->instants(settings_.within);
   wanted.states = needs_states();
@@ -95,7 +95,7 @@ FixBearingCircuit::Film FixBearingCircuit::film_of(const RacewayPhysics &raceway
   Film film;
   if (settings_.metal > 0.0 && !raceway.facts().asperities)
     BRG_ONE(bearing::name_of(*this) +
-            ": 'metal' needs 'friction mixed', which knows what asperities carry");
+            ": 'metal' needs 'friction mixed', which has the load share of asperities");
   const bool whole = cap_->model().surrounded();
   if (!live && !whole) return film;
   film.capacitance = whole ? q.total() : q.capacitance;

@@ -71,7 +71,7 @@ void FixBearingHeat::init()
   pair_ = dynamic_cast<PairBearing *>(force->pair);
   if (!pair_)
     BRG_ALL(bearing::name_of(*this) +
-            " needs pair_style bearing, which knows the bearing's sizes and its oil");
+            " needs pair_style bearing, which has the sizes of the bearing and its oil");
   find_bearing();
   check_oil();
   find_network();

@@ -26,7 +26,7 @@ void FixBearingRecord::find_integrators()
         std::none_of(integrators_.begin(), integrators_.end(),
                      [&](const Fix *f) { return atom->mask[i] & f->groupbit; }))
       BRG_ONE(command_ + ": 'within " + std::to_string(within_) +
-              "' needs fix bearing/implicit, which knows what happens within a step; it does not "
+              "' needs fix bearing/implicit, which has the states within a step; it does not "
               "move ball " +
               std::to_string(atom->tag[i]) + ". With other integrators sample every step");
   const std::vector<FixBearingCapacitance *> fixes = bearing::capacitances_of(lmp);

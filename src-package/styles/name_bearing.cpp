@@ -116,6 +116,11 @@ void NameBearing::derive(const Arguments &args, NamedBearing &b)
   if (usual || map.count("inner_conformity")) {
     for (const char *key : {"ball_young", "ball_poisson", "ball_density"})
       map.emplace(key, bearing::find_deck_variable(key, "usual data")->initial);
+    for (const bearing::DeckVariable &v : bearing::deck_variables()) {
+      if (!v.taken_by("usual data") || !map.count(v.name)) continue;
+      const std::string wrong = bearing::wrong_value(v, map.at(v.name));
+      if (!wrong.empty()) args.fail(b.data.label + ": " + wrong);
+    }
     laws.at("usual_data")(values);
   } else if (values.number("contact_angle") != 0.0) {
     args.fail("contact_angle is " + map["contact_angle"] +

@@ -33,7 +33,7 @@ SAMPLES, PARTS = 6000, 12  # of a run; means of parts for the standard error
 # s, step of velocity Verlet; slow or heavily loaded balls have stiffer friction
 VERLET, FINE, FINEST = 4e-7, 1e-7, 3e-8
 REVERSAL = "reversal, 300 to -300 rad/s"
-# friction near rest asks velocity Verlet for steps that take hours
+# friction near rest makes velocity Verlet take hours
 ALONE = (REVERSAL, "1 rad/s")
 DOWN = dict(weight=9.81, fall="0 -1 0")
 

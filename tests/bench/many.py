@@ -48,8 +48,8 @@ GHOST_BYTES = 72  # position, velocity, spin
 
 
 def run(ranks, steps, folder, **variables):
-    """One run of in.many: seconds of all loops, of a bearing-step and of its host part, kB and
-    ghosts of a rank."""
+    """Figures of one run of in.many: times (s) of all loops, of a bearing-step and of the host's
+    part of it; memory (kB) and ghosts of a rank."""
     implicit, settle = (
         variables["integrator"] == "implicit",
         INTEGRATORS[variables["integrator"]]["settle"],

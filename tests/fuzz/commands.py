@@ -58,7 +58,7 @@ def _value(draw, action, metavar):
 
 
 def _between(draw, low, high):
-    """A number from a range: half of them small, some at its limits."""
+    """A random number of a range: half of the draws are small, some are its limits."""
     if draw.chance(0.1):
         return f"{draw.choice([low, high]):.17g}"
     if low < 0 or high <= 0:

@@ -70,7 +70,7 @@ def deck(tmp_path):
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])
 def test_names_of_another_meaning(deck, tmp_path, host):
-    """Variables that no command gets have no range; data of a bearing set by accident are told."""
+    """Variables that no command gets have no range; data of a bearing set by accident are shown."""
     own = {"step": 5, "keep": "left", "time": "noon", "rpm": -30, "load_azimuth": "up"}
     quiet = succeed(deck(words(own)), host=host).text
     assert "by variables of the deck" not in quiet

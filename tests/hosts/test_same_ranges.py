@@ -15,6 +15,11 @@ REFUSED = [
     ("bearings/6208", {"inner_groove": "0.025"}),
     ("bearings/6208", {"outer_groove": "9.5"}),
     ("bearings/7208", {"contact_angle": "61"}),
+    ("bearings/7208", {"pitch_diameter": "60"}),
+    ("bearings/7208", {"inner_conformity": "3e-3"}),
+    ("bearings/7208", {"pocket_play": "-1e-4"}),
+    ("bearings/7208", {"bearing_width": "18"}),
+    ("bearings/7208", {"outer_shouldr_diameter": "0"}),  # would be ignored
     ("bearings/6208", {"four_point": "4"}),
     ("bearings/7208", {"clearance": "1e-5"}),
     ("bearings/6208", {"clearance": "-6e-4"}),
@@ -26,6 +31,7 @@ REFUSED = [
 TAKEN = [
     ("bearings/6208", {"four_point": "0", "inner_shoulder_diameter": "0"}),
     ("bearings/6208", {"clearance": "9e-5"}),
+    ("bearings/6208", {"price": "12"}),
 ]
 
 

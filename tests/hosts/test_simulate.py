@@ -67,8 +67,7 @@ def test_bits_of_the_deck_run_by_hand(tmp_path, monkeypatch, host, ranks):
     [{"load": -1}, {"models": "half"}, {"bearing": "6299"}, {"lubricant": "pao8", "passes": 2}],
 )
 def test_errors_of_the_command_line(tmp_path, wrong):
-    """The host's message is that of the same deck with -var; it also says which of the deck's
-    variables has the value."""
+    """The host's message is that of the same deck with -var."""
     folder = tmp_path / "run"
     if "passes" in wrong:  # a finished run of other settings
         raceway.simulate(out=folder, passes=1)
@@ -76,8 +75,7 @@ def test_errors_of_the_command_line(tmp_path, wrong):
     shown = run("inputs/in.6208", out=folder, resume="yes", **own).error
     with pytest.raises(RacewayError) as error:
         raceway.simulate(out=folder, **wrong)
-    said = str(error.value).split(". It is variable ")[0]
-    assert said and said in shown
+    assert str(error.value) and str(error.value) in shown
 
 
 def test_errors_before_anything_runs(tmp_path, monkeypatch):

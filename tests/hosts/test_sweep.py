@@ -229,9 +229,11 @@ def test_stopped_half_way(tmp_path, counter, which, code):
         process.send_signal(which)
     _, errors = process.communicate(timeout=60)
     assert process.returncode == code and "Traceback" not in errors, errors
+    stopped = re.search(r"stopped with (\d) of 5 points finished", errors)
+    assert bool(stopped) == (which != signal.SIGKILL), errors
     wait_for(lambda: not in_work(out))
     before = {path: path.stat().st_mtime_ns for path in out.glob("*/summary.json")}
-    assert 2 <= len(before) < 5
+    assert 2 <= len(before) < 5 and (not stopped or int(stopped[1]) == len(before))
     done = sweep(table, "--out", out, "--program", counter)
     assert done.returncode == 0, done.stderr
     assert {path: path.stat().st_mtime_ns for path in before} == before

@@ -54,7 +54,7 @@ def test_hertz_pressure_presses_the_surfaces_together(physics, r_x, r_y):
     h = physics.hertz(r_x, r_y, STEEL)
     a, b, p = (value * np.sqrt(overlap) for value in (h.a, h.b, h.p))
     approach, across, along = approach_and_curvatures(a, b, p, STEEL)
-    # the quadrature asks for 1e-12
+    # the tolerance of the quadrature is 1e-12
     assert [approach, along, across] == pytest.approx([overlap, 1 / r_x, 1 / r_y], rel=1e-10)
     assert 2 / 3 * p * np.pi * a * b == pytest.approx(h.K * overlap**1.5, rel=ROUNDING)
 

@@ -114,7 +114,7 @@ def test_examples_can_be_used(capsys):
         (changed("record", axis="z"), "axis is 'z', must be x or y"),
         (changed("record", noise=-1), "noise (m/s^2) is -1"),
         (changed("conditions", lod=1), "variable 'lod' cannot be set"),
-        (changed("conditions", passes=1), "variable 'passes' cannot be set: `record` says it"),
+        (changed("conditions", passes=1), "variable 'passes' cannot be set: set it in `record`"),
         (changed("conditions", settle=1), "stands in deck and in conditions"),
         (changed("conditions", load=[5, 5]), "a value is there twice"),
         (changed("conditions", load="5 6"), "load is '5 6', must be one word or number"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every vector of a fix is on the page of the fix, from the tables of the C++."""
+"""The page of each fix has all its vectors, from the C++ tables."""
 
 from pathlib import Path
 

@@ -31,6 +31,14 @@ def test_points(tmp_path):
     assert found[0].variables == {"load": "5e3", "rpm": "477.5", "lubricant": "dry"}
 
 
+def test_words_of_another_meaning(tmp_path):
+    """A variable with a word for its default, and a bearing whose name ends like a unit."""
+    path = tmp_path / "table.csv"
+    path.write_text("bearing,load,rpm\n6205N,5kN,1500\n")
+    known = {"bearing": "6208", "load": "left", "rpm": "1"}
+    assert read_points(path, known)[0].variables["load"] == "5kN"
+
+
 def test_name_is_stable(tmp_path):
     """The order of columns and rows does not matter."""
     one = points(tmp_path, "load,rpm\n1,2\n3,4\n")
@@ -69,6 +77,7 @@ def test_mark_of_spreadsheets(tmp_path):
         ("load,rpm\n1,2\n1.0,2e0\n", "line 3: the same point as line 2"),
         ("load,rpm\n1\n", "line 2: 1 cells, 2 columns"),
         ("load,rpm\n1,2,3\n", "line 2: 3 cells, 2 columns"),
+        ("load,clearance\n1,10um\n", "line 2: clearance is '10um': give a number alone, in m"),
         ("bearing\nmy bearing\n", "line 2: bearing is 'my bearing', must be one word"),
         ("bearing\n./x;y\n", "line 2: bearing is './x;y'"),
         ("bearing\n${x}\n", "line 2: bearing is '${x}'"),

@@ -233,6 +233,10 @@ def test_pockets_are_drawn_around_their_balls(tmp_path):
     assert (force > 0).sum() > 50 and off[force > 0].min() > play / 2
     picture = drawn(run, np.arange(samples), factor=1.0)
     assert np.abs(picture.pockets - found.centre).max() < 1e-15
+    # magnified so that a pocket stays at its ball
+    magnified = drawn(run, np.arange(samples)).pockets
+    away = np.abs(np.hypot(magnified[..., 0], magnified[..., 1]) - run.geometry.pitch_radius)
+    assert away.max() < 0.2 * run.geometry.ball_radius
     paraview.write(run, tmp_path / "vtk", every=10)
     for number in range(0, samples, 10):
         mesh = meshio.read(tmp_path / f"vtk/pockets_{number // 10:05d}.vtu")

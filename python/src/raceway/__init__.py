@@ -21,7 +21,7 @@ CLASSES = {"Run": "runs.run", "RunTables": "runs.tables", "simulate": "sweeps.on
 
 
 def _names() -> dict[str, str]:
-    """The public names, each with the module below `raceway` that it is or that defines it."""
+    """{public name: module below `raceway`}, the module itself or the one that defines the name."""
     here, found = Path(__file__).parent, dict(CLASSES)
     for room in (*ROOMS, ""):
         for path in (here / room).iterdir():

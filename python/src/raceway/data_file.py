@@ -5,6 +5,7 @@ the decks (`sweeps.variable_table`)."""
 import math
 import re
 from collections.abc import Mapping
+from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
@@ -15,6 +16,7 @@ from raceway.files import FilePath
 from raceway.sweeps import variable_table
 
 LINE = re.compile(r"\s*variable\s+(\w+)\s+index\s+(\S+)")
+ALIKE = 0.87  # `difflib` ratio: one or two letters of a name differ
 REMARK = re.compile(r"\s*variable\s+(\w+)\s+index\s+\S+\s*#\s*(.*\S)")
 
 
@@ -53,9 +55,15 @@ def text(path: FilePath) -> str:
 
 
 def values(path: FilePath) -> dict[str, str]:
-    """The index variables of a data file as {name: text}. Raises `InputError` if it cannot be
-    read."""
-    return _matches(path, LINE)
+    """The index variables of a data file as {name: text}. Raises `InputError` if it cannot be read
+    and for a mistyped name, as decks do: one that no variable has and that is close to one that the
+    file lacks. Other names are the user's own."""
+    found = _matches(path, LINE)
+    for name in found.keys() - _names():
+        lacking = [one for one in variable_table.data() if one not in found]
+        if close := get_close_matches(name, lacking, 1, ALIKE):
+            raise InputError(f"{path}: there is no variable '{name}'; did you mean {close[0]}?")
+    return found
 
 
 def comments(path: FilePath) -> dict[str, str]:
@@ -90,6 +98,12 @@ def check(path: FilePath, numbers: Mapping[str, float]) -> None:
         allowed = ranges().get(name)
         if allowed and not allowed.allows(value):
             raise InputError(f"{path}: {name} = {value:g} must be {allowed}")
+
+
+@cache
+def _names():
+    """All variables of decks and data files."""
+    return {row["name"] for row in variable_table.rows()}
 
 
 @cache

@@ -99,6 +99,7 @@ def _one_groove(path):
     data |= numbers(path, *given)
     data["balls"] = int(data["balls"])
     check(path, data)
+    numbers(path, *(name for name in variable_table.data() if name in known))
     for side in ("inner", "outer"):
         groove, raceway = data[f"{side}_groove"], data[f"{side}_radius"]
         if groove >= raceway:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Elastic contact with its film in the gap (film_gap.h) instead of Hertz contact alone: contacts
 // begin at a gap as wide as the film of a lightly loaded contact. The slope over the overlap is
-// exact; the derivative holds the entrainment speed.
+// exact; the derivative keeps the entrainment speed fixed.
 //
 // The film follows the power law of film.h, constant below 1 N, or that of all regimes
 // (gap_film.h).

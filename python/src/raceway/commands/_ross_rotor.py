@@ -24,7 +24,7 @@ def run(arguments: argparse.Namespace) -> None:
         kept = arguments.kept or bearings
         if not kept:
             raise RacewayError(
-                f"{arguments.file} has no bearings: --kept Z ... says where they will be"
+                f"{arguments.file} has no bearings: give their positions, --kept Z ..."
             )
         try:
             found = rotor_matrices.bending(

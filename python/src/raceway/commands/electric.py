@@ -14,7 +14,7 @@ from raceway.commands import Commands, electric_run, options
 from raceway.commands.quantity import each, number, takes_negative
 from raceway.theory.models import CAPACITANCE
 
-HELP = "capacitance with everything that carries it, breakdown and impedance from theory"
+HELP = "total capacitance, breakdown and impedance from theory"
 DESCRIPTION = """\
 With DIR the figures are those of a run over time, from its record; the options of an operating
 point are then omitted. Otherwise they are those of an operating point, without a simulation.

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from raceway.commands import Commands, options
 from raceway.commands.quantity import number
+from raceway.recordings import WITHIN
 from raceway.theory.models import STATICS
 from raceway.units import prefixed
 
@@ -97,7 +98,7 @@ def add(commands: Commands) -> None:
     lines.add_argument(
         "--within",
         type=number(1e-6, 0.1, ""),
-        default=2e-4,
+        default=WITHIN,
         metavar="SHARE",
         help="standard deviation of a line, relative (%(default)s)",
     )

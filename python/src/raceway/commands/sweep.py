@@ -105,19 +105,26 @@ def run(arguments: argparse.Namespace) -> None:
         _write_array(arguments, out, len(points))
     else:
         from raceway.sweeps.gather import write_shares  # pandas takes a while
+        from raceway.sweeps.point_run import FINISHED, state
         from raceway.sweeps.sweep import sweep
 
         first, step = arguments.part
         files.folder(out)
         write_shares(out, points)
         end_on_signals()
-        counts, before, path = sweep(
-            points[first - 1 :: step],
-            out,
-            runs,
-            jobs=arguments.jobs,
-            retry=arguments.retry,
-        )
+        part = points[first - 1 :: step]
+        try:
+            counts, before, path = sweep(
+                part, out, runs, jobs=arguments.jobs, retry=arguments.retry
+            )
+        except (KeyboardInterrupt, SystemExit):
+            states = [state(out / point.name, point.variables)[0] for point in part]
+            print(
+                f"raceway: stopped with {states.count(FINISHED)} of {len(part)} points finished;"
+                " the same command continues",
+                file=sys.stderr,
+            )
+            raise
         print(
             ", ".join(
                 f"{number} {what}"
@@ -127,9 +134,11 @@ def run(arguments: argparse.Namespace) -> None:
             + f": {path}"
         )
         if counts.get("failed"):
+            several = "s" if counts["failed"] > 1 else ""
             raise RacewayError(
-                f"{counts['failed']} points failed: their messages are in {path}; --retry runs them"
-                " again"
+                f"{counts['failed']} point{several} failed: see column message of {path}. --retry"
+                " runs failed points again; a point that the table no longer has stays until its"
+                " folder is removed"
             )
 
 

@@ -25,7 +25,7 @@ A `.mat` file of record 12 has `X012_DE_time`, N x 1, and `X012RPM`, named like 
 data center of Case Western Reserve University, and in addition `fault`, `fault_size_m`, `load_N`,
 `sampling_Hz` and `unit`. A `.parquet` file has `time_s` and `acceleration_m_s2`. The signal is the
 acceleration of the housing along {axis}, in m/s^2. The
-load points along -y unless `load_azimuth` says otherwise.
+load points along -y unless `load_azimuth` is set.
 
 | class | records | rms, least to most (m/s^2) |
 |---|---|---|

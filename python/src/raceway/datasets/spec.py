@@ -37,12 +37,12 @@ RANGES = {  # m, except for the place
     "amplitude": (1e-10, 1e-5),
     "place": (0, 12),  # o'clock
 }
-# where the file says nothing; otherwise the deck's defaults count
+# where the file has no value; otherwise the deck's defaults count
 USUAL = {"housing": "springs", "settle": "1"}
 SET_HERE = {
     **OURS,
-    **dict.fromkeys(("flaw_inner", "flaw_outer", "flaw_ball", "flawed_ball"), "`flaws` says it"),
-    **dict.fromkeys(("sampling", "oversampling", "passes", "samples"), "`record` says it"),
+    **dict.fromkeys(("flaw_inner", "flaw_outer", "flaw_ball", "flawed_ball"), "set it in `flaws`"),
+    **dict.fromkeys(("sampling", "oversampling", "passes", "samples"), "set it in `record`"),
     **dict.fromkeys(("integrator", "record", "dumps"), "it is always the same"),
     "phase": "`seed` draws it",
 }

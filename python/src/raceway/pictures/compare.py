@@ -5,7 +5,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from raceway.files import FilePath
-from raceway.pictures.spectrum import COLOUR
+from raceway.pictures.spectrum import COLOUR, PAPER
 from raceway.pictures.style import INK, SOFT, STYLE, save
 from raceway.recordings.compare import Comparison
 from raceway.units import axis
@@ -31,7 +31,13 @@ def picture(found: Comparison, path: FilePath) -> None:
                 if np.isfinite(place):
                     label = line.name if line.harmonic == 1 else f"{line.harmonic}·{line.name}"
                     own.axvline(place, color=COLOUR[line.name], lw=1, zorder=0.5)
-                    own.annotate(f"{label}\n{place:.4f}", (place, 2 * top), ha="center", fontsize=8)
+                    own.annotate(
+                        f"{label}\n{place:.4f}",
+                        (place, 2 * top),
+                        ha="center",
+                        fontsize=8,
+                        bbox=PAPER,
+                    )
             own.set(
                 ylim=(top / 10**DECADES, 12 * top),
                 ylabel=f"envelope ({unit})" if unit else "envelope",

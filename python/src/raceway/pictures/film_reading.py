@@ -17,8 +17,8 @@ def reading(curve: Reading, names: Mapping[str, Any], path: FilePath) -> None:
     """Draw the film thickness that an instrument would read against that of the model, and the
     error, to the PNG `path`. Raises `RunError` if it cannot be written."""
     lines = (
-        (curve.by_plates, "all of it taken for plates", PALETTE[5], "-"),
-        (curve.less_constant, "after a constant was taken off", PALETTE[0], (0, (4, 2))),
+        (curve.by_plates, "all capacitance as plates", PALETTE[5], "-"),
+        (curve.less_constant, "after subtraction of a constant", PALETTE[0], (0, (4, 2))),
     )
     h = 1e9 * curve.h_c
     with plt.rc_context(STYLE):

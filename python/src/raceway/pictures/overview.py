@@ -84,8 +84,8 @@ def _subtitle(figures):
 
 
 def _torque(axes, tables, scale):
-    """Power lost by part times `scale`, one over the speed; the others than the
-    largest `PARTS`, and those below a hundredth, together."""
+    """Power lost by part times `scale`, one over the speed. Parts beyond the largest `PARTS` and
+    those below a hundredth of the total are drawn as one."""
     samples = np.arange(len(tables.totals))
     lost = {name: tables.totals[key] for name, key in LOSSES.items() if key in tables.totals}
     # the cage's is known at the ends of steps only

@@ -69,8 +69,11 @@ def scene(
     balls, cage = table[table["type"] == BALL], table[table["type"] == CAGE]
     shift = _places(ring, count)[:, 0] - axis
     way, cage_way = _places(balls, count) - axis[:, None], _places(cage, count) - axis[:, None]
+    holes = cage_pockets(tables, first, int(samples[-1]) + 1)
+    centres = np.empty((count, 0, 3)) if holes is None else holes.centre - axis[:, None]
     if factor is None:
-        off = np.abs(np.hypot(way[..., 0], way[..., 1]) - pitch).max()
+        both = np.concatenate([way[..., :2], centres[..., :2]], axis=1)
+        off = np.abs(np.hypot(both[..., 0], both[..., 1]) - pitch).max()
         factor = nice(
             VISIBLE * tables.geometry.ball_radius,
             max(
@@ -80,8 +83,6 @@ def scene(
                 np.abs(way[..., 2]).max(),
             ),
         )
-    holes = cage_pockets(tables, first, int(samples[-1]) + 1)
-    centres = np.empty((count, 0, 3)) if holes is None else holes.centre - axis[:, None]
     values, load = _values(tables, colour, samples, np.unique(balls["id"]))
     step = tables.settings["sample_s"]
     return Scene(

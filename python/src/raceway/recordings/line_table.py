@@ -8,14 +8,13 @@ import pandas as pd
 from raceway import catalogue, clearance_classes, inputs
 from raceway.errors import InputError
 from raceway.files import FilePath
-from raceway.recordings import readings
+from raceway.recordings import WITHIN, readings
 from raceway.recordings.readings import STATE, Point, Reading, Readings, ReadingsError
 from raceway.theory.cage_speed import MODELS
 
 LINES = {"bpfo_Hz": "BPFO", "bpfi_Hz": "BPFI", "bsf_Hz": "BSF", "ftf_Hz": "FTF"}
 KNOWN = {"load_N": "load", "temperature_C": "temperature"}
 COLUMNS = ("speed_Hz", *LINES, *KNOWN)
-WITHIN = 2e-4  # of a line: the scatter of recordings of seconds (docs/measured_bearings)
 LIGHT, HEAVY = 1e-4, 0.1  # range of an unknown load, shares of the basic static load
 OIL = (20.0, 100.0)  # C, range of an unknown oil temperature
 

@@ -287,7 +287,8 @@ def _still(figures):
 def _left_out(absent):
     reasons = dict.fromkeys(absent.values())
     return [
-        f"friction torque and losses: {why}; models {models.DEFAULT} have them" for why in reasons
+        f"friction torque and losses: {why}; models {models.DEFAULT} include them"
+        for why in reasons
     ]
 
 

@@ -79,7 +79,7 @@ class RunTables:
         self.record.need_one()
         path = self.folder / "run.yaml"
         if not path.exists():
-            raise RunError(f"{path} is missing: it says whether the run has finished, and its cost")
+            raise RunError(f"{path} is missing, which states whether the run has finished")
         if missing := [key for key in AT_THE_END if key not in self.settings]:
             raise RunError(f"run has not finished: {path} has no {' and no '.join(missing)}")
 

@@ -95,7 +95,9 @@ def of_run(
             times = np.interp(result["time"], turns, np.arange(len(turns)) * sample_s)
             result = result.assign_coords(time=times).rename(frequency="order")
     except ValueError as error:
-        raise RunError(f"{run.where}: {error}") from None
+        short = band is not None and "window" in str(error)
+        shorter = "; without the envelope a shorter record is enough" if short else ""
+        raise RunError(f"{run.where}: {error}{shorter}") from None
     result["time"].attrs["units"] = "s"
     result[result.dims[0]].attrs["units"] = "1" if tracked else "Hz"
     result.attrs.update(attrs, orders=tracked, samples=len(values), sample_s=sample_s)

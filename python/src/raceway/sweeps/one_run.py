@@ -78,7 +78,7 @@ def simulate(
     words += ["-in", str(written), "-log", "none"]
     heading = f"raceway.simulate wrote this deck. Again: {shlex.join(words)}"
     files.text(written, deck_text.text(source, own, heading))
-    _run(words, folder / "log.txt", progress)
+    _run(words, folder / "log.txt", progress, main=deck is None)
 
     from raceway.runs.run import Run
 
@@ -99,13 +99,16 @@ def _inputs(known, source):
     return {"inputs": source.resolve().parent}
 
 
-def _run(words, log, progress):
-    """Run the program to its end. Raises `RacewayError`."""
+def _run(words, log, progress, main):
+    """Run the program to its end. Raises `RacewayError`, for the `main` deck without the hint that
+    one of its variables may have another meaning."""
     shown = _watched() if progress is None else progress
     with tqdm(total=100.0, unit="%", disable=not shown, bar_format=BAR) as bar:
         code = execute(words, log, watch=_follower(log, bar) if shown else None)
     if code:
         why = complaint(log, code)
+        if main:
+            why = why.partition(". It is variable ")[0]
         raise RacewayError(f"{why}; resume=True continues it" if stopped(code) else why)
     for line in dict.fromkeys(log.read_text(errors="replace").splitlines()):
         if line.startswith("WARNING: ") and "bearing" in line:

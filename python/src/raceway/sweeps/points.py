@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import NamedTuple
 
+from raceway import units
 from raceway.errors import RacewayError, near
 from raceway.files import FilePath
 from raceway.sweeps import variable_table
@@ -25,8 +26,8 @@ WORD = re.compile(r"[A-Za-z0-9_.+/-]+")
 OURS = {
     "out": "the sweep gives every point its folder",
     "resume": "the sweep resumes points by itself",
-    "overwrite": "the sweep knows which points are done",
-    "inputs": "it says where the deck's files are; start from the folder that holds them",
+    "overwrite": "the sweep skips finished points by itself",
+    "inputs": "it is the folder of the deck's data files; start where they are found",
 }
 SHARE = "share"  # column of the table that is not a variable: share of the time, for load spectra
 LONGEST = 160  # characters of a folder's name, well below the 255 of file systems
@@ -68,7 +69,8 @@ def _add_variables(found, path):
         text = path.read_text()
     except (OSError, UnicodeDecodeError) as error:
         raise TableError(
-            f"cannot read deck {path}: {getattr(error, 'strerror', None) or error}"
+            f"cannot read deck {path}: {getattr(error, 'strerror', None) or error}; `raceway decks"
+            f" {path.name}` copies one of the package's decks here"
         ) from None
     for name, default in INDEX.findall(text):
         found.setdefault(name, default)
@@ -90,8 +92,8 @@ def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
     """The `Point`s of the CSV file `table` (path), in its order; `variables` from `deck_variables`.
 
     Empty lines and lines that start with # are skipped. Raises `TableError` for unknown or repeated
-    columns, rows of another length, empty cells, values that are not a single word, and rows that
-    request the same point twice ("5000" and "5e3" are the same).
+    columns, rows of another length, empty cells, values that are not a single word, numbers with a
+    unit, and rows that request the same point twice ("5000" and "5e3" are the same).
     """
     lines = _lines(table)
     if not lines:
@@ -111,6 +113,11 @@ def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
     if len(lines) == 1:
         raise TableError(f"{table} has no row below its columns")
     points, seen, order = [], {}, [name for name in variables if name in columns]
+    numbers = {
+        row["name"]: row["unit"]
+        for row in variable_table.rows()
+        if row["unit"] and isinstance(_value(variables.get(row["name"], "")), float)
+    }
     shared = SHARE in columns and SHARE not in order
     for number, cells in lines[1:]:
         cells = [cell.strip() for cell in cells]
@@ -124,6 +131,12 @@ def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
                 f"line {number}: {name} is "
                 + (f"'{row[name]}', must be one word or number" if row[name] else "empty")
             )
+        for name in order:
+            if name in numbers and _has_unit(row[name], unit := numbers[name]):
+                bad.append(name)
+                wrong.append(
+                    f"line {number}: {name} is '{row[name]}': give a number alone, in {unit}"
+                )
         if shared and not _positive(row[SHARE]):
             wrong.append(f"line {number}: {SHARE} is '{row[SHARE]}', must be a number above 0")
             continue
@@ -171,6 +184,15 @@ def _lines(table):
         raise TableError(
             f"cannot read {table}: {getattr(error, 'strerror', None) or error}"
         ) from None
+
+
+def _has_unit(text, unit):
+    """Whether `text` is a number with a unit in place of one in `unit`."""
+    try:
+        units.read(text, unit)
+    except ValueError:
+        return False
+    return not isinstance(_value(text), float)
 
 
 def _positive(text):

@@ -84,7 +84,9 @@ class Balance:
         size = np.linalg.norm(loads)
         if self.free.any() and not size and not np.any(self.held):
             if np.all(seat.nearest(self.grooves(self.held))[0] <= self.digits):
-                raise NoEquilibrium("without a load nothing says where a ring with clearance sits")
+                raise NoEquilibrium(
+                    "without a load the position of a ring with clearance is indeterminate"
+                )
         squeeze = (5 * size / (len(self.azimuth) * self.stiffness.min())) ** (2 / 3)
         direction = loads / size if size else loads
         free = np.zeros(5)
@@ -114,7 +116,7 @@ class Balance:
             raise NoEquilibrium("contact angles and contact stiffness do not settle")
         found = self.at(place)
         if self.free.any() and not found.touch.carried.any():
-            raise NoEquilibrium("no ball carries: nothing says where the ring sits")
+            raise NoEquilibrium("no ball carries load: the position of the ring is indeterminate")
         return place, found
 
     def settle(self, place: Floats) -> Floats:

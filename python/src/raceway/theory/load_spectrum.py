@@ -72,7 +72,11 @@ def _run(path, number, point):
     """The figures of a sweep's point, whose rating may be missing."""
     where = f"{path}: point {number} ({point['point']})"
     if point["status"] != "finished":
-        raise InputError(f"{where} is {point['status']}: run the sweep again")
+        why = f": {point['message']}" if point.get("message") else ""
+        raise InputError(
+            f"{where} is {point['status']}{why}. `raceway sweep --retry` runs it; once its folder"
+            " is removed, `raceway gather` leaves it out"
+        )
     if not point.get(KEYS[0]):
         raise InputError(
             f"{where} has no {KEYS[0]}, which needs a record with contacts, an inner ring that"
