@@ -296,10 +296,10 @@ void RunBearing::start_fixes()
           f->note(NetcdfHeader::attribute("orbit_passes", orbit.now().passes));
         }
         f->note(NetcdfHeader::attribute("settled_passes", now().passes));
-        f->note(NetcdfHeader::attribute("settled_torque", c.torque));
-        f->note(NetcdfHeader::attribute("settled_load", c.load));
-        f->note(NetcdfHeader::attribute("settled_cage_speed", c.cage_speed));
-        f->note(NetcdfHeader::attribute("settled_spin_axis_rad", c.spin_axis));
+        f->note(NetcdfHeader::attribute("rest_torque", c.torque));
+        f->note(NetcdfHeader::attribute("rest_load", c.load));
+        f->note(NetcdfHeader::attribute("rest_cage_speed", c.cage_speed));
+        f->note(NetcdfHeader::attribute("rest_spin_axis_rad", c.spin_axis));
         if (fix_->pockets() > 0.0)
           f->note(NetcdfHeader::attribute("settled_pocket_fall", c.pocket_fall));
       }

@@ -3,6 +3,7 @@
 // (core/figures/settling_rest.h). Implicit steps are coarse on the way there, those of the deck in
 // the last ball passes.
 #include "../core/settings/arguments.h"
+#include "../core/settings/written.h"
 #include "fix_bearing_heat.h"
 #include "fix_bearing_implicit.h"
 #include "fixes.h"

@@ -96,7 +96,7 @@ def test_settles_by_itself(tmp_path):
     succeed("inputs/in.6208", out=tmp_path, passes=1, models=None, settle=None)
     found = raceway.open(tmp_path)
     assert found.settings["models"] == "full" and found.settings["settled_passes"] >= 2
-    assert found.settings["settled_torque"] < 1e-2 and found.settings["settled_load"] < 1e-3
+    assert found.settings["rest_torque"] < 1e-2 and found.settings["rest_load"] < 1e-3
 
 
 @pytest.mark.parametrize(

@@ -106,12 +106,12 @@ def _max_load(load):
 def test_side_by_side(tmp_path, monkeypatch, pool):
     """Each point has a separate folder, named after its values."""
     monkeypatch.chdir(tmp_path)
-    loads = [1000, 2000, 4000]
+    loads = [1000, 2000.0, 4000]
     with pool(2) as workers:
         found = list(workers.map(_max_load, loads))
     assert found == sorted(found) and found[0] < 0.3 * found[2]
     assert sorted(p.name for p in (tmp_path / "run").iterdir()) == [
-        f"load={load}_passes=1" for load in loads
+        f"load={load:g}_passes=1" for load in loads
     ]
 
 

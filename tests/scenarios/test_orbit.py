@@ -52,7 +52,7 @@ def test_scenes_without_an_orbit_settle_until_ball_passes_agree(words, why, tmp_
     assert "No orbit: " in done.text and why in done.text
     found = raceway.open(tmp_path).settings
     assert found["orbit"] == "none" and found["settled_passes"] >= 2
-    assert found["settled_torque"] <= 1e-2
+    assert found["rest_torque"] <= 1e-2
 
 
 # the same with dry contacts; five ball passes hold two with chosen speeds

@@ -171,8 +171,8 @@ def test_auto_settles(tmp_path):
     assert power(tmp_path / "auto") == pytest.approx(want, rel=1e-2)
     notes = values(tmp_path / "auto")[1]
     assert 10 < notes["settled_passes"] < 40
-    assert notes["settled_torque"] <= 1e-2 and notes["settled_load"] <= 1e-3
-    assert notes["settled_cage_speed"] <= 1e-2 and notes["settled_spin_axis_rad"] <= 1e-2
+    assert notes["rest_torque"] <= 1e-2 and notes["rest_load"] <= 1e-3
+    assert notes["rest_cage_speed"] <= 1e-2 and notes["rest_spin_axis_rad"] <= 1e-2
     assert evaluations(tmp_path / "auto") < 0.5 * evaluations(tmp_path / "60")
 
 
@@ -197,7 +197,7 @@ def test_auto_asks_for_more(tmp_path):
         out = tmp_path / str(settled)
         succeed(DECK, out=out, settle="auto", more=f"settled {settled} limit 300", **TURNS)
         notes = values(out)[1]
-        assert notes["settled_torque"] <= settled and notes["settled_load"] <= 0.1 * settled
+        assert notes["rest_torque"] <= settled and notes["rest_load"] <= 0.1 * settled
         passes.append(notes["settled_passes"])
     assert passes[1] > passes[0]
 
@@ -207,7 +207,7 @@ def test_auto_ends_at_its_limit(tmp_path):
     done = succeed(DECK, out=tmp_path, settle="auto", more="limit 2", **TURNS)
     assert re.search(r"WARNING: run_bearing: not settled after 2 ball passes: .* 0\.01", done.text)
     notes = values(tmp_path)[1]
-    assert notes["settled_passes"] == 2 and notes["settled_torque"] > 1e-2
+    assert notes["settled_passes"] == 2 and notes["rest_torque"] > 1e-2
 
 
 def stop(out, scene, share, deck=DECK):

@@ -44,7 +44,7 @@ def _text(name, value):
     if isinstance(value, Integral):
         return str(int(value))
     if isinstance(value, Real):
-        return repr(float(value))
+        return repr(float(value)).removesuffix(".0")  # 2000 and 2000.0 are one folder
     if not isinstance(value, str | os.PathLike):
         raise RacewayError(f"{name} is {value!r}, must be a number, a text, True or False")
     text = os.fspath(value)
