@@ -22,9 +22,9 @@ examples:
   raceway plot build/run/6208 --kind polar               a picture
   raceway static --load 2000 --clearance 10e-6           theory, without a run
 
-`raceway COMMAND --help` says more, with examples. Numbers may have a unit: 5kN, 10um, 60C. DIR is
+`raceway COMMAND --help` has details and examples. Numbers may have a unit: 5kN, 10um, 60C. DIR is
 the folder a run wrote, -var out of the deck.
-Exit codes: 0 done; 1 not done, a message says why; 2 wrong command line; 130 interrupted."""
+Exit codes: 0 done; 1 not done, with a message; 2 wrong command line; 130 interrupted."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:

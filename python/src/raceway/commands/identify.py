@@ -216,7 +216,7 @@ def text(given: "Readings", found: "Found") -> str:
     rows += ["", f"  {'reading':<24}{'read':>12}{'+-':>12}{'predicted':>12}{'off by':>10}"]
     for one, value, rest in zip(given.readings, found.predicted, found.residuals):
         row = f"  {f'{one.quantity} at {one.point.rpm:.5g} rpm':<24}{one.value:>12.6g}"
-        rows.append(f"{row}{one.within:>12.2g}{value:>12.6g}{rest:>+10.2f}")
+        rows.append(f"{row}{one.within:>12.2g}{value:>12.6g}{round(rest, 2) + 0.0:>+10.2f}")
     rows += _remarks(given, found)
     return "\n".join([*rows, "", f"  {deck(given, found)}"])
 

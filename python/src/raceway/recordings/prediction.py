@@ -11,7 +11,7 @@ from raceway import inputs
 from raceway.arrays import Floats
 from raceway.recordings.readings import Point, Reading, Readings
 from raceway.theory import cage_speed
-from raceway.theory.static import STRAIGHT
+from raceway.theory.static import STRAIGHT, Equilibrium
 from raceway.theory.steady_heat import Scene
 
 NO_LAG = 0.0, 0.0
@@ -36,6 +36,7 @@ class Model:
         self.bearing = inputs.bearing(path, one_groove="its lines are those of one groove a ring")
         self._boundary, self._density = inputs.boundary(path), inputs.ball_density(path)
         self._size = inputs.size(path)
+        self._near: dict[Point, Equilibrium] = {}  # of the last state
         self._lubricant, self._roughness = inputs.lubricant(oil), inputs.oil(oil).roughness
 
     def predict(
@@ -61,7 +62,8 @@ class Model:
         key = point._replace(at=oil)
         if key not in solved:
             scene = self._scene(point, state)
-            solved[key] = scene, scene.rest(oil, state["clearance"])
+            solved[key] = scene, scene.rest(oil, state["clearance"], self._near.get(point))
+            self._near[point] = solved[key][1].state
         scene, rest = solved[key]
         idle, angle = int((rest.state.inner.load <= 0).sum()), _contact_angle(rest.state)
         if reading.quantity == "temperature":

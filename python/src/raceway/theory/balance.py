@@ -96,9 +96,13 @@ class Balance:
             free[2] = direction[2] * play.free_endplay(self.bearing, self.clearance) / 2
         return np.where(self.free, free + direction * min(2 * squeeze, self.cap), self.held)
 
-    def find(self) -> tuple[Floats, Here]:
-        """The position of a stable equilibrium, and the bearing there. Raises `NoEquilibrium`."""
+    def find(self, near: tuple[Floats, Floats] | None = None) -> tuple[Floats, Here]:
+        """The position of a stable equilibrium, and the bearing there; the search may begin at
+        (position (5,) in m and rad, contact angles (C, Z)) `near` it. Raises `NoEquilibrium`."""
         place = self.start()
+        if near is not None:
+            place = np.where(self.free, near[0] * self.metres, self.held)
+            self._bend(near[1])
         for _ in range(50):
             before, loads, was = self.stiffness, self.loads.copy(), place
             place = self.settle(place)

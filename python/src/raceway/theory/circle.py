@@ -9,6 +9,7 @@ ball first, then ring. Arrays have the shape ... of `azimuth` and of the circles
 broadcast.
 """
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -22,7 +23,7 @@ class Reach(NamedTuple):
 
     distance: Floats  # (...), m
     slope: Floats  # (..., 7), first derivatives
-    curve: Floats  # (..., 7, 7), second derivatives
+    curve: Callable[[int], Floats]  # n: second derivatives (..., n, n) for the first n coordinates
     # (..., 2), unit vector from circle to ball in the ring's own section (radial, axial)
     section: Floats
     line: Floats  # (..., 3), the same in space: also the force's direction on the ring
@@ -46,12 +47,16 @@ def straight(
     way[..., 1] -= h
     distance = np.maximum(np.linalg.norm(way, axis=-1), 1e-300)
     unit = way / distance[..., None]
-    across = (np.eye(2) - _outer(unit)) / distance[..., None, None]
+
+    def curve(n):
+        across = (np.eye(2) - _outer(unit)) / distance[..., None, None]
+        return across if n == 2 else both[..., :n].swapaxes(-1, -2) @ across @ both[..., :n]
+
     line = np.stack([unit[..., 0] * c, unit[..., 0] * s, unit[..., 1]], -1)
     return Reach(
         distance,
         (unit[..., None, :] @ both)[..., 0, :],
-        both.swapaxes(-1, -2) @ across @ both,
+        curve,
         unit,
         line,
         np.stack([radius * c, radius * s, h], -1),
@@ -96,7 +101,7 @@ def exact(
         + unit[..., 1:, None] * height2
     )
     line = unit[..., :1] * across / r[..., None] + unit[..., 1:] * axis
-    return Reach(distance, slope, curve, unit, line, d)
+    return Reach(distance, slope, lambda n: curve[..., :n, :n], unit, line, d)
 
 
 def conjugate(moment: ArrayLike, tilt: Floats) -> Floats:

@@ -131,6 +131,7 @@ def turning(
     orbital, film = speed * kinematics.frequencies(bearing).cage, options.get("film")
     for _ in range(30):
         state = equilibrium(bearing, *loads, orbital_speed=orbital, **options)
+        options["near"] = state
         before, orbital = orbital, orbit(bearing, state, speed)
         same = np.all(np.abs(orbital - before) <= 1e-9 * abs(speed))
         if film is not None and len(bearing.raceways) > 2:

@@ -54,7 +54,7 @@ class Touch(NamedTuple):
         inner = len(self.reach.distance)
         line = self.direction[inner:, :, :, None] * self.direction[inner:, :, None, :]
         outer = (np.eye(2) - line) / np.maximum(self.distance[inner:], 1e-300)[..., None, None]
-        return np.concatenate([self.reach.curve[..., :2, :2], outer])
+        return np.concatenate([self.reach.curve(2), outer])
 
 
 def touch(grooves: Grooves, ball: Floats) -> Touch:
@@ -93,7 +93,7 @@ def linear(touch: Touch) -> Linear:
     approach = np.zeros((len(touch.load), count, 7))
     approach[:inner], approach[inner:, :, :2] = touch.reach.slope, touch.direction[inner:]
     line = approach[..., :, None] * approach[..., None, :]
-    curve[:inner], curve[inner:, :, :2, :2] = touch.reach.curve, touch.curve[inner:]
+    curve[:inner], curve[inner:, :, :2, :2] = touch.reach.curve(7), touch.curve[inner:]
     whole = _springs(touch.along, line, touch.load, curve).sum(0)
     return Linear(whole, approach, touch.along, touch.carried)
 

@@ -103,6 +103,7 @@ def equilibrium(
     ball_density: float = 7800.0,
     finite_shift: bool = False,
     film: FilmInGap | None = None,
+    near: Equilibrium | None = None,
 ) -> Equilibrium:
     """`Equilibrium` of `bearing` under loads in N on the inner ring, in the directions
     `load_azimuth` (rad) and +z.
@@ -113,7 +114,8 @@ def equilibrium(
     `clearance` is diametral, m; `phase` the azimuth of the first ball of each row, rad, or of every
     ball if they are not evenly spaced (Z,); `orbital_speed` of all balls or of each (Z,), rad/s,
     gives them the centrifugal load m r omega^2 with m from `ball_density` in kg/m^3; `finite_shift`
-    see above; `film` puts the film in the gap. Raises `NoEquilibrium` if the ring is free to move
+    see above; `film` puts the film in the gap; the search begins at an equilibrium `near` this one,
+    if there is one. Raises `NoEquilibrium` if the ring is free to move
     or the balls are forced out of their grooves, `ValueError` for an unknown degree of freedom.
 
     >>> from raceway.theory.bearing import Bearing
@@ -148,10 +150,24 @@ def equilibrium(
     azimuth = np.tile(azimuth, len(bearing.row) // len(azimuth))
     mass = 4 / 3 * np.pi * bearing.ball_radius**3 * ball_density
     centrifugal = mass * bearing.pitch_radius * np.square(orbital_speed)
-    balance = Balance(
-        bearing, force, couple, place, azimuth, clearance, centrifugal, finite_shift, film
-    )
-    return _state(balance, *balance.find())
+
+    def found(near):
+        balance = Balance(
+            bearing, force, couple, place, azimuth, clearance, centrifugal, finite_shift, film
+        )
+        return _state(balance, *balance.find(near and _place(near)))
+
+    try:
+        return found(near)
+    except NoEquilibrium:
+        if near is None:
+            raise
+        return found(None)
+
+
+def _place(state):
+    angles = [np.atleast_2d(side.angle) for side in (state.inner, state.outer)]
+    return np.concatenate([state.shift, state.tilt]), np.concatenate(angles)
 
 
 def contacts(

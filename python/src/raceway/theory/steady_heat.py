@@ -128,8 +128,9 @@ class Scene:
         self.size, self.supply = size, supply
         self.share = 1.0  # factor on the friction of the laws, set by `by_runs`
 
-    def rest(self, temperature: float, clearance: float) -> Rest:
-        """Equilibrium and films with the oil at a temperature in degrees C and a clearance in m."""
+    def rest(self, temperature: float, clearance: float, near: Equilibrium | None = None) -> Rest:
+        """Equilibrium and films with the oil at a temperature in degrees C and a clearance in m;
+        `near` as in `static.equilibrium`."""
         fluid, ring = self.lubricant.at(temperature), self.ring
         film = None if self.models == "paper" else FilmInGap(fluid, ring)
         state, orbit = turning(
@@ -141,6 +142,7 @@ class Scene:
             clearance=clearance,
             ball_density=self.density,
             film=film,
+            near=near,
         )
         oil = inputs.Oil(
             fluid.viscosity, fluid.pressure_viscosity, fluid.permittivity, self.roughness
