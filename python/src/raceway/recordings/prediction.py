@@ -36,7 +36,7 @@ class Model:
         self.bearing = inputs.bearing(path, one_groove="its lines are those of one groove a ring")
         self._boundary, self._density = inputs.boundary(path), inputs.ball_density(path)
         self._size = inputs.size(path)
-        self._near: dict[Point, Equilibrium] = {}  # of the last state
+        self._near: dict[Point, Equilibrium | None] = {}  # of the last state
         self._lubricant, self._roughness = inputs.lubricant(oil), inputs.oil(oil).roughness
 
     def predict(
@@ -62,8 +62,9 @@ class Model:
         key = point._replace(at=oil)
         if key not in solved:
             scene = self._scene(point, state)
-            solved[key] = scene, scene.rest(oil, state["clearance"], self._near.get(point))
-            self._near[point] = solved[key][1].state
+            scene.near = self._near.get(point)
+            solved[key] = scene, scene.rest(oil, state["clearance"])
+            self._near[point] = scene.near
         scene, rest = solved[key]
         idle, angle = int((rest.state.inner.load <= 0).sum()), _contact_angle(rest.state)
         if reading.quantity == "temperature":

@@ -127,10 +127,10 @@ class Scene:
         self.spin_law, self.models, self.held = spin_law, models, held
         self.size, self.supply = size, supply
         self.share = 1.0  # factor on the friction of the laws, set by `by_runs`
+        self.near: Equilibrium | None = None  # the last one, at which the next search begins
 
-    def rest(self, temperature: float, clearance: float, near: Equilibrium | None = None) -> Rest:
-        """Equilibrium and films with the oil at a temperature in degrees C and a clearance in m;
-        `near` as in `static.equilibrium`."""
+    def rest(self, temperature: float, clearance: float) -> Rest:
+        """Equilibrium and films with the oil at a temperature in degrees C and a clearance in m."""
         fluid, ring = self.lubricant.at(temperature), self.ring
         film = None if self.models == "paper" else FilmInGap(fluid, ring)
         state, orbit = turning(
@@ -142,8 +142,9 @@ class Scene:
             clearance=clearance,
             ball_density=self.density,
             film=film,
-            near=near,
+            near=self.near,
         )
+        self.near = state
         oil = inputs.Oil(
             fluid.viscosity, fluid.pressure_viscosity, fluid.permittivity, self.roughness
         )
