@@ -19,7 +19,10 @@ CRASH = re.compile(
 )
 
 # errors that the physics of a longer or slightly different run can cause
-LATER = re.compile(r"on the far side of the groove|bearing/timestep: step \S+ s exceeds what")
+LATER = re.compile(
+    r"on the far side of the groove|overlapping balls: atoms"
+    r"|bearing/timestep: step \S+ s exceeds what"
+)
 
 # stack frames of crashes that occur in the host without the package, too
 HOSTS_OWN = re.compile(r"DumpLocal10init_style|DumpCustom10init_style")

@@ -38,6 +38,7 @@ def test_what_it_found(file):
             "ball 3 on inner ring 1 at step 9: force 5 N on the far side of the groove, at",
             "refused",
         ),
+        ("overlapping balls: atoms 3 and 15 are 0.0048 m apart", "refused"),
         ("fix c bearing/timestep: step 1e-06 s exceeds what the film allows, 5e-07 s", "refused"),
         ("fix c bearing/timestep: unknown keyword", "finding"),
     ],
