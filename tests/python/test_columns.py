@@ -2,6 +2,8 @@
 """Columns and keywords of the law, as the tables of C++ have them."""
 
 import math
+import subprocess
+import sys
 
 import pytest
 from raceway import columns, core
@@ -38,3 +40,20 @@ def test_every_keyword_of_the_law_says_what_it_takes():
             for value in keyword["parameters"]:
                 assert value["meaning"] and value["initial"]
                 assert value["choices"] or value["most"] is None or value["most"] > value["least"]
+
+
+AT_ONCE = """
+from concurrent.futures import ThreadPoolExecutor
+from raceway import core
+with ThreadPoolExecutor(8) as pool:
+    for _ in range(40):
+        for name in ("columns", "variables"):
+            found = list(pool.map(core.table.__wrapped__, [name] * 8))
+            assert found == found[:1] * 8, name
+"""
+
+
+def test_threads_read_a_table_at_once():
+    """The library writes its text once; two threads that wrote it broke `raceway.simulate`."""
+    done = subprocess.run([sys.executable, "-c", AT_ONCE], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr

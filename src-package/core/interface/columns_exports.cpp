@@ -89,9 +89,8 @@ static void print_validity()
   json.add("  ],\n");
 }
 
-extern "C" const char *columns_json()
+static std::string written()
 {
-  json = {};
   json.add("{\n  \"contact\": [\n");
   const auto &contacts = bearing::contact_columns();
   const char *const needs[] = {"nothing", "film", "capacitance", "surroundings"};
@@ -122,5 +121,11 @@ extern "C" const char *columns_json()
   print_validity();
   print_law();
   json.add("}\n");
-  return json.text.c_str();
+  return json.text;
+}
+
+extern "C" const char *columns_json()
+{
+  static const std::string text = written();    // once, whatever the number of threads
+  return text.c_str();
 }

@@ -3,10 +3,9 @@
 #include "../settings/deck_variable_table.h"
 #include "json_text.h"
 
-extern "C" const char *variables_json()
+static std::string written()
 {
-  static JsonText json;
-  json = {};
+  JsonText json;
   json.add("[\n");
   const auto &table = bearing::deck_variables();
   for (const bearing::DeckVariable &v : table)
@@ -15,5 +14,11 @@ extern "C" const char *variables_json()
              v.name, v.initial, v.unit, v.range, v.of, v.meaning, v.models,
              &v == &table.back() ? "" : ",");
   json.add("]\n");
-  return json.text.c_str();
+  return json.text;
+}
+
+extern "C" const char *variables_json()
+{
+  static const std::string text = written();    // once, whatever the number of threads
+  return text.c_str();
 }
