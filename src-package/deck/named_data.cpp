@@ -26,20 +26,6 @@ Names given_names(const Names &set, const DataValues::Map &of_file)
   return found;
 }
 
-// A name that the table does not have and that is one or two letters off one that the file lacks
-// would be ignored in favour of a default. Other names of the file are the user's own.
-std::string mistyped(const DataValues::Map &of_file)
-{
-  constexpr size_t slips = 2, shortest = 5;
-  for (const auto &value : of_file) {
-    if (find_deck_variable(value.first) || value.first.size() < shortest) continue;
-    for (const DeckVariable &v : deck_variables())
-      if (v.of_data() && !of_file.count(v.name) && distance(value.first, v.name) <= slips)
-        return ": there is no variable '" + value.first + "', nearest is '" + v.name + "'";
-  }
-  return "";
-}
-
 }    // namespace
 
 NamedData read_data(LAMMPS_NS::LAMMPS *lmp, const Arguments &args, const std::string &inputs,
@@ -61,8 +47,10 @@ NamedData read_data(LAMMPS_NS::LAMMPS *lmp, const Arguments &args, const std::st
       args.fail(data.label + ": a line of data is 'variable NAME index VALUE', not '" + line + "'");
     data.values.emplace(key, value);
   }
-  if (const std::string wrong = mistyped(data.values); !wrong.empty())
-    args.fail(data.label + wrong);
+  std::set<std::string> of_lines;
+  for (const auto &value : data.values) of_lines.insert(value.first);
+  if (const std::string wrong = mistyped(of_lines); !wrong.empty())
+    args.fail(data.label + ": " + wrong);
   data.of_file = data.values;
   std::string given, of_deck;
   if (is_first_rank(lmp)) {

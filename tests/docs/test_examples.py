@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What the pages show runs: the decks in docs/decks, every block under a heading "Examples", and
-every Python or console block, in the order of its page.
+"""Runs the examples of the pages: the decks in docs/decks, every block under a heading "Examples",
+and every Python or console block, in the order of its page.
 
 A block under "Examples" stands in for the lines of docs/decks/in.ehd that give the same command,
 or, with commands of named bearings, for those of inputs/in.6208 with one ball pass; the rest of

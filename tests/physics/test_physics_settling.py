@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""settling_rest.h: what is left of a decay, from the means of ball passes."""
+"""settling_rest.h: rest of a decay, from the means of ball passes."""
 
 import numpy as np
 import pytest
@@ -105,7 +105,7 @@ def test_a_slow_mode_shows_in_noise(physics):
     assert np.quantile(left, 0.9) < 5 * S
 
 
-def test_one_pass_does_not_say(physics):
+def test_one_pass_has_no_rest(physics):
     assert np.isinf(rest(physics, 1).torque)
 
 

@@ -78,6 +78,7 @@ def test_rotation_of_balls_that_are_not_recorded(tmp_path):
     whole, short = found
     (_, own), (_, told) = (spectrum.places(one, own=False)["BSF", 1] for one in found)
     assert np.isnan(short.motion.angle) and np.degrees(whole.motion.angle) > 10
+    # BSF changes by a third of what the speed of the cage does, whose slip is below 1e-3
     assert told == pytest.approx(own, rel=3e-4)
     assert spectrum.contact_angle(short) == pytest.approx(whole.motion.angle, abs=np.radians(0.5))
 

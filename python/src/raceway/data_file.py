@@ -5,18 +5,16 @@ the decks (`sweeps.variable_table`)."""
 import math
 import re
 from collections.abc import Mapping
-from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
-from raceway import data_table
+from raceway import core, data_table
 from raceway.errors import InputError
 from raceway.files import FilePath
 from raceway.sweeps import variable_table
 
 LINE = re.compile(r"\s*variable\s+(\w+)\s+index\s+(\S+)")
-ALIKE = 0.87  # `difflib` ratio: one or two letters of a name differ
 REMARK = re.compile(r"\s*variable\s+(\w+)\s+index\s+\S+\s*#\s*(.*\S)")
 
 
@@ -59,10 +57,8 @@ def values(path: FilePath) -> dict[str, str]:
     and for a mistyped name, as decks do: one that no variable has and that is close to one that the
     file lacks. Other names are the user's own."""
     found = _matches(path, LINE)
-    for name in found.keys() - _names():
-        lacking = [one for one in variable_table.data() if one not in found]
-        if close := get_close_matches(name, lacking, 1, ALIKE):
-            raise InputError(f"{path}: there is no variable '{name}'; did you mean {close[0]}?")
+    if wrong := core.mistyped(found):
+        raise InputError(f"{path}: {wrong}")
     return found
 
 
@@ -98,12 +94,6 @@ def check(path: FilePath, numbers: Mapping[str, float]) -> None:
         allowed = ranges().get(name)
         if allowed and not allowed.allows(value):
             raise InputError(f"{path}: {name} = {value:g} must be {allowed}")
-
-
-@cache
-def _names():
-    """All variables of decks and data files."""
-    return {row["name"] for row in variable_table.rows()}
 
 
 @cache

@@ -127,7 +127,8 @@ class BearingBodies {
   std::vector<int> groove_at;     // inverse of contact_at, -1: none
   std::vector<States> kept;       // by group of contacts, if the law has states
   std::vector<KeptSlopes> kept_slopes;
-  // What the elastic energy of a contact depends on besides its overlap; cos_angle < 0: apart.
+  // Entrainment speed (m/s) and contact angle, which with the overlap determine the elastic energy
+  // of a contact; cos_angle < 0 without contact.
   struct EnergyBasis {
     Lane entrainment = {}, cos_angle = all_lanes(-1.0);
   };

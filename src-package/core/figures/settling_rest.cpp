@@ -42,13 +42,13 @@ static bool scatters(const Series &steps)
   return steps.size() > 2 && squares / (static_cast<double>(steps.size()) - 1.0) >= dot(mean, mean);
 }
 
-// Of steps without a drift: their mean, but no less than the share of the last one in it.
+// Change in a span without a drift: the mean step, at least a third of the last one.
 static double change(const Series &steps)
 {
   return std::max(length(mean_of(steps)), length(steps.back()) / static_cast<double>(steps.size()));
 }
 
-// What is left of a drift, 0 without one.
+// Change that a drift has still ahead, 0 without a drift.
 static double rest_of_drift(const Series &steps, size_t span)
 {
   double products = 0.0, squares = 0.0;

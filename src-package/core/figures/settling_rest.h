@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What is left of the changes of a bearing that settles, estimated from the means of its ball
+// Rest: change that a settling bearing has still ahead, estimated from the means of its ball
 // passes. Independent of the host.
 //
 // Means over spans of 1, 2, 4 ... ball passes, up to a quarter of all of them, are compared. Steps
@@ -16,8 +16,8 @@
 
 namespace bearing {
 
-// Of torque, loads and cage speed relative, of the spin axis in rad; of pocket forces, the fall
-// over the longest span. Infinite with fewer than two ball passes.
+// Rests of torque, loads and cage speed (relative) and of the spin axis (rad); the fall of pocket
+// forces over the longest span. Infinite with fewer than two ball passes.
 SettlingChanges settling_rest(const std::vector<SettlingSample> &passes);
 
 }    // namespace bearing

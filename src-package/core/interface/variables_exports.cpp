@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The variables of decks as JSON, for Python and the pages.
+// The variables of decks as JSON, for Python and the pages; names of data files.
 #include "../settings/deck_variable_table.h"
 #include "json_text.h"
+
+#include <sstream>
 
 static std::string written()
 {
@@ -21,4 +23,15 @@ extern "C" const char *variables_json()
 {
   static const std::string text = written();    // once, whatever the number of threads
   return text.c_str();
+}
+
+// `names` apart by blanks; the message of the thread's last call.
+extern "C" const char *mistyped_name(const char *names)
+{
+  static thread_local std::string message;
+  std::istringstream words(names);
+  std::set<std::string> all;
+  for (std::string one; words >> one;) all.insert(one);
+  message = bearing::mistyped(all);
+  return message.c_str();
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "deck_variable_table.h"
 
+#include "data_table.h"
+
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -267,6 +269,18 @@ const DeckVariable *find_deck_variable(const std::string &name, const std::strin
   for (const DeckVariable &v : deck_variables())
     if (v.name == name && (of.empty() || v.taken_by(of))) return &v;
   return nullptr;
+}
+
+std::string mistyped(const std::set<std::string> &names)
+{
+  constexpr size_t slips = 2, shortest = 5;    // of a shorter name two letters are half of it
+  for (const std::string &name : names) {
+    if (find_deck_variable(name) || name.size() < shortest) continue;
+    for (const DeckVariable &v : deck_variables())
+      if (v.of_data() && !names.count(v.name) && distance(name, v.name) <= slips)
+        return "there is no variable '" + name + "', nearest is '" + v.name + "'";
+  }
+  return "";
 }
 
 static std::string wrong_word(const DeckVariable &v, const std::string &value, std::istream &words)

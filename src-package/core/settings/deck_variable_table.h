@@ -4,6 +4,7 @@
 #ifndef BEARING_DECK_VARIABLE_TABLE_H
 #define BEARING_DECK_VARIABLE_TABLE_H
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,10 @@ struct DeckVariable {
 
 const std::vector<DeckVariable> &deck_variables();
 const DeckVariable *find_deck_variable(const std::string &name, const std::string &of = "");
+
+// Message on a name of a data file that no variable has and that is one or two letters off one that
+// the file lacks, whose default would count; "" without one. Other names are the user's own.
+std::string mistyped(const std::set<std::string> &names);
 
 // Reason why a variable cannot have this value; "" if it can.
 std::string wrong_value(const DeckVariable &, const std::string &value);

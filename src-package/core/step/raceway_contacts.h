@@ -107,12 +107,11 @@ static RACEWAY_INLINE void look_at_gap(const RacewayPhysics &p, const BallStateT
 // Elastic energy of contacts at this overlap less that at the entrainment speeds and contact angles
 // of the start of the step, J: no force does the work of these changes.
 template <class L>
-static RACEWAY_INLINE double gain_energy(const L &law, const RacewayPhysics &p,
+static RACEWAY_INLINE double energy_gain(const L &law, const RacewayPhysics &p,
                                          const LaneMask &near, const ContactStateT<Lane> &c,
                                          BearingBodies::BalancedContact &balanced)
 {
-  using Basis = BearingBodies::EnergyBasis;
-  const Basis &from = balanced.from;
+  const BearingBodies::EnergyBasis &from = balanced.from;
   balanced.now = {where(near, c.entrainment, 0.0), where(near, c.cos_angle, -1.0)};
   LaneMask moved = c.cos_angle != from.cos_angle;
   if (law.decides) moved |= c.entrainment != from.entrainment;
@@ -223,7 +222,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const L &law, 
       find_motions<L::couples>(p, ball, r, c);
       if constexpr (flawed)    // the loop of every balance
         if (stage.evaluate == Evaluate::only && !stage.looks && !b_.balanced.empty())
-          energy_gained_ += gain_energy(law, p, live, c, b_.balanced[contact]);
+          energy_gained_ += energy_gain(law, p, live, c, b_.balanced[contact]);
       if (law.decides) {
         live &= ~law.misses(p, p.law.at(c.cos_angle), c);
         if (stage.looks) stage.looks[contact].live = live;

@@ -9,6 +9,7 @@ and for Python.
 import ctypes
 import functools
 import json
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -45,6 +46,14 @@ def table(name: str) -> Any:
     text = ctypes.CDLL(str(_built()))[f"{name}_json"]
     text.restype = ctypes.c_char_p
     return json.loads(text())
+
+
+def mistyped(names: Iterable[str]) -> str:
+    """Message on a mistyped one among the `names` of a data file, as decks have it; empty without
+    one. Raises `NotBuilt`."""
+    message = ctypes.CDLL(str(_built())).mistyped_name
+    message.restype, message.argtypes = ctypes.c_char_p, [ctypes.c_char_p]
+    return message(" ".join(names).encode()).decode()
 
 
 class Laws:

@@ -10,7 +10,7 @@ from raceway.errors import InputError
 from raceway.files import FilePath
 from raceway.recordings import WITHIN, readings
 from raceway.recordings.readings import STATE, Point, Reading, Readings, ReadingsError
-from raceway.theory.cage_speed import MODELS
+from raceway.theory.models import STATICS
 
 LINES = {"bpfo_Hz": "BPFO", "bpfi_Hz": "BPFI", "bsf_Hz": "BSF", "ftf_Hz": "FTF"}
 KNOWN = {"load_N": "load", "temperature_C": "temperature"}
@@ -38,8 +38,8 @@ def read(
     bearing has a contact angle, and load (N) and oil temperature (C) unless they are given.
     Raises `RacewayError`.
     """
-    if models not in MODELS:
-        raise ReadingsError(f"models '{models}' is none of {', '.join(MODELS)}")
+    if models not in STATICS:
+        raise ReadingsError(f"models '{models}' is none of {', '.join(STATICS)}")
     found, table = catalogue.find("bearings", bearing, inputs_folder), _table(path)
     unknown, known = _ranges(found), {"clearance": 0.0}
     for column, (name, value) in zip(KNOWN, (("load", load), ("temperature", temperature))):

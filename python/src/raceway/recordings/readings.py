@@ -12,7 +12,7 @@ from raceway.errors import RacewayError
 from raceway.files import FilePath
 from raceway.recordings import orders
 from raceway.recordings.recording import Recording
-from raceway.theory.cage_speed import MODELS
+from raceway.theory.models import STATICS
 
 # unknowns, with their physically possible ranges and units
 STATE = {
@@ -89,8 +89,8 @@ def _readings(data: Any, folder: Path, shelf: FilePath | None) -> Readings:
     if missing := [name for name in ("bearing", "lubricant", "readings") if not given.get(name)]:
         raise ValueError(f"{missing[0]} is missing")
     models = given.get("models") or "full"
-    if models not in MODELS:
-        raise ValueError(f"models '{models}' is none of {', '.join(MODELS)}")
+    if models not in STATICS:
+        raise ValueError(f"models '{models}' is none of {', '.join(STATICS)}")
     bearing = catalogue.find("bearings", given["bearing"], shelf)
     known = _state(given.get("known") or {}, "known")
     unknown = _ranges(given.get("unknown") or {})

@@ -15,9 +15,9 @@ import numpy as np
 from raceway.arrays import Floats
 from raceway.theory import sliding
 from raceway.theory.bearing import INNER, OUTER, Bearing
+from raceway.theory.models import STATICS
 from raceway.theory.static import Equilibrium
 
-MODELS = ("paper", "full", "eyring")
 # Relative to the order, one standard deviation: rolling resistance and drag retard the balls by up
 # to 1e-4 where all of them are loaded (tests/hosts/test_identify.py has runs against it)
 ERROR = 1e-4
@@ -71,8 +71,8 @@ def ball_order(bearing: Bearing, state: Equilibrium, models: str = "full") -> fl
 
 def _mean(bearing, state, models, of):
     """Mean of `of` over all balls, weighted with their loads."""
-    if models not in MODELS:
-        raise ValueError(f"models '{models}' is none of {', '.join(MODELS)}")
+    if models not in STATICS:
+        raise ValueError(f"models '{models}' is none of {', '.join(STATICS)}")
     inner, outer = (Rolling(side.load, side.angle, side.a) for side in (state.inner, state.outer))
     values = of(bearing, inner, outer, models != "paper")
     return float(np.average(values, weights=inner.load + outer.load))
