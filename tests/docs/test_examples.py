@@ -17,6 +17,7 @@ import sys
 from pathlib import Path
 
 import pytest
+import warm_python
 from host import HOSTS, ROOT
 
 DOCS = ROOT / "docs"
@@ -102,30 +103,40 @@ def run_session(page, folder):
     paths |= dict.fromkeys(("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"), "1")
     for number, (kind, block) in enumerate(session(page), 1):
         transcript = block.startswith("$ ")
-        commands = (
-            "\n".join(line[2:] for line in block.splitlines() if line.startswith("$ "))
-            if transcript
-            else block
-        )
-        command = (
-            [sys.executable, "-W", "error", "-c", block]
-            if kind == "python"
-            else ["bash", "-ec", commands]
-        )
-        done = subprocess.run(
-            command,
-            cwd=folder,
-            env=paths,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-            errors="replace",
-        )
-        if transcript:
-            failed = not_printed(block, done.stdout)
+        if kind == "python":
+            code, printed = warm_python.run(block, folder, paths)
         else:
-            failed = done.returncode != 0 and block
-        yield failed and f"{kind} block {number}:\n{failed}\n{done.stdout[-1200:]}"
+            commands = (
+                "\n".join(line[2:] for line in block.splitlines() if line.startswith("$ "))
+                if transcript
+                else block
+            )
+            code, printed = run_console(commands, folder, paths)
+        failed = not_printed(block, printed) if transcript else code != 0 and block
+        yield failed and f"{kind} block {number}:\n{failed}\n{printed[-1200:]}"
+
+
+def run_console(commands, folder, paths):
+    """(exit code, output) of shell commands, up to the first one that fails."""
+    printed = ""
+    for command in warm_python.split(commands):
+        if plain := warm_python.words(command):
+            code, text = warm_python.run(plain, folder, paths)
+        else:
+            done = subprocess.run(
+                ["bash", "-ec", command],
+                cwd=folder,
+                env=paths,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT,
+                text=True,
+                errors="replace",
+            )
+            code, text = done.returncode, done.stdout
+        printed += text
+        if code:
+            break
+    return code, printed
 
 
 def key(line):

@@ -277,7 +277,7 @@ std::string mistyped(const std::set<std::string> &names)
   for (const std::string &name : names) {
     if (find_deck_variable(name) || name.size() < shortest) continue;
     for (const DeckVariable &v : deck_variables())
-      if (v.of_data() && !names.count(v.name) && distance(name, v.name) <= slips)
+      if (!names.count(v.name) && distance(name, v.name) <= slips && v.of_data())
         return "there is no variable '" + name + "', nearest is '" + v.name + "'";
   }
   return "";

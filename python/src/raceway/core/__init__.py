@@ -51,9 +51,14 @@ def table(name: str) -> Any:
 def mistyped(names: Iterable[str]) -> str:
     """Message on a mistyped one among the `names` of a data file, as decks have it; empty without
     one. Raises `NotBuilt`."""
+    return _mistyped(" ".join(names))
+
+
+@functools.cache  # data files mostly have the same names
+def _mistyped(names):
     message = ctypes.CDLL(str(_built())).mistyped_name
     message.restype, message.argtypes = ctypes.c_char_p, [ctypes.c_char_p]
-    return message(" ".join(names).encode()).decode()
+    return message(names.encode()).decode()
 
 
 class Laws:
