@@ -8,7 +8,8 @@ apt runs with a private configuration under build/source: its own sources, deriv
 the machine, and its own folders; it changes nothing of the user's. Existing files are neither
 fetched nor built again. The build is unoptimised, which takes a fraction of the compile
 time. The host's sources read the headers that most of them include precompiled; those of Raceway do
-not, so each still has to include what it needs.
+not, so each still has to include what it needs. They have AddressSanitizer and
+UndefinedBehaviorSanitizer in them: the program is the host `sanitized` of the tests, too.
 """
 
 import json
@@ -25,7 +26,9 @@ import liggghts_tree  # noqa: E402
 import source_tree  # noqa: E402
 
 CC, HEADER = "mpicxx.openmpi", TREE / "host.h"
-HOST, OWN = f"-O0 -include {HEADER}", "-O0 -DRACEWAY_ONE_TARGET"
+SANITIZE = "-fsanitize=address,undefined"
+HOST = f"-O0 -include {HEADER}"
+OWN = f"-O0 -DRACEWAY_ONE_TARGET {SANITIZE} -fno-sanitize-recover=undefined -fno-omit-frame-pointer"
 # a macro that this text asks for and that was not set makes the compiler refuse the precompiled
 # file: Raceway's sources read the text, which is then empty
 COMMON = """#ifndef RACEWAY_ONE_TARGET
@@ -174,7 +177,7 @@ def main():
     if not manifest.exists():
         run(sys.executable, INSTALLER, "install", tree)
     precompile(tree / "src")
-    levels = f"OPTIMISE_HOST={HOST}", f"OPTIMISE={OWN}"
+    levels = f"OPTIMISE_HOST={HOST}", f"OPTIMISE={OWN}", f"LINKFLAGS={SANITIZE}"
     run("make", "-j2", "raceway", f"CC={CC}", *levels, cwd=tree / "src")
     program = TREE / "lmp_raceway"
     program.unlink(missing_ok=True)
