@@ -52,8 +52,9 @@ unit_electric = $(filter $(addprefix src-package/styles/fix_bearing_,capacitance
 unit_compute = $(filter $(addprefix src-package/styles/,compute_% contact_% ring_values%),$(STYLES))
 unit_ranks = $(filter $(addprefix src-package/,ranks/% contacts/%),$(STYLES))
 unit_deck = $(filter-out $(foreach unit,$(filter-out deck,$(UNITS)),$(unit_$(unit))),$(STYLES))
-# It reads commands and prepares runs: optimised once, it compiles in two thirds of the time
-%/units/deck.o: FLAGS := $(FLAGS:-O3=-O1)
+# What reads commands, prepares runs and works once in a step or a sample: optimised less, it compiles
+# in two thirds of the time
+$(foreach unit,ring electric compute ranks deck,%/units/$(unit).o) build/obj/core/settings/%.o: FLAGS := $(FLAGS:-O3=-O1)
 CORE := $(HOSTLESS:src-package/%.cpp=build/obj/%.o)
 # the object files of styles in a folder, and of a loader
 styles_in = $(UNITS:%=$(1)/units/%.o) $(1)/host/$(2).o

@@ -104,7 +104,8 @@ def touched(tmp_path_factory):
     shutil.copy(ROOT / "tests" / "pytest.ini", tree / "tests")
     (tree / ".venv").symlink_to(ROOT / ".venv")
     # files that no recipe touches are not compiled again
-    shutil.copytree(ROOT / "build" / "obj", tree / "build" / "obj")
+    for folder in ("build/obj", "build/obj-laws"):
+        shutil.copytree(ROOT / folder, tree / folder)
     files = {recipe: carry_out(recipe, tree) for recipe in MOST_FILES}
     add_wrong_toy(tree)
     targets = ["build/liggghts", "build/libraceway_physics.so", CORE]
