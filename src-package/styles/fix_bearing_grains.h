@@ -60,11 +60,6 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
     std::vector<Contact> contacts;
     double lost = 0.0;    // J, since the start of the run; half of a contact with a grain
   };
-  struct Wall {
-    raceway::TurningWall shape;
-    int shaft = -1;    // index in shafts_; -1: at rest
-    int first = 0;     // number of its first part
-  };
   // A shaft with walls; known to all ranks. Bearing axis third.
   struct Shaft {
     std::string id;
@@ -74,6 +69,16 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
   };
   struct Velocity {
     raceway::Vec3 v, w;
+  };
+  struct Wall {
+    raceway::TurningWall shape;
+    int shaft = -1;    // index in shafts_; -1: at rest
+    int first = 0;     // number of its first part
+    // Of the present step, bearing axis third. pose.e, e1, e2: axes of the wall, its own and two that
+    // do not turn about it.
+    raceway::RingAtom pose;
+    Velocity moved;
+    raceway::Vec3 e1, e2;
   };
   struct Neighbour {
     int i, j;    // local indices, i is owned
@@ -99,7 +104,9 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
                     raceway::Vec3 &force, raceway::Vec3 &torque) const;
   void touch_walls(int i, double dt, std::vector<Contact> &, double &lost, raceway::Vec3 &force,
                    raceway::Vec3 &torque);
-  raceway::GrainContact kept(int i, bearing::tag_t, int part) const;
+  // Contact of a grain in the step before, or null.
+  const raceway::GrainContact *kept(int i, bearing::tag_t, int part) const;
+  bool touched_a_wall(int i) const;
   void load_shafts();
   Sums sums() const;
 

@@ -37,6 +37,14 @@ void FixBearingGrains::find_shafts()
     s.before = s.now;
     s.now = s.fix->pose();
   }
+  for (Wall &wall : walls_) {
+    const Shaft *s = wall.shaft < 0 ? nullptr : &shafts_[wall.shaft];
+    wall.moved = velocity(s);
+    wall.pose = s ? s->now : raceway::RingAtom();
+    const Vec3 e = wall.pose.e, one = e.z > 0.5 ? Vec3{e.z, 0.0, -e.x} : Vec3{1.0, 0.0, 0.0};
+    wall.e1 = one * (1.0 / norm(one));
+    wall.e2 = cross(e, wall.e1);
+  }
 }
 
 // Mean velocity (m/s) and angular velocity (rad/s) of a shaft over the step, from the change of its
@@ -50,11 +58,18 @@ FixBearingGrains::Velocity FixBearingGrains::velocity(const Shaft *s) const
           (cross(s->before.e, s->now.e) + s->now.e * (s->now.angle - s->before.angle)) * per};
 }
 
-GrainContact FixBearingGrains::kept(int i, bearing::tag_t tag, int part) const
+const GrainContact *FixBearingGrains::kept(int i, bearing::tag_t tag, int part) const
 {
   for (const Contact &c : grains_[i].contacts)
-    if (c.tag == tag && c.part == part) return c.of;
-  return {};
+    if (c.tag == tag && c.part == part) return &c.of;
+  return nullptr;
+}
+
+bool FixBearingGrains::touched_a_wall(int i) const
+{
+  for (const Contact &c : grains_[i].contacts)
+    if (c.tag == 0) return true;
+  return false;
 }
 
 void FixBearingGrains::touch_grains(const Neighbour &p, double dt, std::vector<Contact> &list,
@@ -64,9 +79,9 @@ void FixBearingGrains::touch_grains(const Neighbour &p, double dt, std::vector<C
   const int a = first ? p.i : p.j, b = first ? p.j : p.i;
   const Vec3 d = Vec3::from(atom->x[a]) - Vec3::from(atom->x[b]);
   const double reach = atom->radius[a] + atom->radius[b], far2 = dot(d, d);
-  Contact c = {atom->tag[p.j], 0, kept(p.i, atom->tag[p.j], 0)};
-  const bool touched = c.of.energy > 0.0;
-  if (far2 >= reach * reach && !touched) return;
+  const GrainContact *before = kept(p.i, atom->tag[p.j], 0);
+  if (far2 >= reach * reach && !before) return;
+  Contact c = {atom->tag[p.j], 0, before ? *before : GrainContact()};
   const double far = std::sqrt(far2), overlap = reach - far;
   const Vec3 n = d * (1.0 / far);
   const double lever_a = atom->radius[a] - 0.5 * overlap, lever_b = atom->radius[b] - 0.5 * overlap;
@@ -88,32 +103,30 @@ void FixBearingGrains::touch_walls(int i, double dt, std::vector<Contact> &list,
   const double R = atom->radius[i];
   const Vec3 at = axes_.third(Vec3::from(atom->x[i])), v = axes_.third(Vec3::from(atom->v[i])),
              w = axes_.third(Vec3::from(atom->omega[i]));
+  const bool touched = touched_a_wall(i);
   Vec3 push, couple;
   for (const Wall &wall : walls_) {
-    const Shaft *s = wall.shaft < 0 ? nullptr : &shafts_[wall.shaft];
-    const Velocity moved = velocity(s);
-    // axes of the wall: the third is its own, the first does not turn about it
-    const Vec3 e = s ? s->now.e : Vec3{0.0, 0.0, 1.0}, centre = s ? s->now.x : Vec3();
-    const Vec3 one = e.z > 0.5 ? Vec3{e.z, 0.0, -e.x} : Vec3{1.0, 0.0, 0.0};
-    const Vec3 e1 = one * (1.0 / norm(one)), e2 = cross(e, e1), d = at - centre;
-    const Vec3 p = {dot(d, e1), dot(d, e2), dot(d, e) + (s ? s->now.origin.z : 0.0)};
+    const Vec3 &e = wall.pose.e, &e1 = wall.e1, &e2 = wall.e2, d = at - wall.pose.x;
+    const Vec3 p = {dot(d, e1), dot(d, e2), dot(d, e) + wall.pose.origin.z};
     if (wall.shape.lost(p))
       BRG_ONE(bearing::name_of(*this) + ": grain " + std::to_string(atom->tag[i]) +
               " is beyond the walls of the drum at step " + std::to_string(update->ntimestep) +
               ": walls too soft, step too large, or placed outside");
+    if (!touched && !wall.shape.near(p, R)) continue;
     for (int k = 0; k < wall.shape.parts(); ++k) {
-      const raceway::WallTouch t = wall.shape.touch(k, p, R, s ? s->now.angle : 0.0);
-      Contact c = {0, wall.first + k, kept(i, 0, wall.first + k)};
-      if (!(t.overlap > 0.0) && !(c.of.energy > 0.0)) continue;
+      const raceway::WallTouch t = wall.shape.touch(k, p, R, wall.pose.angle);
+      const GrainContact *before = touched ? kept(i, 0, wall.first + k) : nullptr;
+      if (!(t.overlap > 0.0) && !before) continue;
+      Contact c = {0, wall.first + k, before ? *before : GrainContact()};
       const Vec3 n = e1 * t.n.x + e2 * t.n.y + e * t.n.z;
       const double lever = R - std::max(0.0, t.overlap);
       const Vec3 arm = d - n * lever, force_0 = c.of.force, moment_0 = c.of.moment;
-      lost += raceway::advance(c.of, wall_law_,
-                               {atom->rmass[i], t.overlap, n, v - moved.v, w * lever, arm, moved.w},
-                               dt);
+      lost += raceway::advance(
+          c.of, wall_law_,
+          {atom->rmass[i], t.overlap, n, v - wall.moved.v, w * lever, arm, wall.moved.w}, dt);
       const double power =
-          dot(force_0 + c.of.force, moved.v) + dot(moment_0 + c.of.moment, moved.w);
-      if (s)
+          dot(force_0 + c.of.force, wall.moved.v) + dot(moment_0 + c.of.moment, wall.moved.w);
+      if (wall.shaft >= 0)
         pushes_.push_back(
             {atom->tag[i], c.part, wall.shaft, -c.of.force, -c.of.moment, 0.5 * dt * power});
       if (!(t.overlap > 0.0)) continue;

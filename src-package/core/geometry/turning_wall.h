@@ -24,14 +24,22 @@ struct TurningWall {
   double z1 = 0.0, z2 = 0.0;    // m, along the axis: both ends
   int parts() const { return drum ? 3 : blades; }
 
+  // False where a sphere of radius R with its centre at p is apart from every part.
+  bool near(const Vec3 &p, double R) const
+  {
+    const double r2_at = p.x * p.x + p.y * p.y, outer = r2 - R, inner = r1 - R;
+    if (drum) return !(r2_at < outer * outer && p.z > z1 + R && p.z < z2 - R);
+    return !(inner > 0.0 && r2_at < inner * inner);
+  }
+
   // Part of the wall at a sphere of radius R with its centre at p; the axis is the third axis, and
   // `angle` (rad) the wall's turn about it. Parts of a drum: shell, first and second end.
   WallTouch touch(int part, const Vec3 &p, double R, double angle) const
   {
-    const double r = std::hypot(p.x, p.y);
     if (drum) {
       if (part == 1) return {z1 + R - p.z, {0.0, 0.0, 1.0}};
       if (part == 2) return {p.z + R - z2, {0.0, 0.0, -1.0}};
+      const double r = std::hypot(p.x, p.y);
       if (!(r > 0.0)) return {};
       return {r + R - r2, {-p.x / r, -p.y / r, 0.0}};
     }
