@@ -123,4 +123,4 @@ def test_command(struck, capsys, tmp_path):
     assert "BPFI-shaft" in {line["name"] for line in json.loads(capsys.readouterr().out)}
     with pytest.raises(SystemExit):
         main(["spectrum", str(struck), "--band", "10", "20"])
-    assert "--band: of an envelope" in capsys.readouterr().err
+    assert "--band applies to an envelope" in capsys.readouterr().err

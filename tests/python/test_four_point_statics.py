@@ -168,7 +168,7 @@ def test_command(capsys, monkeypatch):
     "arguments, said",
     [
         (["--four-point", "80"], "must lie from 5 to 60 degrees"),
-        (["--preload", "5e-6"], "of two rows; give --double-row"),
+        (["--preload", "5e-6"], "apply to two rows; give --double-row"),
         (
             ["--models", "paper", "--spin-law", "slices"],
             "--spin-law: applies to the friction",
@@ -182,7 +182,7 @@ def test_wrong_command_line(capsys, arguments, said):
 
 
 def test_bad_files(stated):
-    with pytest.raises(inputs.InputError, match="four points need a bearing of contact_angle 0"):
+    with pytest.raises(inputs.InputError, match="needs a bearing with contact_angle 0"):
         operating_point.figures("7208", None, ROOT / "inputs", axial=100.0, four_point=ANGLE)
     path = Path(stated)
     with pytest.raises(inputs.InputError, match="a four-point contact bearing; this needs one"):

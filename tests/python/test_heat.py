@@ -45,7 +45,7 @@ def test_balance():
     # a power that falls linearly: W (T - 20) = 100 - 0.5 T
     found = heat.balance(lambda t: 100 - 0.5 * t, 2.0)
     assert found == pytest.approx((100 + 40) / 2.5, abs=1e-5)
-    with pytest.raises(ValueError, match="exceeds what 0.1 W/K carries away to 20 C"):
+    with pytest.raises(ValueError, match="exceeds the cooling by 0.1 W/K to 20 C"):
         heat.balance(lambda t: 100.0, 0.1)
 
 

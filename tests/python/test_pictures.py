@@ -235,7 +235,7 @@ def test_without_ffmpeg(folder, tmp_path, monkeypatch):
     with pytest.raises(
         RunError,
         match=(
-            "needs the program ffmpeg, which is not there: apt-get install ffmpeg, or name a .gif"
+            "needs the program ffmpeg, which is missing: apt-get install ffmpeg, or name a .gif"
         ),
     ):
         animation.animation(RunTables(folder), tmp_path / "a.mp4")

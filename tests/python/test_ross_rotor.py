@@ -161,7 +161,7 @@ def damped_mass(given):
         (one_way, "K is not symmetric"),
         (put("stiffness", (0, 0, 2e8), (1, 1, 3e8)), "K holds the rotor.*Leave bearings"),
         (put("stiffness", (0, 0, 1e3), (1, 1, 1e3)), "K holds the rotor"),
-        (put("mass", (24, 24, 1.0)), "M is not alike in the planes of x and y"),
+        (put("mass", (24, 24, 1.0)), "M differs between the planes of x and y"),
         (put("mass", (24, 25, 0.1)), "M couples the planes of x and y"),
         (put("gyroscopic", (27, 28, 1e-3)), "G is not antisymmetric"),
         (damped_mass, "C holds the rotor"),
@@ -194,7 +194,7 @@ def test_damping_that_couples_modes(given):
     [
         ((0.0, 0.17), (), "a kept place must be a node: none is at 0.17 m, the nearest is at 0.15"),
         ((0.0, 0.4), (0.41,), "0.41 m is not on the rotor, which reaches from 0 to 0.4 m"),
-        ((), (), "needs places to keep"),
+        ((), (), "needs positions to keep"),
     ],
 )
 def test_places_refused(found, kept, places, says):
@@ -293,4 +293,4 @@ def test_without_ross(monkeypatch, tmp_path, capsys):
     monkeypatch.setitem(sys.modules, "ross", None)
     assert not ross_file.is_ross("inputs/shafts/motor")
     assert main(["shaft", str(tmp_path / "r.toml")]) == 1
-    assert "ROSS does not load" in capsys.readouterr().err
+    assert "cannot load ROSS" in capsys.readouterr().err

@@ -115,7 +115,7 @@ def test_add_rest(point):
     assert added[15, 15] == pytest.approx(mean.stiffness[3, 3]) and added[12, 14] != 0
     assert np.all(added[:12] == 0) and np.all(added[17:] == 0)
     there.number_dof = 4
-    with pytest.raises(RacewayError, match="4 degrees of freedom a node"):
+    with pytest.raises(RacewayError, match="4 degrees of freedom per node"):
         rotor.add_rest(there, 2, point)
 
 

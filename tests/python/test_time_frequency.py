@@ -105,4 +105,4 @@ def test_command(run_up, tmp_path, capsys):
         out.unlink()
     with pytest.raises(SystemExit):
         main([*words, "--json"])
-    assert "--json: of kind lines" in capsys.readouterr().err
+    assert "--json applies to kind lines" in capsys.readouterr().err

@@ -93,7 +93,7 @@ def test_times_must_rise(folder, capsys):
     path = folder[0] / "hours.csv"
     pd.read_csv(path).iloc[::-1].to_csv(path, index=False)
     assert main(["track", str(folder[0] / "hours.yaml")]) == 1
-    assert "rows whose times rise" in capsys.readouterr().err
+    assert "must have rising times" in capsys.readouterr().err
 
 
 def test_a_linear_reading_is_kalmans():

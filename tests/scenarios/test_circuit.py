@@ -217,7 +217,7 @@ def test_the_cases_have_discharges(pair):
         ("floating 1 second 1e-12", "'second' and 'second_factor' go with a motor"),
         ("source 0 voltage constant 1 breakdown 1e6", "give it a resistance"),
         ("source 1 voltage square 1", "constant, sine, common_mode, table"),
-        ("source 1 voltage table {table} points 0", "points of the circuit a sample"),
+        ("source 1 voltage table {table} points 0", "circuit points per sample"),
         ("source 1 voltage table nowhere.txt", "cannot read 'nowhere.txt'"),
         ("floating 1 events x", "'events' needs 'breakdown'"),
         ("floating 1 breakdown 1e6 arc 1", "'arc' needs 'events'"),

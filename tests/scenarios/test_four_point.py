@@ -322,7 +322,7 @@ def test_circuit_of_the_fix_is_that_of_python(outputs):
 
 def test_what_needs_one_groove_says_so(outputs):
     run = raceway.open(outputs[0])
-    with pytest.raises(RunError, match="rings of two grooves for a ball: their whole capacitance"):
+    with pytest.raises(RunError, match="rings with two grooves per ball: their total capacitance"):
         whole_capacitance.over_time(run)
 
 

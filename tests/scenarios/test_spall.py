@@ -107,7 +107,7 @@ def test_hard_lengths_from_a_housing(tmp_path, raceway, length, more, rings):
     """The runs of tests/bench/spall_length.py that are hardest to read, and one that still vibrates
     when the next ball arrives: within 3 %."""
     more = {"passes": {"outer": 5, "inner": 16}[raceway]} | more
-    with pytest.warns(UserWarning, match="the signal moves by") if rings else nullcontext():
+    with pytest.warns(UserWarning, match="the signal varies by") if rings else nullcontext():
         found, _ = lengths_from_a_housing(tmp_path, raceway, length=length, **more)
     assert found == pytest.approx(length, rel=0.03)
 

@@ -123,7 +123,7 @@ def test_none(tmp_path, why, capsys):
     _, found, said = beside(tmp_path)
     assert not found and said == why
     assert main(["summary", str(tmp_path)]) == 0
-    assert f"none beside this run: {why}" in capsys.readouterr().out
+    assert f"not available for this run: {why}" in capsys.readouterr().out
 
 
 def test_speed_that_changes(tmp_path):

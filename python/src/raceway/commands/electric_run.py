@@ -25,7 +25,7 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.bearing is not None:
         of = of.select(_number(arguments))
     ask = arguments.ask(arguments)
-    try:  # a ValueError: shoulders outside the groove
+    try:  # ValueError: shoulders outside the groove
         whole = whole_capacitance.over_time(of, _filling(arguments, of))
     except ValueError as error:
         arguments.complain(str(error))
@@ -68,7 +68,7 @@ def _number(arguments):
 
 
 def _filling(arguments, of):
-    """Filling of the gaps of the run with the given changes; None without any."""
+    """Filling of the run's gaps with the given changes; None if none are given."""
     from raceway.runs import whole_capacitance
 
     names = ("surroundings", "shoulders", "permittivity_at", "roughness")

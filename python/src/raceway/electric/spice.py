@@ -44,7 +44,7 @@ def write(films: Films, out: FilePath, name: str = NAME) -> Path:
 
 def write_lines(films: Films, path: FilePath) -> None:
     """Write the bearing as one element to the text file `path`: time (s), capacitance (F),
-    resistance of the leak (ohm, inf without one), one row for each sample. Raises `RunError` if
+    leak resistance (ohm, inf without one), one row for each sample. Raises `RunError` if
     that fails."""
     with np.errstate(divide="ignore"):
         table = np.stack(
