@@ -6,8 +6,8 @@
 // ring of lowest tag. build() finds the bearings after a neighbour build and sends their pieces to
 // their homes; in every step gather() brings the state of the bodies home and scatter() returns it
 // to the owners of the atoms. A model lists everything by tag, so its results do not depend on the
-// number of ranks. Messages go only from owner to home and back, one a pair of ranks; a bearing
-// that lies entirely on its home rank costs none.
+// number of ranks. Messages go only from owner to home and back, one per pair of ranks; a bearing
+// that lies entirely on its home rank needs none.
 #ifndef BEARING_HOME_BEARINGS_H
 #define BEARING_HOME_BEARINGS_H
 

@@ -227,7 +227,7 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
 
 // Moves the inner ring along the axis until the load-carrying grooves, one of each ring, are in
 // contact. If a ring has two grooves, the carrying one is centred ahead on the inner ring and
-// behind on the outer one. With preload all grooves are in contact already, and the ring stays.
+// behind on the outer one. With preload all grooves are already in contact, and the ring stays.
 void CreateBearing::seat(Arguments &args, const Groove &inner, const Groove &outer,
                          double clearance, Plan &p)
 {
@@ -258,8 +258,8 @@ static double mass(double R, double rho)
   return 4.0 / 3.0 * 3.14159265358979323846 * R * R * R * rho;
 }
 
-// The rotation of least loss under a law with friction against spin, otherwise about the bearing's
-// axis.
+// The rotation of least loss for a law with friction against spin, otherwise a rotation about the
+// bearing's axis.
 BallRotation CreateBearing::rotation(const Plan &p, const PairBearingHertz &pair)
 {
   // distance of a contact from the ball's spin axis: ball radius times cosine

@@ -116,7 +116,7 @@ def test_changed_where_it_must_be_patched(tree):
 
 def test_a_file_in_the_way(tree):
     (tree / "src" / "film.h").write_text("// another film\n")
-    refused(tree, "film.h is there already")
+    refused(tree, "film.h exists")
 
 
 def test_a_file_changed_since(tree):
@@ -149,7 +149,7 @@ def test_a_failure_half_way_leaves_nothing(tree):
     """One of the last files cannot be written: a non-empty folder has its name."""
     (tree / "src" / "finish.cpp.raceway-new").mkdir()
     (tree / "src" / "finish.cpp.raceway-new" / "x").write_text("x")
-    refused(tree, "taken out again")
+    refused(tree, "removed again")
 
 
 def times(tree):

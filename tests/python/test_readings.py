@@ -35,7 +35,7 @@ def write(tmp_path, text=GOOD):
         ("vg68", "vg68\nmodels: fuller", "models 'fuller' is none of paper, full, eyring"),
         ("load: 10", "load: ten", "known: load: 'ten' is not a number"),
         ("load: 10", "load: -1", "known: load: -1 must lie between 0 and 1e.06"),
-        ("load: 10", "clearance: 1e-6", "clearance is known and unknown"),
+        ("load: 10", "clearance: 1e-6", "clearance is under both known and unknown"),
         (", temperature: 40", "", "reading 1: the temperature of the oil is missing"),
         ("0 15e-6", "15e-6 0", "1.5e-05 must be below 0"),
         ("0 15e-6", "15e-6", "needs a range of two numbers"),

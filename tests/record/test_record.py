@@ -247,7 +247,7 @@ def test_resume(ranks, tmp_path):
         ("content most", "content is 'most', must be one of: none, summary, all"),
         ("wobble", r"unknown keyword .*'wobble'; known: contacts, content, within"),
         ("number mass heavy", "mass"),
-        ("text variables own", "'variables', which readers of netCDF keep for themselves"),
+        ("text variables own", "'variables', which readers of netCDF reserve"),
         ("text _own word", "'_own': it begins with a letter and has letters, digits and '_' only"),
         ("number own-mass 2", "'own-mass': it begins with a letter"),
         ("number mass=nobody", "mass: there is no variable 'nobody' that is one word"),

@@ -451,7 +451,7 @@ def test_mistakes(tmp_path, file, text, says):
         ("\nstation 0 ", "\nstation 0 1 ", "'station' has 18 numbers, must have 17"),
         ("\nstation 0 ", "\nstation 1 ", "must be beyond the one before it"),
         ("\nstation 0 ", "\nstation 0.001 ", "ring atom 10 is at 0 m, and"),
-        ("\nstation 0 ", "\nstation nan ", "'nan' is no finite number"),
+        ("\nstation 0 ", "\nstation nan ", "'nan' is not a finite number"),
     ],
 )
 def test_bad_files(tmp_path, file, old, new, says):

@@ -24,8 +24,8 @@ struct TurningWall {
   double z1 = 0.0, z2 = 0.0;    // m, along the axis: both ends
   int parts() const { return drum ? 3 : blades; }
 
-  // Part of the wall at a sphere of radius R with its centre at p; the axis is the third axis, and
-  // `angle` (rad) the wall's turn about it. Parts of a drum: shell, first and second end.
+  // Contact of a part of the wall with a sphere of radius R at p; the axis is the third axis, and
+  // `angle` (rad) the wall's rotation about it. Parts of a drum: shell, first and second end.
   WallTouch touch(int part, const Vec3 &p, double R, double angle) const
   {
     const double r = std::hypot(p.x, p.y);

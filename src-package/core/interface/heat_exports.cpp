@@ -68,7 +68,7 @@ FORMULA(double, clearance_change,
 }
 
 // Temperatures (C) after `time` seconds with heat (W) into each node that varies linearly from
-// `heat` to `end`; returns the heat (J) carried to ambient.
+// `heat` to `end`; returns the heat (J) released to ambient.
 EXPORT(double, heat_advance,
        (const HeatNetworkOf *net, const double heat[4], const double end[4], const double from[4],
         double time, double to[4]))
