@@ -139,7 +139,7 @@ process.
     worst = max(memory for *_, memory in rows)
     print(f"largest memory {worst:.0f} MB, limit {LIMIT} MB")
     slow = [name for name, seconds, _ in rows if seconds > LONGEST.get(name, 1e9)]
-    print("longer than asked for:", ", ".join(slow) or "nothing")
+    print("longer than the limit:", ", ".join(slow) or "nothing")
     return int(worst >= LIMIT or bool(slow))
 
 

@@ -134,7 +134,7 @@ def test_another_change_of_a_patched_file_is_kept(tree):
 
 
 def test_an_interrupted_installation_is_taken_out(tree):
-    """Killed half-way: the manifest is written first, so that the files already there can be
+    """Killed half-way: the manifest is written first, so that the files installed so far can be
     removed."""
     before = contents(tree)
     assert make("install", tree)[0] == 0
@@ -146,7 +146,7 @@ def test_an_interrupted_installation_is_taken_out(tree):
 
 
 def test_a_failure_half_way_leaves_nothing(tree):
-    """One of the last files cannot be written: a non-empty folder has its name."""
+    """One of the last files cannot be written, because a non-empty folder has its name."""
     (tree / "src" / "finish.cpp.raceway-new").mkdir()
     (tree / "src" / "finish.cpp.raceway-new" / "x").write_text("x")
     refused(tree, "removed again")
@@ -157,7 +157,7 @@ def times(tree):
 
 
 def test_patches_keep_the_times_of_files(tree):
-    """They do not change a compiled program, so the host's objects need not be rebuilt."""
+    """The patches do not change the compiled program, so the host's objects need not be rebuilt."""
     before = times(tree)
     assert make("install", tree)[0] == 0
     assert times(tree) == before

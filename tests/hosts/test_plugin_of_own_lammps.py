@@ -68,7 +68,7 @@ def test_sizes_that_the_user_names(tmp_path):
 
 
 def test_file_stays_if_it_says_so_already(tmp_path):
-    """Otherwise make would compile everything again."""
+    """If it were written again, make would compile everything again."""
     to = tmp_path / "to"
     settings(source(tmp_path / "a"), to)
     before = to.stat().st_mtime_ns

@@ -38,7 +38,7 @@ def record(folder):
     "host, ranks", [("liggghts", 1), ("liggghts", 2), ("lammps", 1), ("wheel", 2)]
 )
 def test_bits_of_the_deck_run_by_hand(tmp_path, monkeypatch, host, ranks):
-    """Bits of the deck it wrote and of the main deck with -var, also from a folder without
+    """The same bits as the deck it wrote and as the main deck with -var, also from a folder without
     inputs."""
     monkeypatch.chdir(tmp_path)
     name = None if host == "wheel" else host

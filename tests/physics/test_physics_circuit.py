@@ -108,7 +108,7 @@ def test_discharges_do_not_depend_on_the_step():
 
 @pytest.mark.parametrize("outer", [SOURCE_OF_INVERTER, SOURCE_OF_TABLE])
 def test_edges_between_points_keep_the_order(outer):
-    """The error of the second-order method falls fourfold at half the step."""
+    """The error of the second-order method falls to a quarter at half the step."""
     given = turning(n=11, **LEAKY)
     ends = {
         points: circuit.run(given, outer, points=points).data.bearing_voltage[::points]

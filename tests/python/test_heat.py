@@ -54,7 +54,7 @@ def test_three_nodes():
     assert (found.inner - 25) + 2 * (found.outer - 25) == pytest.approx(30, rel=1e-12)
     # the heat flow from the balls into the outer ring plus its own half leaves through the housing
     assert 0.7 * (found.balls - found.outer) + 5 == pytest.approx(2 * (found.outer - 25))
-    # perfect contact: a single temperature, that of the one-node model
+    # perfect contact: a single temperature, as in the one-node model
     tight = heat.three_nodes(20.0, 10.0, shaft=1.0, housing=2.0, contact=1e9)
     assert list(tight) == pytest.approx([30.0] * 3, abs=1e-6)
 
@@ -67,7 +67,7 @@ def test_clearance_by_temperature(bearing):
 
 
 def test_flash(bearing):
-    """2 and 8 K at 477.5 and 9549 rpm; the middle of the film 0.3 and 41 K above."""
+    """2 and 8 K at 477.5 and 9549 rpm; the middle of the film is 0.3 and 41 K hotter."""
     r_x, r_y = bearing.effective_radii(INNER)
     modulus, ellipse = bearing.effective_modulus, hertz.exact(r_x, r_y)
     a, b = hertz.semi_axes(ellipse, modulus, 2436.2)

@@ -25,7 +25,7 @@ ROWS = 12
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory):
-    """Oil that warms up while the clearance shrinks; noise of its stated size, one gap."""
+    """Oil that warms up while the clearance shrinks; noise of the stated size, one gap."""
     folder = tmp_path_factory.mktemp("track")
     random = np.random.default_rng(4)
     time = 600.0 * np.arange(ROWS)

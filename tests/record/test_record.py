@@ -147,7 +147,7 @@ def test_smallest(tmp_path):
 
 def test_cage_force_is_that_of_the_compute(tmp_path):
     deck = (ROOT / "docs" / "decks" / "in.ehd").read_text()
-    # displaced, the cage hits balls
+    # the displaced cage hits balls
     deck = deck.replace("timestep 4.0e-7\nrun 40000", "timestep 4.0e-7\nrun 2000")
     deck = deck.replace("fix step all", "velocity cage set 0.1 0 0\nfix step all")
     told = f'variable q equal c_total[11]\nfix told all print 100 "${{q}}" file {tmp_path}/told\n'

@@ -144,8 +144,8 @@ def test_the_fix_gives_the_numbers_of_python(pair):
 
 
 def test_metal(tmp_path):
-    """Films shared with asperities conduct, in the fix as in Python; an asperity share of 0.1
-    separates them."""
+    """Films with asperity contact conduct, in the fix as in Python; an asperity share of 0.1
+    separates them from the others."""
     here = tmp_path / "here"
     shutil.copytree(ROOT / "tests/implicit", here, ignore=shutil.ignore_patterns("__pycache__"))
     contact = here / "contact.film"
