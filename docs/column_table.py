@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sphinx: tables that C++ has: `.. columns:: SECTION`, output columns;
+"""Sphinx: tables exported by C++: `.. columns:: SECTION`, output columns;
 `.. law-keywords:: dry|film`, keywords of the contact law; `.. law-parts::`, its parts;
 `.. validity::`, the rules of validity; `.. oil-constants::`, defaults of an oil's constants."""
 
