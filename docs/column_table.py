@@ -68,7 +68,7 @@ def keyword_rows(film: bool) -> list[tuple[str, str, str]]:
                     f"*{name}* {keyword['form']} {symbols}".replace("  ", " "),
                     "; ".join(filter(None, [*texts, keyword["note"]])),
                     ""
-                    if part["when"] == "when asked for" and not keyword["name"] == "tangential"
+                    if part["when"] == "on request" and not keyword["name"] == "tangential"
                     else initial,
                 )
             )

@@ -88,7 +88,7 @@ class HomeBearings : protected LAMMPS_NS::Pointers {
     int home;
     bool inside;
   };    // known on all ranks; inside: has atoms of the group
-  struct Piece;    // of a model, on its way to the home rank
+  struct Piece;    // of a model, in transit to the home rank
   struct Place {
     int bearing, at;
   };
@@ -119,7 +119,7 @@ class HomeBearings : protected LAMMPS_NS::Pointers {
   struct SentRing {
     raceway::RingPose pose;
     double step;
-  };    // data of a ring, on its way
+  };    // data of a ring, in transit
   raceway::BodyPose read_body(int i) const;
   SentRing read_ring(int i) const;
   void write_body(int i, const raceway::BodyPose &) const;

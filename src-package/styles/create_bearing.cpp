@@ -178,7 +178,7 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
                 " m (a conformal groove is no Hertz point contact)");
     else if (std::fabs(r->groove.offset) >= r->groove.groove_radius - R)
       args.fail("gothic_arch " + text(std::fabs(r->groove.offset)) +
-                " m must be smaller than the groove radius less that of the ball, " +
+                " m must be smaller than the groove radius minus that of the ball, " +
                 text(r->groove.groove_radius - R) + " m");
   Groove inner = in->groove, outer = out->groove;
   inner.ball_radius = outer.ball_radius = R;

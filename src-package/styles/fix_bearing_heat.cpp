@@ -88,7 +88,7 @@ void FixBearingHeat::init()
     for (const char *cold : {"paper", "film", "none"})
       if (pair_->models() == cold && comm->me == 0)
         BRG_WARN(bearing::name_of(*this) + ": models " + cold +
-                 " have no friction of full films, so there is little heat; full has it");
+                 " have no full-film friction and so little heat; the models full have it");
     now_.oil = heat.oil();
   }
   apply_oil();

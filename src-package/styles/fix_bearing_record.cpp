@@ -100,7 +100,7 @@ void FixBearingRecord::read_options(Arguments &args)
       chosen = true;
       columns_.clear();
     } else if (args.take("within")) {
-      within_ = args.integer("samples a step", waits() ? 0 : 1, 100000);
+      within_ = args.integer("samples per step", waits() ? 0 : 1, 100000);
     } else if (waits() && args.take("dumps")) {
       dumps_ = args.choice("dumps", {"no", "yes"}) == 1;
     } else if (args.take("single")) {

@@ -64,7 +64,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   Balance balance();
   // Values of a single ring from atom-style variables.
   std::vector<raceway::RingValue> own_values(int i) const;
-  // Program of this step for a ring with these values.
+  // Driven motion and loads of a ring with these values in this step.
   raceway::RingProgram program(const std::vector<raceway::RingValue> &own) const;
 
   void grow_arrays(int) override;

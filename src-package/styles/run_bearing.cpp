@@ -50,7 +50,7 @@ void RunBearing::read(Arguments &args)
     } else if (args.take("limit")) {
       to.limit = args.integer("ball passes to settle in", 2, 1000000);
     } else if (args.take("rate")) {
-      to.rate = args.within("samples a second (Hz)", 1e3, 1e8);
+      to.rate = args.within("samples per second (Hz)", 1e3, 1e8);
     } else if (args.take("angle")) {
       to.angle = args.within("contact angle (degrees)", 0.0, 60.0);
     } else {

@@ -47,10 +47,10 @@ void RunBearing::settle_until_still()
   }
   if (!still() && comm->me == 0)
     BRG_WARN("run_bearing: not settled after " + text(now().passes) +
-             " ball passes: by estimate the rest of torque is " + text(now().rest.torque) +
+             " ball passes: estimated remaining change of torque " + text(now().rest.torque) +
              ", of loads " + text(now().rest.load) + ", of cage speed " +
              text(now().rest.cage_speed) + ", of spin axes " + text(now().rest.spin_axis) + " rad" +
-             pocket_fall() + "; asked for " + text(settings_.settled));
+             pocket_fall() + "; required " + text(settings_.settled));
 }
 
 // Steps of the next ball pass, or of the present one when a stopped run continues: coarse while

@@ -201,7 +201,7 @@ medians, with the range of the rounds in brackets.
     lines += csv_table(
         (
             "scene",
-            "ns a host step",
+            "ns per host step",
             "adds (ns)",
             "internal steps per host step",
             "corrections per internal step",
@@ -245,7 +245,12 @@ medians, with the range of the rounds in brackets.
     ]
     ns = {balls: [r[k][0] / r[k][1] / r[k][2] for r in rows] for k, balls in enumerate(ROWS)}
     lines += csv_table(
-        ("balls", "ns a correction", "ns a correction and ball", "corrections an internal step"),
+        (
+            "balls",
+            "ns per correction",
+            "ns per correction and ball",
+            "corrections per internal step",
+        ),
         [
             (
                 balls,

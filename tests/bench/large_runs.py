@@ -124,7 +124,7 @@ def main():
     lines += [
         "",
         *"""\
-Each task runs in a process of its own. Seconds exclude loading the package, which the first row
+Each task runs in a separate process. Seconds exclude loading the package, which the first row
 shows. Files may or may not be in the page cache. Memory is the largest resident size of the
 process.
 """.splitlines(),

@@ -123,7 +123,7 @@ def page(rows, refused):
         "================",
         "",
         *f"""\
-``raceway needs`` (:doc:`../needs`) was asked for ``--want {wanted}`` in {SCENES} scenes of a 6208.
+``raceway needs`` (:doc:`../needs`) was run with ``--want {wanted}`` in {SCENES} scenes of a 6208.
 They were drawn at random with seed {SEED}. Gaps are flooded. Written on {date.today()}:
 """.splitlines(),
         "",

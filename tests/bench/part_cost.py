@@ -92,7 +92,14 @@ range of the rounds in brackets.
             )
         )
     lines += csv_table(
-        ("part", "explicit (ns a contact)", "adds", "implicit (ns a contact)", "adds", "share (%)"),
+        (
+            "part",
+            "explicit (ns per contact)",
+            "adds",
+            "implicit (ns per contact)",
+            "adds",
+            "share (%)",
+        ),
         body,
     )
     lines += [

@@ -30,7 +30,7 @@ OUTPUTS = {
     "text": TEXT,
     "record": RECORD,
     "nothing": NOTHING,
-    "record, 10 samples a step": {**RECORD, "within": 10},
+    "record, 10 samples per step": {**RECORD, "within": 10},
     "nothing, a tenth of the steps": {**NOTHING, "within": 10},
 }
 PASSES, TEXT_PASSES = 400, 40

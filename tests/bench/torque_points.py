@@ -140,7 +140,8 @@ HEAD = """Friction torque compared with SKF's formula
 ``vg46`` at the temperature of the viscosity) with SKF's formula (:math:`\\mu_{bl}` 0.12,
 :math:`\\mu_{EHL}` 0.05, the same oil). An oil bath reaches the middle of the lowest ball. No
 constant is fitted to SKF's formula. Torque in N mm: own / SKF's. Rolling includes hysteresis;
-sliding is slip and spin. Shares that differ by a factor of more than 1.5, if SKF's is above 10 % of its torque, are in bold.
+sliding is slip and spin. Shares that differ by a factor of more than 1.5, if SKF's is above 10 %
+of its torque, are in bold.
 """
 
 WHY = """*Light and fast* (0.02 :math:`C_0`, 10,000 rpm): rolling of deep groove bearings is 1.16 to

@@ -269,10 +269,10 @@ def targets(results):
         "at most 1e-3",
         "over Verlet with the friction spring, 1e-3",
         "over Verlet with the same friction, 1e-3",
-        "asked for",
+        "required",
         "by",
         "at most 1e-2",
-        "asked for",
+        "required",
         "by",
     )
     body = []
@@ -356,7 +356,7 @@ scene take turns. Measured on {date.today()}:
     lines += [
         "",
         "Required speed",
-        "------------------",
+        "--------------",
         "",
         (
             "The table has real-time factors (simulated over wall time) of"

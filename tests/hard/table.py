@@ -213,7 +213,7 @@ and their statistical error. :doc:`hard_cases_speed` lists the speeds.
     text += [
         "",
         "Deliberately large steps",
-        "--------------------------",
+        "------------------------",
         "",
         *"""\
 The control refines a host step that is too large, or the run stops with an error. Verlet runs

@@ -118,7 +118,7 @@ def test_mistakes(checked, tmp_path, monkeypatch, capsys):
     succeed("inputs/in.6208", out=own, ball_young=200e9, **COARSE)
     for name, value in (("ball_young", "190e9"), ("ball_poisson", "0.2"), ("load", "100")):
         assert main(["check", str(own), "--var", name, value]) == 1
-        assert "give --var for what the run was given" in capsys.readouterr().err
+        assert "give --var for data that were given to the run" in capsys.readouterr().err
     assert main(["check", str(own), "--var", "ball_young", "200e9"]) == 0
     (own / "check.json").write_text("[]")
     assert main(["summary", str(own)]) == 1

@@ -246,9 +246,9 @@ EXPORT(void, lone_ring,
   rings[0].v.to(out->v);
 }
 
-// A ring alone of 0.5 kg, free along z on a spring (0: none) under a constant force, from place[0]
-// (m) and velocity[0] (m/s) after n steps of h seconds: place[1] and velocity[1]. The largest error
-// (m) that a step estimated.
+// A single ring of 0.5 kg, free along z on a spring (0: none) under a constant force, from place[0]
+// (m) and velocity[0] (m/s): place[1] and velocity[1] after n steps of h seconds. Returns the
+// largest error (m) estimated in a step.
 EXPORT(double, estimated_errors,
        (int n, double h, double stiffness, double force, double place[2], double velocity[2]))
 {

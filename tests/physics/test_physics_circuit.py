@@ -139,8 +139,8 @@ def test_one_leg_switches_at_a_time():
 
 
 def test_a_full_discharge_leaves_other_charges():
-    """After many discharges at constant charge of a ring, the dissipated energy equals the initial
-    one."""
+    """After many discharges with a ring of constant charge, the dissipated energy equals the
+    initial one."""
     given = turning(thickness=(20e-9, 40e-9))
     data, events = circuit.run(given, Floating(7.0), WEAK)
     start, end = 0.5 * series(given.capacitance).bearing[0] * 49, data.isel(time=-1)

@@ -223,7 +223,7 @@ def test_depth_of_the_catalogue_s_shoulders(bearing):
 
 
 def test_ellipse_that_fills_the_groove(bearing):
-    """Nothing remains beyond its ends."""
+    """No capacitance remains beyond the ends of the ellipse."""
     assert capacitance_outside.beyond(0.1, 9.0, np.array([0.0, 0.5, 1.0])) == pytest.approx(
         [0, 0, 0], abs=0.03
     )

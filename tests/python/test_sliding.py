@@ -102,7 +102,7 @@ def test_spring_in_series():
     tau = secant / spring
     steady = secant * distance
     assert tau == pytest.approx(6e-5, rel=0.02)
-    # a short step is the spring, a long one the slip law, and two half steps equal one
+    # a short step gives the spring, a long one the slip law, and two half steps equal one
     force, slope = sliding.in_series(0.0, distance, secant, spring, 1e-9)
     assert force == pytest.approx(spring * distance * 1e-9, rel=1e-4)
     assert slope == pytest.approx(spring * 1e-9, rel=1e-4)

@@ -267,8 +267,8 @@ def test_run_about_x(tmp_path):
 
 
 def test_plain_deck_about_x(tmp_path):
-    """The main deck with its style's *axis*: warming, a cage ring and the record to the same bits,
-    apart from the order of the axes."""
+    """The main deck with its style's *axis*: warming, a one-piece cage and the record have the
+    same bits, apart from the order of the axes."""
     words = {"lubricant": "vg46", "rpm": 3000, "models": "full", "cage": "ring", "heat": "yes"}
     words |= {"passes": 1, "samples": 40, "axial": 300, "warm_time": 20}
     text = (ROOT / "inputs" / "in.6208").read_text()

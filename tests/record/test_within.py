@@ -155,7 +155,7 @@ def test_hosts(host, tmp_path):
     "fixes, options, step, message",
     [
         (CAPACITANCE, "within 4", 2, "N must be 1, not 2"),
-        (CAPACITANCE, "within 0", 1, "samples a step is 0"),
+        (CAPACITANCE, "within 0", 1, "samples per step is 0"),
         (
             CAPACITANCE.replace("2.25", "2.25 within 3"),
             "within 4",

@@ -116,7 +116,7 @@ def test_dry_runs_have_none(tmp_path):
         whole_capacitance.over_time(raceway.open(tmp_path / "run"))
 
 
-# ---- against the engine, which computes the same by formulas of its own -------------------------
+# ---- against the engine, which computes the same with its own formulas ---------------------------
 @pytest.fixture(scope="module", params=["flooded", "cavitated"])
 def recorded(request, tmp_path_factory):
     folder = tmp_path_factory.mktemp("whole") / "run"

@@ -84,8 +84,8 @@ EXPORT(double, heat_steady, (const HeatNetworkOf *net, const double heat[4], dou
   return flow.slowest();
 }
 
-// Takes a ball pass with these mean losses (W) into the nodes and conductances of the contacts
-// (W/K), and starts the next jump.
+// Takes the mean losses (W) of a ball pass in the nodes and the conductances of the contacts (W/K),
+// and starts the next jump.
 EXPORT(void, heat_jump,
        (HeatStateOf * state, const double heat[4], double inner, double outer,
         const HeatNetworkOf *net, const HeatControlOf *control))

@@ -310,7 +310,7 @@ std::string PairCoefficients::wrong_size(const GrooveName &of, const RacewayPhys
            text(R) + " m (a conformal groove is no Hertz point contact)";
   if (std::fabs(g.offset) >= g.slack())
     return "gothic_arch " + text(std::fabs(g.offset)) +
-           " m must be smaller than the groove radius less that of the ball, " + text(g.slack()) +
+           " m must be smaller than the groove radius minus that of the ball, " + text(g.slack()) +
            " m: beyond that a ball cannot be between both grooves";
   if (g.side == Side::outer && !(g.raceway_radius - R > R))
     return "raceway radius " + text(g.raceway_radius) +

@@ -32,7 +32,7 @@ def add(commands: Commands) -> None:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     options.run_folder(one)
-    options.variables(one, "what the run was given of a bearing's or a lubricant's own data")
+    options.variables(one, "data of the bearing or lubricant that were given to the run")
     options.deck(one)
     takes_negative(one)
     one.set_defaults(command=run)

@@ -53,7 +53,7 @@ def _check(arguments):
     if (arguments.kind is None) != (arguments.out is None):
         complain("--kind and --out: give both")
     if arguments.kind == "reading":
-        complain("--kind reading: is of an operating point, without a run")
+        complain("--kind reading applies to an operating point, not to a run")
     if arguments.kind == "field" and arguments.voltage is None:
         complain("--kind field: give --voltage")
     if arguments.kind == "bode" and math.isinf(arguments.resistivity):

@@ -29,7 +29,7 @@ MEANINGS = {  # variables and their units
     "ball_voltage": ("V", "voltage of a ball to the outer ring"),
     "film_voltage": ("V", "voltage across a film, from the inner to the outer ring"),
     "field": ("V/m", "voltage across a film over its thickness"),
-    "local_thickness": ("m", "thickness of a film less the reduction by roughness"),
+    "local_thickness": ("m", "thickness of a film minus the reduction by roughness"),
     "local_field": ("V/m", "voltage across a film over its local thickness; NaN if bridged"),
     "film_capacitance": ("F", "capacitance of a film"),
     "film_state": ("1", "0 capacitive, 1 leaking, 2 metallic"),

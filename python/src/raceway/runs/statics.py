@@ -150,7 +150,7 @@ def _point(tables, run):
 
         words["supply"] = Supply(deck["lubrication"], float(deck["oil_level"]))
     start = body.seat(angle)
-    if not deck:  # a user's own deck does not record which freedoms are held
+    if not deck:  # decks other than the main deck do not record what is held
         z, *tilt = _place(tables)
         held = {"z": z + math.copysign(start, loading(tables).axial)}
         held.update(zip(("rx", "ry"), _about_load_line(*tilt, azimuth)))

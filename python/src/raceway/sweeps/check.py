@@ -121,8 +121,8 @@ def check(folder: FilePath, command: Sequence[str], more: Mapping[str, str]) -> 
             before, now = (one.settings.get(key) for one in (tables, again))
             if before != now:
                 raise RacewayError(
-                    f"{place} has {key} {now}, {folder} has {before}: give --var for what the run"
-                    " was given"
+                    f"{place} has {key} {now}, {folder} has {before}: give --var for data that"
+                    " were given to the run"
                 )
         for key, value in summary(again).items():
             if key in LEFT_OUT or not _number(value) or not _number(figures.get(key)):
