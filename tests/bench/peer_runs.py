@@ -54,7 +54,7 @@ STIFFNESS = [
     for side in (INNER, OUTER)
 ]
 IN_SERIES = sum(k ** (-2 / 3) for k in STIFFNESS) ** -1.5
-BOTH_ALIKE = 2**1.5 * IN_SERIES  # stiffness of two equal contacts with the same stiffness in series
+BOTH_ALIKE = 2**1.5 * IN_SERIES  # of each of two equal contacts that give IN_SERIES together
 SPHERE_ON_PLANE = 2 / 3 * BEARING.effective_modulus * BEARING.ball_radius**0.5
 
 

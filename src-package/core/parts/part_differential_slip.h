@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Differential slip along rolling and Coulomb's law of matching width across it, each in series
-// with the contact's tangential spring k_t (Mindlin):
+// Differential slip along rolling and, across it, Coulomb's law with the slope of free rolling,
+// each in series with the contact's tangential spring k_t (Mindlin):
 //   f' = k_t (s - f/c),  f <- f e^(-dt/tau) + c s (1 - e^(-dt/tau)),  tau = c/k_t,
 // s the slip relative to free rolling, c the secant of the slip law. It acts as a slip law for dt
 // >> tau, as a spring for dt << tau, and sticks at rest. |f| stays below mu N. The states are the

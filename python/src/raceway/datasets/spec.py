@@ -28,7 +28,7 @@ FLAWS: dict[str, dict[str, Any]] = {
     "ball": PIT,
     "waviness": {"amplitude": None},
 }
-FILES = ("mat", "parquet")  # kinds of files that a signal can be written as
+FILES = ("mat", "parquet")  # file formats of a signal
 FLAW_WORDS = ("length", "width", "depth", "edge", "place", "amplitude")
 RANGES = {  # m, except for the place
     "length": (1e-5, 1e-2),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Speed of the shaft from the harmonics that it leaves in a signal and in its envelope.
+"""Speed of the shaft from its harmonics in a signal and in the envelope.
 
 The nominal speed of a motor under load is wrong by up to 1 %, which is ten times the slip of a
 cage. Unbalance, misalignment and a flaw of the inner raceway give lines at whole multiples of the
