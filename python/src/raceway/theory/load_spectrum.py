@@ -80,7 +80,7 @@ def _run(path, number, point):
     if not point.get(KEYS[0]):
         raise InputError(
             f"{where} has no {KEYS[0]}, which needs a record with contacts, an inner ring that"
-            " turns and a steady load; a table of load, axial, rpm and share does without runs"
+            " turns and a steady load; a table of load, axial, rpm and share needs no runs"
         )
     return {key: float(point[key]) for key in KEYS if point.get(key)}
 
