@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sphinx: tables that C++ has: `.. columns:: SECTION`, output columns;
+"""Sphinx: tables exported by C++: `.. columns:: SECTION`, output columns;
 `.. law-keywords:: dry|film`, keywords of the contact law; `.. law-parts::`, its parts;
 `.. validity::`, the rules of validity; `.. oil-constants::`, defaults of an oil's constants."""
 
@@ -68,7 +68,7 @@ def keyword_rows(film: bool) -> list[tuple[str, str, str]]:
                     f"*{name}* {keyword['form']} {symbols}".replace("  ", " "),
                     "; ".join(filter(None, [*texts, keyword["note"]])),
                     ""
-                    if part["when"] == "when asked for" and not keyword["name"] == "tangential"
+                    if part["when"] == "on request" and not keyword["name"] == "tangential"
                     else initial,
                 )
             )

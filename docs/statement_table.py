@@ -23,7 +23,7 @@ HEADS = (
 
 
 def reason(text):
-    """The sentences of a reason without a number of a run."""
+    """The sentences of a reason that contain no number of a run."""
     return " ".join(one for one in re.split(r"(?<=[.;]) ", text) if "{" not in one)
 
 

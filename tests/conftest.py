@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How tests are shared among processes: file by file, because tests of a file share runs; the
-examples of the pages one by one."""
+"""How tests are distributed among processes: file by file, because the tests of a file share
+runs; the examples of the pages one by one."""
 
 from xdist.scheduler import LoadFileScheduling
 

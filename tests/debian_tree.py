@@ -5,11 +5,12 @@ build/tree/lmp_raceway.
     python3 tests/debian_tree.py
 
 apt runs with a private configuration under build/source: its own sources, derived from those of
-the machine, and its own folders; it changes nothing of the user's. Existing files are neither
-fetched nor built again. The build is unoptimised, which takes a fraction of the compile
-time. The host's sources read the headers that most of them include precompiled; those of Raceway do
-not, so each still has to include what it needs. They have AddressSanitizer and
-UndefinedBehaviorSanitizer in them: the program is the host `sanitized` of the tests, too.
+the machine, and its own folders; it does not change the user's apt. Existing files are neither
+fetched nor built again. The build is unoptimised, which takes a fraction of the compile time. For
+the host's sources the headers that most of them include are precompiled; for Raceway's they are
+not, so each of these still has to include what it needs. Raceway's are compiled with
+AddressSanitizer and UndefinedBehaviorSanitizer: the program is also the host `sanitized` of the
+tests.
 """
 
 import json
@@ -29,8 +30,8 @@ CC, HEADER = "mpicxx.openmpi", TREE / "host.h"
 SANITIZE = "-fsanitize=address,undefined"
 HOST = f"-O0 -include {HEADER}"
 OWN = f"-O0 -DRACEWAY_ONE_TARGET {SANITIZE} -fno-sanitize-recover=undefined -fno-omit-frame-pointer"
-# a macro that this text asks for and that was not set makes the compiler refuse the precompiled
-# file: Raceway's sources read the text, which is then empty
+# if a macro tested in this text was not set, the compiler rejects the precompiled file: Raceway's
+# sources then read the text, which is empty for them
 COMMON = """#ifndef RACEWAY_ONE_TARGET
 #include <mpi.h>
 #include <cmath>

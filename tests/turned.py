@@ -87,7 +87,7 @@ def _turned(old, pose):
     if "azimuth" in old.variables:
         values["azimuth"] = _azimuth(old["azimuth"][...], pose)
         values["angle"] = pose.signs[2] * old["angle"][...]
-        if pose.signs[2] < 0 and old["azimuth"].shape[1] == 4:  # which of two grooves
+        if pose.signs[2] < 0 and old["azimuth"].shape[1] == 4:  # swap the two grooves
             for name, variable in old.variables.items():
                 if variable.dimensions == ("time", "raceway", "ball"):
                     values[name] = values.get(name, variable[...])[:, [1, 0, 3, 2]]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Whirl of a rotor on two 6208: with our own beam, and with ROSS where that is installed.
+"""Whirl of a rotor on two 6208s: with our own beam, and with ROSS if it is installed.
 
 python docs/decks/rotor.py
 """
@@ -12,7 +12,7 @@ from raceway.export import rotor
 from raceway.units import prefixed
 
 RPM = 3000.0
-SPEEDS = (1000.0, RPM)  # of the tables: ROSS takes up to four as they are
+SPEEDS = (1000.0, RPM)  # speeds of the tables: ROSS does not smooth up to four
 OIL = dict(lubricant="vg46", temperature=70.0, models="paper", phases=2)
 PIECES = 8  # of the shaft, between the bearings
 
@@ -30,7 +30,7 @@ def frequencies_here(case, rest, tables):
 
 
 def modes_of_ross(case, tables):
-    """ROSS's modes at RPM: elements by arguments, and the rest of the matrices into K0 and C0."""
+    """Modes of ROSS at RPM: elements by arguments, remaining entries added to K0 and C0."""
     import ross
 
     steel, (section,), (disc,) = case.shaft.steel, case.shaft.sections, case.shaft.discs

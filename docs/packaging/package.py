@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Spack: the plugin for the LAMMPS of the same spec, and the Python package.
 
-Put this file into packages/raceway of a repository of your own, write the archive there by `make
-dist`, and run `spack install raceway`.
+Put this file into packages/raceway of your own repository, put the archive of `make dist` there,
+and run `spack install raceway`.
 """
 
 import os

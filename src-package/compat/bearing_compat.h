@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The host's headers, and common names (BRG_...) for what differs between hosts. The include path
-// decides the host: LIGGGHTS 3.x, LAMMPS of 29Sep2021 (Debian 12), or LAMMPS of 4May2022 and later.
+// determines the host: LIGGGHTS 3.x, LAMMPS 29Sep2021 (Debian 12), or LAMMPS 4May2022 and later.
 #ifndef BEARING_COMPAT_H
 #define BEARING_COMPAT_H
 
@@ -59,7 +59,7 @@
 #include "compat_lammps.h"
 #endif
 
-// Errors on all ranks and on one, and warnings, by the host's functions; the message is a
+// Errors on all ranks or on one, and warnings, through the host's functions; the message is a
 // std::string.
 #define BRG_ALL(msg) error->all(FLERR, BRG_TEXT(msg))
 #define BRG_ALL_OF(lmp, msg) lmp->error->all(FLERR, BRG_TEXT(msg))

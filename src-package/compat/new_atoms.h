@@ -67,15 +67,15 @@ inline void make_atoms(LAMMPS_NS::LAMMPS *lmp, const std::vector<NewAtom> &list)
 }
 
 // Updates the host's map from tags to atoms after this rank has created those from `first` on.
-// atoms_before: number of atoms on all ranks before; `top`: the largest tag now. Collective.
+// atoms_before: previous number of atoms on all ranks; `top`: the largest tag now. Collective.
 inline void map_atoms(LAMMPS_NS::LAMMPS *lmp, int first, double atoms_before, tag_t top)
 {
   LAMMPS_NS::Atom &atom = *lmp->atom;
 #if BEARING_IS_LIGGGHTS
   // Rebuilding the map for every bearing takes time quadratic in their number. It is therefore
-  // built for twice as many tags and then extended by the new atoms only. The host also keeps an
-  // array by local atom, with 1000 entries (EXTRA in its atom_map.cpp) more than atoms at the time
-  // of the build, and none on a rank without atoms.
+  // built for twice as many tags and then only extended by the new atoms. The host also keeps an
+  // array by local atom, which at the time of the build has 1000 entries (EXTRA in its
+  // atom_map.cpp) more than there are atoms, and none on a rank without atoms.
   constexpr double spare = 1000.0;
   const bool array = atom.map_style == 1;
   int mine = array && atom.nghost == 0 && (first > 0 || atom.nlocal == 0), all;

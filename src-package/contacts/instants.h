@@ -13,12 +13,12 @@
 
 namespace bearing {
 
-// Requested instants: at the fractions k/number of a host step, k = 1 to number - 1. number 0:
-// none; permittivity 0: no capacitances.
+// Requested instants, at the fractions k/number of a host step, k = 1 to number - 1. With number 0
+// there are none, with permittivity 0 no capacitances.
 struct Instants {
   int number = 0;
   raceway::CapacitorModel capacitor;
-  bool states = false;    // contact states too
+  bool states = false;    // also contact states
 };
 
 // A possible contact of a ball and a groove.
@@ -41,7 +41,7 @@ struct InstantRing {
   double of[of_ring::AZ + 1];    // starting at of_ring::RING
 };
 
-// Callbacks for the parts of a bearing; contacts come first, ball by ball, then the bodies.
+// Callbacks for the parts of a bearing: first for the contacts, ball by ball, then for the bodies.
 struct InstantReader {
   std::function<void(const InstantContact &)> contact;
   std::function<void(const InstantBody &)> body;    // or none
@@ -51,8 +51,8 @@ struct InstantReader {
 // A fix with its own substeps within the host step (fix bearing/implicit).
 class InstantSource {
  public:
-  // Called in another fix's setup(); the instants are available after every step. Errors name
-  // `command`.
+  // To be called in another fix's setup(); the instants are then available after every step. Error
+  // messages name `command`.
   virtual void want_instants(const Instants &, const std::string &command) = 0;
   // The k-th instant (from 1) of the bearings at home on this rank.
   virtual void read_instant(int k, const InstantReader &) const = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Source of changes of the contact law between steps, such as a fix with temperatures.
+// Something that changes the contact law between steps, such as a fix with temperatures.
 #ifndef BEARING_LAW_FOLLOWER_H
 #define BEARING_LAW_FOLLOWER_H
 

@@ -13,7 +13,7 @@ struct RingMotion {
   raceway::Vec3 axis;
   raceway::Vec3 origin;           // m, position of the ring at the start
   double angle = 0.0;             // rad, rotation about its axis
-  double tilt[2] = {0.0, 0.0};    // rad, imposed, about the two axes across
+  double tilt[2] = {0.0, 0.0};    // rad, imposed, about the two transverse axes
   raceway::Vec3 acceleration;     // m/s^2, of the last step
   double step = 0.0;    // s, next substep requested by fix bearing/implicit, stored at the first
                         // ring; 0: none yet

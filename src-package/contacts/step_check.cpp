@@ -68,7 +68,7 @@ StepLimit step_limit(LAMMPS *lmp, const ContactTable &table)
   for (const SphereContact &s : table.sphere)
     if (s.stiffness > 0.0)
       keep_smaller(limit, s.stiffness, s.damping, s.mass, StepLimit::cage, s.tag_i);
-  // ball and cage vibrate on one spring, and several balls may press on the cage
+  // ball and cage vibrate against each other on one spring, and several balls may press on the cage
   for (const PocketRow &p : table.pocket)
     if (p.stiffness > 0.0)
       keep_smaller(limit, 2.0 * p.stiffness, 2.0 * p.damping, p.mass, StepLimit::cage, p.ball);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Numbers and words by name, for laws that derive some of them from others. Numbers are stored as
-// text of fifteen digits, as the hosts write the value of a formula.
+// text with fifteen digits, as the hosts write the value of a formula.
 #ifndef BEARING_DATA_VALUES_H
 #define BEARING_DATA_VALUES_H
 

@@ -31,7 +31,8 @@ static Data data_file(const fs::path &file)
   return data;
 }
 
-// A message lists all names up to the first number, of more the second number of nearest ones.
+// A message lists all names if there are at most the first number of them, otherwise the second
+// number of nearest ones.
 static constexpr size_t longest_list = 12, nearest_names = 6;
 
 Data find_data(std::string folder, std::string name)

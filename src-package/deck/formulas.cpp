@@ -10,8 +10,8 @@ using namespace LAMMPS_NS;
 
 namespace bearing {
 
-// The hosts evaluate formulas, but no function of theirs returns the text of one, or the style of a
-// variable. An explicit instantiation may name private members.
+// The hosts evaluate formulas, but have no function that returns the text of a formula or the style
+// of a variable. An explicit instantiation may name private members.
 typedef char ***Variable::*Texts;
 typedef int *Variable::*Styles;
 Texts texts_of_variables();

@@ -14,8 +14,8 @@ class LAMMPS;
 namespace bearing {
 
 // A line `variable NAME = TEXT` for each, in the order of the commands. TEXT is the formula of an
-// equal- or atom-style variable, the value of an index- or string-style one. Others are left out:
-// their values change or have to be computed.
+// equal- or atom-style variable, the value of an index- or string-style one. Others are omitted,
+// because their values change or have to be computed.
 std::vector<std::string> formulas(LAMMPS_NS::LAMMPS *, const std::vector<std::string> &commands);
 
 }    // namespace bearing

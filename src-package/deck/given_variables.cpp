@@ -52,7 +52,7 @@ static std::string named_in(const std::string &word)
                                                        : word.substr(at + 2, word.size() - at - 3);
 }
 
-// The words of a command that hand a variable to it under the name that the table has
+// The words of a command that pass a variable to it under its name in the table
 static void collect_passed(const std::vector<std::string> &words, Names &passed)
 {
   std::string keyword;

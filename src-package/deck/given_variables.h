@@ -18,7 +18,7 @@ Names words_after(const char *option, const char *other);
 struct DeckNames {
   Names settable;    // by -var: of styles that store such a value, and the words after `vars`
   Names index;       // of a line `variable NAME index VALUE`
-  Names passed;      // handed to a command: after `vars`, or as `NAME ${NAME}`, `NA ${NA_ME}`
+  Names passed;      // to a command: after `vars`, or as `NAME ${NAME}`, `NA ${NA_ME}`
 };
 
 // False if the file cannot be read.

@@ -9,8 +9,8 @@
 namespace bearing {
 
 // Lines `variable NAME index VALUE` of INPUTS/SORT/NAME, of a row NAME of its tables, or of the
-// file NAME if that has a '/'. The first line of a name counts; -var and the deck's own `variable`
-// take precedence. Collective.
+// file NAME if it has a '/'. For each name the first line counts; -var and the deck's own
+// `variable` take precedence. Collective.
 struct NamedData {
   std::string label;    // for messages
   DataValues::Map values;
@@ -26,8 +26,8 @@ std::vector<std::string> given_of(const NamedData &, const std::vector<std::stri
 // For the user: data of the file that the deck replaces; empty without any.
 std::string note_of_deck(const NamedData &);
 
-// Sets the defaults of the variables of the table that are `of` this, and checks all; error if one
-// without default is missing. The names of those set.
+// Sets the defaults of the variables of the table that are `of` this, and checks all of them; error
+// if one without default is missing. Returns the names of those that it set.
 std::vector<std::string> check_data(const Arguments &, NamedData &, const std::string &of);
 
 }    // namespace bearing

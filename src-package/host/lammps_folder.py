@@ -34,7 +34,7 @@ def number(date):
             return int(datetime.strptime(date, form).strftime("%Y%m%d"))
         except ValueError:
             pass
-    raise Refused(f"'{date}' is not a version of LAMMPS, as 23 Jun 2022 is one")
+    raise Refused(f"'{date}' is not a version of LAMMPS such as 23 Jun 2022")
 
 
 def version(folder):

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Accepts the arguments of the stock executable; the styles come from the shared object it is
+// Accepts the arguments of the stock executable; the styles come from the shared object that it is
 // linked to.
 #include <mpi.h>
 

@@ -86,7 +86,7 @@ std::string complaint(void *lmp)
   const auto version = host_function<int (*)(void *)>("lammps_version");
   const auto setting = host_function<int (*)(void *, const char *)>("lammps_extract_setting");
   if (!version || !setting)
-    return "this LAMMPS does not show its C library interface to plugins: " + remedy;
+    return "this LAMMPS does not export its C library interface to plugins: " + remedy;
   const int found = version(lmp), wanted = RACEWAY_LAMMPS_VERSION;
   if (found != wanted)
     return "built for LAMMPS " + std::to_string(wanted) + ", but this is LAMMPS " +
@@ -116,8 +116,8 @@ void say(void *lmp, const std::string &why)
   fprintf(stderr, "ERROR: raceway_plugin.so adds no styles: %s\n", why.c_str());
 }
 
-// True if the host has the styles already: from `plugin load` after the plugin search path, or the
-// reverse
+// True if the host already has the styles, because the plugin was found on the plugin search path
+// and also loaded with `plugin load`, in either order
 bool already_there(void *lmp)
 {
   const auto has = host_function<int (*)(void *, const char *, const char *)>("lammps_has_style");

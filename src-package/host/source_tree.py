@@ -85,7 +85,7 @@ class Host:
     name = variable = version = ""
 
     def base(self, tree):
-        """Folder to which names in the manifest are relative. Refuses any other tree."""
+        """Folder to which names in the manifest are relative. Refuses any tree of another kind."""
         raise NotImplementedError
 
     def patches(self, base):
@@ -167,15 +167,13 @@ def install(host, tree):
             )
         if not patch.applies(text):
             raise Refused(
-                f"{path} is not that of {host.version}: it has been changed where it must be"
+                f"{path} is not that of {host.version}: the passage to patch has been changed"
                 " patched"
             )
     new = host.added(src)
     for name in new:
         if (src / name).exists():
-            raise Refused(
-                f"{src / name} is there already and not of this script; nothing was changed"
-            )
+            raise Refused(f"{src / name} exists and is not from this script; nothing was changed")
     for folder in {(src / name).parent for name in (MANIFEST, *patches, *new)}:
         there = next(above for above in (folder, *folder.parents) if above.exists())
         if not os.access(there, os.W_OK):
@@ -199,7 +197,7 @@ def install(host, tree):
     except BaseException as error:
         take_out(src, manifest, patches)
         if isinstance(error, OSError):
-            raise Refused(f"{error}; all that had been written is taken out again") from None
+            raise Refused(f"{error}; everything written so far was removed again") from None
         raise
     print(f"Raceway is in {tree}. {host.hint(tree)[0]}")
 
@@ -224,14 +222,14 @@ def uninstall(host, tree):
     patches = host.patches(src)
     if not (src / MANIFEST).is_file():
         raise Refused(
-            f"{tree} has no Raceway of this script in it: there is no {src.name}/{MANIFEST}"
+            f"{tree} has no Raceway installed by this script: there is no {src.name}/{MANIFEST}"
         )
     try:
         manifest = json.loads(read(src / MANIFEST))
         added, patched, _ = (manifest[key] for key in ("added", "patched", "folders"))
         assert set(patched) <= set(patches)
     except (ValueError, KeyError, TypeError, AssertionError):
-        raise Refused(f"{src / MANIFEST} is not what this script writes") from None
+        raise Refused(f"{src / MANIFEST} was not written by this script") from None
     if why := host.in_use(src):
         raise Refused(f"{why}; nothing was taken out")
     changed = [

@@ -6,8 +6,8 @@
 // ring of lowest tag. build() finds the bearings after a neighbour build and sends their pieces to
 // their homes; in every step gather() brings the state of the bodies home and scatter() returns it
 // to the owners of the atoms. A model lists everything by tag, so its results do not depend on the
-// number of ranks. Messages go only from owner to home and back, one a pair of ranks; a bearing
-// that lies entirely on its home rank costs none.
+// number of ranks. Messages go only from owner to home and back, one per pair of ranks; a bearing
+// that lies entirely on its home rank needs none.
 #ifndef BEARING_HOME_BEARINGS_H
 #define BEARING_HOME_BEARINGS_H
 
@@ -88,7 +88,7 @@ class HomeBearings : protected LAMMPS_NS::Pointers {
     int home;
     bool inside;
   };    // known on all ranks; inside: has atoms of the group
-  struct Piece;    // of a model, on its way to the home rank
+  struct Piece;    // of a model, in transit to the home rank
   struct Place {
     int bearing, at;
   };
@@ -119,7 +119,7 @@ class HomeBearings : protected LAMMPS_NS::Pointers {
   struct SentRing {
     raceway::RingPose pose;
     double step;
-  };    // data of a ring, on its way
+  };    // data of a ring, in transit
   raceway::BodyPose read_body(int i) const;
   SentRing read_ring(int i) const;
   void write_body(int i, const raceway::BodyPose &) const;

@@ -172,7 +172,7 @@ HomeBearings::cut(const std::vector<int> &bearing_of, const std::vector<NamedBea
   }
   for (const SphereContact &s : sources_.table->sphere) {
     if (s.i >= atom->nlocal || bearing_of[s.i] < 0)
-      continue;    // known to two ranks: the owner of the first sends it
+      continue;    // known to two ranks; the owner of the first sends it
     Piece &p = add(s.i, Piece::pocket, s.tag_i, s.tag_j);
     p.radius = s.reach;
     p.mass = s.mass;

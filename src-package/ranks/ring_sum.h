@@ -3,10 +3,10 @@
 // number of ranks.
 //
 // Only the owner of a ball computes its contacts, so their forces must be sent to a ring on another
-// rank. After a neighbour build every contact claims a term in the sum of its ring. A rank with
-// claims on the rings of another one sends them once, and then only six numbers per claim each
-// step; the ring's owner adds them by source, then by ascending tag of the partner. A ring with all
-// claims on its own rank is summed directly, in the order of the calls, which is the same order.
+// rank. After a neighbour build every contact claims a term in the sum of its ring. A rank sends
+// its claims on another rank's rings once, and then only six numbers per claim in each step; the
+// ring's owner adds them by source, then by ascending tag of the partner. A ring with all claims
+// on its own rank is summed directly, in the order of the calls, which is the same order.
 #ifndef BEARING_RING_SUM_H
 #define BEARING_RING_SUM_H
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Losses at the contacts of cage balls and cages, and of balls that touch each other, each on one
-// rank.
+// Losses at the contacts of cage balls and cages, and of balls that touch each other; each contact
+// is counted on one rank.
 #ifndef BEARING_CAGE_LOSSES_H
 #define BEARING_CAGE_LOSSES_H
 
@@ -11,7 +11,7 @@
 namespace bearing {
 
 // Calls `take` with the tags of both bodies (0: a rail, or the land of a cage ring), the local
-// index of the first, loss (W) and force (N; of a rail or land 0).
+// index of the first, loss (W) and force (N; 0 for a rail or land).
 template <class Take>
 void each_cage_loss(LAMMPS_NS::LAMMPS *lmp, const LAMMPS_NS::PairBearingHertz &pair,
                     const Take &take)

@@ -22,9 +22,9 @@ constexpr char citation[] =
     " pages =   {506}\n"
     "}\n\n";
 
-// LAMMPS prints its first line with all citations of the run; the log has all of it. LIGGGHTS would
-// write a file log.cite into the folder in which it was started, so no citation is registered
-// there.
+// LAMMPS prints its first line among the citations of the run and writes all of it to the log.
+// LIGGGHTS would write a file log.cite into the folder in which it was started, so no citation is
+// registered there.
 inline void cite_paper(LAMMPS_NS::LAMMPS *lmp)
 {
 #if BEARING_IS_LIGGGHTS

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// compute bearing/contact: local data, a row per live raceway contact with the requested columns.
+// compute bearing/contact: local data, a row with the requested columns per active raceway contact.
 #ifdef COMPUTE_CLASS
 ComputeStyle(bearing/contact,ComputeBearingContact)
 #else

@@ -22,7 +22,7 @@ class ContactEvaluator : protected LAMMPS_NS::Pointers {
     const raceway::LawFacts *facts;    // of the contact law
     int axis;
     int implicit_bits;    // groups of fixes that advance the states of contacts themselves
-    bool gaps;            // motions of surfaces that do not touch, too
+    bool gaps;            // also motions of surfaces that do not touch
     bool energies;
     bool profiled;    // some surface has a profile
   };

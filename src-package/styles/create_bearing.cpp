@@ -178,7 +178,7 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
                 " m (a conformal groove is no Hertz point contact)");
     else if (std::fabs(r->groove.offset) >= r->groove.groove_radius - R)
       args.fail("gothic_arch " + text(std::fabs(r->groove.offset)) +
-                " m must be smaller than the groove radius less that of the ball, " +
+                " m must be smaller than the groove radius minus that of the ball, " +
                 text(r->groove.groove_radius - R) + " m");
   Groove inner = in->groove, outer = out->groove;
   inner.ball_radius = outer.ball_radius = R;
@@ -227,7 +227,7 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
 
 // Moves the inner ring along the axis until the load-carrying grooves, one of each ring, are in
 // contact. If a ring has two grooves, the carrying one is centred ahead on the inner ring and
-// behind on the outer one. With preload all grooves are in contact already, and the ring stays.
+// behind on the outer one. With preload all grooves are already in contact, and the ring stays.
 void CreateBearing::seat(Arguments &args, const Groove &inner, const Groove &outer,
                          double clearance, Plan &p)
 {
@@ -258,8 +258,8 @@ static double mass(double R, double rho)
   return 4.0 / 3.0 * 3.14159265358979323846 * R * R * R * rho;
 }
 
-// The rotation of least loss under a law with friction against spin, otherwise about the bearing's
-// axis.
+// The rotation of least loss for a law with friction against spin, otherwise a rotation about the
+// bearing's axis.
 BallRotation CreateBearing::rotation(const Plan &p, const PairBearingHertz &pair)
 {
   // distance of a contact from the ball's spin axis: ball radius times cosine

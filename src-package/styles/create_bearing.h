@@ -42,7 +42,7 @@ class CreateBearing : public bearing::CommandBase {
     double ball_z = 0.0, inner_z = 0.0;    // m, along the axis
     double cosine = 1.0;                   // of the contact angle
     bool groups = false;                   // create the groups
-    bool resumed = false;                  // the atoms exist already, from a restart file
+    bool resumed = false;                  // the atoms already exist, from a restart file
   };
 
   void command_named(bearing::Arguments &);

@@ -45,7 +45,7 @@ Words chosen(LAMMPS *lmp, double within)
   return of;
 }
 
-// NAME=VALUE of every variable that repeats the run of the deck, or empty if the deck lacks one
+// NAME=VALUE of every variable needed to repeat the run of the deck; empty if the deck lacks one
 // that determines the motion
 std::string variables_of(LAMMPS *lmp, double within)
 {
@@ -148,7 +148,7 @@ void add_deck_notes(LAMMPS *lmp, const PairBearingHertz &pair, const RecordLayou
       }))
     add("bearing", b.word("bearing"));
   if (list.size() > 1) {
-    std::string lines, numbers;    // a line a name, the line of each bearing of the record
+    std::string lines, numbers;    // one line per name; its number by bearing of the record
     for (const NamedBearing *one : list)
       lines += (lines.empty() ? "" : "\n") + words_of(*one, *named);
     for (const int type : ball_types(lmp, layout)) {

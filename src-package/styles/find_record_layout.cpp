@@ -36,7 +36,7 @@ bool before(const Piece &a, const Piece &b)
   return std::make_tuple(a.what, a.bearing, a.tag) < std::make_tuple(b.what, b.bearing, b.tag);
 }
 
-// Relative permittivity by ball, from the fixes bearing/capacitance; the first counts.
+// Relative permittivity by ball, from the first fix bearing/capacitance that has the ball.
 std::map<double, double> permittivities(LAMMPS *lmp)
 {
   std::vector<double> mine, space;    // ball and permittivity alternate
@@ -78,7 +78,7 @@ void describe(const BearingModel &m, const Raceways &both, double permittivity, 
     of[of_kind::OUTER_GROOVE] = outer->groove.groove_radius;
     if (outer->groove.offset != 0.0) of[of_kind::OUTER_ARCH] = std::fabs(outer->groove.offset);
   }
-  // rounded to a picometre: the rounding error of the radii is not a clearance
+  // rounded to a picometre, so that the rounding error of the radii does not count as clearance
   if (inner && outer)
     of[of_kind::CLEARANCE] =
         std::round(2e12 * (outer->groove.middle_radius() - inner->groove.middle_radius() -

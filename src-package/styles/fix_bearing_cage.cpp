@@ -113,10 +113,10 @@ void FixBearingCage::init()
 void FixBearingCage::setup_pre_neighbor() { find_balls(); }
 void FixBearingCage::pre_neighbor() { find_balls(); }
 
-// The ring whose pitch circle is nearest, within two pitch radii of its centre, carries the cage
-// ball: the centre of a housing may be nearer than that of the ring. Local indices hold until the
-// next build. Only rings in a slab about the ball, normal to the direction of their largest spread,
-// are searched.
+// A cage ball is carried by the ring whose pitch circle is nearest, within two pitch radii of its
+// centre; the centre of a housing may be nearer than that of the ring. Local indices are valid
+// until the next build. Only rings in a slab about the ball, normal to the direction of their
+// largest spread, are searched.
 void FixBearingCage::find_balls()
 {
   cage_.balls.clear();
@@ -166,7 +166,7 @@ void FixBearingCage::find_balls()
 
 void FixBearingCage::setup_pre_force(int vflag) { pre_force(vflag); }
 
-// Rail by rail, all cage balls in lanes of four. Four that touch no rail cost one comparison.
+// Rail by rail, all cage balls in lanes of four. Four balls that touch no rail cost one comparison.
 void FixBearingCage::pre_force(int)
 {
   pair_->state()->forward_axes();
@@ -222,7 +222,7 @@ void FixBearingCage::left_pocket(const CageRails::CageBall &ball, double off) co
           "inwards under gravity or vibration at low speed");
 }
 
-// Lanes from `first` on have no ball: they copy the one before but lie far from any rail.
+// Lanes from `first` have no ball: they copy the previous lane but lie far from any rail.
 void FixBearingCage::Four::spare(int first)
 {
   constexpr double far = 1.0e30;    // m^2: r is a square here

@@ -101,8 +101,8 @@ void FixBearingCageRing::pre_neighbor()
   }
 }
 
-// The nearest atom with `fits` to atom i within `reach` (m); -1: none. Of two equally near atoms
-// the lower tag counts.
+// The atom nearest to atom i within `reach` (m) for which `fits` is true; -1: none. Of two equally
+// near atoms, the one with the lower tag.
 template <class Fits> static int nearest(const Atom &atom, int i, double reach, const Fits &fits)
 {
   int found = -1;

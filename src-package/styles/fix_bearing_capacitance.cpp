@@ -381,7 +381,7 @@ void FixBearingCapacitance::Spread::add(double value, bool first)
 }
 
 // The contacts of a ball are adjacent. Capacitances to the same ring add up; a ball in contact with
-// one ring only contributes nothing.
+// only one ring contributes nothing.
 FixBearingCapacitance::Total FixBearingCapacitance::add_up(const Row *row, const Row *end)
 {
   Total t = {};

@@ -103,7 +103,7 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
   int planned_ = -1;                 // build and filling of the contact table
   bigint filled_ = -1;
   double **per_ball_ = nullptr;    // inner, outer, series; the same with surroundings
-  int within_ = 1;                 // instants a step, the last one its end
+  int within_ = 1;                 // instants per step, the last at its end
   std::vector<bearing::InstantSource *> integrators_;    // that provide instants between steps
   bearing::TagSet members_;    // balls of the group; known where integrators_ are
   std::vector<Row> mine_;      // rows of this step; reused buffer

@@ -163,7 +163,7 @@ void FixBearingCheckpoint::write_every(int steps)
   output->create_restart(3, list);
 }
 
-// Restart files while settling too: it may take longer than the measurement.
+// Restart files are also written while settling, which may take longer than the measurement.
 void FixBearingCheckpoint::settle(const bearing::Sampling &sampling)
 {
   if (every_restart_ == 0)
@@ -239,7 +239,7 @@ static void leave_difference(std::string &one, std::string &other)
     for (std::string word; in >> word;) words[k].push_back(word);
   }
   const size_t shorter = std::min(words[0].size(), words[1].size());
-  size_t first = 0, last = 0;    // words alike at both ends
+  size_t first = 0, last = 0;    // number of equal words at both ends
   while (first < shorter && words[0][first] == words[1][first]) ++first;
   while (last < shorter - first && words[0].end()[-1 - last] == words[1].end()[-1 - last]) ++last;
   for (int k = 0; k < 2; ++k) {
@@ -287,8 +287,8 @@ void FixBearingCheckpoint::find_ring()
             "'");
 }
 
-// Before the first step: removes the output of the set-up of a continued run, since the files have
-// it already. Later: the restart file of the step before is complete now.
+// Before the first step: removes the output of the set-up of a continued run, which the files
+// already have. Later: the restart file of the previous step is now complete.
 void FixBearingCheckpoint::initial_integrate(int)
 {
   if (resumed_ && !cut_) cut_files();
@@ -300,7 +300,7 @@ void FixBearingCheckpoint::end_of_step()
   if (!waits()) take_sample();
   int signal = caught;
   if (comm->nprocs > 1)
-    MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, world);    // all stop at one step
+    MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, world);    // stop at the same step
   if (!signal) return;
   caught = signal;
   bearing::end_run_after_this_step(lmp);
@@ -322,7 +322,7 @@ void FixBearingCheckpoint::take_sample()
 void FixBearingCheckpoint::post_run()
 {
   int signal =
-      // may differ between ranks after the last sample: only what all have agreed on counts
+      // may differ between ranks after the last sample, so only the agreed value counts
       caught;
   if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, world);
   caught = signal;
@@ -336,7 +336,7 @@ void FixBearingCheckpoint::post_run()
   }
 }
 
-// The run has ended after a complete step and its output is written: save its state and exit.
+// The run has ended after a complete step and its output is written: saves its state and exits.
 void FixBearingCheckpoint::stop()
 {
   output->write_restart(update->ntimestep);
@@ -360,7 +360,7 @@ void FixBearingCheckpoint::publish()
   written_ = false;
   if (comm->me != 0) return;
   for (const std::string &f : files_) settle_on_disk(f);
-  // the host does not check its writes: if the disk accepts more, they succeeded
+  // the host does not check its writes; if the disk accepts more data, they succeeded
   std::string why = no_room(file_);
   if (why.empty() && !bearing::write_sum(part_)) why = "its check sum does not get into it";
   if (why.empty() && !settle_on_disk(part_)) why = strerror(errno);

@@ -57,7 +57,7 @@ class FixBearingCheckpoint : public Fix, public bearing::WaitsForRun {
   std::vector<std::string> files_;                // watched: each grows with every sample
   std::vector<double> length_;                    // size in bytes at the restart file's step
   std::vector<double> seen_;                      // size in bytes at the last sample
-  bool last_ = false;                             // restart file at the end of a run, too
+  bool last_ = false;                             // also a restart file at the end of a run
   std::vector<bearing::DrivenValue> means_;       // averaged over samples
   std::vector<bearing::DrivenValue> counters_;    // each restarts from 0 in every run
   double samples_ = 0.0;

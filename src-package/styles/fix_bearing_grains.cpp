@@ -17,7 +17,7 @@ using bearing::Arguments;
 using bearing::text;
 using raceway::Vec3;
 
-// steps in a collision: below the first number it is an error, below the second a warning
+// steps per collision below which there is an error, or a warning
 static constexpr double fewest_steps = 5.0, few_steps = 20.0;
 
 // fix ID group bearing/grains [drum SHAFT|none R Z1 Z2] [blades SHAFT|none N R1 R2 Z1 Z2]

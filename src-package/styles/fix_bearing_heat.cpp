@@ -22,7 +22,7 @@ using bearing::text;
 namespace of = bearing::of_fix_heat;
 
 static constexpr double passes_at_first = 2.0;     // ball passes after the load ramp
-static constexpr double samples_a_pass = 200.0;    // samples of losses, at most
+static constexpr double samples_a_pass = 200.0;    // most samples of losses per ball pass
 
 // fix ID group bearing/heat [heat yes|no] [ambient T] [cooling G] [shaft_cooling G] [seat G]
 // [housing_capacity C] [warm_start T] [warm_time S] [warm_change K] [warm_error K] [file NAME]
@@ -88,7 +88,7 @@ void FixBearingHeat::init()
     for (const char *cold : {"paper", "film", "none"})
       if (pair_->models() == cold && comm->me == 0)
         BRG_WARN(bearing::name_of(*this) + ": models " + cold +
-                 " have no friction of full films, so there is little heat; full has it");
+                 " have no full-film friction and so little heat; the models full have it");
     now_.oil = heat.oil();
   }
   apply_oil();
@@ -204,8 +204,8 @@ void FixBearingHeat::apply_oil()
   for (FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp)) f->laws_changed();
 }
 
-// Moves the clearance by a share of the way from the previous one to that of the present
-// temperatures.
+// Moves the clearance by a fraction `share` of the way from the previous clearance to that at the
+// present temperatures.
 void FixBearingHeat::grow(double share)
 {
   double strain[parts];

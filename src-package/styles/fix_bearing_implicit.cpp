@@ -138,12 +138,12 @@ void FixBearingImplicit::init()
   }
 }
 
-// Fixes whose rings are in the group: the same list on all ranks, although they own different rings
-// or none.
+// Fixes whose rings are in the group: the same list on all ranks, although ranks own different
+// rings or none.
 void FixBearingImplicit::find_rings()
 {
   const std::vector<FixBearingRing *> all = bearing::fixes_of<FixBearingRing>(lmp);
-  std::vector<int> seen;    // two a fix: rings in the group, rings outside
+  std::vector<int> seen;    // two numbers per fix: rings in the group, rings outside
   for (const FixBearingRing *r : all) {
     int mine = 0, others = 0;
     for (int i = 0; i < atom->nlocal; ++i)
@@ -219,7 +219,7 @@ void FixBearingImplicit::check_fixes()
   }
 }
 
-// Requires gravity on all bodies of a bearing alike, since the step applies it to all of them.
+// Requires that gravity acts on all bodies of a bearing, since the step applies it to all of them.
 void FixBearingImplicit::add_gravity(Fix &f)
 {
   int inside = 0;

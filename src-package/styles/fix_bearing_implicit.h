@@ -3,8 +3,8 @@
 // (core/step/bearing_integrator.h).
 //
 // Place in the host's step: initial_integrate makes the whole step, in as many substeps as the step
-// control requires, with its own copy of the state and its own calls of the contact functions; the
-// host's force evaluation that follows fills the contact table at the end of the step. Reasons:
+// control requires, with its own copy of the state and its own calls of the contact functions. The
+// host's subsequent force evaluation fills the contact table at the end of the step. Reasons:
 // output is at host steps, however the substeps vary; the table and all output from it belong to
 // the state that is written, not to a prediction; substeps and repeats cost no neighbour check, no
 // calls of fixes and no clearing of arrays; and a restart needs only positions, velocities and one
@@ -56,8 +56,8 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   // Hz, samples of a record requested by bearing/vibration; 0: by the record
   double sampling_rate() const { return sampling_ * oversampling_; }
 
-  // Coarse implicit steps, which damp all that vibrates, on the way to a state that is settled
-  // afterwards, or the steps of the deck. A deck that measures vibration has its own all the way.
+  // Coarse implicit steps, which damp all vibration, on the way to a state that is settled
+  // afterwards, or the steps of the deck. A deck that measures vibration always uses its own steps.
   void coarse(bool);
   bool can_be_coarse() const { return sampling_ == 0.0; }
   // False if the steps of the deck cost hardly more than coarse ones.

@@ -30,7 +30,7 @@ double FixBearingImplicit::systems() const
 }
 
 // Over all bearings since the start of the run (bearing::of_fix_implicit); energies are 0 unless
-// asked for.
+// requested.
 double FixBearingImplicit::compute_vector(int k)
 {
   BearingIntegrator::Energy e = solver_->energy;

@@ -27,8 +27,8 @@ struct FixBearingImplicit::Solver {
   bearing::HomeBearings bearings;
   std::vector<OwnBearing> own;    // one per bearing at home on this rank
   std::vector<std::unique_ptr<raceway::BearingIntegrator>> integrators;
-  // Contacts of an instant. For one reader they reuse one buffer, which stays in the caches. For
-  // several they are kept for a step: by instant, then by bearing.
+  // Contacts of an instant. For a single reader they reuse one buffer, which stays in the caches.
+  // For several readers they are kept for a step: by instant, then by bearing.
   struct Unpacked {
     bigint step = -1;
     std::vector<raceway::BearingInstants::ContactAtInstant> contacts;

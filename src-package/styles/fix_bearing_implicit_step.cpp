@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The steps of fix bearing/implicit: bearings of a neighbour build, loading their state, substeps,
-// and returning the state.
+// The steps of fix bearing/implicit: finding the bearings after a neighbour build, loading their
+// state, substeps, and returning the state.
 #include "../core/bodies/alike_bearings.h"
 #include "../core/settings/arguments.h"
 #include "fix_bearing_cage.h"
@@ -76,8 +76,8 @@ void FixBearingImplicit::build()
     return found == earlier.end() ? nullptr : std::move(*found);
   };
   all.unpacked.assign(readers_.size() > 1 ? (instants_.number - 1) * all.bearings.size() : 1, {});
-  // One solver shared by identical bearings stays in the caches. Energy balance and instants belong
-  // to a bearing after its step, so then each bearing has its own.
+  // A solver shared by identical bearings stays in the caches. With an energy balance or instants,
+  // which belong to one bearing beyond its step, each bearing has its own.
   const bool shared = !energy_wanted_ && instants_.number < 2;
   using Kind = std::tuple<const void *, size_t, int>;    // distinguishes most kinds
   std::map<Kind, std::vector<std::pair<int, BearingIntegrator *>>> kinds;
@@ -189,7 +189,7 @@ void FixBearingImplicit::advance(OwnBearing &p)
     substeps_ += 1.0;
     smallest_ = std::min(smallest_, h);
     worst_ = std::max(worst_, o.error);
-    // increase again where the Newton iteration converged easily
+    // increase again if the Newton iteration converged easily
     const double grow = std::min(2.0, std::max(0.5, fit));
     if (o.corrections <= settings.corrections &&
         (grow < 1.0 || (!held && (!last || h > 0.99 * p.step))))

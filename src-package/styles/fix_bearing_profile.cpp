@@ -229,7 +229,7 @@ void FixBearingProfile::add_balls(PairBearingHertz &pair,
     for (const auto &one : ball.second) pair.profiles().add(ball.first, one.first, one.second);
 }
 
-// Error if two pits overlap in azimuth: their strips in one contact would not add up.
+// Error if two pits overlap in azimuth, because their strips in one contact would not add up.
 void FixBearingProfile::check_apart(bearing::tag_t ball, const BallShape &shape,
                                     double radius) const
 {

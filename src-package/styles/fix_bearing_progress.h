@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/progress: progress of a run and state of the bearings, as a readable table: names
-// with units, finished share, remaining time. The host's own table has eight letters a column and
+// fix bearing/progress: progress of a run and state of the bearings as a readable table: names
+// with units, finished share, remaining time. The host's own table has eight letters per column and
 // no units.
 #ifdef FIX_CLASS
 FixStyle(bearing/progress,FixBearingProgress)

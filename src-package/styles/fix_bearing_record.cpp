@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 
 static constexpr size_t batch_bytes = 1 << 20, most_in_batch = 256;
 
-// A note becomes an attribute of the file. Names that scipy's netCDF reader uses itself would break
-// it; `checksum` is the header's.
+// A note becomes an attribute of the file. Names that scipy's netCDF reader uses would break the
+// reader; `checksum` is used by the header.
 static void check_note(const Arguments &args, const char *what, const std::string &name)
 {
   static const char *const taken[] = {
@@ -37,8 +37,7 @@ static void check_note(const Arguments &args, const char *what, const std::strin
     args.fail(std::string(what) + " is '" + name +
               "': it begins with a letter and has letters, digits and '_' only");
   if (std::find(std::begin(taken), std::end(taken), name) != std::end(taken))
-    args.fail(std::string(what) + " is '" + name +
-              "', which readers of netCDF keep for themselves");
+    args.fail(std::string(what) + " is '" + name + "', which readers of netCDF reserve");
 }
 
 // fix ID group bearing/record N|pass/N FOLDER [content all|summary|none]
@@ -101,7 +100,7 @@ void FixBearingRecord::read_options(Arguments &args)
       chosen = true;
       columns_.clear();
     } else if (args.take("within")) {
-      within_ = args.integer("samples a step", waits() ? 0 : 1, 100000);
+      within_ = args.integer("samples per step", waits() ? 0 : 1, 100000);
     } else if (waits() && args.take("dumps")) {
       dumps_ = args.choice("dumps", {"no", "yes"}) == 1;
     } else if (args.take("single")) {

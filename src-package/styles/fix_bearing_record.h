@@ -2,10 +2,10 @@
 // fix bearing/record: a folder with all data of the bearings of a group, evenly sampled, in
 // one netCDF file (core/record/record_file.h).
 //
-// At the end of a step every rank samples the atoms it owns, between steps the bearings at home on
-// it (core/record/record_rows.h). Rows of a batch of samples go to rank 0 together, which puts them
-// in order, sums over bearings and writes. The restart file stores the length of the file: a
-// continued run truncates it to that length and writes the same bytes.
+// At the end of a step every rank samples the atoms that it owns, within a step the bearings at
+// home on it (core/record/record_rows.h). Rows of a batch of samples go together to rank 0, which
+// sorts them, sums over bearings and writes. The restart file stores the length of the file; a
+// continued run truncates the file to that length and writes the same bytes.
 #ifdef FIX_CLASS
 FixStyle(bearing/record,FixBearingRecord)
 #else
@@ -87,7 +87,7 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   bearing::ContactSelection columns_;
   bearing::ContactContext context_;
   bool dumps_ = false;
-  int within_ = 1;                                         // samples a step, the last one its end
+  int within_ = 1;                                         // samples per step, the last at its end
   double a_pass_ = 0.0;                                    // samples in a ball pass
   bool allowed_ = false;                                   // its folder may be overwritten
   std::vector<class FixBearingImplicit *> integrators_;    // that provide instants between steps

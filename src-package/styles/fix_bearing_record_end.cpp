@@ -21,7 +21,7 @@ void FixBearingRecord::start_clocks()
 }
 
 // Time from the first sample until the operating system has the last one. It excludes flushing the
-// files to the disk, which for a long record takes as long again.
+// files to disk, which takes equally long for a long record.
 void FixBearingRecord::stop_clocks()
 {
   flush();

@@ -65,7 +65,7 @@ bearing::RingBody FixBearingRing::usual_body() const
 void FixBearingRing::settings_are_read()
 {
   find_rings();
-  // a variable may be atom-style: its values travel with the rings
+  // a variable may be atom-style, in which case its values travel with the rings
   called_back_ = std::any_of(settings_.value, settings_.value + RingProgram::N_VALUE,
                              [](const DrivenValue &v) { return v.is_variable(); });
   if (called_back_) {
@@ -215,8 +215,7 @@ void FixBearingRing::setup(int vflag)
       if (settings_.program.mode[RingProgram::SPIN] == Freedom::speed) {
         const Vec3 e = state_->axis(i), w = Vec3::from(atom->omega[i]);
         const double missing = target.of[RingProgram::SPIN] - dot(w, e);
-        // rounding is not corrected in a continued run, whose bits equal those of the uninterrupted
-        // run
+        // rounding is not corrected, so that a continued run has the bits of an uninterrupted one
         if (std::fabs(missing) > 1e-12 * norm(w)) (w + e * missing).to(atom->omega[i]);
       }
     }
@@ -231,8 +230,8 @@ void FixBearingRing::evaluate(int first, int last)
   for (int k = first; k < last; ++k) now_.of[k] = settings_.value[k].now(lmp);
 }
 
-// Atom-style variables are evaluated once per run: for every atom in every step they would cost
-// more than the bearings.
+// Atom-style variables are evaluated once per run, because evaluating them for every atom in every
+// step would cost more than the bearings.
 void FixBearingRing::find_own_values()
 {
   for (int k : own_) {
@@ -306,7 +305,7 @@ RingProgram FixBearingRing::program(const std::vector<RingValue> &own) const
   return p;
 }
 
-// Velocity Verlet needs the program at the end of its step only.
+// Velocity Verlet needs the program only at the end of its step.
 RingProgram FixBearingRing::at_end(const Values &of) const
 {
   RingProgram p = settings_.program;
@@ -330,8 +329,8 @@ void FixBearingRing::begin_step()
   check_jumps();
 }
 
-// Error if an imposed position or spin speed jumped in the last step: it changed by far more than
-// in the steps before and after, and by more than contacts can follow: 1 um, or slip of 1 %.
+// Error if an imposed position or spin speed jumped in the last step, that is, changed by far more
+// than in the steps before and after, and by more than contacts can follow: 1 um, or slip of 1 %.
 void FixBearingRing::check_jumps()
 {
   constexpr double far = 20.0;

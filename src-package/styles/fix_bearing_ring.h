@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/ring: moves the ring atoms of a group; every degree of freedom free, fixed or driven.
+// fix bearing/ring: moves the ring atoms of a group; every degree of freedom is free, fixed or
+// driven.
 #ifdef FIX_CLASS
 FixStyle(bearing/ring,FixBearingRing)
 #else
@@ -41,8 +42,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   // rad/s by local atom, at the present time: NAN for others, and where no spin is imposed.
   std::vector<double> imposed_spin();
   const bearing::StatedLoads &stated_loads() const { return settings_.stated; }
-  // True if loads and motions that are imposed stay as they are, after the ramp, whatever the angle
-  // of the ring.
+  // True if imposed loads and motions are constant after the ramp, whatever the angle of the ring.
   bool constant() const;
   double ramp() const { return settings_.program.ramp; }    // s, of its loads
   // Tag of its first ring if all of them are on one shaft, else 0; position of a ring on the shaft
@@ -64,7 +64,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   Balance balance();
   // Values of a single ring from atom-style variables.
   std::vector<raceway::RingValue> own_values(int i) const;
-  // Program of this step for a ring with these values.
+  // Driven motion and loads of a ring with these values in this step.
   raceway::RingProgram program(const std::vector<raceway::RingValue> &own) const;
 
   void grow_arrays(int) override;

@@ -93,7 +93,7 @@ void FixBearingRing::final_integrate()
   if (!by_another_) kick();
   note_accelerations();
   noted_ = true;
-  reported_ = -1;    // a variable may have evaluated the report in mid-step
+  reported_ = -1;    // a variable may have evaluated the report within the step
 }
 
 // Adds force and moment of the supports, after all other forces. Velocities lag by `half` seconds.

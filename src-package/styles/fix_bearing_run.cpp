@@ -54,8 +54,8 @@ void FixBearingRun::end_of_step()
   if (done >= (now_.passes + 1.0) * now_.steps) end_pass();
 }
 
-// Sums over the bearings in the order of tags: the same bits on any number of ranks. The sum of
-// the loads, unlike the largest, hardly depends on the positions of the balls.
+// Sums over the bearings in the order of tags, for the same bits on any number of ranks. Unlike the
+// largest load, the sum of the loads hardly depends on the positions of the balls.
 SettlingSample FixBearingRun::sample()
 {
   struct Ball {

@@ -24,7 +24,7 @@ class FixBearingRun : public Fix {
   struct State {
     double measures = 0.0;               // 1: settled
     double step_length = 0.0;            // s; for adaptive steps, that of the measurement
-    double every = 1.0, within = 1.0;    // host steps a sample, samples a step
+    double every = 1.0, within = 1.0;    // host steps per sample, samples per step
     double pass = 0.0;                   // s, a ball pass
     double start = 0.0;                  // s, time at step 0
     double a_pass = 0.0;                 // samples in it
@@ -33,13 +33,13 @@ class FixBearingRun : public Fix {
     double passes = 0.0;                 // ball passes evaluated since then
     double steps = 0.0;                  // in one of these, a multiple of `every`; 0: none yet
     double samples = 0.0;                // in the present one
-    double settled = 0.0;                // `settle orbit`: changes within which it ends
+    double settled = 0.0;                // `settle orbit`: changes below which it ends
     double evaluations = 0.0;            // of the forces, to settle
-    double may_be_coarse = 0.0;          // 1: steps on the way may be
-    double coarse = 0.0;                 // 1: those of the present ball pass are
+    double may_be_coarse = 0.0;          // 1: steps while settling may be coarse
+    double coarse = 0.0;                 // 1: the steps of the present ball pass are coarse
     bearing::SettlingSample sum;         // of the samples
     bearing::SettlingChanges changes;    // from one ball pass to the next, of `settle orbit`
-    bearing::SettlingChanges rest;       // until settled, by estimate
+    bearing::SettlingChanges rest;       // estimated remaining changes
   };
 
   FixBearingRun(class LAMMPS *, int, char **);
@@ -51,7 +51,7 @@ class FixBearingRun : public Fix {
   void restart(char *) override;
 
   bool resumed() const { return resumed_; }
-  // Pockets of the one-piece cage with most of them; 0: there is none
+  // Largest number of pockets of a one-piece cage; 0: no such cage
   double pockets() const { return pockets_; }
   State &now() { return now_; }
   bearing::OrbitSearch &orbit() { return orbit_; }

@@ -106,7 +106,7 @@ void FixBearingShaft::check_places() const
   }
 }
 
-// Error for fix gravity: it would act at the rings, but the centre of mass may be elsewhere.
+// Error for fix gravity, which would act at the rings although the centre of mass may be elsewhere.
 void FixBearingShaft::check_gravity() const
 {
   for (int k = 0; k < modify->nfix; ++k) {

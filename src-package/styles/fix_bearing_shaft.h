@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix bearing/shaft: the ring atoms of a group on one rigid shaft. It is a fix bearing/ring whose
-// rings move as one: freedoms, inertia and loads are those of the shaft. The shaft has no atom; its
-// first ring defines its position (core/bodies/shaft_ring.h). A flexible shaft also has elastic
-// modes (core/bodies/shaft_modes.h), whose state is stored here.
+// rings move as one: degrees of freedom, inertia and loads are those of the shaft. The shaft has no
+// atom; its first ring defines its position (core/bodies/shaft_ring.h). A flexible shaft also has
+// elastic modes (core/bodies/shaft_modes.h), whose state is stored here.
 #ifdef FIX_CLASS
 FixStyle(bearing/shaft,FixBearingShaft)
 #else

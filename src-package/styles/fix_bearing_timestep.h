@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/timestep: watches the step of velocity Verlet against springs and film dampers;
-// follows the limit, warns, or stops.
+// fix bearing/timestep: compares the step of velocity Verlet with the stability limit due to
+// springs and film dampers; follows the limit, warns, or stops.
 #ifdef FIX_CLASS
 FixStyle(bearing/timestep,FixBearingTimestep)
 #else

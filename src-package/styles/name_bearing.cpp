@@ -79,7 +79,7 @@ void NameBearing::refuse_unknown(const Arguments &args, const std::string &input
                                                        bearing::nearest(set, names) + "'";
       if (!wrong.empty()) complaint += (complaint.empty() ? "-var " : "; -var ") + set + wrong;
     }
-    // variables of later commands: out-of-range values are found before anything runs
+    // also checks variables of later commands, so that wrong values are found before anything runs
     const std::string file = bearing::deck_name(infile);
     bool main = true;    // all variables of a main deck, which converts rpm by a formula
     for (const bearing::DeckVariable &v : bearing::deck_variables())
@@ -127,7 +127,7 @@ void NameBearing::derive(const Arguments &args, NamedBearing &b)
               ", must be 0 (needs a bearing by its usual data, as 7208)");
   }
   bearing::check_data(args, b.data, "bearing data");
-  // computed by a formula of the host in earlier decks: the same number of digits
+  // rounded to as many digits as the host's formula in earlier decks
   values.set("b_outer_raceway", values.number("outer_radius") + 0.5 * values.number("clearance"));
   values.set("b_box", 1.3 * values.number("b_outer_raceway"));
   laws.at("four_point")(values);

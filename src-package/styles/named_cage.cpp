@@ -49,7 +49,7 @@ std::vector<std::string> cage_words(LAMMPS *lmp, Arguments &args, const NamedBea
   if (!b.has_cage_ring)
     args.fail("the cage of bearing " + b.name + " is not a ring: give it 'cage ring'");
   const std::set<std::string> out = left_out(args, words["cage_without"]);
-  // rounded as a deck's formulas
+  // rounded like a deck's formulas
   const auto or_estimate = [&](const char *key, double estimate) {
     const double given = std::atof(words[key].c_str());
     return given != 0.0 ? given : written(estimate);
@@ -83,8 +83,8 @@ std::vector<std::string> cage_words(LAMMPS *lmp, Arguments &args, const NamedBea
     line << " oil " << viscosity << " " << words["cage_filled"] << " "
          << (out.count("shear") ? "0" : digits(0.35 * ball)) << " land_oil "
          << (out.count("land") ? "0" : words["cage_filled"]);
-  // the oil that drags at the balls; the cage is taken to reach 0.3 of a ball beyond the pitch
-  // circle
+  // the oil that causes drag on the balls; the cage is assumed to extend 0.3 ball diameters beyond
+  // the pitch circle
   const double churned = pair && !out.count("churning") ? pair->oil_share(b.name) : 0.0;
   if (churned > 0.0)
     line << " churning " << digits(churned) << " " << pair->oil_datum(b.name, "oil_density") << " "

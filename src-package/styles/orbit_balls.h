@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The balls of one bearing as `settle orbit` sees them: by slot, a place between two neighbours
-// that the balls go through one after the other. A ball pass moves every ball to the next slot.
+// The balls of one bearing in the form that `settle orbit` uses: by slot, one of as many positions
+// around the ring, which the balls pass one after the other. In a ball pass every ball moves to the
+// next slot.
 #ifndef BEARING_ORBIT_BALLS_H
 #define BEARING_ORBIT_BALLS_H
 
@@ -25,14 +26,14 @@ class OrbitBalls {
   double spacing() const { return 2.0 * M_PI / size(); }    // rad
   // +1 or -1: the sense in which the balls go round.
   int sense() const;
-  // Numbers by slot after so many ball passes, slot 0 first.
+  // Numbers by slot after this number of ball passes, slot 0 first.
   std::vector<double> by_slot(double passes) const;
-  // Weight of each number: orbital speed and spin relative to those of all balls, with the share of
-  // the ball in all loads; azimuths do not count.
+  // Weight of each number: orbital speed and spin relative to those of all balls, times the ball's
+  // share of the total load; azimuths have no weight.
   std::vector<double> weights(double passes) const;
-  // Gives the balls of this rank orbital speeds and spins by slot; places stay.
+  // Sets the orbital speeds and spins of this rank's balls by slot; positions do not change.
   void put(double passes, const std::vector<double> &by_slot) const;
-  // rad, that the balls have gone on in the ball pass between these numbers; mean
+  // rad, mean advance of the balls in the ball pass between these numbers
   double advance(const std::vector<double> &before, const std::vector<double> &now) const;
 
  private:

@@ -7,13 +7,13 @@
 
 namespace bearing {
 
-// Ball passes without progress after which there is no orbit: balls meet the cage or one another at
-// other places in every ball pass.
+// Ball passes without progress after which there is no orbit, because balls touch the cage or one
+// another at different positions in every ball pass.
 static constexpr double patience = 5.0;
 static constexpr double most_jumps = 8.0;
-// Share of the residual that a ball pass must leave where a jump is of use.
+// Share of the residual that a ball pass must leave for a jump to be useful.
 static constexpr double slow = 0.6;
-// A residual is progress if it is below this share of the best yet.
+// A residual is progress if it is below this share of the best so far.
 static constexpr double less = 0.7;
 
 void OrbitSearch::begin(LAMMPS_NS::LAMMPS *lmp) { start_ = OrbitBalls(lmp).by_slot(0.0); }
@@ -33,8 +33,8 @@ void OrbitSearch::end_pass(LAMMPS_NS::LAMMPS *lmp, const SettlingChanges &change
   start_ = now_.jumped != 0.0 ? OrbitBalls(lmp).by_slot(now_.passes) : end;
 }
 
-// A ball pass that is a value of the map. Where a mode decays slowly, speeds are chosen for the
-// next one, in which fast modes follow: that one is none.
+// Judges a ball pass that is a value of the map. If a mode decays slowly, speeds are chosen for the
+// next ball pass, in which fast modes follow; that pass is not a value.
 void OrbitSearch::judge(const OrbitBalls &balls, const std::vector<double> &end,
                         const SettlingChanges &changes, double settled)
 {
@@ -45,14 +45,14 @@ void OrbitSearch::judge(const OrbitBalls &balls, const std::vector<double> &end,
   now_.residual = next.residual;
   now_.distance = next.distance;
   const double steady = 0.2 * settled, close = 0.1 * settled;
-  // a slow mode shows in two values one after the other, not across a jump
+  // a slow mode is visible in two successive values, but not across a jump
   if (now_.values > 0.0 && changes.within({steady, steady, steady, settled, 1.0}) &&
       next.distance <= settled && std::fabs(now_.stretch - 1.0) <= settled) {
     now_.stage = FOUND;
     return;
   }
   const double keeps = map_.contraction(), progress = std::max(close, next.residual);
-  if (keeps < 0.0) map_.forget();    // the last jump went too far: values beyond the orbit count
+  if (keeps < 0.0) map_.forget();    // the last jump went beyond the orbit: drop older values
   const bool jumps =
       (next.residual > close || next.distance > settled) && keeps > slow && now_.jumps < most_jumps;
   if (progress < less * now_.best || jumps) {

@@ -11,8 +11,8 @@ using bearing::RacewayContact;
 using bearing::SphereContact;
 using bearing::text;
 
-// Overlap on the far side of a groove that causes an error, over r_c - R_b: balls may touch there
-// lightly before they have settled.
+// Overlap on the far side of a groove that causes an error, over r_c - R_b. Balls may touch lightly
+// there before they have settled.
 static constexpr double far_touch = 1e-2;
 
 void PairBearingHertz::compute(int eflag, int vflag)

@@ -107,7 +107,7 @@ void PairBearingHertz::add_raceway_contacts()
     if (other_ring && (sides[c.i_ball] & bit))
       BRG_ONE("ball " + std::to_string(c.ball) + " sits in the grooves of two " +
               (bit == 1 ? "inner" : "outer") +
-              " rings: two bearings overlap, or a ring is there twice");
+              " rings: two bearings overlap, or a ring exists twice");
     sides[c.i_ball] |= bit;
   }
   for (int i = 0; i < atom->nlocal; ++i) {

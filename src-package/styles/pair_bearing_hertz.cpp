@@ -28,7 +28,7 @@ PairBearingHertz::PairBearingHertz(LAMMPS *lmp, bool with_film) :
 
 PairBearingHertz::~PairBearingHertz()
 {
-  // Modify may be gone already when the host shuts down
+  // Modify may already be gone when the host shuts down
   if (modify && modify->nfix && modify->find_fix(FixBearingState::fixed_id) >= 0)
     modify->delete_fix(FixBearingState::fixed_id);
   if (allocated) {
@@ -53,7 +53,7 @@ void PairBearingHertz::allocate()
   allocated = 1;
   memory->create(setflag, n, n, "pair:setflag");
   memory->create(cutsq, n, n, "pair:cutsq");
-  // types that no pair_coeff names do not interact: that is a complete statement, not a missing one
+  // types that no pair_coeff names do not interact; their coefficients count as set
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {
       setflag[i][j] = 1;

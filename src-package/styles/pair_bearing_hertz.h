@@ -40,7 +40,8 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bearing::PairCoefficients &coefficients() { return coefficients_; }
   bearing::SurfaceProfiles &profiles() { return profiles_; }    // set again in every init of fixes
   const bearing::ContactTable &table() const { return table_; }
-  // Grains that may touch, local indices, until the table is built again; for fix bearing/grains.
+  // Grains that may touch, as local indices, valid until the table is built again; for fix
+  // bearing/grains.
   const std::vector<std::pair<int, int>> &grains() const { return grains_; }
   std::vector<bearing::PocketRow> &pocket_rows() { return table_.pocket; }
   bearing::RingSum &ring_sum() { return ring_sum_; }
@@ -89,7 +90,7 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
  protected:
   // Before settings and coefficients: contacts with a film, or dry ones
   void set_film(bool film) { coefficients_ = bearing::PairCoefficients(film); }
-  // The last command replaces command k, if there are so many.
+  // The last command replaces command k, if there is one.
   void move_last_command(size_t k);
 
  private:
@@ -114,7 +115,7 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bearing::SimulatedTime time_;
   bearing::PairCoefficients coefficients_;
   bearing::SurfaceProfiles profiles_;
-  bearing::Commands commands_;                  // so far: a restart repeats them
+  bearing::Commands commands_;                  // so far; a restart repeats them
   std::set<std::pair<int, int>> cage_types_;    // types of created bearings, smaller type first
   std::vector<bearing::LawFollower *> followers_;
   std::set<int> silent_types_;    // unnamed types with a warning
@@ -132,7 +133,7 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bigint fills_ = 0;
   bool capacitors_ = false;    // there is a fix bearing/capacitance
   bool gaps_ = false;          // one needs the surroundings of contacts
-  bool warned_ = false;        // a warning of a too long step was given
+  bool warned_ = false;        // the warning about a too long step was given
 };
 
 }    // namespace LAMMPS_NS

@@ -107,7 +107,7 @@ Attributes record_settings(LAMMPS *lmp, PairBearingHertz &pair, const RecordLayo
   return list;
 }
 
-// YAML scalar for text that a file name may have made ambiguous.
+// YAML scalar for text that may be ambiguous because of a file name.
 static std::string scalar(const std::string &words)
 {
   if (words.find(": ") == std::string::npos && words.find(" #") == std::string::npos) return words;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Checks of the folder of a run before anything runs: whether it can be written, whether another
-// run writes to it, holds a finished run, and whether its restart file is intact and from this
-// host. Collective.
+// run writes to it, whether it has a finished run, and whether its restart file is intact and from
+// this host. Collective.
 #ifndef BEARING_RESULT_FOLDER_H
 #define BEARING_RESULT_FOLDER_H
 

@@ -25,7 +25,7 @@ using bearing::text;
 using bearing::written;
 
 static constexpr const char *command_name = "run_bearing";
-// Fixes and a compute of this command alone
+// Fixes and a compute used only by this command
 static const std::string total_id = FixBearingRun::fixed_id, step_id = "RUN_BEARING_STEP",
                          show_id = "RUN_BEARING_SHOW", share_id = "RUN_BEARING_SHARE";
 
@@ -50,7 +50,7 @@ void RunBearing::read(Arguments &args)
     } else if (args.take("limit")) {
       to.limit = args.integer("ball passes to settle in", 2, 1000000);
     } else if (args.take("rate")) {
-      to.rate = args.within("samples a second (Hz)", 1e3, 1e8);
+      to.rate = args.within("samples per second (Hz)", 1e3, 1e8);
     } else if (args.take("angle")) {
       to.angle = args.within("contact angle (degrees)", 0.0, 60.0);
     } else {
@@ -63,7 +63,7 @@ void RunBearing::read(Arguments &args)
   if (to.passes == 0.0) args.fail("'passes P' is missing: ball passes to measure");
 }
 
-// Settings in which a continued run must agree with the one before.
+// Settings that a continued run must share with the previous one.
 std::string RunBearing::words() const
 {
   const Settings &s = settings_;
@@ -132,8 +132,8 @@ void RunBearing::plan()
   if (implicit()) plan_steps();
 }
 
-// Samples in a ball pass as the records ask, and those within a host step: ten, five, two or one,
-// such that a ball pass is a whole number of steps and at least twenty.
+// Samples per ball pass as requested by the records, and samples per host step: ten, five, two or
+// one, such that a ball pass is a whole number of steps and at least twenty.
 void RunBearing::plan_samples()
 {
   double samples = 0.0, asked = 0.0;
@@ -170,7 +170,7 @@ double RunBearing::sampled_length()
   return implicit() ? written(length) : length;
 }
 
-// A whole number of steps of about that length in a sample, or in `within` samples.
+// A whole number of steps of about that length per sample, or per `within` samples.
 void RunBearing::fix_step(double wanted)
 {
   const double largest = sampled_length();
@@ -216,7 +216,7 @@ void RunBearing::settle()
   choose_steps();
   warm_up();
   if (automatic()) settle_until_still();
-  // by the number of steps where they are even, so that a stopped run has the same rounding
+  // by the number of steps if they are even, so that a stopped run has the same rounding
   const bool even = implicit() && !settings_.orbit;
   begin_at_step_0(even ? now().start + update->ntimestep * now().step_length
                        : bearing::SimulatedTime::now(*update));
@@ -266,7 +266,7 @@ void RunBearing::warm_up()
   if (still()) return;
   set_step(now().step_length);
   const double steps = steps_a_pass();
-  while (!still()) {    // to whole ball passes, also for a run that was stopped within one
+  while (!still()) {    // to whole ball passes, even for a run that was stopped within one
     const double passes =
         std::floor((static_cast<double>(update->ntimestep) - now().begin_steps) / steps) + 1.0;
     input->one(("run " + digits(now().begin_steps + passes * steps) + " upto post no").c_str());
@@ -333,7 +333,7 @@ void RunBearing::measure()
   if (!implicit()) input->one(("unfix " + step_id).c_str());
 }
 
-// The contacts of a ring must carry its load on average, otherwise the run had not settled and
+// The contacts of a ring must carry its load on average; otherwise the run had not settled and
 // gives no figures.
 void RunBearing::check_balance() const
 {

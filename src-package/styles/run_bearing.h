@@ -14,9 +14,9 @@ CommandStyle(run_bearing,RunBearing)
 namespace LAMMPS_NS {
 
 // run_bearing settle N|auto|orbit passes P [step DT] [safety F] [rate HZ] [angle A] [settled S]
-// [limit L]: choose the step, settle for N ball passes, until little change is left or until one
-// returns to its begin (orbit_search.h), and measure P of them
-// with the fixes that wait for it (run_phase.h).
+// [limit L]: chooses the step, settles for N ball passes, until little change remains or until a
+// ball pass ends as it began (orbit_search.h), and measures P ball passes with the fixes that wait
+// for it (run_phase.h).
 class RunBearing : public bearing::CommandBase {
  public:
   explicit RunBearing(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
@@ -25,14 +25,14 @@ class RunBearing : public bearing::CommandBase {
  private:
   struct Settings {
     double settle = 1.0, passes = 0.0;    // ball passes
-    bool automatic = false;               // settle until little change is left,
+    bool automatic = false;               // settle until little change remains,
     bool orbit = false;                   // on the orbit if there is one
     double settled = 1e-2;                // relative rest of torque that counts as settled
     double limit = 100.0;                 // allowed ball passes of settling
     double step = 0.0;                    // s; 0: chosen
     double safety = 0.3;                  // of the stability limit
-    double rate = 0.0;                    // Hz, of samples; 0: as the records ask
-    double angle = NAN;                   // degrees, contact angle; NAN: as at the balls' positions
+    double rate = 0.0;                    // Hz, of samples; 0: as requested by the records
+    double angle = NAN;                   // degrees, contact angle; NAN: from the balls' positions
   };
   void read(class bearing::Arguments &);
   std::string words() const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// `settle auto` of run_bearing: ball pass by ball pass until what is left of the changes is small
-// (core/figures/settling_rest.h). Implicit steps are coarse on the way there, those of the deck in
-// the last ball passes.
+// `settle auto` of run_bearing: ball pass by ball pass until the remaining changes are small
+// (core/figures/settling_rest.h). Implicit steps are coarse at first and those of the deck in the
+// last ball passes.
 #include "../core/settings/arguments.h"
 #include "../core/settings/written.h"
 #include "fix_bearing_heat.h"
@@ -14,10 +14,10 @@ using namespace LAMMPS_NS;
 using bearing::digits;
 using bearing::text;
 
-// So many ball passes tell a drift from noise.
+// Fewest ball passes that distinguish a drift from noise.
 static constexpr double first_passes = 3.0;
 
-// Coarse steps while the loads are applied, and where they save evaluations afterwards, too.
+// Coarse steps while the loads are applied and, if they save evaluations, also afterwards.
 // Temperatures follow the losses of the deck's own steps.
 void RunBearing::plan_coarse()
 {
@@ -47,15 +47,15 @@ void RunBearing::settle_until_still()
   }
   if (!still() && comm->me == 0)
     BRG_WARN("run_bearing: not settled after " + text(now().passes) +
-             " ball passes: by estimate the rest of torque is " + text(now().rest.torque) +
+             " ball passes: estimated remaining change of torque " + text(now().rest.torque) +
              ", of loads " + text(now().rest.load) + ", of cage speed " +
              text(now().rest.cage_speed) + ", of spin axes " + text(now().rest.spin_axis) + " rad" +
-             pocket_fall() + "; asked for " + text(settings_.settled));
+             pocket_fall() + "; required " + text(settings_.settled));
 }
 
 // Steps of the next ball pass, or of the present one when a stopped run continues: coarse while
-// there is a rest. They are taken again if those of the deck show one, for the end of coarse steps
-// may be a little beside it.
+// changes remain. Coarse steps may settle at a slightly different state, so they are resumed if the
+// deck's steps show a remaining change.
 void RunBearing::plan_pass()
 {
   const bool last = now().passes + 1.0 >= settings_.limit;

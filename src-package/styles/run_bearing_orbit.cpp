@@ -15,7 +15,7 @@ using bearing::fixes_of;
 using bearing::print_line;
 using bearing::text;
 
-// Why no ball pass of this scene can repeat the one before; empty if one may.
+// Reason why no ball pass of this scene can repeat the previous one; empty if one may.
 std::string RunBearing::why_no_orbit()
 {
   if (!implicit()) return "the steps of velocity Verlet follow its stability limit";

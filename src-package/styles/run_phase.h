@@ -7,10 +7,10 @@
 
 namespace bearing {
 
-// ID of the internal fix that exists while run_bearing works
+// ID of the internal fix that exists while run_bearing runs
 inline constexpr const char *fix_of_run = "RUN_BEARING";
 
-// Samples of a measurement: every `every` host steps, `within` of them in a step.
+// Samples of a measurement: at every `every`-th host step, or `within` of them per step.
 struct Sampling {
   int every = 1, within = 1;
 };

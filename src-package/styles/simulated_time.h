@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Simulated time from one run to the next and through restart files, for formulas with the host's
-// keyword `time`. Some hosts do not store it in restart files; reset_timestep sets it to 0 in some
-// and makes it jump in others.
+// Keeps the simulated time from one run to the next and through restart files, for formulas with
+// the host's keyword `time`. Some hosts do not store it in restart files; reset_timestep sets it to
+// 0 in some hosts and makes it jump in others.
 #ifndef BEARING_SIMULATED_TIME_H
 #define BEARING_SIMULATED_TIME_H
 
@@ -13,7 +13,8 @@ namespace bearing {
 
 class SimulatedTime {
  public:
-  // Contents of a restart file: the time is `since` s at step `from` and `step_length` s a step on.
+  // Contents of a restart file: the time is `since` s at step `from` and grows by `step_length` s
+  // per step.
   struct State {
     double since, from, step_length, step;    // `step`: the present one
     double now() const { return since + (step - from) * step_length; }

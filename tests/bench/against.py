@@ -4,9 +4,9 @@
     python3 tests/bench/against.py REVISION|FOLDER [--rounds 9] [--out PAGE]
 
 REVISION is a git revision, which is built in a temporary worktree; FOLDER is the root of a tree
-that is already built. Each tree runs its own decks with its own program. The two take turns: in
-each round one goes first, in the next the other, and ratios are formed within a round. The cost is
-the user processor time of the steps: that of a run minus that of a run of a tenth of its steps.
+that is already built. Each tree runs its own decks with its own program. The two alternate in which
+goes first, and ratios are formed within a round. The cost is the user processor time of the steps:
+the time of a run minus the time of a run with a tenth of the steps.
 Where the kernel counts instructions (`perf stat`), their ratio is given as well; it does not depend
 on the machine's load.
 
@@ -88,7 +88,7 @@ def spent(tree, deck, variables, steps, instructions):
 
 
 def program(tree, deck, variables, instructions):
-    """(seconds of the user, instructions or None) of a run of LIGGGHTS of a tree, in that tree."""
+    """(user seconds, instructions or None) of a run of a tree's LIGGGHTS, in that tree."""
     words = [str(tree / "build/liggghts"), "-in", str(deck), "-log", "none"]
     for name, value in variables.items():
         words += ["-var", name, str(value)]
@@ -106,7 +106,7 @@ def program(tree, deck, variables, instructions):
 
 
 def cost(tree, scene, instructions):
-    """The same for nine tenths of the steps, without the start of the run."""
+    """The same for the last nine tenths of the steps, without the start of the run."""
     _, (deck, steps), variables = scene
     long = spent(tree, deck, variables, steps, instructions)
     short = spent(tree, deck, variables, steps // 10, instructions)

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Runs the main deck on every rated bearing of inputs/bearings under a radial load of 0.1 C0, with
-the same axial load where the balls have a contact angle. Compares the largest ball load with
-statics.
+an equal axial load if the balls have a contact angle. Compares the largest ball load with statics.
 
     .venv/bin/python tests/bench/all_bearings.py [NAME ...]
 

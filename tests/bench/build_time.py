@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""CPU seconds of `make TARGET` from nothing: this commit relative to another one.
+"""CPU seconds of `make TARGET` in a clean clone: this commit relative to another one.
 
     .venv/bin/python tests/bench/build_time.py REV [--targets run,build] [--rounds 3]
 
 Every measurement is a clean clone without compiler cache. The two revisions take turns, so that a
 drift of the machine affects both. Run `make test` first: it installs the missing Debian packages
-and fills pip's cache. Also counts the objects that are rebuilt after one part of the contact law
-changes. Uncommitted changes are not measured.
+and fills pip's cache. The script also counts the objects that are rebuilt when one part of the
+contact law changes. Uncommitted changes are not measured.
 """
 
 import argparse

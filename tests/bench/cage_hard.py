@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A cage ring where cages fail, under both integrators: largest and mean pocket force, cage speed
-and torque; writes build/bench/cage_hard.rst.
+"""A one-piece cage in conditions in which cages fail, under both integrators: largest and mean
+pocket force, cage speed and torque; writes build/bench/cage_hard.rst.
 
     .venv/bin/python tests/bench/cage_hard.py [--print] [--slow] [--only WORD]
 
@@ -27,10 +27,10 @@ from raceway.runs.run import Run  # noqa: E402
 
 TARGET = bench_file("cage_hard.rst")
 DECK = "tests/scenarios/in.cage_ring"
-ORBIT = (1 - 6.3e-3 / ((24.0e-3 + 36.605e-3) / 2)) / 2  # speed of the cage, of the shaft
+ORBIT = (1 - 6.3e-3 / ((24.0e-3 + 36.605e-3) / 2)) / 2  # cage speed over shaft speed
 WORDS = dict(words="friction 0.1 wall 1e6 planar yes")
-SAMPLES, PARTS = 6000, 12  # of a run; means of parts for the standard error
-# s, step of velocity Verlet; slow or heavily loaded balls have stiffer friction
+SAMPLES, PARTS = 6000, 12  # per run; parts whose means give the standard error
+# s, steps of velocity Verlet; friction of slow or heavily loaded balls is stiffer
 VERLET, FINE, FINEST = 4e-7, 1e-7, 3e-8
 REVERSAL = "reversal, 300 to -300 rad/s"
 # friction near rest makes velocity Verlet take hours

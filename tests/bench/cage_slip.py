@@ -5,10 +5,10 @@
 
 Measured: slip from the ball pass frequency of the outer race of MFPT's bearing (NICE, 8 balls), and
 medians of the envelope's lines of Paderborn's 6203. Clearance, conformity, oil, play and guidance
-of both are not published, nor how their loads point against gravity: each column is one play and
-one place of the cage. Exit code 1 unless the cage that is held in the middle slips less by 0.2 %
-from 111 to 1334 N, within 0.2 % of MFPT's to 890 N, and the cage of a bearing whose balls are all
-loaded keeps its order.
+of both are not published, nor are the directions of their loads relative to gravity: each column is
+one play and one position of the cage. Exit code 1 unless the slip of the centred cage falls by at
+least 0.2 % from 111 to 1334 N and is within 0.2 % of MFPT's up to 890 N, and the order of the cage
+of a bearing whose balls are all loaded stays the same.
 """
 
 import itertools
@@ -28,7 +28,7 @@ from raceway.runs.run import Run  # noqa: E402
 TARGET = bench_file("cage_slip.rst")
 DECK = ROOT / "inputs" / "in.6208"
 WEIGHT = "fix weight all gravity 9.81 vector 0 ${down} 0\n"
-# play over the ball's diameter, and what decides where the cage lies
+# play over the ball's diameter, and what determines the position of the cage
 HELD = "held in the middle"
 COLUMNS = {
     "0.02 D, held": (0.02, HELD, 0),

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Exudyn's ball bearing with the sizes of a 6208: python exudyn_bearing.py SETTINGS (a JSON
+"""Exudyn's ball bearing with the dimensions of a 6208: python exudyn_bearing.py SETTINGS (a JSON
 object).
 
 Settings: stiffness (N/m^exponent), exponent, damping (N s/m), friction, zone (m/s, sliding speed
 from which friction is fully developed), load (N, towards -y), speed (rad/s), step, ramp, settle and
 window (s), sampling period (s, a multiple of step), folder for the sensor files, or "" for
-none when only the time matters. Prints one JSON line: wall seconds of the time loop, simulated
+no files if only the time matters. Prints one JSON line: wall seconds of the time loop, simulated
 seconds, and for each sample of the window the ring's position (m), the balls' positions (m) and
 inner loads (N); or the error that stopped the solver and the time (s) it had reached.
 """

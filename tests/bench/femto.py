@@ -4,7 +4,7 @@ parameters fitted to three runs, error of time jumps against full integration, a
 ten minutes with the main deck. Writes build/bench/femto.rst.
 
 Losses and contact conductances come from statics with the models `full`; heat capacities of
-rings and balls follow from their sizes. The warm runs start with the housing at ambient
+rings and balls follow from their dimensions. The warm runs start with the housing at ambient
 temperature: the data suggest that recording began with a warm bearing.
 """
 
@@ -117,7 +117,7 @@ def integrated(table, start, minutes, seat, housing, capacity):
 
 
 def jumps(table, start, until, change, housing_of):
-    """The same with jumps: seconds, C (N, 4) and the number of ball passes that gave losses."""
+    """The same with jumps: seconds, C (N, 4) and the number of ball passes that were simulated."""
     control = dict(
         change=change, error=0.5, until=until, steady=0.05, hottest=200.0, share=0.2, both_ends=1.0
     )

@@ -3,10 +3,10 @@
 
     .venv/bin/python tests/bench/fleet_record.py [rounds]
 
-A run of in.many with a record of all contacts at ten instants of every host step, over the same run
-that writes nothing, in turns. The cost of a run is that of its last 90 %: a run of a tenth of the
-steps is subtracted. Each record is opened: it must have the samples that its run was asked for, and
-the other run must have none.
+A run of in.many with a record of all contacts at several instants of every host step takes turns
+with the same run without output; the page has ratios of their costs. The cost of a run is that of
+its last 90 %: the cost of a run with a tenth of the steps is subtracted. Each record is opened: it
+must have the requested number of samples, and the other run must have no record.
 """
 
 import sys
@@ -18,9 +18,9 @@ import against
 import raceway
 from machine import bench_file, csv_table, machine
 
-WITHIN = 5  # samples in a host step
-STEP = 8.75e-4  # s: 200 samples a ball pass, as in the main deck
-STEPS = {1: 4000, 100: 80, 1000: 20}  # host steps by bearings
+WITHIN = 5  # samples per host step
+STEP = 8.75e-4  # s: 200 samples per ball pass, as in the main deck
+STEPS = {1: 4000, 100: 80, 1000: 20}  # host steps by number of bearings
 MODELS = ("paper", "full")
 PAGE = bench_file("fleet_record.rst")
 DECK = """include inputs/in.many
@@ -56,13 +56,13 @@ def run(folder, bearings, models, steps, recorded, instructions):
         sys.exit(f"{out}: a record {'is missing' if recorded else 'was written'}")
     if recorded:
         found = raceway.open(out).select(1).bearing.sizes["time"]
-        if found != WITHIN * steps + 1:  # that of the start is one more
+        if found != WITHIN * steps + 1:  # one more at the start
             sys.exit(f"{out} has {found} samples, not {WITHIN * steps + 1}")
     return cost
 
 
 def ratios(folder, bearings, models, rounds, instructions):
-    """Recording over nothing written: ([ratio of seconds, ...], [ratio of instructions, ...])"""
+    """Cost with over without a record: ([ratio of seconds, ...], [ratio of instructions, ...])"""
     found = ([], [])
     steps = STEPS[bearings]
     for n in range(rounds):
@@ -91,11 +91,11 @@ def main(rounds=5):
         "Recording fleets",
         "================",
         "",
-        f"A record of all contacts at {WITHIN} instants of a host step of {STEP * 1e3:g} ms,",
-        "200 samples a ball pass, over the same run that writes nothing; median (range) of",
+        f"A record of all contacts at {WITHIN} instants per host step of {STEP * 1e3:g} ms,",
+        "200 samples per ball pass, over the same run without output; median (range) of",
         f"{rounds} rounds, {date.today()}.",
         "",
-        *csv_table(("models", "bearings", "seconds of the user", "instructions"), rows),
+        *csv_table(("models", "bearings", "user seconds", "instructions"), rows),
         *(f"- {fact}" for fact in machine()),
     ]
     PAGE.write_text("\n".join(lines) + "\n")

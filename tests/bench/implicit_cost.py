@@ -53,7 +53,7 @@ SCENES = [  # name, variables of in.implicit_cost, number of the scene it is com
     ("five free degrees of freedom instead of two", dict(control=f"{PLAIN} 1", tilts=1), 2),
     ("energy account", dict(control=f"{PLAIN} 1 energy yes"), 2),
 ]
-AROUND = [(3, 5, 1), (4, 6, 10)]  # plates, with surroundings, samples a step
+AROUND = [(3, 5, 1), (4, 6, 10)]  # plates, with surroundings, samples per step
 HOST = ("the host's own step, 20 free particles", dict())
 ROWS = (9, 18, 36)
 # profile symbols, in the order in which they are searched
@@ -86,7 +86,7 @@ def deck(name, **variables):
 
 
 def measure(name, variables):
-    """(ns a host step, internal steps a host step, corrections an internal step)."""
+    """(ns per host step, internal steps per host step, corrections per internal step)."""
     done = subprocess.run(
         deck(name, **variables),
         cwd=ROOT,
@@ -201,17 +201,17 @@ medians, with the range of the rounds in brackets.
     lines += csv_table(
         (
             "scene",
-            "ns a host step",
+            "ns per host step",
             "adds (ns)",
-            "internal steps a host step",
-            "corrections an internal step",
+            "internal steps per host step",
+            "corrections per internal step",
         ),
         body,
     )
     cost = [spread([(r[w][0] - r[p][0]) / (BALLS * n) for r in scenes]) for p, w, n in AROUND]
     lines += [
         (
-            f"The surroundings of a ball cost {cost[0]} ns a sample at the end of a step, with or"
+            f"The surroundings of a ball cost {cost[0]} ns per sample at the end of a step, with or"
             f" without contact. At ten instants within the step they cost {cost[1]} ns."
         ),
         "",
@@ -223,8 +223,8 @@ medians, with the range of the rounds in brackets.
     if shares:
         lines += [
             (
-                "Everything is on, with order 2 and the capacitance at 10 instants of a step. The"
-                " share is that of processor time in a long run (perf record)."
+                "Everything is on, with order 2 and the capacitance at 10 instants per step. The"
+                " share is the share of processor time in a long run (perf record)."
             ),
             "",
         ]
@@ -245,7 +245,12 @@ medians, with the range of the rounds in brackets.
     ]
     ns = {balls: [r[k][0] / r[k][1] / r[k][2] for r in rows] for k, balls in enumerate(ROWS)}
     lines += csv_table(
-        ("balls", "ns a correction", "ns a correction and ball", "corrections an internal step"),
+        (
+            "balls",
+            "ns per correction",
+            "ns per correction and ball",
+            "corrections per internal step",
+        ),
         [
             (
                 balls,
@@ -266,7 +271,7 @@ medians, with the range of the rounds in brackets.
         ),
         *"""\
 The blocks of four balls, the chain of cage contacts and the coupling to the rings each take a time
-proportional to it. Part of the host's step does not depend on it.
+proportional to that number. Part of the host's step does not depend on it.
 """.splitlines(),
         "",
     ]

@@ -124,7 +124,7 @@ def main():
     lines += [
         "",
         *"""\
-Each task runs in a process of its own. Seconds exclude loading the package, which the first row
+Each task runs in a separate process. Seconds exclude loading the package, which the first row
 shows. Files may or may not be in the page cache. Memory is the largest resident size of the
 process.
 """.splitlines(),
@@ -139,7 +139,7 @@ process.
     worst = max(memory for *_, memory in rows)
     print(f"largest memory {worst:.0f} MB, limit {LIMIT} MB")
     slow = [name for name, seconds, _ in rows if seconds > LONGEST.get(name, 1e9)]
-    print("longer than asked for:", ", ".join(slow) or "nothing")
+    print("longer than the limit:", ", ".join(slow) or "nothing")
     return int(worst >= LIMIT or bool(slow))
 
 

@@ -31,7 +31,7 @@ def yardstick(rounds=9):
 
 
 def csv_table(head, rows):
-    """Lines of a csv-table of `rows` under `head`, one row a line."""
+    """Lines of a csv-table of `rows` under `head`, one row per line."""
 
     def cell(value):
         text = str(value)

@@ -4,7 +4,7 @@ build/bench/main_deck.rst.
 
     .venv/bin/python tests/bench/main_deck.py [ROUNDS]
 
-All settings take turns in every round; medians count. Errors are relative to the same deck at a
+All settings take turns in every round; medians count. Errors are relative to the same deck with a
 fine tolerance.
 """
 
@@ -24,7 +24,7 @@ MODELS = ("paper", "full")
 ASKED = {47.75: 250.0, 477.5: 30.0, 9549.0: 2.0}  # rpm: real-time factor
 REFERENCE = {"implicit": 1e-10, "damping": 1e-9}  # tolerance, m
 HIGH_SPEED = 9549.0  # rpm above which no row has damping, because its steps would be too short
-SAMPLES = 200  # a ball pass
+SAMPLES = 200  # per ball pass
 TIMED, COMPARED = 40, 4  # ball passes
 LEAST = 0.01  # share of the largest load; contacts below it are left out of the film's error
 HEADS = (
@@ -32,9 +32,9 @@ HEADS = (
     "rpm",
     "integrator",
     "real-time factor",
-    "asked for",
+    "required",
     "nothing written",
-    "evaluations a ball pass",
+    "evaluations per ball pass",
     "loads, one instant",
     "films, one instant",
     "largest load, mean",
@@ -48,8 +48,8 @@ The main deck: speed and error
 
 Written by ``tests/bench/main_deck.py`` (``make bench``), {today}.
 
-The main deck with its defaults, at 5 kN, with {samples} samples in a ball pass. Speeds are
-real-time factors over {timed} ball passes, with the whole record and with nothing written, medians
+The main deck with its defaults, at 5 kN, with {samples} samples per ball pass. Speeds are
+real-time factors over {timed} ball passes, with the full record and without output, medians
 of {rounds} rounds. Times include writing all samples to the operating system.
 
 Errors are relative, over {compared} ball passes. The reference has a tolerance of 0.1 nm, also for
@@ -62,12 +62,12 @@ load. Films are compared for contacts with at least 1 % of the largest load, mea
 
 {table}
 
-Time left by the required factor
+Time budget at the required factor
 ----------------------------
 
-A real-time factor fixes the time for a sample. A recorded sample needs one evaluation of all
-contacts, its columns and the file; the steps need evaluations of their own. All times are in
-microseconds a sample, with the faster integrator:
+A real-time factor determines the time available per sample. A recorded sample needs one evaluation
+of all contacts, its columns and the file; the steps need evaluations of their own. All times are
+in microseconds per sample, with the faster integrator:
 
 .. list-table::
    :header-rows: 1

@@ -4,7 +4,7 @@ model for clusters.
 
     .venv/bin/python tests/bench/many.py [rounds]
 
-The runs of a round follow each other, so that a drift of the machine affects all alike; ratios
+The runs of a round follow one another, so that a drift of the machine affects all alike; ratios
 are formed within a round.
 """
 
@@ -48,8 +48,8 @@ GHOST_BYTES = 72  # position, velocity, spin
 
 
 def run(ranks, steps, folder, **variables):
-    """Figures of one run of in.many: times (s) of all loops, of a bearing-step and of the host's
-    part of it; memory (kB) and ghosts of a rank."""
+    """Figures of one run of in.many: times (s) of all loops, per bearing-step and of the host's
+    part of it; memory (kB) and ghosts per rank."""
     implicit, settle = (
         variables["integrator"] == "implicit",
         INTEGRATORS[variables["integrator"]]["settle"],
@@ -144,8 +144,8 @@ def state(ranks, folder, **variables):
 
 
 def measure(rounds, folder):
-    """One dictionary for each round and integrator: seconds a bearing and host step, and the other
-    figures."""
+    """One dictionary for each round and integrator: seconds per bearing and host step, and the
+    other figures."""
     results = {}
     for name, how in INTEGRATORS.items():
         one, many = how["steps"]
@@ -205,8 +205,8 @@ def span(rows, key, scale=1.0, digits=3):
 
 
 def model(seconds, ghosts, fleet, ranks):
-    """(seconds a host step, parallel efficiency) of bearings in a square grid, cut into equal
-    squares of whole ranks."""
+    """(seconds per host step, parallel efficiency) of bearings in a square grid, divided into equal
+    squares, one per rank."""
     n = math.ceil(fleet / ranks)
     work = n * seconds
     if ranks == 1:
@@ -240,8 +240,8 @@ medians, with the range of the rounds in brackets. Ratios are formed within a ro
         *"""\
 *bearing-step*: wall time of the run divided by its steps and bearings. Steps of velocity Verlet
 are 0.4 µs. Internal steps of the implicit integrator are about 200 µs, with host steps of 250 µs
-and without output. *ratio*: many over one bearing in a box, both on one rank. *efficiency*: of
-two ranks, time on one over twice the time on two.
+and without output. *ratio*: many bearings in a box over a single one, both on one rank.
+*efficiency* of two ranks: time on one over twice the time on two.
 """.splitlines(),
         "",
     ]
@@ -266,16 +266,16 @@ two ranks, time on one over twice the time on two.
             "ratio (at most 1.3)",
             "efficiency (at least 0.8)",
             "memory a bearing",
-            "ghost atoms a bearing along a cut",
+            "ghost atoms per bearing along a cut",
         ],
         rows,
     )
     lines += [
         *"""\
 A ratio above 1 has two causes. A single bearing stays in the caches of its core, whereas many
-bearings are fetched from main memory once a host step (the table lists their memory). On the other
-hand, a single bearing bears the fixed cost of a host step alone. Identical bearings share the
-solver of the implicit step, which stays in the caches: only the state of a bearing is fetched.
+bearings are fetched from main memory once per host step (the table lists their memory). On the
+other hand, a single bearing carries the whole fixed cost of a host step. Identical bearings share
+the solver of the implicit step, which stays in the caches: only the state of a bearing is fetched.
 """.splitlines(),
         "",
         *f"""\
@@ -306,12 +306,12 @@ plane grid. With :math:`n = N/P` bearings on a rank,
         "",
         *f"""\
 Two quantities are measured: the cost :math:`c` of a bearing in a host step, among many, and the
-number :math:`g` of ghost atoms a bearing along a cut. Three are assumed, not measured: latency
+number :math:`g` of ghost atoms per bearing along a cut. Three are assumed, not measured: latency
 :math:`L` = {LATENCY * 1e6:.0f} µs, bandwidth :math:`B` = {BANDWIDTH / 1e9:.0f} GB/s, and
 :math:`p` = {PACK * 1e9:.0f} ns to pack and unpack a ghost. A ghost has :math:`b` = {GHOST_BYTES}
-bytes (position, velocity, spin). A bearing on a cut costs one or two short
-messages more: the sums over its ring and, with the implicit step, the state of its bodies, both
-ways.
+bytes (position, velocity, spin). A bearing on a cut costs one or two additional short
+messages: the sums over its ring and, with the implicit step, the state of its bodies, in both
+directions.
 """.splitlines(),
         "",
     ]
@@ -322,7 +322,8 @@ ways.
             INTEGRATORS[name]["step"],
         )
         lines += [
-            f"{name}: :math:`c` = {c * 1e6:.3g} µs a host step of {step:g} s, :math:`g` = {g:.1f}",
+            f"{name}: :math:`c` = {c * 1e6:.3g} µs per host step of {step:g} s,"
+            f" :math:`g` = {g:.1f}",
             "",
         ]
         rows = []
@@ -344,10 +345,10 @@ ways.
             [
                 "bearings",
                 *(
-                    f"{ranks:,} ranks: wall time a host step, a simulated second; efficiency"
+                    f"{ranks:,} ranks: wall time per host step, per simulated second; efficiency"
                     for ranks in RANKS
                 ),
-                f"memory a rank, {min(RANKS):,} to {max(RANKS):,} ranks",
+                f"memory per rank, {min(RANKS):,} to {max(RANKS):,} ranks",
             ],
             rows,
         )
@@ -356,17 +357,17 @@ ways.
         "-------------------------",
         "",
         *"""\
-- Ranks get equal volumes. Where bearings differ in cost (the implicit step refines some more
-  than others), the slowest rank sets the pace. A grid that does not divide evenly among ranks costs
-  more, too.
-- Messages inside a rank are free and every bearing costs the same. A network shared with others
-  is slower.
+- Ranks get equal volumes. If bearings differ in cost (the implicit step refines some more
+  than others), the slowest rank sets the pace. A grid that does not divide evenly among ranks also
+  costs more.
+- The model assumes that messages within a rank are free and that every bearing costs the same. A
+  network shared with others is slower.
 - After every new neighbour list each rank sends every other rank the sizes of its messages, a few
   bytes for each. With the implicit step that is every few host steps, with Verlet every few
   thousand.
-- With the implicit step all ranks exchange which rings belong together: about 24 bytes a ring and
-  rank that sees it. Above about 10\\ :sup:`5` bearings these lists, not the bearings, set the
-  pace.
+- With the implicit step all ranks exchange lists of the rings that belong together: about 24 bytes
+  per ring and rank that sees it. Above about 10\\ :sup:`5` bearings these lists, not the bearings,
+  set the pace.
 - The host's map of atoms takes 4 bytes for every atom of the box on every rank. That is 80 MB at
   10\\ :sup:`6` bearings. Each fix bearing/ring takes 4 bytes for every ring.
 - ``thermo`` with compute bearing/total gathers all balls on all ranks. The table of compute

@@ -5,8 +5,8 @@ and its diagram.
     .venv/bin/python tests/bench/model_error.py
 
 Every set of models runs over a range of tolerances, measured as `raceway needs` does: against the
-full model with a fine integration. Its numerical error is relative to the same set at that
-fineness.
+full model with a fine integration. Its numerical error is relative to the same set integrated as
+finely.
 """
 
 import sys
@@ -37,9 +37,9 @@ SAME = {"passes": 1, "settle": 1, "surroundings": "flooded", "overwrite": "yes"}
 MODELS = {"paper": ("#0072b2", "o"), "film": ("#d55e00", "s"), "full": ("#009e73", "^")}
 FIGURES = {"torque": "friction torque", "capacitance": "capacitance", "load": "largest load"}
 TOLERANCES = ("1e-6", "3e-7", "1e-7", "3e-8", "1e-8", "3e-9", "1e-9", "3e-10", "1e-10")  # m
-SAMPLES = 200  # a ball pass
+SAMPLES = 200  # per ball pass
 COARSE, USUAL = "1e-6", "1e-9"  # tolerance of the table, m
-LEAST = 1e-6  # smaller errors are drawn here: the reference is no more accurate
+LEAST = 1e-6  # smaller errors are drawn here: the reference is not more accurate
 
 
 class Found(NamedTuple):
@@ -117,7 +117,7 @@ def draw(results: dict[str, dict[str, Curve]]) -> None:
             ax.set_title(f"{name}, {scene}", fontsize=11)
             ax.grid(True, which="major", color="#eeeeee")
     for ax in axes[-1]:
-        ax.set_xlabel("evaluations of the contacts in a ball pass")
+        ax.set_xlabel("contact evaluations per ball pass")
     for ax in axes[:, 0]:
         ax.set_ylabel("relative error")
     handles, labels = axes[0, 0].get_legend_handles_labels()
@@ -161,17 +161,18 @@ def page(results: dict[str, dict[str, Curve]]) -> str:
             "=================================",
             "",
             *f"""\
-The main deck ran with three sets of models, {SAMPLES} samples a ball pass. Tolerances go from 1 µm
-to 0.1 nm. Errors of means over a ball pass are relative to ``full`` at 0.01 nm and 800 samples, as
-in :doc:`needs`. Filled marks show the total error, open marks the numerical error alone, against
-the same models at that fineness. All are divided by the same figures, those of ``full``.
+The main deck ran with three sets of models, {SAMPLES} samples per ball pass. Tolerances range from
+1 µm to 0.1 nm. Errors of means over a ball pass are relative to ``full`` at 0.01 nm and 800
+samples, as in :doc:`needs`. Filled marks show the total error, open marks the numerical error
+alone, against the same models integrated as finely. All are divided by the same figures, those of
+``full``.
 
 .. image:: model_error.png
    :alt: error against evaluations, for three sets of models
 
-Where a full line is level, the model's error remains, and a finer tolerance gains nothing:
-numerical errors are far below it. Where open marks are level, the error of a mean over {SAMPLES}
-samples remains.
+Where a solid line is level, the model error dominates, and a finer tolerance gains nothing:
+numerical errors are far below it. Where open marks are level, only the error of a mean over
+{SAMPLES} samples remains.
 
 Errors below {LEAST:g} are drawn there. ``paper`` and ``film`` have hardly any friction torque, so
 its relative error is 1. In the table, *model* is the error at the finest integration.

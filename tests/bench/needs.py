@@ -30,7 +30,7 @@ from raceway.sweeps.scene_parts import figures as of_summary  # noqa: E402
 
 TARGET = bench_file("needs.rst")
 SCENES, SEED = 20, 16
-KEPT, CHEAPER = 19, 5  # what is asked for
+KEPT, CHEAPER = 19, 5  # the requirements
 WANTED = {"torque": 0.1, "capacitance": 0.05, "load": 0.01}
 EXACT = {**REFERENCE, "tolerance": "1e-11", "samples": "1000"}  # finer than the tool's reference
 SAME = ("passes", "surroundings")  # in all scenes
@@ -123,7 +123,7 @@ def page(rows, refused):
         "================",
         "",
         *f"""\
-``raceway needs`` (:doc:`../needs`) was asked for ``--want {wanted}`` in {SCENES} scenes of a 6208.
+``raceway needs`` (:doc:`../needs`) was run with ``--want {wanted}`` in {SCENES} scenes of a 6208.
 They were drawn at random with seed {SEED}. Gaps are flooded. Written on {date.today()}:
 """.splitlines(),
         "",
@@ -131,13 +131,13 @@ They were drawn at random with seed {SEED}. Gaps are flooded. Written on {date.t
         "",
         *f"""\
 The errors are those of one more run with the settings of the answer, compared with a run of the
-full model at a tolerance of 0.01 nm and 1000 samples a ball pass, which the command does not
+full model at a tolerance of 0.01 nm and 1000 samples per ball pass, which the command does not
 see. {kept} of {SCENES} answers meet the wanted accuracy; {KEPT} are required.
 
-Full and fine is a tolerance of 0.1 nm and 400 samples a ball pass. The answers are {middle:.1f}
-times cheaper (median, range {min(cheaper):.1f} to {max(cheaper):.1f}); {CHEAPER} is required.
-Cost is processor time, the median of three runs. {refused} more scenes were refused with the full
-model and got no answer.
+The fine full model has a tolerance of 0.1 nm and 400 samples per ball pass. The answers are
+{middle:.1f} times cheaper (median, range {min(cheaper):.1f} to {max(cheaper):.1f}); {CHEAPER} is
+required. Cost is processor time, the median of three runs. {refused} more scenes were refused with
+the full model and got no answer.
 """.splitlines(),
         "",
         *csv_table(HEAD, [cells for cells, _, _ in rows]),

@@ -36,10 +36,10 @@ Noise floor of vibration
 
 Written by ``tests/bench/noise_floor.py`` (``make bench``).
 
-A perfect bearing is not silent, since its stiffness varies as balls pass: BPFO and its harmonics.
-The rest of its spectrum is the noise of the computation. Here it is compared with an inner
-raceway that has waves of {wave:g} µm. The bearing is a 6205 at {rpm} rpm under {load} N with VG 46.
-Signals are sampled at {rate:g} kHz, with ``-var integrator vibration`` and ``-var housing
+A perfect bearing is not silent, since its stiffness varies as balls pass, at BPFO and its
+harmonics. The rest of its spectrum is the noise of the computation. Here it is compared with an
+inner raceway that has waves of {wave:g} µm. The bearing is a 6205 at {rpm} rpm under {load} N with
+VG 46. Signals are sampled at {rate:g} kHz, with ``-var integrator vibration`` and ``-var housing
 springs``. The record is {seconds:.2f} s long.
 
 The perfect bearing, accelerations along the load in m/s²:
@@ -55,8 +55,8 @@ frequency:
 {waves}
 
 Waves of order :math:`Z - 1` produce a line at BPFI - shaft, those of :math:`Z + 1` at BPFI + shaft.
-The housing's acceleration is small there: it has 2 kg on stiff springs, and only the inertia of the
-inner ring excites it.
+The housing's acceleration is small there: the housing has 2 kg on stiff springs, and only the
+inertia of the inner ring excites it.
 """
 
 

@@ -5,9 +5,9 @@ writes build/bench/orbit.rst.
     .venv/bin/python tests/bench/orbit.py [SCENE ...]
 
 Figures are means over one ball pass of the orbit, against `MEASURED` ball passes of a run that has
-settled for 30 ball passes, or for as many as its scene needs to be steady. Evaluations are those of
-settling and of one measured ball pass, against 30 ball passes of settling and one measured; they do
-not depend on the load of the machine.
+settled for 30 ball passes, or for as many as its scene needs to be steady. Evaluations are counted
+over settling and one measured ball pass, against 30 ball passes of settling and one measured; they
+do not depend on the load of the machine.
 """
 
 import sys
@@ -37,7 +37,7 @@ class Scene(NamedTuple):
 
 ORBITS = {
     "preload, 2 kN, 1500 rpm": Scene({**TIGHT, "load": 2000, "rpm": 1500}),
-    "the same, cage of one ring": Scene({**TIGHT, "load": 2000, "rpm": 1500, "cage": "ring"}),
+    "the same, one-piece cage": Scene({**TIGHT, "load": 2000, "rpm": 1500, "cage": "ring"}),
     "the same, no cage": Scene({**TIGHT, "load": 2000, "rpm": 1500, "cage": "no"}),
     "preload, 1 kN, 200 rpm": Scene({**TIGHT, "load": 1000, "rpm": 200}),
     "preload, 3 kN, 9549 rpm": Scene({**TIGHT, "load": 3000, "rpm": 9549}),
@@ -53,7 +53,7 @@ ORBITS = {
 }
 WITHOUT = {
     "no clearance, 5 kN, 477.5 rpm": {"load": 5000, "rpm": 477.5},
-    "light load, cage of one ring, 6000 rpm": {"load": 300, "rpm": 6000, "cage": "ring"},
+    "light load, one-piece cage, 6000 rpm": {"load": 300, "rpm": 6000, "cage": "ring"},
     "clearance 20 um, 1 kN, 1500 rpm": {"clearance": "20e-6", "load": 1000, "rpm": 1500},
     "unbalance": {**TIGHT, "load": 2000, "rpm": 1500, "unbalance": "1e-4"},
 }
@@ -65,8 +65,8 @@ PAGE = """\
 The orbit of a ball pass
 ========================
 
-Written by ``tests/bench/orbit.py``, {today}. ``settle orbit`` against runs that settle for 30 ball
-passes; figures against {measured} ball passes of a steady run, relative.
+Written by ``tests/bench/orbit.py``, {today}. ``settle orbit`` compared with runs that settle for 30
+ball passes; errors of figures are relative to {measured} ball passes of a steady run.
 
 .. list-table::
    :header-rows: 1
@@ -94,7 +94,7 @@ def figures(folder):
 
 
 def settled(folder, settle, words, passes=1):
-    """What the host wrote, what the run noted, and its evaluations for one measured ball pass."""
+    """The host's output, the notes of the run, and its evaluations for one measured ball pass."""
     given = {"models": "full", **words, "settle": settle, "passes": passes}
     said = run_deck(DECK, **given, out=folder, overwrite="yes")
     noted = cost(folder)

@@ -30,14 +30,14 @@ def build(folder):
 
 
 def parts(program):
-    """[(name, base, explicit, implicit)] in ns a contact."""
+    """[(name, base, explicit, implicit)] in ns per contact."""
     text = subprocess.run([program], capture_output=True, text=True, check=True).stdout
     rows = [line.split("|") for line in text.splitlines()]
     return [(name, int(base), float(one), float(four)) for name, base, one, four in rows]
 
 
 def whole():
-    """{models: (ns a step of velocity Verlet, ns for each simulated ms of the implicit step)}."""
+    """{models: (ns per step of velocity Verlet, ns per simulated ms of the implicit step)}."""
     found = {}
     for models in MODELS:
         verlet = measure("in.cost", dict(models=models))[0]
@@ -92,7 +92,14 @@ range of the rounds in brackets.
             )
         )
     lines += csv_table(
-        ("part", "explicit (ns a contact)", "adds", "implicit (ns a contact)", "adds", "share (%)"),
+        (
+            "part",
+            "explicit (ns per contact)",
+            "adds",
+            "implicit (ns per contact)",
+            "adds",
+            "share (%)",
+        ),
         body,
     )
     lines += [
@@ -123,12 +130,12 @@ for cage balls with ``film`` and ``full``, and host steps of 0.1 ms.
     lines += csv_table(
         (
             "models",
-            "velocity Verlet (ns a step)",
+            "velocity Verlet (ns per step)",
             "over ``paper``",
-            "implicit (ns a host step)",
+            "implicit (ns per host step)",
             "over ``paper``",
-            "internal steps a host step",
-            "corrections an internal step",
+            "internal steps per host step",
+            "corrections per internal step",
         ),
         body,
     )

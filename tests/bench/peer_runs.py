@@ -3,7 +3,7 @@
 peers.py.
 
 Runs with `output` write the data a user would look at, at samples PERIOD apart unless stated
-otherwise. Runs without write nothing, and only their cost counts.
+otherwise. Runs without it write nothing, and only their cost counts.
 """
 
 import json
@@ -27,7 +27,7 @@ from host import tables  # noqa: E402
 DECKS = Path("tests/bench/peers")
 OUT = Path("build/bench/peers")
 LOAD, SPEED = 5000.0, 50.0  # N along -y, rad/s
-PERIOD = 1.76e-4  # s between samples, about 200 samples a ball pass
+PERIOD = 1.76e-4  # s between samples, about 200 samples per ball pass
 PASSES = 8  # ball passes that Raceway runs
 NAMES = (
     "balls",
@@ -54,7 +54,7 @@ STIFFNESS = [
     for side in (INNER, OUTER)
 ]
 IN_SERIES = sum(k ** (-2 / 3) for k in STIFFNESS) ** -1.5
-BOTH_ALIKE = 2**1.5 * IN_SERIES  # stiffness of two equal contacts with the same stiffness in series
+BOTH_ALIKE = 2**1.5 * IN_SERIES  # of each of two equal contacts that give IN_SERIES together
 SPHERE_ON_PLANE = 2 / 3 * BEARING.effective_modulus * BEARING.ball_radius**0.5
 
 
@@ -220,7 +220,7 @@ def tori(mesh, steps, edges, step=4e-7):
 
 
 def exudyn(stiffness, exponent, friction, step, output=True):
-    """Exudyn's bearing under the load; damping and sliding speed of full friction as in its own
+    """Exudyn's bearing under the load; damping and sliding speed at full friction as in its own
     bearing test."""
     case = {
         "stiffness": stiffness,

@@ -51,11 +51,11 @@ REACH = np.radians(40)
 SECANT = BOTH_ALIKE * (exact_shift() / 2) ** 0.5  # N/m, of two equal linear contacts
 FITTED = BEARING.young * BOTH_ALIKE / SPHERE_ON_PLANE
 SHARP, SMOOTH = "curvature 0.25", "curvature 20 curvature_tolerant yes"
-# On the tori a ball passes two to four facets whatever their size; with longer steps balls escape
-# within that time.
+# On the tori a ball passes two to four facets, whatever their size; with longer steps balls escape
+# before that.
 SCENES = [  # name, call with or without output
     ("stock LIGGGHTS, smooth cylinders", partial(cylinders, BEARING.young)),
-    ("stock LIGGGHTS, STL tori, 180 by 8 facets a ring", partial(tori, "180x8", 16000, SHARP)),
+    ("stock LIGGGHTS, STL tori, 180 by 8 facets per ring", partial(tori, "180x8", 16000, SHARP)),
     ("STL tori, 360 by 16 facets", partial(tori, "360x16", 8000, SHARP)),
     ("STL tori, 720 by 32 facets", partial(tori, "720x32", 4000, SHARP, step=2e-7)),
     ("STL tori, 360 by 16 facets, edges switched off", partial(tori, "360x16", 8000, SMOOTH)),
@@ -84,9 +84,9 @@ def verlet(step):
 
 
 def implicit(steps, tolerance):
-    """Raceway's implicit step: host steps a ball pass, tolerance (m). The record has 200 samples a
-    ball pass whatever the step."""
-    words = f"{steps} host steps a ball pass, {float(tolerance) * 1e9:g} nm"
+    """Raceway's implicit step: host steps per ball pass, tolerance (m). The record has 200 samples
+    per ball pass, whatever the step."""
+    words = f"{steps} host steps per ball pass, {float(tolerance) * 1e9:g} nm"
     return Setting(
         words,
         partial(
@@ -103,7 +103,7 @@ def implicit(steps, tolerance):
 
 STIFFENED = partial(cylinders, FITTED)
 EXPONENT = partial(exudyn, BOTH_ALIKE, 1.5, 0.0)
-PEERS = [  # what converges
+PEERS = [  # programs that converge
     Peer(
         "stock LIGGGHTS, smooth cylinders, modulus raised to "
         f"{FITTED / 1e9:.0f} GPa to fit the exact stiffness",
@@ -124,14 +124,14 @@ PEERS = [  # what converges
         "Raceway, implicit: film, cage",
         [implicit(n, tol) for n in (200, 20, 10) for tol in ("1e-9", "1e-8", "1e-7")],
         Setting(
-            "1600 host steps a ball pass, 0.1 nm",
+            "1600 host steps per ball pass, 0.1 nm",
             partial(precision, "implicit", step=PASS / 1600, control="tolerance 1e-10"),
         ),
     ),
 ]
 ATTEMPTS = [  # description, call; each runs once
     (
-        "stock LIGGGHTS, a servo that holds 5 kN on a mesh whose surface turns",
+        "stock LIGGGHTS, a servo that holds 5 kN on a mesh whose surface rotates",
         lambda: host("liggghts", DECKS / "in.servo", folder=OUT),
     ),
     (

@@ -5,8 +5,8 @@ build/bench/record.rst.
 
     .venv/bin/python tests/bench/record.py [ROUNDS] [--print]     --print: leave the page alone
 
-The runs of a round follow each other, so that a drift of the machine affects all alike. Ratios are
-formed within a round; the median counts. Exit code 1 when one exceeds its limit.
+The runs of a round follow one another, so that a drift of the machine affects all alike. Ratios are
+formed within a round; the median counts. Exit code 1 if one exceeds its limit.
 """
 
 import re
@@ -23,18 +23,18 @@ from machine import bench_file, machine
 
 # rpm: smallest acceptable real-time factor of the main deck
 SPEEDS = {47.75: 200.0, 477.5: 20.0, 9549.0: 0.6}
-# Outputs of the main deck, with one sample a host step and with ten.
+# Outputs of the main deck, with one sample per host step and with ten.
 TEXT = {"record": "none", "dumps": "yes", "within": 1}
 RECORD, NOTHING = ({"record": record, "dumps": "no", "within": 1} for record in ("all", "none"))
 OUTPUTS = {
     "text": TEXT,
     "record": RECORD,
     "nothing": NOTHING,
-    "record, 10 samples a step": {**RECORD, "within": 10},
+    "record, 10 samples per step": {**RECORD, "within": 10},
     "nothing, a tenth of the steps": {**NOTHING, "within": 10},
 }
 PASSES, TEXT_PASSES = 400, 40
-AS_IT_STANDS = "record, 10 samples a step"  # default of the main deck
+AS_IT_STANDS = "record, 10 samples per step"  # default of the main deck
 SHORT, SHORT_PASSES = "make run", 4  # rpm of `make run`: the main deck without any -var
 FASTER, FASTER_WITHIN, COST = 8.0, {47.75: 15.0, 477.5: 15.0, 9549.0: 12.0}, 2.0
 MANY, MANY_COST = 100, 1.3
@@ -44,14 +44,14 @@ Cost of a record
 
 Written by ``tests/bench/record.py`` (``make bench``), {today}.
 
-The main deck was run at 5000 N, with 200 samples in a ball pass: {text_passes} passes as text,
-{passes} otherwise. *text* is contacts, balls and the ring table as dumps of the host.
+The main deck was run at 5000 N, with 200 samples per ball pass: {text_passes} passes with text
+output, {passes} otherwise. *text* is contacts, balls and the ring table as dumps of the host.
 *record* is :doc:`../fix_bearing_record` with all its columns. The motion in the first
 three rows is the same to the bit. Figures are medians of {rounds} rounds.
 
 Times in the next two tables include writing the last sample to the operating system.
 
-.. list-table:: microseconds a sample, and how much faster than real time
+.. list-table:: microseconds per sample, and real-time factor
    :header-rows: 1
 
    * - output
@@ -63,7 +63,7 @@ Times in the next two tables include writing the last sample to the operating sy
 
    * - ratio
 {heads}
-     - asked for
+     - required
 {ratios}
 
 The main deck with its defaults, timed from the start of the measured passes and from the start of
@@ -72,7 +72,7 @@ of {short} passes at 477.5 rpm: {short_wall:.2f} s from start to end of the prog
 {short_loop:.0f} ms of it in the measured passes, without its summary and picture. {passes} passes
 at 477.5 rpm take {long_wall:.2f} s from start to end.
 
-.. list-table:: how much faster than real time the measured passes are
+.. list-table:: real-time factor of the measured passes
    :header-rows: 1
 
    * - main deck
@@ -169,10 +169,10 @@ def ratios(results):
     every = dict.fromkeys(SPEEDS, FASTER)
     return [
         ("text over record", ratio("text", "record"), every, True),
-        ("text over record, 10 samples a step", ratio("text", AS_IT_STANDS), FASTER_WITHIN, True),
+        ("text over record, 10 samples per step", ratio("text", AS_IT_STANDS), FASTER_WITHIN, True),
         ("record over nothing", ratio("record", "nothing"), dict.fromkeys(SPEEDS, COST), False),
         (
-            "the same with 10 samples a step",
+            "the same with 10 samples per step",
             ratio(AS_IT_STANDS, "nothing, a tenth of the steps"),
             dict.fromkeys(SPEEDS, COST),
             False,
@@ -211,13 +211,13 @@ def main():
             )
         )
         missed += [
-            f"{name} at {rpm:g} rpm: {found[rpm]:.3g}, asked for {limit[rpm]:g}"
+            f"{name} at {rpm:g} rpm: {found[rpm]:.3g}, required {limit[rpm]:g}"
             for rpm in SPEEDS
             if (found[rpm] < limit[rpm] if least else found[rpm] > limit[rpm])
         ]
     hundred = statistics.median(one["many"] for one in results)
     if hundred > MANY_COST:
-        missed.append(f"a hundred bearings: {hundred:.2f}, asked for {MANY_COST:g}")
+        missed.append(f"a hundred bearings: {hundred:.2f}, required {MANY_COST:g}")
     page = PAGE.format(
         today=date.today(),
         text_passes=TEXT_PASSES,

@@ -48,9 +48,9 @@ rounds. The reference has a tolerance of 0.1 nm. Errors are shares of the larges
 """
 TAIL = """
 The goal was ten times real time with loads to 1e-3. Two ways were tried, and neither meets it.
-Larger tolerances first affect the loads of single instants, then the means. Backward Euler with one
-step in 0.1 or 0.2 ms spoils the means, too. Lightly loaded balls limit the step: they vibrate on
-the outer raceway as they enter and leave the load zone.
+Larger tolerances first affect the loads at single instants, then the means. Backward Euler with one
+step per 0.1 or 0.2 ms also falsifies the means. Lightly loaded balls limit the step: they vibrate
+on the outer raceway as they enter and leave the load zone.
 
 """
 

@@ -53,8 +53,8 @@ They are medians over the balls that pass under the load, in mm:
 * *the ball's own fall*: distance that the ball has fallen when it strikes, from the record.
   No sensor measures that.
 
-All except the first use the edge's radius, 0.05 mm: a ball that keeps its load is heard that much
-before the middle. The largest error of *two masses* is {error:.1f} %.
+All except the first use the edge radius, 0.05 mm: the signal of a ball that keeps its load appears
+that much before the middle. The largest error of *two masses* is {error:.1f} %.
 """
 
 

@@ -49,7 +49,7 @@ processes took turns. Rounds: {rounds}.
    * - processes
      - wall time, median (s)
      - range (s)
-     - points a second
+     - points per second
 {rows}
 
 Two processes do {ratio:.2f} times the work of one (rounds: {ratios}). At least {wanted} is
@@ -57,7 +57,7 @@ required.
 
 A sweep was killed half-way (``kill -9`` with {killed} points finished and two running) and
 restarted. {finished} of {points} points finished, none was lost. Of the finished points, {again}
-had been run again. {same} result tables have the figures of the undisturbed sweep.
+were run again. {same} result tables have the figures of the undisturbed sweep.
 
 {machine}
 """

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Friction torque of statics with the models `full` beside SKF's formula, at 40 points of eight
-bearings and at the reference speed of five: writes docs/torque_points.rst.
+"""Friction torque by statics with the models `full`, compared with SKF's formula at 40 points of
+eight bearings and at the reference speed of five: writes docs/torque_points.rst.
 
     .venv/bin/python tests/bench/torque_points.py [--no-page]
 
@@ -51,13 +51,13 @@ LEAST = 0.1
 
 
 def temperature(viscosity):
-    """C, of the oil with a `viscosity` in Pa s."""
+    """C, at which the oil has a `viscosity` in Pa s."""
     path = INPUTS / "lubricants" / OIL
     return brentq(lambda at: inputs.fluid(path, at).viscosity - viscosity, -10.0, 180.0, xtol=1e-9)
 
 
 def shares(parts, speed):
-    """N mm, of the losses in W at `speed` rad/s."""
+    """Torques (N mm) of the losses in W at `speed` rad/s."""
     torque = {part: 1e3 * power / speed for part, power in parts.items()}
     return {
         "rolling": torque["rolling"] + torque["hysteresis"],
@@ -98,7 +98,7 @@ def point(path, radial, axial, rpm, viscosity):
 
 
 def reference(name):
-    """Heat at the reference speed of a catalogue without drag, over what cooling carries away."""
+    """Heat at the catalogue's reference speed without drag, and the cooling power, W."""
     path = INPUTS / "bearings" / name
     boundary, fluid = inputs.boundary(path), inputs.lubricant(INPUTS / "lubricants/vg32")
     rpm = float(inputs.values(path)["reference_speed"])
@@ -113,8 +113,8 @@ def reference(name):
 
 
 def rows(conformity=None):
-    """(name, point, own shares, SKF's shares) of each point, with grooves of another `conformity`
-    than the files'."""
+    """(name, point, own shares, SKF's shares) of each point, with another `conformity` of the
+    grooves than in the files if given."""
     found = []
     with TemporaryDirectory() as folder:
         for name, points in POINTS.items():
@@ -132,25 +132,27 @@ def off(own, skf):
     return [share for share in large if not 1 / MOST_OFF <= own[share] / skf[share] <= MOST_OFF]
 
 
-HEAD = """Friction torque beside SKF's formula
-====================================
+HEAD = """Friction torque compared with SKF's formula
+===========================================
 
-``tests/bench/torque_points.py`` writes this page. Statics with the models ``full``, conformities
-0.52 and 0.53 unless the bearing's file has others, no clearance, rigid rings, oil ``vg46`` at the
-temperature of the viscosity; SKF's formula with :math:`\\mu_{bl}` 0.12 and :math:`\\mu_{EHL}` 0.05
-and the same oil. An oil bath reaches the middle of the lowest ball. No constant is fitted to SKF's
-formula. Torque in N mm: own / SKF's. Rolling includes hysteresis; sliding is slip and spin. Shares
-more than 1.5 apart, where SKF's is above 10 % of its torque, are in bold.
+``tests/bench/torque_points.py`` writes this page. It compares statics with the models ``full``
+(conformities 0.52 and 0.53 unless the bearing's file has others, no clearance, rigid rings, oil
+``vg46`` at the temperature of the viscosity) with SKF's formula (:math:`\\mu_{bl}` 0.12,
+:math:`\\mu_{EHL}` 0.05, the same oil). An oil bath reaches the middle of the lowest ball. No
+constant is fitted to SKF's formula. Torque in N mm: own / SKF's. Rolling includes hysteresis;
+sliding is slip and spin. Shares that differ by a factor of more than 1.5, if SKF's is above 10 %
+of its torque, are in bold.
 """
 
 WHY = """*Light and fast* (0.02 :math:`C_0`, 10,000 rpm): rolling of deep groove bearings is 1.16 to
 1.5 times SKF's. A 7208B is at 0.59: friction cannot hold its balls against their gyroscopic moment.
-Statics lets them slide across their grooves; a run under this load skids in gross and loses 197
-N mm, 1.15 of SKF's. A 7205B loses 16.4 N mm in a run, 15.7 in statics and 25.3 by SKF's formula.
+In statics they slide across their grooves; in a run under this load they skid grossly, and the
+torque is 197 N mm, 1.15 times SKF's. A 7205B has 16.4 N mm in a run, 15.7 in statics and 25.3 by
+SKF's formula.
 
 *Slow and loaded, combined and axial loads*: rolling is 0.66 to 1.04 and sliding 0.55 to 1.0 of
-SKF's, both least for balls with spin. Sliding grows with the square of the contact's width, so the
-conformity of the grooves decides it, which no catalogue states (below).
+SKF's, both lowest for balls with spin. Sliding grows with the square of the contact width and so
+depends on the conformity of the grooves, which no catalogue states (below).
 """
 
 CONFORMITY = """Conformity of the grooves
@@ -180,12 +182,12 @@ def page(found, others, heats):
     ]
     return "\n".join(
         [HEAD, summary(found), "", WHY, *csv_table(header, lines), CONFORMITY,
-         *csv_table(("conformities", "geometric mean", "spread", "least", "most",
+         *csv_table(("conformities", "geometric mean", "spread", "lowest", "highest",
                      "with a bold share"), [others_line(*one) for one in others.items()]),
          "Reference speed", "---------------",
          "",
-         "Heat of statics without drag at the catalogue's reference speed under 0.05 :math:`C_0`,"
-         " vg32 at 12 mm²/s, beside what cooling by ISO 15312 carries away at 50 K.", "",
+         "Heat by statics without drag at the catalogue's reference speed under 0.05 :math:`C_0`,"
+         " vg32 at 12 mm²/s, and the cooling power by ISO 15312 at 50 K.", "",
          *csv_table(("bearing", "rpm", "own W", "ISO 15312 W", "ratio"), heat_lines)]
     )  # fmt: skip
 

@@ -9,7 +9,7 @@ def triangles(bearing, side, around, across, half_angle):
     """Corners (T, 3, 3) in m of the surface of one groove about the z axis.
 
     `around` facets along the ring, `across` over the groove, which extends `half_angle` rad to
-    either side of its bottom. Two triangles a facet.
+    either side of its bottom. Two triangles per facet.
     """
     turn = 2 * np.pi * np.arange(around) / around
     angle = np.linspace(-half_angle, half_angle, across + 1)

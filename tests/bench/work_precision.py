@@ -62,7 +62,7 @@ TARGETS = {5.0: (150, 300), 50.0: (20, 40), 1000.0: (1.5, 10)}
 
 
 def run(**variables):
-    """(wall over simulated time, mean step) of one run of in.precision, or None where it was
+    """(wall over simulated time, mean step) of one run of in.precision, or None if it was
     refused."""
     words = [w for name, value in variables.items() for w in ("-var", name, str(value))]
     done = subprocess.run(
@@ -93,7 +93,7 @@ def run(**variables):
 
 
 def recorded(**variables):
-    """Loads and films (instants, 2, 9) and orbital speeds (samples, 9); None where the run was
+    """Loads and films (instants, 2, 9) and orbital speeds (samples, 9); None if the run was
     refused."""
     if run(record="yes", passes=1, **variables) is None:
         return None
@@ -130,7 +130,7 @@ def settings(speed):
         for samples in (10, 20, 40, 100, 200):
             yield (
                 f"implicit, order {order}",
-                f"{samples} host steps a ball pass, tolerance 0.1 µm",
+                f"{samples} host steps per ball pass, tolerance 0.1 µm",
                 dict(
                     step=sample * SAMPLES / samples,
                     samples=samples,
@@ -142,7 +142,7 @@ def settings(speed):
         for pieces in (1, 2, 4) if speed > 500 else (2, 4):
             yield (
                 f"implicit, order {order}",
-                f"20 host steps, {pieces} internal steps a sample",
+                f"20 host steps, {pieces} internal steps per sample",
                 dict(
                     step=sample * 10,
                     samples=20,
@@ -180,8 +180,8 @@ def settings(speed):
 
 
 def references(scene, speed):
-    """{kind: truth} and the difference of two methods: Verlet of 25 ns and the implicit step at 0.1
-    nm; at 5 rad/s, where the same friction limits Verlet to nanoseconds, the implicit step with
+    """{kind: truth} and the difference of two methods: Verlet with 25 ns and the implicit step with
+    0.1 nm; at 5 rad/s, where the same friction limits Verlet to nanoseconds, the implicit step with
     order 1 and order 2."""
     fine = recorded(
         **scene,
@@ -269,10 +269,10 @@ def targets(results):
         "at most 1e-3",
         "over Verlet with the friction spring, 1e-3",
         "over Verlet with the same friction, 1e-3",
-        "asked for",
+        "required",
         "by",
         "at most 1e-2",
-        "asked for",
+        "required",
         "by",
     )
     body = []
@@ -340,7 +340,7 @@ def page(results):
         "",
         *f"""\
 The bearing is a 6208 at 5 kN in mineral oil, with film, friction, cage and free ring. Its
-capacitance is computed at 200 instants of a ball pass (:doc:`../fix_bearing_capacitance`,
+capacitance is computed at 200 instants per ball pass (:doc:`../fix_bearing_capacitance`,
 *within*). There is no output.
 
 The error is the largest over balls and instants of one ball pass, against a reference with the
@@ -355,8 +355,8 @@ scene take turns. Measured on {date.today()}:
     lines += [f"- {fact}" for fact in machine()]
     lines += [
         "",
-        "What was asked for",
-        "------------------",
+        "Required speed",
+        "--------------",
         "",
         (
             "The table has real-time factors (simulated over wall time) of"
@@ -367,9 +367,9 @@ scene take turns. Measured on {date.today()}:
 Velocity Verlet is compared twice, each time at the fastest step with an error of at most 1e-3. The
 first ratio is the fair one: Verlet has the friction law that suits it, a spring with history,
 against its own reference. The second uses the smoothed friction of the implicit step. At
-low sliding speed that law is a stiff damper. At 50 rad/s it shortens steps of Verlet by a factor of
-ten to twenty. At 5 rad/s steps would be nanoseconds long and were not run. At 1000 rad/s the law is
-not stiff, and Verlet is about as fast with either.
+low sliding speed that law is a stiff damper. At 50 rad/s it shortens the steps of Verlet by a
+factor of ten to twenty. At 5 rad/s they would be nanoseconds long and were not run. At 1000 rad/s
+the law is not stiff, and Verlet is about as fast with either law.
 """.splitlines(),
         "",
     ] + targets(results)
@@ -381,7 +381,7 @@ not stiff, and Verlet is about as fast with either.
         "   :alt: error against wall time per simulated second",
         "",
         (
-            "Left and low is better. The dotted line is the difference between two reference"
+            "Points further left and lower are better. The dotted line is the difference between"
             " methods; errors below it are not significant. The grey line is 1e-3."
         ),
         "",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A fixed amount of work like that of the contact law and the Newton iteration: powers, roots and
-// small linear systems. The pages of `make bench` state its time, so that pages of different days
+// small linear systems. The pages of `make bench` state its time, so that pages from different days
 // and machines can be compared: divide their times by it.
 
 #include <chrono>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr int N = 6, ROUNDS = 1'000'000;
 
-// Gauss elimination without pivots of a diagonally dominant system, in place.
+// Gaussian elimination without pivoting of a diagonally dominant system, in place.
 double solved(double (&a)[N][N], double (&b)[N])
 {
   for (int k = 0; k < N; ++k)
@@ -42,5 +42,5 @@ int main()
     x = 1.0 + std::fabs(solved(a, b));
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  std::printf("%.4f %.15g\n", seconds.count(), x);    // x, so that no compiler leaves the work out
+  std::printf("%.4f %.15g\n", seconds.count(), x);    // x, so that no compiler omits the work
 }

@@ -6,7 +6,7 @@ A block under "Examples" stands in for the lines of docs/decks/in.ehd that give 
 or, with commands of named bearings, for those of inputs/in.6208 with one ball pass; the rest of
 that deck stays. Python and console blocks of a page run in a folder that looks like the built
 tree: a finished run is not replaced by default, so none from an earlier build may be present. They
-may use the run of `make run`, except on pages that make it themselves.
+may use the run of `make run`, except on pages that make this run themselves.
 """
 
 import os
@@ -33,7 +33,7 @@ FILM_ONLY = (
 NAMED = ("bearing ", "run_bearing ", "bearing_dump ", "pair_style bearing ")
 SHORT = {"out": "out", "settle": 1, "passes": 1, "lubricant": "vg46"}
 MAIN = Path("build/run/6208")
-# they make the main run, or need none
+# they make the main run, or need no run
 APART = ("tutorial.rst", "tutorial_twin.rst", "sweep.rst", "gallery.rst")
 UNDERLINE = re.compile(r"^([=\-~^\"])\1{3,}$")
 
@@ -83,7 +83,7 @@ def session(page):
 
 
 def not_printed(block, output):
-    """The first line of a transcript that is not in the output, in its place; or nothing."""
+    """The first line of a transcript that is missing from the output, or nothing."""
     printed = (line.rstrip() for line in output.splitlines())
     for line in block.splitlines():
         if line.strip() in ("", "...") or line.startswith("$ "):
@@ -155,7 +155,7 @@ def key(line):
 
 
 def base_of(block):
-    """Lines of the deck that a block is tried in."""
+    """Lines of the deck in which a block is tried."""
     if not any(line.startswith(NAMED) or " bearing/heat" in line for line in block):
         return joined((DOCS / "decks/in.ehd").read_text())
     short = [f"variable {name} index {value}" for name, value in SHORT.items()]
@@ -254,7 +254,7 @@ def beside_inputs(tmp_path):
 
 
 def test_decks(beside_inputs):
-    """One after the other in one folder: they read what those before them wrote."""
+    """One after the other in one folder: decks read files written by earlier ones."""
     gallery = (DOCS / "gallery.rst").read_text()  # runs the decks that it names
     for path in sorted(DOCS.glob("decks/in.*")):
         if f"docs/decks/{path.name}" not in gallery:

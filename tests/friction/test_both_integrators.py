@@ -34,7 +34,7 @@ def radial(load, speed=50):
 
 
 COMBINED = "x free y free z free rx free ry free spin speed 50 force 0 -2000 10000 ramp 3.0e-3"
-# law, lubricant, motion of the inner ring, its initial speed, Verlet's steps a sample
+# law, lubricant, motion of the inner ring, its initial speed, Verlet steps per sample
 SCENES = {
     "radial, dry": (SLIP, "dry", radial(5000), 50, 50),
     "radial, film": (FULL, "mineral", radial(5000), 50, 200),
@@ -57,7 +57,7 @@ def figures(folder, scene, integrator, substeps, **changes):
 
 
 def stored(folder, scene, integrator, substeps, **changes):
-    """Energy (J) in motion and springs at the end of a run, without that of the rails."""
+    """Kinetic and spring energy (J) at the end of a run, without that of the rails."""
     text = simulate(folder, scene, integrator, substeps, **changes).text
     return float(re.search(r"STORED (\S+)", text).group(1))
 
@@ -92,8 +92,8 @@ def inner_ring(run):
 
 
 def largest_difference(one, other):
-    """Relative difference of figures: displacements relative to the largest, spin to all
-    friction."""
+    """Relative difference of figures: displacements relative to the largest one, spin loss relative
+    to the friction loss."""
     most = max(abs(one[name]) for name in ("x", "y", "z"))
     scale = one | dict(x=most, y=most, z=most, spin_power=one["friction_power"])
     return max(abs(one[name] - other[name]) / abs(scale[name]) for name in one)
@@ -208,7 +208,7 @@ def test_standing_bearing_sticks(tmp_path, integrator, steps):
 def test_power_is_the_sum_of_losses(tmp_path, integrator, steps, scene, bound):
     """Over one ball pass, after two: the work of shaft and loads equals the losses of all parts
     plus the energy stored in bodies and springs. Under combined load the balls' centres differ in
-    speed and compress the cage together, pass by pass: 3 mJ a pass, 1.7e-3 of the losses."""
+    speed and compress the cage more from pass to pass: 3 mJ per pass, 1.7e-3 of the losses."""
     cage = 19.775 if scene.startswith("radial") else 20.222
     case = dict(sample=2 * np.pi / 9 / cage / 350)
     before, after = (
@@ -267,7 +267,7 @@ def test_balance_at_any_speed(tmp_path, speed, load, ramp, law):
 @pytest.mark.parametrize("law, lubricant", [("friction constant 0", "dry"), ("gap 1", "mineral")])
 def test_the_own_loss_vanishes_with_the_tolerance(tmp_path, law, lubricant):
     """Contact angles grow under a ramped axial load. The stiffness of a contact depends on its
-    angle, along which no force works: without that in the account, 5.5e-4 and 2e-4 of the work
+    angle, along which no force does work: if the account omits this, 5.5e-4 and 2e-4 of the work
     are missing at any tolerance."""
     inner = "x free y free z free spin speed 50 force 0 -100 20000 ramp 3.0e-3"
     shares = []
@@ -277,7 +277,8 @@ def test_the_own_loss_vanishes_with_the_tolerance(tmp_path, law, lubricant):
         text = succeed(CASE, out=tmp_path / str(tolerance), **case).text
         work, own, *_ = map(float, re.search(r"ENERGY (.*)", text).group(1).split())
         shares.append(abs(own) / work)
-    # steps of order 2 fall with the root of the tolerance, their loss with it or the step
+    # steps of order 2 shrink with the root of the tolerance, and their loss with the tolerance or
+    # the step
     assert shares[0] < 1e-4 and shares[1] < 0.15 * shares[0]
 
 

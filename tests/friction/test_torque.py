@@ -27,7 +27,7 @@ def test_torque(tmp_path, rpm):
 
 
 def test_torque_is_steady(tmp_path):
-    """9549 rpm: the torque does not depend on the time of measurement, nor on the tolerance. Means
+    """9549 rpm: the torque depends neither on the time of measurement nor on the tolerance. Means
     over two ball passes scatter by half a per cent."""
     torques = []
     for settle, tolerance in ((1, 1e-9), (40, 1e-9), (1, 1e-10)):

@@ -46,7 +46,7 @@ def tables(folder, draw):
 
 
 def spoil_text(draw, text):
-    """Change a value, drop or double a line, change an indent, or swap two lines."""
+    """Change a value, drop or duplicate a line, change an indent, or swap two lines."""
     lines = text.splitlines()
     for _ in range(draw.choice([1, 1, 2, 4])):
         i = draw.randrange(len(lines))

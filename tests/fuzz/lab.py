@@ -12,7 +12,7 @@ from fuzz.pose import UPRIGHT
 from host import run
 
 HOSTS = {"liggghts": "liggghts", "lammps": "lammps", "plugin": "wheel", "sanitized": "sanitized"}
-# for a run that takes a tenth of a second alone, and a hundred times as long on a busy machine
+# for a run that takes a tenth of a second alone, and up to a hundred times longer on a busy machine
 SECONDS = 600
 CRASH = re.compile(
     r"Segmentation|Aborted|Traceback|terminate called|AddressSanitizer|runtime error|stack smashing"

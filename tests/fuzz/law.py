@@ -5,7 +5,7 @@ from fuzz.draw import grammar
 from raceway import core
 
 LAW = core.table("columns")["law"]
-# parts that are refused without another one
+# parts that require another one
 NEEDS = {"film_branch": "film_in_gap", "spin": "differential_slip"}
 
 

@@ -48,9 +48,9 @@ def _posed(scene, first, lab, pose, name):
 
 
 def _near(scene, first, lab, what, changes):
-    """Equal figures with the options `changes(scene)` of a run, unless a rounding-size change of
-    the scene itself makes them differ as well, for balls at the limit of contact, or rounding sets
-    them apart by the integrator's error and they converge to each other with its tolerance."""
+    """Check that figures are equal with the options `changes(scene)` of a run. They may differ if a
+    change of the scene by rounding makes them differ as well, for balls at the limit of contact, or
+    if rounding separates them by the integrator's error and they converge with its tolerance."""
     other = lab.figures(scene, "changed", **changes(scene))
     if not figures.differences(first, other, POSED):
         return

@@ -129,7 +129,7 @@ def main():
     count, found = series(seeds, options.host, options.oracle, tell=tell)
     print(
         f"{options.cases} cases in {options.host}, {1 - count['refused'] / options.cases:.0%} "
-        f"accepted, {len(found)} findings, {(time.time() - began) / options.cases:.2f} s a case"
+        f"accepted, {len(found)} findings, {(time.time() - began) / options.cases:.2f} s per case"
     )
     return bool(found)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A scene: one bearing, its rings' freedoms and loads, flaws and time steps, in the bearing's own
+"""A scene: one bearing, its rings' degrees of freedom and loads, flaws and time steps, in its own
 frame (x, y across its axis z). deck.py places it in the lab."""
 
 import math

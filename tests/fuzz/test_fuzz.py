@@ -44,7 +44,7 @@ def test_what_it_found(file):
     ],
 )
 def test_ends_that_a_longer_run_may_have(tmp_path, monkeypatch, end, verdict):
-    """Only the second run of a case may end so."""
+    """Only the second run of a case may end like this."""
     ended = lab.Lab(tmp_path)
     outcome = SimpleNamespace(code=1, text=end, error=end)
     monkeypatch.setattr(lab, "run", lambda *words, **options: outcome)

@@ -219,9 +219,9 @@ def averages(course, after=0, every=1):
 
 
 def full(folder, case, truth=None):
-    """The courses of the implicit step and of velocity Verlet with the models `full`, tolerance of
-    cage balls and control as in the decks, and the `Verdict` of the first by the second. A `truth`
-    that is there already is not run again."""
+    """The courses of the implicit step and of velocity Verlet with the models `full`, cage
+    tolerance and control as in the decks, and the `Verdict` of the first compared with the second.
+    A given `truth` is not run again."""
     film = "full_dry" if case["variables"].get("lubricant") == "dry" else "full"
     words = {"step": 5e-7, "after": 0, "last": None, **case.get("full", {})}
     own = case.get("control", "") + " cage_tolerance 1e-6 control estimate"
@@ -266,7 +266,7 @@ def judge(found, truth, case, words, every=1):
         full = len(found.load)
         found, truth = (before_whirl(course, case["whirl"]) for course in (found, truth))
         if min(len(found.load) * every, len(truth.load)) < 3 * after:
-            return Verdict(np.inf, bound, "the ring whirls too early for a judgement before it")
+            return Verdict(np.inf, bound, "the ring whirls too early to judge the time before")
         verdict = _judge_averages(averages(found, after, every), averages(truth, after), bound)
         whirls = (
             f"; the ring whirls from sample {len(found.load)} of {full}"
@@ -279,8 +279,8 @@ def judge(found, truth, case, words, every=1):
 
 
 def _judge_averages(found, truth, bound):
-    """The worst of the averages: loads and speeds relative, shares absolute. A run that bursts now
-    and then has a large statistical error: no bound grows beyond a half."""
+    """The worst of the averages: loads and speeds relative, shares absolute. A run with occasional
+    bursts has a large statistical error, so bounds are limited to a half."""
     verdicts = []
     for name, (mean, error) in truth.items():
         scale = 1 if name.startswith("share") else mean

@@ -29,7 +29,7 @@ class Drift(NamedTuple):
 
 
 def long_run(folder, seconds, control="energy yes", substeps=4) -> Course:
-    """The run with every sample; `substeps` host steps a sample."""
+    """The run with every sample; `substeps` host steps per sample."""
     case = {
         "variables": {
             "inner": "x free y free spin speed 50 force 0 -5000 0 ramp 3.0e-3",

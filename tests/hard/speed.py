@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Speed of the hard cases with host steps as long as their loads allow, with a record
-and without output; and the control's steps relative to the natural periods."""
+"""Speed of the hard cases with host steps as long as their loads allow, with a record and
+without output; and the steps of the error control relative to the natural periods."""
 
 import re
 import statistics
@@ -14,7 +14,7 @@ from host import liggghts
 from hard.harness import DECK, coarse, first_samples, judge, least_room, run
 
 RUNS = 3  # rounds, of which the median counts
-# m, rising: the coarsest that meets the bounds gives the steps needed a period
+# m, rising: the coarsest that meets the bounds gives the steps needed per period
 TOLERANCES = (1e-9, 2e-9, 5e-9, 1e-8, 2e-8, 5e-8, 1e-7, 2e-7)
 
 
@@ -57,8 +57,9 @@ def resonance(folder):
 
 
 def nearest(folder, case, control, truths):
-    """(`Verdict` nearest to its bound, mean internal step in s) with these words; the verdict with
-    a host step a sample, the step with those of `large`. None if the run stopped."""
+    """(`Verdict` nearest to its bound, mean internal step in s) with these keywords; the verdict
+    with one host step per sample, the step with the host steps of `large`. None if the run
+    stopped."""
     case = dict(case, control=control)
     found, long = run(folder, case), coarse(folder, case)
     if found.error or long.error:

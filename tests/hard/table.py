@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs the hard cases and their references, the latter also at half their step, and writes
+"""Runs the hard cases and their references, the latter also with half their step, and writes
 build/bench/hard_cases.rst.
 
     python tests/hard/table.py          # all
@@ -30,7 +30,7 @@ NAMES = {
 HEAD = [
     "case",
     "scene",
-    "reference (change at half its step)",
+    "reference (change with half its step)",
     "figure",
     "bound",
     "whole course",
@@ -65,8 +65,8 @@ def rows_of(name, folder):
                 own, whole = f" ({number(change)})", number(harness.compare(found, truth).load)
                 if change > 0.1 * verdict.bound:
                     unsure.append(
-                        f"{name}, {kind}: halving its step changes {change:.1e} of a bound of"
-                        f" {verdict.bound:.1e}"
+                        f"{name}, {kind}: halving its step changes it by {change:.1e}, with a bound"
+                        f" of {verdict.bound:.1e}"
                     )
         remark = [verdict.remark] if verdict.remark else []
         if verdict.orbit == verdict.orbit:
@@ -190,13 +190,13 @@ def main():
         "",
         *f"""\
 These scenes are hard to integrate; they run with :doc:`../fix_bearing_implicit` and its default
-settings, one host step a sample. The bearing is a 6208, in mineral oil unless stated otherwise.
+settings, one host step per sample. The bearing is a 6208, in mineral oil unless stated otherwise.
 ``tests/hard/cases.yaml`` lists the scenes, the bounds with their reasons, and the cases that miss
 their bound. Written on {date.today()}: {len(rows)} figures, {missed} outside their bound.
 
 The figure is the largest difference of the contact load over balls, raceways and samples, relative
-to the peak load, from the sample on that the case specifies. *Whole course* is the same from the
-first sample. Remarks give the largest differences of cage speed and film.
+to the peak load, from the sample on that the case specifies. *Whole course* is the same figure from
+the first sample on. Remarks give the largest differences of cage speed and film.
 
 Quasi-static cases are compared with statics, transients over their whole course. A
 chaotic case, up to a whirl of the ring (:ref:`known-limits`), is compared by time averages
@@ -212,8 +212,8 @@ and their statistical error. :doc:`hard_cases_speed` lists the speeds.
     ]
     text += [
         "",
-        "Steps too large on purpose",
-        "--------------------------",
+        "Deliberately large steps",
+        "------------------------",
         "",
         *"""\
 The control refines a host step that is too large, or the run stops with an error. Verlet runs

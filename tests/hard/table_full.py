@@ -50,12 +50,12 @@ def main():
         "===============================",
         "",
         *f"""\
-The scenes of :doc:`hard_cases` with film in the gap, its branch, mixed friction, differential slip,
-spin, resistance to rolling and drag. The implicit step with its defaults is compared with velocity
-Verlet with the same law and steps of 0.5 µs, or those of ``tests/hard/cases.yaml``. The figure is
-the largest difference of the contact load over balls, raceways and samples, relative to the peak
-load. Cage speed and film are the largest relative differences. Written on {date.today()}: {missed}
-of {len(rows)} are outside their bound.
+The scenes of :doc:`hard_cases` with film in the gap, film branch, mixed friction, differential
+slip, spin, rolling resistance and drag. The implicit step with its defaults is compared with
+velocity Verlet with the same law and steps of 0.5 µs, or those of ``tests/hard/cases.yaml``. The
+figure is the largest difference of the contact load over balls, raceways and samples, relative to
+the peak load. Cage speed and film are the largest relative differences. Written on {date.today()}:
+{missed} of {len(rows)} are outside their bound.
 """.splitlines(),
         "",
         *csv_table(HEAD, rows),

@@ -56,7 +56,8 @@ def by_full(name, folder):
 
 
 def compared(by, folder):
-    """Table rows, and for each share how many save a half and how many miss their bound."""
+    """Table rows, and for each share the number of cases that save a third and that miss their
+    bound."""
     rows, halves, misses = [], [0] * len(SHARES), [0] * len(SHARES)
     for name in CASES:
         found = list(by(name, folder))

@@ -24,11 +24,11 @@ HEAD = ["case", "host step (s)", "samples in it", "with a record", "nothing writ
 SLOW = [
     "case",
     "contact resonance (s)",
-    "steps a period, default",
-    "coarsest tolerance that holds (m)",
-    "steps a period there",
+    "steps per period, default",
+    "coarsest sufficient tolerance (m)",
+    "steps per period there",
     "words",
-    "steps a period with them",
+    "steps per period with it",
     "figure",
     "bound",
     "with a record",
@@ -103,12 +103,12 @@ output. A factor is simulated over wall time of the host's loop, without set-up.
 Balls between two loaded contacts vibrate. *Contact resonance* is the shortest period of a ball on
 the springs of its two contacts in the run. The default tolerance follows this motion with more
 steps than the bounds require. *Coarsest tolerance* is the largest of the series 1, 2, 5, 10, 20,
-50, 100 and 200 nm up to which all bounds are met. The series was run with a host step a sample, and
-with the host steps above; the steps a period are those of the latter. Steps as long as the period
-damp the vibration, while the loads stay within the bound.
+50, 100 and 200 nm up to which all bounds are met. The series was run with one host step per sample,
+and with the host steps above; the steps per period are those of the latter. Steps as long as the
+period damp the vibration, while the loads stay within the bound.
 
-*Words* are those of :doc:`../fix_bearing_implicit` that meet the same bounds faster. The figure is
-the one nearest to its bound, over both lengths of host steps.
+*Words* are the keywords of :doc:`../fix_bearing_implicit` that meet the same bounds faster. The
+figure is the one nearest to its bound, for both lengths of host steps.
 """.splitlines(),
         "",
         *csv_table(SLOW, slow),

@@ -36,7 +36,7 @@ def marked(*keys, name, key):
 
 @pytest.fixture(scope="module")
 def courses(tmp_path_factory):
-    """(case, kind) -> `Course`, made when first asked for; kind "default" is the fix itself."""
+    """(case, kind) -> `Course`, made on first use; kind "default" is the fix itself."""
     folder = tmp_path_factory.mktemp("hard")
 
     @cache
@@ -51,8 +51,8 @@ def courses(tmp_path_factory):
 
 
 def yardstick(name):
-    """The reference with the same friction law by which a run is judged, and that of Verlet, with
-    its settings."""
+    """The reference with the same friction law by which a run is judged, and the Verlet reference
+    with its settings."""
     kinds = CASES[name]["references"]
     return next(k for k in ("verlet", "fine") if k in kinds), next(
         k for k in ("verlet", "history") if k in kinds
@@ -68,7 +68,7 @@ def yardstick(name):
     ],
 )
 def test_figure(courses, name, kind):
-    """The fix with its defaults, one host step a sample, against a reference."""
+    """The fix with its defaults, one host step per sample, against a reference."""
     case, found = CASES[name], courses(name, "default")
     verdict = (
         judge_statics(found, case)
@@ -81,8 +81,8 @@ def test_figure(courses, name, kind):
 
 @pytest.mark.parametrize("name", [name for name, case in CASES.items() if "fast" in case])
 def test_fast_words(courses, tmp_path, name):
-    """The faster settings meet the case's bounds, with host steps of a sample and with long ones,
-    and take internal steps that are at least 1.5 times longer."""
+    """The faster settings meet the case's bounds, with one host step per sample and with long host
+    steps, and take internal steps that are at least 1.5 times longer."""
     case = CASES[name]
     truths = {kind: courses(name, kind) for kind in case["references"] if kind != "statics"}
     verdict, step = nearest(tmp_path, case, case["fast"], truths)
@@ -101,9 +101,9 @@ def test_models_full(tmp_path, name):
 
 
 def test_kept_derivatives_solve_the_same_stages(tmp_path):
-    """With `control estimate` the last iterations evaluate the cage alone and let forces and kept
-    states of the raceways follow by their derivatives. In the same steps that takes fewer
-    evaluations than iterating to the bound; loads agree to 1 nm in the heaviest contact."""
+    """With `control estimate` the last iterations evaluate the cage alone and take forces and kept
+    states of the raceways from their derivatives. With the same steps this takes fewer evaluations
+    than iterating to the bound; loads agree to 1 nm in the heaviest contact."""
     found = []
     for control in ("bound", "estimate"):
         words = f"control {control} tolerance 1e-9 largest 1e-5 error 100"
@@ -118,8 +118,8 @@ def test_kept_derivatives_solve_the_same_stages(tmp_path):
 
 @pytest.mark.parametrize("name", [marked(name=name, key="large") for name in CASES])
 def test_host_step_too_large(courses, tmp_path, name):
-    """The control refines to the case's figure at its samples, or the run is refused with a clear
-    message."""
+    """The error control refines the step until the case's bound holds at its samples, or the run is
+    refused with a clear message."""
     case, kind = CASES[name], yardstick(name)[0]
     found = coarse(tmp_path, case)
     if found.error:
@@ -203,6 +203,6 @@ def test_the_integrators_own_loss(tmp_path):
 
 
 def test_thirty_seconds_with_one_step_a_sample(tmp_path):
-    """Twelve host steps a ball pass, 2.9 ms each, refined by the control."""
+    """Twelve host steps per ball pass, 2.9 ms each, refined by the error control."""
     course = longrun.long_run(tmp_path, 30, substeps=1)
     assert not course.error, course.error

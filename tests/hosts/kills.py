@@ -4,9 +4,9 @@ undisturbed run.
 
     .venv/bin/python tests/hosts/kills.py [N] [--seed S]
 
-N times kill -TERM and N times kill -9 (default 50). A killed run is resumed, sometimes killed
+N runs with kill -TERM and N with kill -9 (default 50). A killed run is resumed, sometimes killed
 again, on 1, 2 or 4 ranks in turn, until it finishes. Only the wall time in `run.yaml` may
-differ. Exit code 1 when a file does.
+differ. Exit code 1 if anything else does.
 """
 
 import argparse
@@ -132,8 +132,8 @@ def session(leader):
 
 
 def ended(process, ranks):
-    """Exit code. Open MPI's launcher may lock up in its own end after a signal: without ranks left
-    it is killed."""
+    """Exit code. Open MPI's launcher may lock up while it ends after a signal: it is killed once no
+    ranks are left."""
     while True:
         try:
             return process.wait(20)

@@ -170,7 +170,7 @@ DECKS = {
     ),
     "arch too wide": (
         BOX + STYLE + INNER.strip() + " gothic_arch 3.0e-4\n" + OUTER + CREATE,
-        r"create_bearing: gothic_arch 0.0003 m must be smaller than the groove radius less that of"
+        r"create_bearing: gothic_arch 0.0003 m must be smaller than the groove radius minus that of"
         r" the ball, 0.000252 m",
     ),
     "arch too wide at run": (

@@ -19,7 +19,7 @@ def said(tmp_path, deck, **values):
     return done, [line for line in done.text.splitlines() if line[:3] == "IS "]
 
 
-# Values that the decks' formulas gave before: balls, ball diameter, inner radius, both grooves;
+# Values from formulas in earlier decks: balls, ball diameter, inner radius, both grooves;
 # outer radius, half a box, mass and inertia of the inner ring, diameter of a cage ball
 NUMBERS = {
     ("6208", "clearance", "1.1e-5"): (

@@ -76,10 +76,10 @@ def test_file_comes_first(tmp_path):
     [
         (
             OWN.replace("one,9,", "one,"),
-            "table.csv', line 4: {a} cells, must be {b} as in the line",
+            "table.csv', line 4: {a} cells, must be {b} as in the heading",
         ),
         (OWN.replace("two", "one"), "table.csv', line 5: a second row 'one'"),
-        (OWN.replace("name,", "bearing,"), "has no line of columns that begins with name,"),
+        (OWN.replace("name,", "bearing,"), "has no heading that begins with name,"),
         (OWN, "'two' of '{folder}/bearings/table.csv' has no variable balls"),
     ],
 )

@@ -14,7 +14,7 @@ from raceway.sweeps.check import variables
 
 COARSE = {
     **{"passes": 1, "samples": 20, "settle": 1, "tolerance": 1e-7, "load": 2000},
-    "flaw_outer": "notch -1.5708 1.0e-3 full 1.0e-5 5.0e-5",  # which the run notes
+    "flaw_outer": "notch -1.5708 1.0e-3 full 1.0e-5 5.0e-5",  # recorded by the run
     **{"flaw_ball": "wave 2 1.0e-8 0", "flawed_ball": "2 4"},
 }
 
@@ -77,7 +77,7 @@ def test_verlet_takes_half_the_step(tmp_path, monkeypatch):
         RunTables(where).settings["step_s"]
         for where in (tmp_path, tmp_path / "check" / "integration")
     ]
-    assert steps[1] == pytest.approx(steps[0] / 2, rel=0.02)  # a whole number a sample
+    assert steps[1] == pytest.approx(steps[0] / 2, rel=0.02)  # a whole number per sample
 
 
 @pytest.mark.parametrize(
@@ -93,8 +93,8 @@ def test_verlet_takes_half_the_step(tmp_path, monkeypatch):
     ids=str,
 )
 def test_data_of_ones_own(tmp_path, monkeypatch, own):
-    """Bearing and oil data are passed on to the repeats. The main deck's means are accurate to 1e-3
-    by default; without the data they would change by one to twenty per cent."""
+    """Bearing and oil data are passed on to the repeated runs. The main deck's means are accurate
+    to 1e-3 by default; without the data they would change by one to twenty per cent."""
     monkeypatch.chdir(ROOT)
     succeed("inputs/in.6208", out=tmp_path, passes=1, **own)
     before = summary(RunTables(tmp_path))
@@ -118,7 +118,7 @@ def test_mistakes(checked, tmp_path, monkeypatch, capsys):
     succeed("inputs/in.6208", out=own, ball_young=200e9, **COARSE)
     for name, value in (("ball_young", "190e9"), ("ball_poisson", "0.2"), ("load", "100")):
         assert main(["check", str(own), "--var", name, value]) == 1
-        assert "give --var for what the run was given" in capsys.readouterr().err
+        assert "give --var for data that were given to the run" in capsys.readouterr().err
     assert main(["check", str(own), "--var", "ball_young", "200e9"]) == 0
     (own / "check.json").write_text("[]")
     assert main(["summary", str(own)]) == 1

@@ -25,7 +25,7 @@ def wait_for(path, size=1, patience=60.0):
     """Wait until `path` holds `size` bytes."""
     end = time.monotonic() + patience
     while not (path.exists() and path.stat().st_size >= size):
-        assert time.monotonic() < end, f"{path} did not come"
+        assert time.monotonic() < end, f"{path} did not appear"
         time.sleep(0.005)
 
 
@@ -34,7 +34,7 @@ def stopped(tmp_path):
     """The folder of a run that received SIGTERM during its measurement."""
     out = tmp_path / "run"
     process = start(SCENE, out)
-    wait_for(out / "record.nc", 50_000)  # it measures
+    wait_for(out / "record.nc", 50_000)  # it is measuring
     process.terminate()
     assert process.wait() == 128 + signal.SIGTERM
     return out
@@ -63,7 +63,7 @@ def test_other_settings_are_refused(stopped):
         "belongs to another run" in failed.error
         and "load 5000" in failed.error
         and "load 4000" in failed.error
-        and "spin speed" not in failed.error  # what both have in common
+        and "spin speed" not in failed.error  # this is the same in both
     )
 
 

@@ -142,7 +142,7 @@ def test_another_set_is_refused(made, tmp_path, capsys):
     (tmp_path / "set").mkdir()
     (tmp_path / "set/mine.txt").write_text("mine")
     assert dataset(tmp_path) == 1
-    assert "holds files of something else" in capsys.readouterr().err
+    assert "contains other files" in capsys.readouterr().err
     assert [path.name for path in (tmp_path / "set").iterdir()] == ["mine.txt"]
 
 

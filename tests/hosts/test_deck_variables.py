@@ -71,7 +71,7 @@ def test_known(tmp_path, host):
 
 
 def test_models(tmp_path):
-    """A file of words for the pair style; the record and the summary name it."""
+    """A file of keywords for the pair style; the record and the summary name it."""
 
     def commands():
         return raceway.open(tmp_path).tables.record.attrs["pair_commands"]
@@ -94,7 +94,7 @@ def test_models(tmp_path):
 
 
 def test_models_of_an_oil_without_the_numbers(tmp_path):
-    """A lubricant file of the user's own, with what the paper needs only."""
+    """A lubricant file of the user's own, with only the data that the models of the paper need."""
     own = tmp_path / "inputs"
     shutil.copytree(ROOT / "inputs", own)
     (own / "lubricants" / "mine").write_text(
@@ -120,12 +120,12 @@ OIL = {"kinematic_viscosity_40": 46, "kinematic_viscosity_100": 6.8, "oil_densit
 @pytest.mark.parametrize("models", ["paper", "full", "eyring", "none"])
 def test_an_oil_of_three_numbers(tmp_path, models, capsys):
     """Viscosities and density of a data sheet are enough. Run and statics have the same defaults
-    for what nobody measures; a file that states them makes the same run; summaries name them."""
+    for unmeasured properties; a file that states them gives the same run; summaries name them."""
     short, whole = tmp_path / "short", tmp_path / "whole"
     lines = "".join(f"variable {name} index {value}\n" for name, value in OIL.items())
     short.write_text(lines)
     defaults = {name: row["default"] for name, row in variable_table.oil().items()}
-    others = {"pressure_viscosity", "permittivity"}  # of an oil at one temperature
+    others = {"pressure_viscosity", "permittivity"}  # data of an oil at one temperature
     stated = {name: value for name, value in defaults.items() if name not in others}
     whole.write_text(lines + "".join(f"variable {n} index {v}\n" for n, v in stated.items()))
     records = []

@@ -34,7 +34,7 @@ def deck(request):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_two_fixes_on_one_ring_are_refused(tmp_path, deck, ranks):
-    """Under fix bearing/implicit the second fix silently replaced the first: wrong load and
+    """Under fix bearing/implicit the second fix once silently replaced the first: wrong load and
     displacement."""
     end = outcome(
         tmp_path, deck, "fix again inner bearing/ring spin speed 50\nrun 100\n", ranks=ranks
@@ -57,7 +57,8 @@ def test_one_fix_after_another_on_one_ring(tmp_path, deck):
 
 @pytest.mark.parametrize("when", ["before the first run", "between two runs"])
 def test_balls_may_not_join_the_group_of_a_ring_fix(tmp_path, deck, when):
-    """Such a group received the ring's mass, and the report of the ring was that of a ball."""
+    """All atoms of such a group once received the ring's mass, and the values reported for the ring
+    were those of a ball."""
     first = "run 20\n" if when == "between two runs" else ""
     end = outcome(tmp_path, deck, first + "group inner type 1\nrun 100\n")
     assert end.code != 0
@@ -70,8 +71,8 @@ def test_balls_may_not_join_the_group_of_a_ring_fix(tmp_path, deck, when):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_ring_that_joins_the_group_is_reported(tmp_path, deck, ranks):
-    """The report had as many rows as there were rings when the fix was created, and wrote beyond
-    them.
+    """The report once had only as many rows as there were rings when the fix was created, and the
+    fix wrote beyond them.
 
     Inner and outer ring are then one group; the outer one has its own row, and moves.
     """
@@ -114,7 +115,7 @@ def test_a_second_bearing_joins_the_group(tmp_path, deck):
 
 
 def test_rows_of_a_group_that_grew_wait_for_the_next_run(tmp_path, deck):
-    """Read between the group command and the run, the report covers the known rings."""
+    """Until the next run begins, the report covers the rings of the previous one."""
     end = outcome(
         tmp_path,
         deck,

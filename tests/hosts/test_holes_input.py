@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Input that was accepted, or refused with the wrong message: values of bearings and lubricants,
-words that only C reads as numbers, paths that are not files."""
+"""Input that was once accepted, or refused with the wrong message: values of bearings and
+lubricants, words that only C reads as numbers, paths that are not files."""
 
 import re
 
@@ -106,7 +106,7 @@ def test_names_of_folders(tmp_path, name):
 
 
 def test_a_file_called_like_an_option_stays(tmp_path):
-    """The host's own `rm` took -f as a file of the current folder."""
+    """The host's own `rm` once took -f for a file of the current folder."""
     for name in ("inputs",):
         (tmp_path / name).symlink_to(ROOT / name)
     (tmp_path / "-f").write_text("mine")
@@ -118,7 +118,7 @@ def test_a_file_called_like_an_option_stays(tmp_path):
 
 
 def test_a_file_that_the_checkpoint_sees_too_often(tmp_path):
-    """Dumped every 200 steps, checked every 20: the disk was not full."""
+    """A file dumped every 200 steps but checked every 20: the disk is not full."""
     deck = tmp_path / "in.often"
     text = (ROOT / "docs" / "decks" / "in.ehd").read_text()
     deck.write_text(

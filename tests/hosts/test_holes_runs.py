@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs that failed silently, or with the wrong message: contacts beyond validity, lost
+"""Runs that once failed silently, or with the wrong message: contacts beyond validity, lost
 balls, steps without progress, restart files, two writers in one folder."""
 
 import os
@@ -47,7 +47,7 @@ def refused(end, message):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_ball_that_leaves_the_box_is_missed(tmp_path, ranks):
-    """LIGGGHTS deleted balls: 1 of 11 atoms was left, all figures were 0, exit code 0."""
+    """LIGGGHTS once deleted balls: 1 of 11 atoms was left, all figures were 0, exit code 0."""
     end = outcome(
         tmp_path,
         SMALLEST,
@@ -58,7 +58,7 @@ def test_a_ball_that_leaves_the_box_is_missed(tmp_path, ranks):
 
 
 def test_a_cage_without_rails(tmp_path):
-    """Cage balls left the box: 14 of 20 atoms after 200,000 steps, exit code 0."""
+    """Cage balls once left the box: 14 of 20 atoms after 200,000 steps, exit code 0."""
     deck = tmp_path / "in.norails"
     text = EHD.replace("fix rails cage bearing/cage 4\n", "").replace(" v_rails", "")
     text = re.sub(r"variable rails equal .*\n", "", text)
@@ -94,7 +94,7 @@ def test_a_step_that_vanishes_is_no_limit(tmp_path):
     ],
 )
 def test_limits_of_an_implicit_step(tmp_path, words, message):
-    """The first step never ended, the second gave 2.7 times the load."""
+    """The first step once never ended, and the second gave 2.7 times the load."""
     deck = IMPLICIT.replace("bearing/implicit", f"bearing/implicit {words}")
     refused(outcome(tmp_path, deck, "run 1\n", timeout=20), message)
 
@@ -118,7 +118,7 @@ def test_a_cage_without_a_coefficient(tmp_path):
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 def test_an_ellipse_as_wide_as_the_groove(tmp_path, integrator):
-    """300 kN: `raceway static` refused the load, but the run continued to 10 GPa."""
+    """300 kN: `raceway static` refused the load, but a run once continued to 10 GPa."""
     end = liggghts(
         "inputs/in.6208", out=tmp_path, load=3e5, integrator=integrator, timeout=120, **SHORT
     )
@@ -126,7 +126,7 @@ def test_an_ellipse_as_wide_as_the_groove(tmp_path, integrator):
 
 
 def test_an_almost_conformal_groove(tmp_path):
-    """Its contact ellipse was 429 mm long on a ball of 12.6 mm."""
+    """The contact ellipse was once 429 mm long on a ball of 12.6 mm."""
     end = liggghts("inputs/in.6208", out=tmp_path, inner_groove=6.3000001e-3, **SHORT)
     refused(end, r"contact ellipse (is )?as wide as the groove")
 
@@ -167,7 +167,7 @@ def test_a_film_outside_its_fit(tmp_path, law, warned):
 
 @pytest.mark.parametrize("ramp", [0, 0.1])
 def test_a_ramp_longer_than_the_settling(tmp_path, ramp):
-    """The load was measured during its ramp."""
+    """The load was once measured during its ramp."""
     succeed("inputs/in.6208", out=tmp_path, ramp=ramp, **SHORT)
     assert summary(RunTables(tmp_path))["force_y_N"] == pytest.approx(5000, rel=1e-2)
 
@@ -182,7 +182,7 @@ def test_a_film_thicker_than_its_contact_is_long(tmp_path):
 
 @pytest.mark.parametrize("capacitance", [True, False])
 def test_a_capacitance_of_a_film_that_conducts(tmp_path, capacitance):
-    """A Lambda of 0.3 at 48 rpm causes a warning only where a capacitance is requested."""
+    """A Lambda of 0.3 at 48 rpm causes a warning only if a capacitance is requested."""
     text = EHD.replace("lubricant 0.040", "lubricant 0.001").replace("run 40000", "run 20000")
     if not capacitance:
         text = re.sub(r"fix cap .*|dump .*&\n.*|dump_modify .*| h_c capacitance| f_cap", "", text)
@@ -202,7 +202,7 @@ def test_a_usual_run_is_in_no_doubt(tmp_path):
 
 
 def test_restart_files_of_the_deck_are_its_own(tmp_path):
-    """The fix accepted any restart file and crashed at the next step."""
+    """The fix once accepted any restart file and crashed at the next step."""
     end = outcome(
         tmp_path,
         SMALLEST,
@@ -272,7 +272,7 @@ def stopped(tmp_path_factory):
 
 
 def test_every_flipped_bit_of_a_restart_file_is_noticed(stopped, tmp_path):
-    """The host's format has no check sum: 33 of 77 damaged files went unnoticed."""
+    """The host's format has no checksum: 33 of 77 damaged files once went unnoticed."""
     out = tmp_path / "run"
     shutil.copytree(stopped, out)
     good = (out / "restart").read_bytes()
@@ -292,8 +292,8 @@ def test_every_flipped_bit_of_a_restart_file_is_noticed(stopped, tmp_path):
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])
 def test_two_runs_in_one_folder(tmp_path, host):
-    """The second run reports who writes there; the first is not affected. When its process is
-    killed, the folder is released at once."""
+    """The second run reports which process is writing there; the first is not affected. When the
+    first process is killed, the folder is released at once."""
     out = tmp_path / "run"
     program, _ = HOSTS[host]
     deck = tmp_path / "in.waits"

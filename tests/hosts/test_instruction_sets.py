@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Processors without AVX2 evaluate contacts with other code, generated from the same formulas, to
-the same bits. That code calls the law part by part, whereas code for AVX2 has the laws of `models`
-inlined.
+"""Processors without AVX2 evaluate contacts with different code, generated from the same formulas,
+with the same bits. That code calls the law part by part, whereas in the code for AVX2 the laws of
+`models` are inlined.
 
 The variable RACEWAY_NARROW_LANES selects that code on processors with AVX2 (docs/design).
 """
@@ -44,7 +44,7 @@ def test_the_variable_is_heeded():
         {"models": "film"},
         {"models": "full", "lubricant": "vg46"},
         {"models": "paper", "lubricant": "dry"},
-        {"models": "full", "spin_law": "slices", "without": "gap"},  # a set that nobody listed
+        {"models": "full", "spin_law": "slices", "without": "gap"},  # a set that is not listed
         {"models": "paper", "flaw_outer": "notch -1.5708 1.0e-3 full 1.0e-5 5.0e-5"},
     ],
     ids=lambda scene: "-".join(scene.values()).split()[0],

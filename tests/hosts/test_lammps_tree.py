@@ -106,7 +106,7 @@ def test_changed_where_it_must_be_patched(tree):
 
 def test_another_machine_file(tree):
     (tree / "src" / "MAKE" / "Makefile.mpi").write_text("CC = mpicxx\n")
-    refused(tree, "has no one line CCFLAGS")
+    refused(tree, "it needs one line CCFLAGS")
 
 
 def test_a_file_in_the_way(tree):
@@ -114,7 +114,7 @@ def test_a_file_in_the_way(tree):
     refused(tree, "has film.h already")
     (tree / "src" / "film.h").unlink()
     (tree / "src" / "MAKE" / "MINE" / "Makefile.raceway").write_text("mine\n")
-    refused(tree, "Makefile.raceway is there already")
+    refused(tree, "Makefile.raceway exists")
 
 
 def test_a_file_changed_since(tree):

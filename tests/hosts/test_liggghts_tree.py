@@ -116,7 +116,7 @@ def test_changed_where_it_must_be_patched(tree):
 
 def test_a_file_in_the_way(tree):
     (tree / "src" / "film.h").write_text("// another film\n")
-    refused(tree, "film.h is there already")
+    refused(tree, "film.h exists")
 
 
 def test_a_file_changed_since(tree):
@@ -134,7 +134,7 @@ def test_another_change_of_a_patched_file_is_kept(tree):
 
 
 def test_an_interrupted_installation_is_taken_out(tree):
-    """Killed half-way: the manifest is written first, so that the files already there can be
+    """Killed half-way: the manifest is written first, so that the files installed so far can be
     removed."""
     before = contents(tree)
     assert make("install", tree)[0] == 0
@@ -146,10 +146,10 @@ def test_an_interrupted_installation_is_taken_out(tree):
 
 
 def test_a_failure_half_way_leaves_nothing(tree):
-    """One of the last files cannot be written: a non-empty folder has its name."""
+    """One of the last files cannot be written, because a non-empty folder has its name."""
     (tree / "src" / "finish.cpp.raceway-new").mkdir()
     (tree / "src" / "finish.cpp.raceway-new" / "x").write_text("x")
-    refused(tree, "taken out again")
+    refused(tree, "removed again")
 
 
 def times(tree):
@@ -157,7 +157,7 @@ def times(tree):
 
 
 def test_patches_keep_the_times_of_files(tree):
-    """They do not change a compiled program, so the host's objects need not be rebuilt."""
+    """The patches do not change the compiled program, so the host's objects need not be rebuilt."""
     before = times(tree)
     assert make("install", tree)[0] == 0
     assert times(tree) == before

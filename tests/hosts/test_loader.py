@@ -23,8 +23,8 @@ def test_clear(tmp_path):
 
 
 def test_partition(tmp_path):
-    """Two partitions run two lubricants at once (universe variables), each with the bits of a run
-    alone."""
+    """Two partitions run two lubricants at once (universe variables), each with the bits of a
+    separate run."""
     deck = tmp_path / "in.partition"
     deck.write_text(
         "variable lubricant universe mineral pao48\nvariable out index"
@@ -46,7 +46,7 @@ def test_partition(tmp_path):
     ],
 )
 def test_preload_into_the_stock_program(program, host, styles, tmp_path):
-    """Of Debian."""
+    """The stock programs of Debian."""
     done = subprocess.run(
         [
             f"/usr/bin/{program}",

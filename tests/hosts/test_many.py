@@ -16,7 +16,7 @@ from host import BOX, frames, liggghts, succeed
 from scipy.io import netcdf_file
 
 DECK = "tests/hosts/in.many_bits"
-ATOMS = 20  # of a bearing
+ATOMS = 20  # per bearing
 SCENES = {
     "implicit": {"integrator": "implicit", "time": 4e-3, "sample": 1e-3, "step": 2.5e-4},
     "verlet": {
@@ -113,8 +113,8 @@ def test_hosts(tmp_path, host, ranks):
 
 @pytest.mark.parametrize("number, ranks", [(1, 1), (5, 3), (8, 1), (11, 4)])
 def test_alone(scene, number, ranks, tmp_path):
-    """Bearings 5 and 8 of the middle column are cut by four ranks; the single runs have them at the
-    same place of the same box."""
+    """With four ranks, cuts pass through bearings 5 and 8 of the middle column; the single runs
+    have them in the same position of the same box."""
     variables, folder = scene
     succeed(DECK, ranks=ranks, out=tmp_path, only=number, **variables)
     (alone,) = fleet(tmp_path).values()
@@ -162,8 +162,8 @@ run 1
         assert {c[1] for c in mine} == {0.0} and len(mine) == live > 2
         assert load == max(c[2] for c in mine) and pressure == max(c[3] for c in mine)
         assert h_min == min(c[4] for c in mine) and film == min(c[5] for c in mine)
-    # two capacitors of a ball in series, summed over balls: the outer ring (the next tag) has the
-    # second one of every ball, in order
+    # two capacitors of each ball in series, summed over balls; the second ones are those of the
+    # outer ring (the next tag), in the same order
     for row in rows:
         inner = [c[7] for c in contacts if c[0] == row[0]]
         outer = [c[7] for c in contacts if c[0] == row[0] + 1]
@@ -332,7 +332,7 @@ def test_starved_as_alone(tmp_path):
 
 
 def test_one_oil_in_lammps(tmp_path):
-    """LAMMPS crashed in its own reader before."""
+    """LAMMPS once crashed in its own reader."""
     words = {"bearings": 4, "time": 5e-4, "sample": 2.5e-4, "lubricant": "vg46"}
     succeed("inputs/in.many", host="lammps", out=tmp_path, **words)
     assert [oil for *_, oil in fleet(tmp_path).values()] == 4 * ["vg46"]

@@ -52,7 +52,7 @@ def answered(request, tmp_path_factory):
 
 @pytest.fixture
 def undrawn(monkeypatch):
-    """Run from the root, without the picture: `answered` has it, and it takes a second."""
+    """Run from the root, without the picture: `answered` draws it, and it takes a second."""
     monkeypatch.chdir(ROOT)
     monkeypatch.setattr("raceway.pictures.needs.picture", lambda found, path: None)
 
@@ -135,7 +135,7 @@ def test_goes_on_without_running_again(answered, capsys, undrawn):
 
 
 def test_wants_that_forbid_everything(answered, undrawn):
-    """In that case the reference is chosen."""
+    """If nothing may be omitted, the reference is chosen."""
     own, _, folder = answered
     tight = ["--want", "torque=1e-9", "capacitance=1e-9", "--keep", *FEW]
     assert main(["needs", "inputs/in.6208", *words(own), *tight, "--out", str(folder)]) == 0
@@ -185,7 +185,7 @@ def test_sets():
 
 
 def test_parts_of_a_cage_ring_are_choices():
-    """Those of a cage that is a ring, and of a land only where one guides it."""
+    """Parts of a one-piece cage are choices, and those of a land only if a land guides it."""
 
     def parts(**scene):
         return {one.name for one in choices(scene, True, {"cage": "yes", "cage_guide": "balls"})}

@@ -41,8 +41,8 @@ def test_a_checkpoint_that_samples_comes_after_the_capacitance(tmp_path, first):
 
 @pytest.mark.parametrize("before", [True, False], ids=["before the ring fix", "after it"])
 def test_the_report_of_a_ring_holds_contacts_alone(tmp_path, before):
-    """A force that another fix adds to a ring does not count as ball force, wherever that fix
-    stands."""
+    """A force that another fix adds to a ring does not count as ball force, wherever that fix is in
+    the deck."""
     push = "fix push inner addforce 0.0 0.0 7.0\n"
     deck = SMALLEST.replace(RING, push + RING if before else RING + push)
     deck = deck.replace(

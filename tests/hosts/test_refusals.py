@@ -86,7 +86,7 @@ def test_free_play_beyond_the_far_side_of_the_grooves(tmp_path, clearance, ends)
 @pytest.mark.parametrize("gap, weight, ends", [(0, 0, False), (0, 9.81, True), (1e-3, 0, False)])
 @pytest.mark.parametrize("mover", ["bearing/implicit", "nve/sphere"])
 def test_cage_that_falls_inwards(tmp_path, mover, gap, weight, ends):
-    """At 20 rad/s the rails do not carry the weight of the cage, since their gap is play."""
+    """At 20 rad/s the rails do not carry the weight of the cage, since their gap acts as play."""
     step, turn = (1e-5, 2500) if mover == "bearing/implicit" else (1e-6, 25000)
     atoms = "all" if mover == "bearing/implicit" else "free"
     deck = CAGED.format(gap=gap, weight=weight) + f"fix move {atoms} {mover}\n"
@@ -120,13 +120,13 @@ SHORT = {"passes": 1, "samples": 20, "rpm": 20000}
     "name, value", [("lubricant", ""), ("step", " "), ("tolerance", "5 kN"), ("phase", "1 rad")]
 )
 def test_values_of_variables(tmp_path, deck, name, value):
-    """Empty, or a number with a unit."""
+    """A value that is empty, or a number with a unit."""
     end = run(f"inputs/{deck}", out=tmp_path / "run", **{name: value})
     assert end.code != 0 and f"-var {name} is " in end.error, end.text
 
 
 def test_resume(tmp_path):
-    """With fewer passes than the run already has; in another host."""
+    """Refused with fewer passes than the run already has, and in another host."""
     assert run("inputs/in.6208", out=tmp_path, **SHORT | {"passes": 2}).code == 0
     for host, message in {
         "liggghts": "farther than these passes",

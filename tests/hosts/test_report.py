@@ -95,7 +95,7 @@ def test_page_of_a_run(folder):
     for row in cells(shown(figures), TOPICS):
         for cell in row:
             assert cell in page.text
-    assert figures["warnings"]  # 30 kN press beyond 4.2 GPa
+    assert figures["warnings"]  # 30 kN cause more than 4.2 GPa
     for warning in figures["warnings"]:
         assert warning in page.text
     load = next(c for c in page.data.values() if c["y"] == "kN" and len(c["lines"]) == 2)
@@ -156,8 +156,8 @@ def test_record_without_contacts(tmp_path, capsys):
 
 @pytest.mark.skipif(shutil.which("chromium") is None, reason="chromium is not installed")
 def test_in_a_browser(folder, sweep, tmp_path):
-    """Debian's chromium draws the charts; a frame zooms, a double click resets, the mouse reads
-    values, a menu selects an axis."""
+    """Debian's Chromium draws the charts; dragging a frame zooms, a double click resets, the mouse
+    reads values, a menu selects an axis."""
     for number, path in enumerate((folder / "report.html", sweep / "page.html")):
         page = tmp_path / f"{number}.html"
         page.write_text(path.read_text().replace("</body>", ACTIONS + "</body>"))

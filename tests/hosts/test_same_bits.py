@@ -162,7 +162,7 @@ def test_ranks(liggghts, deck, host, ranks, tmp_path):
 )
 @pytest.mark.parametrize("deck", TRANSIENT)
 def test_restart(liggghts, deck, host, write_ranks, read_ranks, tmp_path):
-    """Written in the middle of a run and read by another number of ranks."""
+    """Written in the middle of a run and read on another number of ranks."""
     want, _ = liggghts(deck, TRANSIENT[deck])
     resume, variables, step = RESUMED[deck]
     succeed(deck, host=host, ranks=write_ranks, out=tmp_path, keep=step, **TRANSIENT[deck])

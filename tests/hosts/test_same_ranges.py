@@ -32,7 +32,7 @@ TAKEN = [
     ("bearings/6208", {"four_point": "0", "inner_shoulder_diameter": "0"}),
     ("bearings/6208", {"clearance": "9e-5"}),
     ("bearings/6208", {"price": "12"}),
-    ("bearings/7208", {"inner_conformities": "9"}),  # three letters off: a name of the user
+    ("bearings/7208", {"inner_conformities": "9"}),  # three letters differ: the user's own name
 ]
 
 

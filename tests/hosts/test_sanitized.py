@@ -8,7 +8,7 @@ from host import frames, succeed
 
 @pytest.mark.parametrize("lubricant", ["mineral", "dry"])
 def test_bits_scene(tmp_path, lubricant):
-    """The bits equal those of the plain build: the sanitizers change no arithmetic."""
+    """The bits equal those of the plain build: the sanitizers do not change arithmetic."""
     for name, sanitized in (("plain", False), ("checked", True)):
         succeed(
             "tests/hosts/in.bits",

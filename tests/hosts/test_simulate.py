@@ -38,7 +38,7 @@ def record(folder):
     "host, ranks", [("liggghts", 1), ("liggghts", 2), ("lammps", 1), ("wheel", 2)]
 )
 def test_bits_of_the_deck_run_by_hand(tmp_path, monkeypatch, host, ranks):
-    """Bits of the deck it wrote and of the main deck with -var, also from a folder without
+    """The same bits as the deck it wrote and as the main deck with -var, also from a folder without
     inputs."""
     monkeypatch.chdir(tmp_path)
     name = None if host == "wheel" else host
@@ -84,7 +84,7 @@ def test_errors_before_anything_runs(tmp_path, monkeypatch):
         ({"lode": 3}, "no variable 'lode'; did you mean load"),
         ({"load": [1, 2]}, r"load is \[1, 2\], must be a number, a text, True or False"),
         ({"bearing": "a$b"}, r"bearing is 'a\$b', must be a text without quotes"),
-        ({"ranks": 0}, "ranks is 0, must be a whole number from 1 on"),
+        ({"ranks": 0}, "ranks is 0, must be a whole number from 1"),
         ({"host": "gromacs"}, "host is 'gromacs', must be one of liggghts, lammps"),
         ({"host": "lammps", "program": "lmp"}, "host 'lammps' and program 'lmp': give one"),
         ({"program": "no_such_program"}, "there is no program 'no_such_program'"),

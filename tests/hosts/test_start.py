@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How the programs start Open MPI: quickly when alone, by its own rules when a launcher started
-them, and always by the user's settings."""
+"""How the programs start Open MPI: quickly when started alone, by its own rules when started by a
+launcher, and always with the user's settings."""
 
 import re
 import subprocess

@@ -66,7 +66,7 @@ def table(tmp_path):
 
 
 def test_a_deck_of_several_bearings_without_resume(tmp_path):
-    """Columns for each bearing, as its own summary has them."""
+    """Columns for each bearing, as in its own summary."""
     (tmp_path / "t.csv").write_text("rpm\n3000\n")
     out = tmp_path / "out"
     done = sweep(tmp_path / "t.csv", "--deck", "docs/decks/in.two_bearings", "--out", out)
@@ -134,8 +134,8 @@ def test_sweep(table, tmp_path, counter):
 
 
 def test_shares_of_the_time(tmp_path, capsys):
-    """A column `share` is in results.csv, whose spectrum has the life of its runs by it; statics at
-    the same loads agrees."""
+    """A column `share` is copied to results.csv, from which `--spectrum` computes the life of the
+    runs; statics at the same loads agrees."""
     path, out = tmp_path / "duties.csv", tmp_path / "out"
     head, rows = "load,rpm,share", ("2000,1500,0.7", "5000,3000,0.3")
     path.write_text("\n".join([f"{head},passes,samples", *(f"{row},1,20" for row in rows)]) + "\n")
@@ -289,7 +289,7 @@ def slurm(task, tasks, **more):
 
 
 def test_job_array(table, tmp_path, counter):
-    """The script that `--slurm` writes, run task by task as in Slurm."""
+    """The script that `--slurm` writes, run task by task as Slurm does."""
     out, script = tmp_path / "out", tmp_path / "job.sh"
     done = sweep(table, "--out", out, "--program", counter, "--slurm", script, "--tasks", 2)
     assert done.stdout == f"{script}: 4 points in 2 tasks\n" and not starts(out)

@@ -80,7 +80,7 @@ def test_a_driven_ring_that_jumps(mode, size, mover, tmp_path):
     assert f"fix outer bearing/ring: the position along {mode} jumps by " in outcome.error
     assert "in step 201, with" in outcome.error
     deck.write_text(text.replace(jump, sway + f"+{size}*(time>{start})*(time-{start})/2.0e-4"))
-    succeed(deck)  # the same way, but gradually
+    succeed(deck)  # the same change, but gradual
 
 
 @pytest.mark.parametrize("mover", ["nve/sphere", "bearing/implicit"])
@@ -96,7 +96,7 @@ def test_a_driven_ring_whose_speed_jumps(mover, tmp_path):
     assert "fix inner bearing/ring: the spin speed jumps by 4.99" in outcome.error
     assert "in step 201, with" in outcome.error
     deck.write_text(text.replace(speed, f"{speed}-5*(time>{start})*(time-{start})/2.0e-4"))
-    succeed(deck)  # the same way, but gradually
+    succeed(deck)  # the same change, but gradual
     deck.write_text(text + f"write_restart {tmp_path}/kept\n")
     succeed(deck)
     other = text[text.index("group balls") :].replace("50*(1", "60*(1")

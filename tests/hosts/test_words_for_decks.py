@@ -94,7 +94,7 @@ def test_dump(tmp_path, host):
     first += "compute contact balls bearing/contact ball load\n"
     said = {}
     names = [row["name"] for row in core.table("columns")["fix_ring"]]
-    names = names[: names.index("torque") + 1]  # not the loads, which are variables of the deck
+    names = names[: names.index("torque") + 1]  # without the loads, which are variables of the deck
     values = ["$(step)", "$(step*dt)", *(f"$(f_inner[{k + 1}])" for k in range(len(names)))]
     words = {"FORMAT": FORMATS.get(host, "format"), "VALUES": " ".join(values), "FILE": "file"}
     words["TITLE"] = f'"# step time {" ".join(names)}"'

@@ -246,9 +246,9 @@ EXPORT(void, lone_ring,
   rings[0].v.to(out->v);
 }
 
-// A ring alone of 0.5 kg, free along z on a spring (0: none) under a constant force, from place[0]
-// (m) and velocity[0] (m/s) after n steps of h seconds: place[1] and velocity[1]. The largest error
-// (m) that a step estimated.
+// A single ring of 0.5 kg, free along z on a spring (0: none) under a constant force, from place[0]
+// (m) and velocity[0] (m/s): place[1] and velocity[1] after n steps of h seconds. Returns the
+// largest error (m) estimated in a step.
 EXPORT(double, estimated_errors,
        (int n, double h, double stiffness, double force, double place[2], double velocity[2]))
 {
@@ -425,8 +425,8 @@ EXPORT(void, resting,
   }
 }
 
-// Corrections of a step of h seconds in which a ball approaches the cage ball ahead, HUGE_VAL
-// without a solution.
+// Corrections of a step of h seconds in which a ball approaches the cage ball ahead; HUGE_VAL if
+// there is no solution.
 EXPORT(void, meeting, (double gap, double speed, double h, double newton, double *corrections))
 {
   BearingModel model;
@@ -447,8 +447,8 @@ EXPORT(void, meeting, (double gap, double speed, double h, double newton, double
 }
 
 // A ball and a ring that is free along both radial axes: matrix[48] holds the block of the ball
-// (36) and its columns of the ring (12). What restore() sets after corrections with new and, if
-// `again`, with old derivatives.
+// (36) and its columns of the ring (12), as restored by restore() after corrections with new and,
+// if `again`, with old derivatives.
 EXPORT(void, matrix_kept, (int again, const double matrix[48], double restored[48]))
 {
   BearingModel model;

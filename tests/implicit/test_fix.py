@@ -69,7 +69,7 @@ def ring(motion):
     ],
 )
 def test_loads_against_verlet(tmp_path, name, bound, case):
-    """After the ramp, one step a sample of 0.1 ms: 2000 times as long as Verlet's."""
+    """After the ramp, one step per sample of 0.1 ms, 2000 times as long as Verlet's steps."""
     assert error(tmp_path, samples=100, after=75, **case) < bound
 
 
@@ -191,7 +191,7 @@ def test_cold_step_refines_by_itself(tmp_path):
 
 
 def test_a_step_far_too_large_is_refined_not_wrong(tmp_path):
-    """Samples 2 ms apart, 18 of them a ball pass."""
+    """Samples 2 ms apart, 18 of them per ball pass."""
     assert (
         error(
             tmp_path, inner=ring("spin speed 50 force 0 -5000 0"), sample=2e-3, samples=20, after=3
@@ -231,8 +231,8 @@ def test_two_implicit_steps_of_one_atom_are_refused(tmp_path):
 
 def test_a_step_that_turns_a_ball_too_far_is_refined(tmp_path):
     """Host steps of 40 ms, 0.8 rad of orbit each, under preload, where nothing else would shorten
-    them: the frames rotate by series that are accurate up to 0.6 rad, so the control must limit the
-    step. Every ball keeps its place on the pitch circle.
+    them: the frames rotate by series that are accurate up to 0.6 rad, so the error control must
+    limit the step. Every ball keeps its position on the pitch circle.
     """
     case = dict(
         inner=ring("spin speed 50 force 0 -50 0"), clearance=-88.2e-6, samples=10, sample=4e-2
@@ -249,8 +249,8 @@ def test_a_step_that_turns_a_ball_too_far_is_refined(tmp_path):
 @pytest.mark.parametrize("speed, bound", [(50, 1e-4), (1000, 1e-3)])
 def test_only_dampers_implicit_against_verlet(tmp_path, speed, bound):
     """`solve damping` at its stability limit. At 50 rad/s nothing vibrates; at 1000
-    rad/s balls vibrate when they are loaded, by 1e-3 of the largest load, with a period wrong by (h
-    omega)^2/24, up to a tenth."""
+    rad/s balls vibrate as they are loaded, by 1e-3 of the largest load, with an error of the period
+    of (h omega)^2/24, up to a tenth."""
     case = dict(
         start=speed,
         inner=ring(f"spin speed {speed} force 0 -5000 0"),
@@ -270,15 +270,15 @@ def test_only_dampers_implicit_keeps_its_step_stable(tmp_path):
     ball_mass = 7800 * 4 / 3 * np.pi * 6.3e-3**3
     limit = (3 * ball_mass / 4.2e8) ** 0.5
     assert 0.8 * limit < float(re.search(r"CONTROL mean (\S+)", text).group(1)) < 1.3 * limit
-    # 2436 N at rest with a ball on the load line, less between two; the centrifugal load of a ball
-    # is 38 N
+    # 2436 N at rest with a ball on the load line, less with the load between two balls; the
+    # centrifugal load of a ball is 38 N
     assert 2200 < loads(tmp_path)[-20:].max() < 2600
 
 
 def test_only_dampers_implicit_keeps_a_swing(tmp_path):
     """A dry ring under a sudden 5 kN oscillates on its balls, slowly damped by the contacts:
-    over the last 3 of 15 ms it agrees with order 2 at steps of 0.25 us, another
-    method. The period of the balls is wrong by (h omega)^2/24, that of the ring is not.
+    over the last 3 of 15 ms it agrees with order 2 at steps of 0.25 us, another method. The period
+    of the balls has an error of (h omega)^2/24, the period of the ring has none.
     """
     case = dict(
         lubricant="dry",
@@ -313,10 +313,10 @@ def test_cage_balls_may_be_farther_off(tmp_path):
 
 
 def test_coarse_cage_balls_leave_unloaded_balls_at_rest(tmp_path):
-    """At low speed stages are long. What the last correction leaves of a cage ball's contact force
-    must not throw the balls that carry no load: with bounded errors 1 um for cage balls takes fewer
-    evaluations than 0.1 um, figures as near to those at 0.1 nm. Without finer corrections in long
-    stages it takes more."""
+    """At low speed stages are long. The residual contact force of a cage ball after the last
+    correction must not throw unloaded balls: with bounded errors 1 um for cage balls takes fewer
+    evaluations than 0.1 um, with figures as close to those at 0.1 nm. Without finer corrections in
+    long stages it would take more."""
     found = {}
     for cage, more in ((1e-7, {}), (1e-6, {}), (1e-10, dict(tolerance=1e-10))):
         out = tmp_path / str(cage)
@@ -330,8 +330,8 @@ def test_coarse_cage_balls_leave_unloaded_balls_at_rest(tmp_path):
 
 
 def test_an_error_may_be_larger_than_corrections(tmp_path):
-    """A step may have 2.5 times the error that corrections leave: with the models `full` this saves
-    a sixth of the evaluations at high speed, and figures change by less than 0.1 %."""
+    """A step may have 2.5 times the error left by the corrections: with the models `full` this
+    saves a sixth of the evaluations at high speed, and figures change by less than 0.1 %."""
     found = []
     for share in (1, 2.5):
         out = tmp_path / str(share)

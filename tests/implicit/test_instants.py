@@ -44,8 +44,8 @@ def by_instant(rows, instants, column):
 @pytest.mark.parametrize("inner", [RADIAL, TILTED], ids=["radial", "tilted"])
 def test_instants_are_what_finer_steps_give(inner, tmp_path):
     """Host steps of 0.8 ms with 8 instants each, 1 degree of orbit, compared with host steps of 0.1
-    ms, both with an error of 1 nm an internal step: at 2e8 N/m that is 0.2 N, 1e-4 of the largest
-    load, and a step carries the errors of a few earlier ones that are not damped yet.
+    ms, both with an error of 1 nm per internal step: at 2e8 N/m that is 0.2 N, 1e-4 of the largest
+    load, plus the errors of a few earlier steps that are not damped yet.
     """
     case = dict(inner=inner, control="tolerance 1e-9")
     coarse, _, _ = sampled(tmp_path / "coarse", 8, sample=8e-4, samples=20, **case)
@@ -60,7 +60,7 @@ def test_instants_are_what_finer_steps_give(inner, tmp_path):
 
 def test_a_load_that_comes_on_within_steps(tmp_path):
     """A ramp of 3 ms with host steps of 1 ms: instants are taken from every internal step, not only
-    from the ends of the host's."""
+    from the ends of host steps."""
     coarse, _, _ = sampled(
         tmp_path / "coarse", 10, sample=1e-3, samples=4, inner=RADIAL, control="tolerance 1e-9"
     )
@@ -76,8 +76,8 @@ def test_a_load_that_comes_on_within_steps(tmp_path):
 
 
 def test_columns(tmp_path):
-    """Capacitance of the package from the row's load and film; totals, largest, active and the
-    figures of a step from the rows."""
+    """Capacitance by the package from a row's load and film; totals, largest value, active balls
+    and the figures of a step from the rows."""
     rows, totals, now = sampled(tmp_path / "run", 5, sample=4e-4, samples=8, inner=RADIAL)
     bearing = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     for side in (0, 1):

@@ -256,7 +256,7 @@ def test_free_fall_is_exact(lib, method):
 
 
 def estimated(lib, n, h, place, velocity, stiffness=0.0, force=0.0):
-    """The largest error that a step estimated, and place and velocity at the end."""
+    """The largest error estimated in a step, and position and velocity at the end."""
     x, v = np.array([place, 0.0]), np.array([velocity, 0.0])
     error = lib.call(
         "estimated_errors", n=n, h=h, stiffness=stiffness, force=force, place=x, velocity=v
@@ -271,10 +271,10 @@ GAMMA = 1 - np.sqrt(0.5)
 
 @pytest.mark.parametrize("turn", [0.1, 0.05, 0.02])
 def test_estimate_of_a_step_of_a_vibration(lib, turn):
-    """The velocity is the same at the ends of both stages, where the bound is 0. What counts is how
-    far the end is off in the plane of place and velocity: R(z) of the method lacks c z^3, and the
-    first stage has the second difference gamma z^2 v, not z^2 v/2. Four times the error of a
-    velocity that is given in time is 0.59 of that."""
+    """The velocity is the same at the ends of both stages, so that the bound is 0. The error that
+    counts is the distance of the end point in the plane of position and velocity: R(z) of the
+    method lacks c z^3, and the first stage has the second difference gamma z^2 v, not z^2 v/2. Four
+    times the error for a velocity given as a function of time is 0.59 of that."""
     h = turn / RATE
     start = -0.5 * (1 + GAMMA) * turn
     error, x, v = estimated(
@@ -289,7 +289,7 @@ def test_estimate_of_a_step_of_a_vibration(lib, turn):
 
 
 def test_estimate_of_a_constant_force_is_a_share_of_the_bound(lib):
-    """No error is left there: 0.3 of that of a method of first order counts."""
+    """The method has no error there, so 0.3 of the error of a first-order method counts."""
     h, acceleration = 1e-4, 3.0 / 0.5
     error, x, _ = estimated(lib, 1, h, 0.0, 0.0, force=3.0)
     bound = GAMMA * (1 - GAMMA) * h**2 * acceleration
@@ -426,7 +426,7 @@ def resting(lib, steps=1, **words):
 def test_a_ball_that_rests_stays(lib):
     """A ball of 8 g that rolls around at 2 rad/s is pressed on its raceway by 1 mN, to an overlap
     of 1 nm. It starts a nanometre away. The tolerance is 5 nm, a step a few of its vibration
-    periods. One correction a stage brings it there, without a jump off the raceway and back."""
+    periods. One correction per stage brings it there, without a jump off the raceway and back."""
     scene = dict(speed=2 * 30.3e-3, gap=1e-9, heavy=0.0, h=4e-3, steps=10)
     corrections, _, overlap = resting(lib, newton=5e-9, **scene)
     assert corrections.tolist() == [2] * 10

@@ -109,7 +109,7 @@ def test_two_bearings(both, ranks, tmp_path):
 
 
 def test_another_bearing_changes_no_bits(whole, both):
-    """Although the other bearing needs finer steps and other neighbour lists."""
+    """No bits change although the other bearing needs finer steps and other neighbour lists."""
     assert first_bearing(both) == frames(whole / "balls.dump")
     finest = [
         float((f / "control.txt").read_text().splitlines()[-1].split()[1]) for f in (whole, both)
@@ -147,9 +147,9 @@ def test_restart_on_other_ranks(whole, both, bearings, tmp_path):
 
 @pytest.mark.parametrize("scene", ["full", "full by estimates", "flaw"])
 def test_models_full_or_flaws(scene, tmp_path):
-    """With film in the gap, its branch and tangential springs, which keep forces from step to step;
-    or with flaws of balls and of a ring, whose angle its ghosts must carry: two and four ranks,
-    written in the middle and resumed by four, give the bits of one."""
+    """With film in the gap, film branch and tangential springs, which store forces between steps;
+    or with flaws of balls and of a ring, whose ghosts must have its angle: two and four ranks, with
+    a restart file written in the middle and resumed by four, give the bits of one."""
     kept = {
         "full": {"control": "tolerance 1e-8 cage_tolerance 1e-6"},
         "full by estimates": {"control": "tolerance 1e-8 cage_tolerance 1e-6 control estimate"},
@@ -197,8 +197,8 @@ def test_a_fixed_housing_is_the_ground(tmp_path):
 
 
 def test_only_dampers_implicit(tmp_path):
-    """`solve damping` on two ranks, written in the middle and resumed by four, gives the bits of
-    one rank."""
+    """`solve damping` on two ranks, with a restart file written in the middle and resumed by four,
+    gives the bits of one rank."""
     words = dict(control="solve damping")
     succeed(DECK, out=tmp_path / "one", **words)
     succeed(DECK, ranks=2, out=tmp_path / "two", keep=22, first=22, second=38, **words)

@@ -19,7 +19,7 @@ def runs(tmp_path_factory):
 
 
 def test_fewer_evaluations_and_exact_loads(runs):
-    """Each step may have an error of R relative to the largest overlap, and a load one of 1.5 R."""
+    """Steps may have an error of R relative to the largest overlap, and loads an error of 1.5 R."""
     exact = Run(runs / "fine").contacts["load"]
     evaluations = []
     for share in (0, 5e-4, 2e-3):

@@ -150,7 +150,7 @@ RACEWAY_LANES double sum_of(const RacewayPhysics &p, const CapacitorModel &m,
 }
 }    // namespace
 
-// s, for one of four contacts evaluated together; sum (F) is their total
+// s per contact, four evaluated together; sum (F) is their total
 EXPORT(double, capacitor_time,
        (const RacewayPhysics *p, const CapacitorInput *in, double overlap, double speed,
         double cage_speed, double repeats, double sum[1]))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A ball and a ring as moving rigid bodies in 40-digit arithmetic: reference for contact.h.
 
-It uses nothing of the header's derivation. Points of the bodies are followed along the motion
+It does not use the header's derivation. Points of the bodies are followed along the motion
 (constant velocities, Rodrigues rotation) and differentiated in time; vectors are mpmath, so no step
 size enters.
 """

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The physics headers behind a C interface, for the tests in this folder (called by name through
-// physics_c.py, see src-package/core/interface/exports.h). Every number, choices included, is a
-// double.
+// physics_c.py, see src-package/core/interface/exports.h). All numbers are doubles, including
+// choices.
 #include "../../src-package/core/geometry/rail.h"
 #include "../../src-package/core/geometry/ring_body.h"
 #include "../../src-package/core/interface/exports.h"

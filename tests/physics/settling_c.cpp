@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What is left of the changes of ball passes, for test_physics_settling.py.
+// Remaining changes after ball passes, for test_physics_settling.py.
 #include "../../src-package/core/figures/settling_rest.h"
 #include "../../src-package/core/interface/exports.h"
 
 RECORD(SettlingRest, double torque, load, cage_speed, spin_axis, pocket_fall;)
 
-// By ball pass: torque, load of either raceway, cage speed, pocket force, pitch of the spin axis
+// Per ball pass: torque, load of either raceway, cage speed, pocket force, pitch of the spin axis
 // (rad).
 EXPORT(void, settling_rest,
        (int passes, const double *torque, const double *load, const double *cage_speed,

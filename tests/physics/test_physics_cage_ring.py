@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""cage_drag.h and cage_ring.h: laws against closed forms; a pocket and a land at any place in space
+"""cage_drag.h and cage_ring.h: laws against closed forms; a pocket and a land anywhere in space
 conserve momentum, angular momentum and energy, and do not depend on the orientation of the lab."""
 
 import numpy as np
@@ -124,7 +124,7 @@ CAGE = dict(
 
 
 def scene(pocket=3, push=(0.0, 0.0, 0.0), seed=0, tilt=0.0, **changes):
-    """A cage at some place, a ball `push` (m, along circle, axis, radius) off the centre of a
+    """A cage, a ball displaced by `push` (m, along circle, axis, radius) from the centre of a
     pocket, and a ring, all in motion."""
     draw = np.random.default_rng(seed)
     lean = Rotation.from_rotvec([tilt * 0.6, -tilt * 0.8, 0.0])

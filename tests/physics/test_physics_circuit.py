@@ -108,7 +108,7 @@ def test_discharges_do_not_depend_on_the_step():
 
 @pytest.mark.parametrize("outer", [SOURCE_OF_INVERTER, SOURCE_OF_TABLE])
 def test_edges_between_points_keep_the_order(outer):
-    """The error of the second-order method falls fourfold at half the step."""
+    """The error of the second-order method falls to a quarter at half the step."""
     given = turning(n=11, **LEAKY)
     ends = {
         points: circuit.run(given, outer, points=points).data.bearing_voltage[::points]
@@ -139,8 +139,8 @@ def test_one_leg_switches_at_a_time():
 
 
 def test_a_full_discharge_leaves_other_charges():
-    """After many discharges at constant charge of a ring, the dissipated energy equals the initial
-    one."""
+    """After many discharges with a ring of constant charge, the dissipated energy equals the
+    initial one."""
     given = turning(thickness=(20e-9, 40e-9))
     data, events = circuit.run(given, Floating(7.0), WEAK)
     start, end = 0.5 * series(given.capacitance).bearing[0] * 49, data.isel(time=-1)

@@ -177,7 +177,7 @@ def test_load_and_stiffness(physics, side, angle):
     assert state.overlap == pytest.approx(1e-5, rel=3e-12)
     assert state.cos_angle == pytest.approx(np.cos(angle), abs=1e-12)
     exact = raceway.exact(np.cos(angle)).K
-    assert state.load == pytest.approx(exact * 1e-5**1.5, rel=1e-9)  # the table's promise
+    assert state.load == pytest.approx(exact * 1e-5**1.5, rel=1e-9)  # accuracy of the table
     assert state.root**2 == pytest.approx(state.overlap, rel=1e-15)
     # stiffness = dQ/d(overlap): the ball displaced along the normal, at one contact angle
     normal, h = state.nu * state.u + state.ne * ring[3], 2e-9

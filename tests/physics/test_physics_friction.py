@@ -64,7 +64,7 @@ def test_slip_keeps_the_direction_and_the_size_of_the_cap(physics):
     trial = np.array([1e7 * 3e-7 + 30 * 0.01, -1e7 * 2e-7 + 30 * 0.02])
     force, xi = spring(physics, (3e-7, -2e-7), (0.01, 0.02), cap=1.5)
     assert force == pytest.approx(1.5 * trial / np.linalg.norm(trial), rel=1e-14)
-    # the spring is reset so that, with the dashpot, it gives just this force
+    # the spring is reset so that, together with the dashpot, it gives exactly this force
     again, same = spring(physics, xi, (0.01, 0.02), cap=1.5 * (1 + 1e-12))
     assert again == pytest.approx(force, rel=1e-12) and same == pytest.approx(xi, rel=1e-12)
 

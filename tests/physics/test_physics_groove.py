@@ -118,6 +118,6 @@ def test_free_contact_angle_and_endplay(physics):
         assert [state.nu, state.ne] == pytest.approx(
             [sign * np.cos(angle), sign * np.sin(angle)], abs=1e-12
         )
-    # slightly further, and the ball is compressed
+    # slightly further the ball is compressed
     _, state = inner.touch(ball - [0, 0, endplay / 2 + 1e-7], [0.0, 0.0, 1.0])
     assert state.overlap > 0

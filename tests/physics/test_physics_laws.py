@@ -13,7 +13,7 @@ import ctypes
 import numpy as np
 import pytest
 
-SAMPLES = 24  # of a contact
+SAMPLES = 24  # per contact
 EPSILON = np.finfo(float).eps
 
 
@@ -22,7 +22,8 @@ def laws(physics):
 
 
 def some(law):
-    """A few samples, different for each law: every part gets all of them in one set or another."""
+    """A few samples, different for each law: over all sets every part is tested with all
+    samples."""
     return [(7 * law + 5 * k) % SAMPLES for k in range(4)]
 
 
@@ -51,7 +52,7 @@ def test_duals_are_differences(physics):
 
 
 def test_sets_that_nobody_listed_are_there(physics):
-    """Each part with and without a film, except those that need one; 2 and 4 models are
+    """Each part is present with and without a film, except parts that need one; 2 and 4 models are
     compiled."""
     names = laws(physics)
     assert len(names) == len(set(names)) > 600

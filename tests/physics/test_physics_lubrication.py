@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Kinds of lubrication: the share of rolling resistance that a short inlet leaves, oil around the
-balls, and the asperity share of `full`, against quadrature and scipy."""
+"""Kinds of lubrication: the share of rolling resistance that remains with a short inlet, oil around
+the balls, and the asperity share of `full`, against quadrature and scipy."""
 
 import numpy as np
 import pytest

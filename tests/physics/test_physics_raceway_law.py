@@ -43,7 +43,7 @@ def test_table_against_the_exact_constants(physics, side, ellipse, film):
         1.0,
     ]:
         found, exact = ring.table(cosine), ring.exact(cosine)
-        compare(found, exact, rel=1e-9, ln_abs=1e-9)  # the header's promise
+        compare(found, exact, rel=1e-9, ln_abs=1e-9)  # the bound stated in the header
         for which in ("min", "central"):
             h = [
                 c[which + "_lnA"] + c[which + "_p"] * np.log(1e-3) + c[which + "_m"] * np.log(5e3)

@@ -15,7 +15,7 @@ def seat(physics, gap=0.0, sign=1.0, tube=TUBE):
 
 
 def clearance(rail, radius, height):
-    """From the ball's surface to the tube's, m; the ball's centre is at (radius, height)."""
+    """Distance of the surfaces of ball and tube, m; the ball's centre is at (radius, height)."""
     return np.hypot(radius - rail.circle, height - rail.offset) - BALL - rail.tube
 
 

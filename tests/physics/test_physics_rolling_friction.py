@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Slip, spin, rolling resistance, mixed friction and drag: against integrals over the contact, 40
-digits, and published numbers."""
+"""Slip, spin, rolling resistance, mixed friction and drag: against integrals over the contact,
+40-digit arithmetic, and published numbers."""
 
 import numpy as np
 import pytest
@@ -171,7 +171,7 @@ def test_spring_in_series(physics, step):
     force, _ = sliding.in_series(15.0, distance, secant, found.kt, step)
     assert found.friction_t == pytest.approx(force, rel=1e-11)
     assert list(found.states) == [found.friction_t, found.friction_w]
-    # the couple belongs to the slip that the spring leaves, which has this force
+    # the couple is that of the slip remaining beside the spring, which has this force
     edge = sliding.edge_slip(*arguments[2:])
     slip = brentq(
         lambda slip: sliding.heathcote(slip, *arguments).force - force, 0, edge, xtol=1e-16
@@ -196,8 +196,8 @@ def test_spring_sticks_at_rest(physics):
 
 
 def test_force_falls_with_the_load(physics):
-    """A spring with more than mu Q after the ball has unloaded is cut to mu Q; the force vanishes
-    with the load."""
+    """If the ball unloads, a spring force above mu Q is limited to mu Q; the force vanishes with
+    the load."""
     for overlap in (18e-6, 1e-6, 1e-8, 1e-12):
         found = of(physics, "slip_of", turning(overlap=overlap, dt=1e-7), [120.0, -50.0])
         assert np.hypot(found.friction_t, found.friction_w) <= FRICTION * found.load * (1 + 1e-14)
@@ -252,7 +252,7 @@ def test_film_coefficient(oil):
 
 
 def test_inverse_sinh_has_no_seam():
-    """A film with such low stress that the coefficient is asinh alone, across x = 1e-3 and 1."""
+    """A film with so low a stress that the coefficient is asinh alone, across x = 1e-3 and 1."""
     for x in (1e-6, 0.999e-3, 1.001e-3, 0.5, 30.0):
         found = traction.coefficient(1.0, 1e-30, 1e9, x, 1.0, 1.0)
         assert found == pytest.approx(1.5e-9 * np.arcsinh(x), rel=1e-12)
@@ -393,7 +393,7 @@ def test_drag_of_a_ball(physics):
         assert found.drag_power == pytest.approx(found.drag * speed, rel=1e-12)
     assert of(physics, "all_of", REST | dict(side=OUTER)).drag == 0
     assert of(physics, "all_of", contact | dict(side=INNER)).drag == 0
-    # 0.3 N a ball of a 6208 at 9549 rpm with a tenth of oil
+    # 0.3 N per ball of a 6208 at 9549 rpm with an oil share of 0.1
     found = of(physics, "all_of", REST | dict(side=OUTER, roll_w=-12.0 / BALL))
     assert found.drag == pytest.approx(0.3, rel=0.25)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""settling_rest.h: rest of a decay, from the means of ball passes."""
+"""settling_rest.h: remainder of a decay, from means over ball passes."""
 
 import numpy as np
 import pytest
@@ -8,7 +8,7 @@ S = 1e-2  # of `settled`
 
 
 def rest(physics, passes, **series):
-    """Rests after ball passes with these means, 1 or a pitch of 0 for the others."""
+    """Remainders after ball passes with these means; other series are 1, and the pitch is 0."""
     given = dict(
         torque=np.ones(passes),
         load=np.ones((passes, 2)),
@@ -30,8 +30,8 @@ def decay(passes, ratio, start=0.2):
 @pytest.mark.parametrize("ratio", [0.2, 0.5, 0.9, 0.97])
 @pytest.mark.parametrize("passes", [3, 4, 7, 12, 19])
 def test_a_decay_has_its_rest(physics, ratio, passes):
-    """At least what is left, and no more than was left a span before or than has changed in a
-    ball pass, in the mean of three spans."""
+    """The estimate is at least the true remainder, and at most the remainder one span before or the
+    change in a ball pass, averaged over three spans."""
     means = decay(passes, ratio)
     found, left = of_torque(physics, means) * means[-1], means[-1] - 1
     span = max(1, passes // 4)
@@ -57,7 +57,8 @@ def test_each_figure_has_its_own(physics):
 
 
 def test_a_drift_that_does_not_decay(physics):
-    """Its rest is that of the slowest mode that can be told, and grows no further."""
+    """The remainder is that of the slowest mode that can be distinguished, and does not grow
+    further."""
     steady = of_torque(physics, 1 + 1e-3 * np.arange(4))
     assert steady == pytest.approx(0.049, rel=1e-2)
     assert of_torque(physics, 1 + 1e-3 * np.cumsum(1.2 ** np.arange(4))) > 0.049
@@ -71,9 +72,9 @@ def test_a_small_change_in_the_middle_of_a_decay(physics):
 
 
 def test_noise_ends_as_early_as_the_change_of_a_pass(physics):
-    """Without a drift the rest is the change of one ball pass by the longest span, but for chance:
-    the median number of ball passes is that of the change alone, with a noise of a third, one, or
-    three of the limit."""
+    """Without a drift the remainder is the change in one ball pass over the longest span, apart
+    from chance: the median number of ball passes is that for the change alone, with a noise of a
+    third, one, or three of the limit."""
     draw = np.random.default_rng(3)
     for noise in (S / 3, S, 3 * S):
         ends, changes = [], []
@@ -93,8 +94,8 @@ def test_noise_ends_as_early_as_the_change_of_a_pass(physics):
 
 
 def test_a_slow_mode_shows_in_noise(physics):
-    """1 % of change a ball pass and a time of 50 ball passes, in a noise of 0.1 %: the change alone
-    would end at once, with 40 % left."""
+    """A change of 1 % per ball pass with a time constant of 50 ball passes, in a noise of 0.1 %:
+    the criterion of the change alone would end at once, with 40 % left."""
     draw = np.random.default_rng(4)
     left = []
     for _ in range(100):
@@ -110,7 +111,7 @@ def test_one_pass_has_no_rest(physics):
 
 
 def test_pocket_forces_fall(physics):
-    """Their fall over a span, not their rise."""
+    """The fall of pocket forces over a span counts, not their rise."""
     force = np.array([100.0, 100.0, 40.0, 20.0])
     assert rest(physics, 4, pocket_force=force).pocket_fall == pytest.approx(0.5)
     assert rest(physics, 4, pocket_force=force[::-1].copy()).pocket_fall == 0.0

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Slip and spin in slices of the ellipse: against fine Gauss points over it (references/spin),
-the closed forms at their limits, and what the states of the part do in a time step."""
+"""Slip and spin in slices of the ellipse: against fine Gauss points over it (references/spin) and
+the closed forms at their limits; and the states of the part over a time step."""
 
 import itertools
 
@@ -117,7 +117,7 @@ def test_free_rolling_with_spin(physics, part):
 
 
 def test_a_spring_for_short_times(physics):
-    """A rolling contact that begins to slide follows k_t first; in the end it slips."""
+    """A rolling contact that begins to slide first follows k_t and then slips."""
     contact = turning(spin_n=5.0)
     free = of(physics, "slices_of", contact, np.zeros(4))
     r_d = sliding.deformed_radius(6.552e-3, 6.3e-3)

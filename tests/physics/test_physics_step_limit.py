@@ -31,8 +31,8 @@ def verlet(k, c, m, step, steps):
 )
 def test_the_limit_divides_growth_from_decay(physics, k, c):
     limit = physics.call("largest_step", k=k, c=c, m=BALL_MASS)
-    # one per cent off the limit, the multiplier deviates from one by about as much (by its root for
-    # a spring alone)
+    # one per cent from the limit, the multiplier deviates from one by about as much (by the square
+    # root for a spring alone)
     assert verlet(k, c, BALL_MASS, 0.99 * limit, 4000) < 100
     assert verlet(k, c, BALL_MASS, 1.01 * limit, 4000) > 1e6
 

@@ -435,9 +435,9 @@ def test_four_side_by_side_are_one_by_one(physics, side, changes):
     assert np.isfinite(values).all() and (values[2:] > 0).all()
 
 
-# ---- two grooves a ring
+# ---- two grooves per ring
 def arch(physics, side, free, bottom):
-    """One groove of a 6208's ring with two: a ball in the middle makes contact at the angle `free`
+    """One of two grooves of a 6208's ring: a centred ball makes contact at the angle `free`
     (rad), as far out as in a single groove of the radius `bottom` (m)."""
     gap, way = 6.552e-3 - BALL, -1 if side == INNER else 1
     radius = bottom + way * gap * (1 - np.cos(free))
@@ -445,7 +445,7 @@ def arch(physics, side, free, bottom):
 
 
 def rigid_flank(side, free, bottom, play, shoulder):
-    """I (m) between a rigid ball in the middle and one flank of an arch, from the edge between the
+    """I (m) between a rigid centred ball and one flank of an arch, from the edge between the
     grooves to the shoulder of that radius (m). Planes through the bearing's axis, and a parabola
     along rolling in each direction from the ball's centre."""
     groove, gap = 6.552e-3, 6.552e-3 - BALL

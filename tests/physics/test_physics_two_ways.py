@@ -3,8 +3,8 @@
 digits of mpmath.
 
 1e-12 relative: a film is the exponential of a sum of terms of at most 50, each rounded to 2e-16 of
-itself, so accurate to about 1e-14; ellipse and pressure carry the rounding of an iteration, a few
-1e-15. The table's own rounding enters all three.
+itself, so it is accurate to about 1e-14; ellipse and pressure carry the rounding of an iteration, a
+few 1e-15. The table's own rounding enters all three.
 """
 
 import itertools

@@ -15,13 +15,13 @@ def bearing():
 
 @pytest.fixture(scope="session")
 def lubricated():
-    """A run with oil as data."""
+    """A lubricated run as data."""
     return synthetic.run(clearance=1e-5)
 
 
 @pytest.fixture(scope="session")
 def dry():
-    """A run without, as data."""
+    """A dry run as data."""
     return synthetic.run(oil=None, passes=1)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs ngspice, the shared library of Debian's libngspice0, in a process of its own."""
+"""Runs ngspice, the shared library of Debian's libngspice0, in a separate process."""
 
 import ctypes
 import subprocess
@@ -57,7 +57,7 @@ def main(circuit, found, *names):
 
     @EXIT
     def leave(status, *_):
-        print(f"ngspice wants to exit with {status}")
+        print(f"ngspice requests exit with {status}")
         return 0
 
     assert spice.ngSpice_Init(say, None, leave, None, None, None, None) == 0

@@ -44,8 +44,8 @@ def run(
     samples_per_pass=24,
     bearing=DEEP_GROOVE,
 ):
-    """The run as plain data: `settings`, `contacts` and `balls` (one frame a sample), `rings` (one
-    row a sample)."""
+    """The run as plain data: `settings`, `contacts` and `balls` (one frame per sample), `rings`
+    (one row per sample)."""
     spin = rpm * np.pi / 30
     cage = spin * kinematics.frequencies(bearing).cage
     sample_s = 2 * np.pi / bearing.balls / cage / samples_per_pass
@@ -207,7 +207,7 @@ def write(folder, data, end=True):
     with netCDF4.Dataset(folder / "record.nc", "w", format="NETCDF3_64BIT_OFFSET") as file:
         file.setncatts(words | numbers)
         samples = _fill(file, data, end)
-    # the samples at once: netCDF writes each variable of each sample by itself
+    # all samples at once: netCDF would write each variable of each sample separately
     with open(folder / "record.nc", "r+b") as file:
         file.seek(4)
         file.write(len(samples).to_bytes(4, "big"))

@@ -13,7 +13,7 @@ RING, STEEL = 1047.2, 7800.0
 
 
 def drawn(balls=40):
-    """Contacts of balls from well held to sliding in gross, (2, Z)."""
+    """Contacts of balls, from well held to in gross sliding, (2, Z)."""
     draw = np.random.default_rng(3)
     angle = draw.uniform((0.3, 0.1), (0.9, 0.6), (balls, 2)).T
     load = 10 ** draw.uniform(0.7, 3.3, balls) * np.array([[1.0], [1.2]])
@@ -74,12 +74,12 @@ def test_friction_across_follows_the_law_of_slip():
     force = contacts["limit"] * motion.across / np.hypot(motion.across, width)
     assert motion.force == pytest.approx(force, rel=1e-12)
     shares = motion.force.sum(0) / contacts["limit"].sum(0)
-    assert shares.min() < 0.1 and shares.max() > 0.9, "some balls hold, some slide"
+    assert shares.min() < 0.1 and shares.max() > 0.9, "some balls are held, some slide"
     assert np.all(motion.force <= contacts["limit"])
 
 
 def test_light_balls_only_spin():
-    """Without inertia the moments of spin balance and nothing slides across."""
+    """Without inertia the spin moments balance and no contact slides across its groove."""
     contacts = drawn()
     motion = found(density=1e-3, **contacts)
     turn = attitude.rolling(BODY, contacts["angle"], RING)[1][1:]
@@ -90,8 +90,9 @@ def test_light_balls_only_spin():
 
 
 def test_heavy_balls_turn_about_the_axis_of_the_bearing():
-    """A gyroscopic moment that friction cannot hold turns the ball until it needs none: the slide
-    falls with 1/J, and x, for which little slides give a force, with 1/J^2."""
+    """A gyroscopic moment that friction cannot balance turns the ball until the moment vanishes:
+    the sliding speed falls with 1/J, and x, to which slow sliding contributes a force, with
+    1/J^2."""
     contacts = drawn()
     none, turn = attitude.rolling(BODY, contacts["angle"], RING)
     radial = [

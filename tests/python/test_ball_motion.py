@@ -17,7 +17,8 @@ R, PITCH = FOUR.ball_radius, FOUR.pitch_radius
 
 def test_contacts_alike_roll_and_spin():
     """Four equal contacts: the ball rotates about an axis parallel to the bearing's, rolls at all
-    and spins on each at the relative speed of ball and ring times the sine of the angle."""
+    of them and spins at each with the relative speed of ball and ring times the sine of the
+    angle."""
     lines, goal, _ = ball_motion.rates(FOUR, SIDES, ANGLES, RING)
     motion = ball_motion.least(lines, goal, np.repeat([1.0, 1e-4], 4), R)
     gamma = R * np.cos(ANGLE) / PITCH
@@ -30,7 +31,7 @@ def test_contacts_alike_roll_and_spin():
 
 
 def test_least_power_of_linear_programming():
-    """min w |A m - g| as a linear programme, for random loads and angles."""
+    """min w |A m - g| as a linear program, for random loads and angles."""
     draw = np.random.default_rng(3)
     for _ in range(20):
         lines, goal, _ = ball_motion.rates(FOUR, SIDES, ANGLES + draw.normal(0, 0.05, 4), RING)
@@ -69,7 +70,7 @@ def test_light_contacts_are_drawn_over_by_the_heavy_ones():
 @pytest.mark.parametrize("law", friction_torque.SPIN_LAWS)
 def test_four_points_lose_little_more_than_their_spin(law):
     """Preload alone: four equal contacts, each of which spins as in `test_contacts_alike`. Combined
-    slip and spin lose less than slip and spin one after the other, but not a fifth less."""
+    slip and spin lose less than slip and spin treated separately, but by less than a fifth."""
     state = static.equilibrium(FOUR, clearance=-20e-6)
     path = catalogue.find("lubricants", "vg46")
     oil, fluid = inputs.oil(path), inputs.fluid(path)

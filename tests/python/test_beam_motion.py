@@ -47,7 +47,7 @@ def test_as_ross(rotor):
 )
 @pytest.mark.parametrize("spin", [0.0, 500.0])
 def test_reduced(rotor, modes, first, second, third, spin):
-    """Reduced matrices have their frequencies from above, closer with every mode."""
+    """Frequencies of reduced matrices converge from above, closer with every mode."""
     whole = rotor[1]
     few = beam_motion.reduced(whole, [0, 8], modes)
     assert few.mass.shape == (10 + modes,) * 2 and len(few.frequencies) == modes
@@ -62,7 +62,7 @@ def test_reduced_keeps_the_rigid_body(rotor):
     z, whole = rotor
     few = beam_motion.reduced(whole, [0, 8], 6)
     exact, found = beam_motion.rigid(z, whole), np.zeros(16)
-    found[[0, 5]] = 1.0  # both ends along x: all of it
+    found[[0, 5]] = 1.0  # both ends along x: the whole mass
     assert few.shapes @ found == pytest.approx(np.tile([1, 0, 0, 0, 0], 9), abs=1e-9)
     assert found @ few.mass @ found == pytest.approx(exact.mass, rel=1e-9)
     assert np.abs(few.stiffness @ found).max() < 1e-9 * few.stiffness.max()
@@ -70,7 +70,7 @@ def test_reduced_keeps_the_rigid_body(rotor):
 
 
 def test_static_deflection_is_exact(rotor):
-    """Loads at kept nodes: the same places, with any number of modes."""
+    """Loads at kept nodes give the same displacements with any number of modes."""
     whole = rotor[1]
     load = np.zeros(45)
     load[20], load[21] = 500.0, -200.0
@@ -92,7 +92,7 @@ def test_cantilever():
 
 
 def test_free_spinning_disc():
-    """A free rigid body nutates with I_a/I_t of its spin."""
+    """A free rigid body nutates at I_a/I_t times its spin."""
     z, pieces = beam.divided([Section(0.1, 0.02)], [])
     whole = beam_motion.matrices(z, pieces, [Disc(0.0, 5.0, 0.3, 0.2)])
     body = beam_motion.rigid(z, whole)
@@ -104,7 +104,7 @@ def test_free_spinning_disc():
 
 
 def test_of_a_file(tmp_path):
-    """Discs in the file; a shaft so stiff that it is a rigid body on its bearings' stiffness."""
+    """Discs in the file; a shaft so stiff that it is a rigid body on its bearing stiffnesses."""
     file = tmp_path / "rotor"
     file.write_text(
         "rpm: 3000\nsteel: {young: 1.0e+12}\nsections: [{length: 0.2, diameter: 0.1}]\n"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearings by name: balls derived from ratings, consistent columns, and one load on
-each."""
+"""The bearings of the catalogue: balls derived from ratings, consistent columns, and each under
+one load."""
 
 import csv
 import math
@@ -22,8 +22,8 @@ DEEP, ANGULAR, FOUR_POINT = (
     for kind in ("deep groove", "angular contact", "four-point contact")
 )
 # Ratio of the maker's C to C by ISO 281 of the balls. JTEKT's three contact angles of one size give
-# the same balls with 1. SKF's 6205 has 1.06 with the balls measured by CWRU. With 1, those of the
-# QJ have the diameters that GMN states for 7207, 7208, 7209 and 7210.
+# the same balls with 1. SKF's 6205 has 1.06 with the balls measured by CWRU. With 1, the balls of
+# the QJ have the diameters that GMN states for 7207, 7208, 7209 and 7210.
 DYNAMIC_FACTOR = {"SKF": 1.05, "SKF QJ": 1.0, "JTEKT": 1.0}
 
 
@@ -217,7 +217,7 @@ def test_6305_of_another_program():
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_bearing_carries_a_load(name):
-    """Under 0.1 C0 radially, and the same axially where the balls have a contact angle, the balls
+    """Under 0.1 C0 radially, and the same axially if the balls have a contact angle, the balls
     carry the load below the pressure of C0."""
     path = BEARINGS / name
     data, rated = inputs.bearing(path), inputs.ratings(path)

@@ -61,7 +61,7 @@ def test_every_source_is_compiled_once_for_a_host(everything):
 
 
 def test_an_edit_of_one_part_makes_few_objects_again(everything):
-    """All hosts together. The compiler lists the headers of each object during the build."""
+    """Counted over all hosts. The compiler lists the headers of each object during the build."""
     again = [
         made
         for made in compiled(everything)

@@ -98,7 +98,7 @@ def test_rigid_gap(bearing, raceway, printed):
 
 
 def test_rigid_gap_of_concentric_circles(bearing):
-    """Where the circles of groove and ball are concentric, the gap is constant across: the
+    """If the circles of groove and ball are concentric, the gap is constant across the groove: the
     closed form is smooth there and agrees with the integral."""
     one = capacitance_error.bearing("3.968 mm", 0.505)
     gap = one.groove_gap(OUTER)
@@ -120,8 +120,8 @@ def test_beside_is_universal():
 
 
 def test_gap_is_hertz_s(bearing):
-    """Limits: zero at the ellipse, the undeformed bodies' gap far away, a line contact's in
-    between."""
+    """Limits: zero at the ellipse, the gap of the undeformed bodies far away, the gap of a line
+    contact in between."""
     r_x, r_y = bearing.effective_radii(INNER)
     one = capacitance_exact.contact(r_x, r_y, bearing.effective_modulus, 900.0)
     turn = np.linspace(0, np.pi / 2, 7)
@@ -176,8 +176,8 @@ def test_at_a_contact_angle(bearing, angle):
 
 
 def test_a_wide_ellipse_beside_its_shoulder():
-    """The groove counts from the ellipse outwards: 3 kN on a tight groove fill 0.93 of it. With the
-    whole groove counted the closed form would be 3 % too high."""
+    """Only the groove outside the ellipse counts: under 3 kN the ellipse fills 0.93 of a tight
+    groove. If the whole groove counted, the closed form would be 3 % too high."""
     load, separation, depth = 3000.0, 2e-6, 0.18 * 7.938e-3
     bearing = capacitance_error.bearing("7.938 mm", 0.505)
     ellipse = hertz.exact(*bearing.effective_radii(INNER))
@@ -223,7 +223,7 @@ def test_depth_of_the_catalogue_s_shoulders(bearing):
 
 
 def test_ellipse_that_fills_the_groove(bearing):
-    """Nothing remains beyond its ends."""
+    """No capacitance remains beyond the ends of the ellipse."""
     assert capacitance_outside.beyond(0.1, 9.0, np.array([0.0, 0.5, 1.0])) == pytest.approx(
         [0, 0, 0], abs=0.03
     )
@@ -236,7 +236,7 @@ def test_permittivity_of_a_film():
     )
     assert film(2.2, 1.5e9, "two_thirds") == pytest.approx(2.593, abs=6e-4)
     assert film(2.2, 1.5e9, "mean") == pytest.approx(2.578, abs=6e-4)
-    r = np.sqrt((np.arange(20000) + 0.5) / 20000)  # rings of one area
+    r = np.sqrt((np.arange(20000) + 0.5) / 20000)  # rings of equal area
     rings = capacitance.permittivity(2.2, 1.5e9 * np.sqrt(1 - r * r)).mean()
     assert film(2.2, 1.5e9, "mean") == pytest.approx(rings, rel=1e-6)
     with pytest.raises(ValueError, match="permittivity_at 'top' is none of maximum, mean"):

@@ -51,8 +51,8 @@ def test_heavy_load(heavy, kind, balls, whole):
 
 @pytest.mark.parametrize(("kind", "whole"), [("flooded", 101), ("cavitated", 77)])
 def test_light_load_at_high_speed(bearing, kind, whole):
-    """Plates alone are wrong by a factor of ten. Unloaded balls have 7 to 13 pF flooded, 5 to 10
-    cavitated."""
+    """Plates alone are wrong by a factor of ten. Unloaded balls have 7 to 13 pF when flooded, 5 to
+    10 pF when cavitated."""
     quiet, found = point(bearing, 400, 6000, 12e-6, Filling(kind, shoulders=SHOULDERS))
     assert quiet == pytest.approx(15.4, abs=0.05)
     assert 1e12 * found.plates == pytest.approx(9.4, abs=0.06)
@@ -77,8 +77,8 @@ def test_fills_are_exact_by_symmetry(heavy):
 
 
 def test_plates_are_the_paper_s(bearing, heavy):
-    """Equal to `lubrication.lubricate` where both raceways are loaded; for h -> 0 the films
-    dominate."""
+    """Plates equal those of `lubrication.lubricate` if both raceways are loaded; for h -> 0 the
+    films dominate."""
     spin = 1500 * np.pi / 30
     state, _ = lubrication.turning(bearing, spin, 3000.0, ball_density=7850.0)
     films = lubrication.lubricate(bearing, state, OIL, spin)

@@ -83,8 +83,8 @@ def test_derivatives(reach):
 
 
 def test_conjugate_moment():
-    """The work of a fixed moment in a small rotation of the axis, M . (e x de), for a step of one
-    tilt."""
+    """The work of a fixed moment in a small rotation of the axis, M . (e x de), for a small change
+    of one tilt."""
     moment, tilt = np.array([3.0, -7.0, 0.0]), PLACE[3:]
     for k in range(2):
         step = 1e-6 * np.eye(2)[k]

@@ -25,7 +25,7 @@ def test_a_thick_film_takes_the_voltage():
 
 
 def test_bearing_voltage_ratio():
-    """C_wr 50 pF, C_rf 1 nF, C_b 200 pF twice."""
+    """C_wr 50 pF, C_rf 1 nF, and two bearings of C_b 200 pF."""
     outer = Motor(Constant(1.0), 50 * PICO, 1000 * PICO, second_factor=1.0)
     data = circuit.run(steady([100 * PICO] * 4, [100 * PICO] * 4), outer).data
     np.testing.assert_allclose(data.bearing_voltage_ratio, 50 / 1450, rtol=1e-14)
@@ -42,7 +42,7 @@ def test_current_into_a_capacitance_that_changes():
     middle = 0.5 * (time[1:] + time[:-1])
     expected = -5.0 * mean * depth * speed * np.sin(speed * middle)
     largest = 5.0 * mean * depth * speed
-    # the mean over a step is sinc(W dt/2) times the value in its middle
+    # the mean over a step is sinc(W dt/2) times the value at its middle
     assert np.abs(data.data.current[1:] - expected).max() < largest * (speed * 2e-5) ** 2 / 20
     assert float(np.abs(data.data.current).max()) == pytest.approx(largest, rel=1e-5)
 
@@ -65,7 +65,7 @@ def test_without_breakdown_it_is_series_and_parallel(outer):
 
 
 def test_both_ways_to_solve_agree():
-    """With negligible leakage the method with stages gives the same points."""
+    """With negligible leakage the staged method gives the same points."""
     plain = circuit.run(turning(), MOTOR, WEAK)
     staged = circuit.run(turning(conductance=1e-30), MOTOR, WEAK)
     assert len(plain.events) > 10 and (plain.events.ball == staged.events.ball).all()
@@ -135,7 +135,7 @@ def exact(given, outer):
 
 
 def test_leak_and_resistance_are_of_second_order():
-    """The error relative to an integrator of scipy falls fourfold at half the step."""
+    """The error relative to an integrator of scipy falls to a quarter at half the step."""
     outer = Source(Sine(10.0, 150.0), 2e7, 20 * PICO)
     coarse = turning(n=41, z=2)
     tau = np.array([4e-3, 7e-3]).reshape(1, 2, 1)
@@ -151,7 +151,7 @@ def test_leak_and_resistance_are_of_second_order():
 
 
 def test_a_metal_contact_shorts_its_film_without_ringing():
-    """R C = 1 ps against steps of 50 us."""
+    """R C is 1 ps, while steps are 50 us."""
     given = steady([50 * PICO] * 2, [80 * PICO] * 2, n=11)
     conductance = np.zeros((11, 2, 2))
     conductance[5:, 1, 0] = 10.0

@@ -37,7 +37,7 @@ def redistribute(capacitance, outer, ball_charge, ring_charge, broken):
 
 
 def test_a_film_that_fails_by_hand():
-    """Two balls at 10 V. The inner film of ball 1 fails alone; its outer one holds."""
+    """Two balls at 10 V. Only the inner film of ball 1 fails; its outer film holds."""
     thickness = np.array([[100e-9, 400e-9], [500e-9, 400e-9]])
     given = steady([20 * PICO, 60 * PICO], [30 * PICO, 60 * PICO], thickness=thickness)
     result = circuit.run(given, Floating(10.0, 10 * PICO), Breakdown(50e6))
@@ -160,7 +160,8 @@ def test_events_have_units_and_places():
 
 
 def test_current_of_a_failure():
-    """The inner film of one ball: its own capacitance is in parallel with that of the rest."""
+    """The inner film of one ball fails: its own capacitance is in parallel with that of the
+    rest."""
     inner, outer, rest, arc = 60 * PICO, 40 * PICO, 25 * PICO, 3.0
     given = steady([inner], [outer], thickness=np.array([[[100e-9], [900e-9]]]))
     events = circuit.run(given, Floating(10.0, rest), Breakdown(35e6, "smooth", arc=arc)).events
@@ -183,8 +184,8 @@ def test_current_of_a_failure():
 
 
 def test_steps_too_long_for_the_voltage_have_a_warning():
-    """A source that charges the bearing within a step: films fail at its voltage, not at their
-    own."""
+    """A source that charges the bearing within a step: films fail at the source voltage, not at
+    their breakdown voltage."""
     given = turning()
     limit = WEAK.limit(given).min()
     slow = Source(Constant(12 * limit), 1e7)

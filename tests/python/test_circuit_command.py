@@ -114,7 +114,7 @@ def test_a_map_without_discharges(folder, tmp_path):
     "words, message",
     [
         (["--motor", "50e-12", "1e-9"], "give the voltage: --constant, --sine"),
-        (["--floating", "5", "--constant", "1"], "--floating takes no voltage"),
+        (["--floating", "5", "--constant", "1"], "--floating excludes a voltage"),
         (["--source", "1", "--sine", "3", "-1"], "--sine: -1 is out of range"),
         (["--source", "0", "--constant", "3", "--strength", "1e7"], "give it a resistance"),
         (["--source", "1", "--sine", "3", "1e5", "--points", "1"], "points = 1 must be at"),

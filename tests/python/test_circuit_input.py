@@ -54,7 +54,7 @@ def test_table_from_a_file(tmp_path):
             lambda: circuit.run(turning(n=11), Source(Sine(1.0, 1e3)), points=1),
             "points = 1 must be at least 8: a sample takes 0.001 s",
         ),
-        (lambda: circuit.run(turning(), Floating(), stray=1e-12), "belong to the films"),
+        (lambda: circuit.run(turning(), Floating(), stray=1e-12), "belong to the given films"),
         (lambda: Sine(1e300, 50.0), "amplitude = 1e\\+300 V must lie from -1e\\+06 to 1e\\+06"),
         (lambda: Sine(1.0, np.inf), "frequency = inf Hz must be positive"),
         (lambda: CommonMode(np.nan, 1e3, 50.0, 1.0), "link = nan V must lie"),

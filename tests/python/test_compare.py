@@ -38,7 +38,7 @@ def run(tmp_path_factory, lubricated, bearing):
 
 
 def write(tmp_path, run, share=0.5):
-    """Its own signal at a lower rate, and the rate."""
+    """The run's own signal at a lower rate, and the rate."""
     rate = share / run.settings["sample_s"]
     values = sensor.decimated(spectrum.signal_of(run, "shift"), run.settings["sample_s"], rate)
     np.savez(tmp_path / "own.npz", shift=values)
@@ -61,7 +61,7 @@ def test_a_run_beside_itself(tmp_path, run):
 
 
 def test_another_speed_has_the_same_orders(tmp_path, run):
-    """The recording, as if taken at twice the speed and rate."""
+    """The recording is treated as if taken at twice the speed and rate."""
     path, rate = write(tmp_path, run)
     rpm = 2 * run.motion.shaft * 30 / np.pi
     fast = recording.Recording(path, run.geometry, rpm=rpm, rate=2 * rate)

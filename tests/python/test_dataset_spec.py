@@ -54,7 +54,7 @@ def test_a_seed_is_what_it_says(tmp_path):
 def test_pits_of_balls_need_one_groove(tmp_path):
     four = {**GOOD, "bearing": "QJ208"}
     assert len(records(read(tmp_path, four))) == 20
-    with pytest.raises(SpecError, match="QJ208 has four points, which its pit does not meet"):
+    with pytest.raises(SpecError, match="QJ208 has four points, which its pit does not touch"):
         records(read(tmp_path, {**four, "flaws": {"ball": {"length": 1e-3}}}))
 
 
@@ -115,8 +115,8 @@ def test_examples_can_be_used(capsys):
         (changed("record", noise=-1), "noise (m/s^2) is -1"),
         (changed("conditions", lod=1), "variable 'lod' cannot be set"),
         (changed("conditions", passes=1), "variable 'passes' cannot be set: set it in `record`"),
-        (changed("conditions", settle=1), "stands in deck and in conditions"),
-        (changed("conditions", load=[5, 5]), "a value is there twice"),
+        (changed("conditions", settle=1), "is in both deck and conditions"),
+        (changed("conditions", load=[5, 5]), "a value is repeated"),
         (changed("conditions", load="5 6"), "load is '5 6', must be one word or number"),
         (changed("conditions", rpm="fast"), "rpm is 'fast', must be a number"),
         (changed("deck", integrator="verlet"), "variable 'integrator' cannot be set"),
@@ -132,4 +132,4 @@ def test_commands_without_a_folder(capsys):
     with pytest.raises(SystemExit):
         main(["dataset", str(ROOT / "inputs/datasets/small.yaml"), "--deck",
               str(ROOT / "inputs/in.6208")])  # fmt: skip
-    assert "--out: say where" in capsys.readouterr().err
+    assert "--out: give a folder" in capsys.readouterr().err

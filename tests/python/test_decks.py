@@ -36,7 +36,7 @@ def test_a_file_of_the_user_stays(tmp_path, capsys):
     mine.parent.mkdir(parents=True)
     mine.write_text("mine\n")
     assert main(["decks", "in.6208", "--to", str(tmp_path)]) == 1
-    assert f"{mine} is there with another text" in capsys.readouterr().err
+    assert f"{mine} exists with different text" in capsys.readouterr().err
     assert mine.read_text() == "mine\n" and not (tmp_path / "in.6208").exists()
 
 

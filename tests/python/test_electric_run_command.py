@@ -100,7 +100,7 @@ def test_pictures(folder, capsys, tmp_path, kind):
         (["--measured-impedance", "1", "-90"], 2, "--measured-impedance: a run has its own"),
         (["--kind", "parts"], 2, "--kind and --out: give both"),
         (["--c-wr", "1e-12"], 2, "--c-wr and --c-rf: give both"),
-        (["--kind", "reading", "--out", "x.png"], 2, "is of an operating point, without a run"),
+        (["--kind", "reading", "--out", "x.png"], 2, "applies to an operating point, not to a run"),
         (["--kind", "field", "--out", "x.png"], 2, "give --voltage"),
         (["--kind", "bode", "--out", "x.png"], 2, "give --resistivity"),
         (["--bearing", "6208"], 1, "6208"),

@@ -18,7 +18,7 @@ TIME = np.arange(2 * int(RATE)) / RATE
 
 
 def blows(hertz, carrier=None, depth=0.0, loud=1.0):
-    """Decaying 7 kHz bursts, `hertz` times a second, with amplitudes modulated at `carrier` Hz;
+    """Decaying 7 kHz bursts, `hertz` per second, with amplitudes modulated at `carrier` Hz;
     (N,)."""
     total = np.zeros(len(TIME))
     for when in np.arange(0.3 / hertz, TIME[-1], 1 / hertz):
@@ -33,7 +33,7 @@ def blows(hertz, carrier=None, depth=0.0, loud=1.0):
 
 @pytest.fixture(scope="module")
 def noisy():
-    """Impacts at 107.3 Hz with a hum ten times as loud and noise half as loud."""
+    """Impacts at 107.3 Hz with hum of ten times and noise of half their amplitude."""
     noise = np.random.default_rng(3).normal(0, 0.5, len(TIME))
     return blows(107.3) + 10 * np.sin(2 * np.pi * 50 * TIME) + noise
 
@@ -56,7 +56,7 @@ def test_rate_of_the_blows(noisy):
 
 
 def test_sidebands_of_what_modulates():
-    """1 + d cos: sidebands of d/2 of the line between them."""
+    """1 + d cos: sidebands of d/2 times the line between them."""
     signal = blows(160.0, carrier=25.0, depth=0.6)
     one = spectrum.spectrum(envelope.of_values(signal, 1 / RATE, 5e3, 9e3), 1 / RATE)
     middle, below, above = (spectrum.find(one, hertz) for hertz in (160.0, 135.0, 185.0))
@@ -81,14 +81,14 @@ def test_mistakes():
 
 @pytest.fixture(scope="module")
 def struck(tmp_path_factory, lubricated, bearing):
-    """A run whose ring vibrates at a third of the sampling rate, once a passage over the inner
-    raceway, with an amplitude that follows the shaft's angle."""
+    """A run whose ring vibrates at a third of the sampling rate, excited once per passage over the
+    inner raceway, with an amplitude that follows the shaft angle."""
     settings = dict(lubricated["settings"], passes=60, samples_per_pass=96)
     step, shaft = settings["sample_s"] / 4, 477.5 / 60
     settings["sample_s"] = step
     order = kinematics.frequencies(bearing).inner
     time = np.arange(1, 60 * 96 + 1) * step
-    phase = (time * shaft * order) % 1 / (shaft * order)  # s since the last blow
+    phase = (time * shaft * order) % 1 / (shaft * order)  # s since the last impact
     loud = 1 + 0.5 * np.cos(2 * np.pi * shaft * time)
     ring = 1e-7 * loud * np.exp(-phase / (8 * step)) * np.sin(2 * np.pi * phase / (3 * step))
     rows = [
@@ -123,4 +123,4 @@ def test_command(struck, capsys, tmp_path):
     assert "BPFI-shaft" in {line["name"] for line in json.loads(capsys.readouterr().out)}
     with pytest.raises(SystemExit):
         main(["spectrum", str(struck), "--band", "10", "20"])
-    assert "--band: of an envelope" in capsys.readouterr().err
+    assert "--band applies to an envelope" in capsys.readouterr().err

@@ -21,7 +21,7 @@ def equilibrium(bearing, moment=(0.0, 0.0)):
 
 
 def test_balls_run_ahead_by_the_integral_of_their_speeds():
-    """The time a ball takes around the bearing, by its speed with a spline through the balls."""
+    """The time a ball takes around the bearing, from its speed by a spline through the balls."""
     body, state = equilibrium("7208B", (20.0, 0.0))
     found = excursion.excursion(body, state, SPEED)
     gamma = body.ball_radius / body.pitch_radius
@@ -58,7 +58,7 @@ def test_a_turned_moment_turns_the_excursion():
 
 
 def test_balls_that_are_held_back_press_with_their_traction():
-    """At most Coulomb's on both raceways, and less where the play takes nearly all of it."""
+    """At most Coulomb's friction on both raceways, and less if the play nearly suffices."""
     body, state = equilibrium("7208B", (20.0, 0.0))
     load = state.inner.load + state.outer.load
     held = [

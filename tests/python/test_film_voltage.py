@@ -35,7 +35,7 @@ def test_field_and_threshold():
 
 
 def test_open_films():
-    """An open film takes all of the voltage; of two open ones none takes any."""
+    """An open film takes all of the voltage; if both are open, neither takes any."""
     inner, outer = np.array([1e-10, 0.0, 0.0]), np.array([0.0, 1e-10, 0.0])
     assert film_voltage.shares(inner, outer).outer.tolist() == [1, 0, 0]
     found = film_voltage.ring_voltages((3.0, 4.0), inner, outer)

@@ -54,11 +54,11 @@ def harris(
     orbital_speed=0.0,
 ):
     """(position (5,), Q_i and Q_o (grooves, Z), angles likewise) of Harris's simultaneous equations
-    (ch. 7 and 9, no gyroscopic moment), by scipy; a term for each groove.
+    (ch. 7 and 9, no gyroscopic moment), by scipy; one term per groove.
 
     The unknowns are the ring's position and each ball's X_1, X_2, the axial and radial distances of
-    its centre from that of an outer groove in the middle of its row. Lengths are in units of 0.1 mm
-    and forces in units of 1 kN, so that `root` works with numbers near one.
+    its centre from the centre of an outer groove in the middle of its row. Lengths are in units of
+    0.1 mm and forces in units of 1 kN, so that `root` works with numbers near one.
     """
     layout, count = bearing.layout, bearing.balls
     psi = np.tile(phase + 2 * np.pi * np.arange(count) / count, len(layout.rows))
@@ -112,8 +112,8 @@ def harris(
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("name", LOADS)
 def test_against_harris_equations(bearing, name, kind):
-    """They hold at our position. With one groove scipy's `root`, started a micrometre and 0.1 mrad
-    away, converges to it."""
+    """The equations hold at our position. With one groove scipy's `root`, started a micrometre and
+    0.1 mrad away, converges to it."""
     bearing, case = KINDS[kind](bearing), LOADS[name]
     if kind != "one groove":  # balls with play between four grooves have no definite position
         case = case | {"orbital_speed": 900.0}
@@ -243,8 +243,9 @@ def test_gradient_and_hessian(bearing, finite_shift, kind):
 
 
 def test_stiffness_is_load_per_displacement(bearing):
-    """One additional newton, or newton metre, along each freedom moves the ring by the inverse of
-    `stiffness`, apart from the change of contact stiffness with the angle, which it neglects."""
+    """One additional newton, or newton metre, along each degree of freedom moves the ring by the
+    inverse of `stiffness`, apart from the change of contact stiffness with the angle, which it
+    neglects."""
     base = dict(radial_load=2000.0, axial_load=1000.0, moment=(10.0, -4.0), clearance=10e-6)
     state = static.equilibrium(bearing, **base)
     compliance = np.linalg.inv(state.stiffness)
@@ -325,8 +326,8 @@ def test_held_straight_is_the_default_and_needs_a_moment(bearing):
 
 
 def test_pure_rolling_speed(bearing):
-    """`turning` and an equilibrium by hand: the orbit of the mean angle, the angles of that
-    orbit."""
+    """`turning` against an equilibrium by hand: the orbit speed at the mean angle, and the angles
+    at that orbit speed."""
     from raceway.theory.lubrication import orbit, turning
 
     state, speed = turning(bearing, 1000.0, 0.0, 2000.0, clearance=30e-6)
@@ -400,8 +401,8 @@ def test_wrong_hold(bearing, held, said):
     ],
 )
 def test_light_loads(bearing, case):
-    """Under 1 N the last digits of distances correspond to 1e-10 N: that ends the search, not the
-    tolerance of the force."""
+    """Under 1 N the last digits of distances correspond to 1e-10 N: this ends the search, rather
+    than the tolerance of the force."""
     state = static.equilibrium(bearing, **case)
     assert state.residual < 1e-8
     load = np.array(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of four-point contact and double row bearings against those of one groove a ring."""
+"""Figures of four-point contact and double row bearings against those with one groove per ring."""
 
 import json
 from dataclasses import replace
@@ -30,7 +30,7 @@ OIL = inputs.oil(ROOT / "inputs/lubricants/mineral")
 
 
 def body():
-    """One groove a ring of the four-point contact bearing."""
+    """The four-point contact bearing with one groove per ring."""
     return replace(OF_6208.four_point(ANGLE), layout=Layout())
 
 
@@ -63,7 +63,7 @@ def grooves(found, key):
 
 @pytest.mark.parametrize("way", [1, -1])
 def test_thrust_is_that_of_an_angular_contact(way):
-    """It loads one groove of each ring: all figures are those of a bearing with that groove
+    """A thrust loads one groove of each ring: all figures are those of a bearing with that groove
     alone."""
     found = figures(axial=way * 1000.0, rpm=RPM)
     state, films = thrust()
@@ -124,7 +124,7 @@ def test_life_of_a_bearing_that_its_file_rates(stated):
     dynamic = rated.dynamic / 2**0.7  # of one row
     want = life.reference(body(), dynamic, state.inner.load, state.outer.load, ANGLE)
     assert found["life_reference_Mrev"] == pytest.approx(want, rel=1e-6)
-    # two equal grooves: twice the risk
+    # two equal grooves: twice the failure rate
     both = operating_point.figures(stated, held={"rx": 0.0, "ry": 0.0}, load=2000.0)
     load = grooves(both, "q_N")
     one = life.reference(body(), dynamic, load[0, 0], load[1, 0], ANGLE)
@@ -168,7 +168,7 @@ def test_command(capsys, monkeypatch):
     "arguments, said",
     [
         (["--four-point", "80"], "must lie from 5 to 60 degrees"),
-        (["--preload", "5e-6"], "of two rows; give --double-row"),
+        (["--preload", "5e-6"], "apply to two rows; give --double-row"),
         (
             ["--models", "paper", "--spin-law", "slices"],
             "--spin-law: applies to the friction",
@@ -182,7 +182,7 @@ def test_wrong_command_line(capsys, arguments, said):
 
 
 def test_bad_files(stated):
-    with pytest.raises(inputs.InputError, match="four points need a bearing of contact_angle 0"):
+    with pytest.raises(inputs.InputError, match="needs a bearing with contact_angle 0"):
         operating_point.figures("7208", None, ROOT / "inputs", axial=100.0, four_point=ANGLE)
     path = Path(stated)
     with pytest.raises(inputs.InputError, match="a four-point contact bearing; this needs one"):
@@ -193,8 +193,8 @@ def test_bad_files(stated):
 
 
 def test_stiffness_of_two_rows_and_four_points():
-    """Rows far apart share a radial load and a thrust; tilting loads each row opposite to the
-    other. Four points under a thrust act like one groove of each ring, also in a table for rotor
+    """Rows far apart share a radial load and a thrust; tilting loads the rows in opposite
+    directions. Four points under a thrust act like one groove per ring, also in a table for rotor
     programs."""
     apart, oil = 0.2, {"lubricant": "vg46", "phases": 2}
     rows = DoubleRow(apart, 0.0, "back_to_back")
@@ -238,7 +238,7 @@ def test_four_points_on_a_shaft():
 
 
 def test_heat_command(capsys, monkeypatch):
-    """Statics at the steady temperature generates the heat that is carried away, for both rings."""
+    """Losses by statics at the steady temperature equal the cooling power, for both rings."""
     monkeypatch.chdir(ROOT)
     arguments = ["--bearing", "7208", "--double-row", "0.018", "--preload", "5e-6", "--load", "500"]
     cooling = ["--nodes", "1", "1", "1", "--rpm", "1000", "--json"]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Friction torque of the 6208 from statics: the parts against the figures of the theory section by
-section, spin in closed form, limits. Statics with the film in the gap."""
+"""Friction torque of the 6208 by statics: the parts against the figures in the sections of the
+theory, spin in closed form, limits. Statics with the film in the gap."""
 
 from pathlib import Path
 
@@ -70,8 +70,8 @@ def test_coulomb_slip(bearing, none_skids):
 
 
 def test_mixed_slip(table):
-    """Eyring with its limit is 5 to 20 % below Coulomb's 0.05 in full film; asperities raise it at
-    48 rpm. With other laws for their share that figure varies from 75 to 114."""
+    """In full film Eyring's law with its limit is 5 to 20 % below Coulomb's 0.05; asperities raise
+    it at 48 rpm. With other laws for the asperity share that figure varies from 75 to 114."""
     assert table["slip"][1:] == pytest.approx([56, 55, 58], rel=0.04)
     assert table["slip"][0] == pytest.approx(114, rel=0.04)
 

@@ -45,7 +45,7 @@ def test_balance():
     # a power that falls linearly: W (T - 20) = 100 - 0.5 T
     found = heat.balance(lambda t: 100 - 0.5 * t, 2.0)
     assert found == pytest.approx((100 + 40) / 2.5, abs=1e-5)
-    with pytest.raises(ValueError, match="exceeds what 0.1 W/K carries away to 20 C"):
+    with pytest.raises(ValueError, match="exceeds the cooling by 0.1 W/K to 20 C"):
         heat.balance(lambda t: 100.0, 0.1)
 
 
@@ -54,7 +54,7 @@ def test_three_nodes():
     assert (found.inner - 25) + 2 * (found.outer - 25) == pytest.approx(30, rel=1e-12)
     # the heat flow from the balls into the outer ring plus its own half leaves through the housing
     assert 0.7 * (found.balls - found.outer) + 5 == pytest.approx(2 * (found.outer - 25))
-    # perfect contact: a single temperature, that of the one-node model
+    # perfect contact: a single temperature, as in the one-node model
     tight = heat.three_nodes(20.0, 10.0, shaft=1.0, housing=2.0, contact=1e9)
     assert list(tight) == pytest.approx([30.0] * 3, abs=1e-6)
 
@@ -67,7 +67,7 @@ def test_clearance_by_temperature(bearing):
 
 
 def test_flash(bearing):
-    """2 and 8 K at 477.5 and 9549 rpm; the middle of the film 0.3 and 41 K above."""
+    """2 and 8 K at 477.5 and 9549 rpm; the middle of the film is 0.3 and 41 K hotter."""
     r_x, r_y = bearing.effective_radii(INNER)
     modulus, ellipse = bearing.effective_modulus, hertz.exact(r_x, r_y)
     a, b = hertz.semi_axes(ellipse, modulus, 2436.2)

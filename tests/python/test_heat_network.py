@@ -145,7 +145,7 @@ def jump(net, losses, start, **control):
 
 
 def integrated(net, losses, start, times):
-    """The same by scipy, without jumps."""
+    """The same integrated by scipy, without jumps."""
     n, g, _ = matrix(net)
     capacity = np.array(net["capacity"][:n])
 
@@ -159,7 +159,7 @@ def integrated(net, losses, start, times):
 
 
 def fall(t):
-    """A loss like that of an oil: it falls, then grows by mixed friction."""
+    """A loss like that with an oil: it falls with temperature, then grows by mixed friction."""
     return 30 * np.exp(-(t - 20) / 40) + 0.08 * t
 
 

@@ -80,7 +80,7 @@ def test_hamrock_brewe_is_near_and_its_misprint_is_not(bearing):
         exact = hertz.stiffness(hertz.exact(*radii), modulus)
         fit = hertz.stiffness(hertz.hamrock_brewe(*radii), modulus)
         printed = hertz.stiffness(hertz.hamrock_brewe(*radii, printed=True), modulus)
-        assert fit == pytest.approx(exact, rel=0.03)  # the fit's own claim
+        assert fit == pytest.approx(exact, rel=0.03)  # the stated accuracy of the fit
         assert 1.25 < printed / exact < 1.40  # docs/errata: 32 % too stiff
 
 

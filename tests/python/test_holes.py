@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Files that used to be read silently, or ended with a traceback: each is refused or causes a
+"""Files that were once read silently, or caused a traceback: each is refused or causes a
 warning."""
 
 import json
@@ -68,13 +68,13 @@ def test_a_failure_without_a_message(points):
 
 @pytest.mark.parametrize("finished", [True, False])
 def test_a_point_that_was_stopped_in_its_measurement(folder, finished):
-    """Its run.yaml is complete except for the end: such a point counted as finished, and failed for
-    good."""
+    """Its run.yaml is complete except for the end: such a point once counted as finished, and then
+    always failed."""
     (folder / "point.yaml").write_text("load: '5000'\n")
     if not finished:
         spoil(folder, "^step_s: .*\n", "")
     run_point(folder, {"load": "5000"}, ["true", "inputs/in.6208"])
-    assert (folder / "log.txt").exists() != finished  # words of the program that was started
+    assert (folder / "log.txt").exists() != finished  # output of the program that was started
 
 
 @pytest.fixture
@@ -120,7 +120,7 @@ def test_many_unknown_columns_in_one_message(tmp_path):
 
 
 def test_the_page_of_points_with_other_variables(points):
-    """Sweeps in the form that `raceway needs` leaves: a table of each kind, and no cell is nan."""
+    """Sweeps in the form written by `raceway needs`: a table of each kind, and no cell is nan."""
     (points / "d").mkdir()
     (points / "d" / "point.yaml").write_text("models: full\nwithout: gap+drag\n")
     text = page(points).write(points / "page.html").read_text()

@@ -12,7 +12,7 @@ from raceway.cli import _parser, main
 twin = test_compare.run  # a run long enough for an envelope
 
 UNITS = "m m2 kg s h rad deg rpm Hz N Pa F V A J W K C ohm Mrev order"
-# their entries have units of their own (docs/static)
+# their entries have their own units (docs/static)
 MATRIX = "^(stiffness|damping|place)(_|$)"
 # a unit at the end, or several of one compound: _rad_s, _N_m_rad, _kg_m2
 NAMED = re.compile(f"_(per_)?({'|'.join(UNITS.split())})$|^rpm(_|$)|{MATRIX}")

@@ -77,7 +77,7 @@ def test_reference_life_is_that_of_the_rating_under_its_own_load():
     ],
 )
 def test_factor(kappa, dirt, want):
-    """To half a unit in the last of four digits."""
+    """Agreement to half a unit in the last of four digits."""
     assert life.factor(kappa, dirt) == pytest.approx(want, rel=2.7e-4)
 
 
@@ -210,7 +210,7 @@ SWEPT = "point,status,load,share,equivalent_load_N,life_reference_Mrev,dynamic_r
 
 def test_spectrum_of_a_sweep(capsys, tmp_path):
     """P of results.csv is the mean (sum q n P^3/sum q n)^(1/3) of the points' loads; a rating does
-    not change it, and the life is that of the load."""
+    not change it, and the life is the life at that load."""
     path = tmp_path / "results.csv"
     path.write_text(
         SWEPT + "a,finished,2000,7,1990,1,30e3,1500\nb,finished,5000,3,4990,1,30e3,3000\n"
@@ -264,7 +264,7 @@ def test_a_spectrum_that_is_none(capsys, tmp_path, text, said):
 
 
 def test_equivalent_load_of_a_thrust():
-    """P does not depend on the sign of either load and grows with both, except for the step at
+    """P does not depend on the sign of either load and grows with both, except for the jump at
     e."""
     deep = dict(angle=0.0, balls=9, ball_diameter=12.6e-3)
     steep = dict(deep, angle=np.radians(40))

@@ -62,7 +62,7 @@ def test_grades_at_forty(name, cold, density):
 
 
 @pytest.mark.parametrize("name", PHYSICAL)
-def test_grade_limits(name):  # ISO 3448: 10 % around the number at 40 C
+def test_grade_limits(name):  # ISO 3448: within 10 % of the number at 40 C
     number = {"pao8": 46, "grease110": 100}.get(name) or float(name[2:])
     assert inputs.fluid(OILS / name).kinematic == pytest.approx(number, rel=0.1001)
 
@@ -112,7 +112,7 @@ def test_permittivity_follows_the_density():
 def test_outside_its_range():
     with pytest.raises(inputs.InputError, match="temperature = 250.0 C must lie from -40 to 200"):
         inputs.fluid(OILS / "vg46", 250.0)
-    with pytest.raises(inputs.InputError, match="mineral has values for 40 C only and none for 70"):
+    with pytest.raises(inputs.InputError, match="mineral has values for 40 C only, not for 70"):
         inputs.oil(OILS / "mineral", 70.0)
     with pytest.raises(ValueError, match="must fall and stay above 0.3"):
         lubricant.Walther(7.0, 46.0)

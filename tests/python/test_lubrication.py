@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film and capacitance on statics: contact by contact against the formulas, and properties of the
+"""Film and capacitance with statics: each contact against the formulas, and properties of the
 whole."""
 
 import numpy as np
@@ -66,8 +66,8 @@ def test_unloaded_balls_add_nothing(bearing):
 
 
 def test_thrown_ball_touches_the_outer_raceway_only(bearing):
-    """At 1000 rad/s an unloaded ball has an outer film and no capacitance: the series is open at
-    the inner raceway."""
+    """At 1000 rad/s an unloaded ball has an outer film but no capacitance: the series connection is
+    open at the inner raceway."""
     state, _ = turning(bearing, 1000.0, 1000.0, clearance=20e-6)
     films = lubricate(bearing, state, OIL, 1000.0, 20e-6)
     idle = (state.inner.load == 0) & (state.outer.load > 0)

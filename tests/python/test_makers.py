@@ -23,7 +23,7 @@ def test_skf():
 
 
 def test_sums_with_a_bath_to_mid_ball():
-    """Row of section 1: oil to mid-ball, half a ball above the lowest raceway."""
+    """The row of section 1: oil to the middle of the lowest ball, half a ball above the raceway."""
     found = makers.skf(B6208, 5000.0, 0.0, SPEEDS, 46.0, level=6.3)
     assert found.total == pytest.approx([199, 147, 181, 246], abs=0.5)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Memory does not grow with the run for every reader that promises so, on a run and on one nine
+"""Readers that promise so do not need more memory for longer runs: each on a run and on one nine
 times as long.
 
 tests/bench/large_runs.py does the same with 2 GB.
@@ -33,7 +33,7 @@ part.contacts, part.balls, part.cage, part.rings
 u = run.universe()
 [u.trajectory[i] for i in range(0, len(u.trajectory), 50)]
 """
-WHOLE = "raceway.open(folder).contacts.load()"  # not one of them
+WHOLE = "raceway.open(folder).contacts.load()"  # this one does grow
 
 
 @pytest.fixture(scope="module")
@@ -75,17 +75,16 @@ def peak(folder, task):
 
 
 def growth(folders, task):
-    """MB that the long run needs in addition to the short one, divided by the MB of additional
-    record."""
+    """Additional MB that the long run needs, divided by the additional MB of its record."""
     sizes = [(folders[times] / "record.nc").stat().st_size / 2**20 for times in (SHORT, LONG)]
     return (peak(folders[LONG], task) - peak(folders[SHORT], task)) / (sizes[1] - sizes[0])
 
 
 def test_bounded(folders):
-    """One row a sample of totals, ring and spectrum stays in memory: up to 1 KB of 4.6 KB."""
+    """One row per sample of totals, ring and spectrum stays in memory: up to 1 KB of 4.6 KB."""
     assert growth(folders, TASKS) < 0.3
 
 
 def test_whole_run_is_not(folders):
-    """The measure can tell."""
+    """The measurement detects growth."""
     assert growth(folders, WHOLE) > 0.5

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The range of a figure where the uncertainty of the model is known."""
+"""The range of a figure if the uncertainty of the model is known."""
 
 import pytest
 from raceway import asperity, film, film_factors, hertz
@@ -64,7 +64,7 @@ def test_laws_of_asperities_and_torque(folder):
     laws = [asperity.olver_spikes(1.41), asperity.clarke(1.41), asperity.zhou_hoeprich(1.41)]
     assert found["asperity_share"][:2] == pytest.approx((min(laws), max(laws)), rel=1e-12)
     assert found["friction_torque_N_m"][:2] == (0.08, 0.12)
-    figures["models"] = "paper"  # whose torque has no rolling resistance
+    figures["models"] = "paper"  # its torque has no rolling resistance
     assert "friction_torque_N_m" not in model_ranges(tables, figures)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Options of an operating point take one value or several, in every command alike."""
+"""Options of an operating point take one or several values, in every command."""
 
 import itertools
 import json

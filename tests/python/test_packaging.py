@@ -32,7 +32,7 @@ def test_what_is_installed_already_stays(needed):
 
 
 def test_lock_has_everything():
-    """Also packages for tests, docs and bench; exact versions agree in both places."""
+    """The lock also has packages for tests, docs and bench; exact versions agree in both places."""
     asked = [need for extra in PROJECT["optional-dependencies"].values() for need in extra]
     for need in asked:
         name, bound, version = re.fullmatch(

@@ -59,8 +59,8 @@ def test_judge():
 
 
 def test_judged_with_all_of_the_capacitance():
-    """Own rules where the statement has them, otherwise the same rules with other numbers;
-    unchanged without any."""
+    """Statements with rules for the total capacitance use those, others the same rules with other
+    numbers; without any the verdict is unchanged."""
     corrected = {"a": Quantity(1.0, "F", "plates"), "b": Quantity(5.0, "", "number")}
     whole = {"a": Quantity(3.0, "F", "all"), "c": Quantity(2.0, "F", "around")}
     same = Statement("1", "...", "", ("a < 2",), ("a",), "")

@@ -19,8 +19,8 @@ from raceway.theory.bearing import INNER, OUTER
 
 
 def test_polar_theory_is_the_static_solution(folder, lubricated, bearing):
-    """The run consists of static solutions, so the dots lie on the curves. The balls' centrifugal
-    load, which the run lacks, is 0.1 N."""
+    """The run consists of static solutions, so the dots lie on the curves. The centrifugal load of
+    the balls, which is missing from the run, is 0.1 N."""
     dots = polar.theory(RunTables(folder))
     for side in (INNER, OUTER):
         loads = static.equilibrium(bearing, 5000.0, clearance=1e-5, phase=dots[side]["psi"][0])
@@ -84,7 +84,7 @@ def test_bands_of_the_waterfall(folder, lubricated):
     samples, psi, each = waterfall.bands(run)
     assert samples.tolist() == list(range(49)) and psi.shape == each.shape == (49, 9)
     assert np.nansum(each, axis=1) == pytest.approx(run.bearing_capacitance)
-    assert np.diff(psi, axis=0) == pytest.approx(2 * np.pi / 9 / 24)  # a pitch a pass of 24 samples
+    assert np.diff(psi, axis=0) == pytest.approx(2 * np.pi / 9 / 24)  # a pitch per 24 samples
     row = next(row for row in lubricated["balls"][7] if row[0] == 4)
     assert np.cos(psi[7, 3] - (np.arctan2(row[3], row[2]) + np.pi / 2)) == pytest.approx(1)
 
@@ -182,8 +182,7 @@ def test_gif(folder, tmp_path, capsys):
 
 
 def test_balls_of_a_gif_are_where_they_are(folder, tmp_path):
-    """In every frame the yellow of the most loaded ball is at the position of that ball in the
-    sample."""
+    """In every frame the most loaded ball, which is yellow, is at its position in the sample."""
     run, rgb = RunTables(folder), np.rint(255 * np.array(plt.get_cmap("cividis")(1.0)[:3]))
     sheet = still.Sheet(run, scene(run, np.array([0, 12])), "load")
     for k, sample in enumerate((0, 12)):
@@ -235,7 +234,7 @@ def test_without_ffmpeg(folder, tmp_path, monkeypatch):
     with pytest.raises(
         RunError,
         match=(
-            "needs the program ffmpeg, which is not there: apt-get install ffmpeg, or name a .gif"
+            "needs the program ffmpeg, which is missing: apt-get install ffmpeg, or name a .gif"
         ),
     ):
         animation.animation(RunTables(folder), tmp_path / "a.mp4")

@@ -18,7 +18,7 @@ def points(tmp_path, text):
 
 def test_deck_variables():
     assert VARIABLES["load"] == "5000" and VARIABLES["lubricant"] == "mineral"
-    assert VARIABLES["ramp"] == "3.0e-3" and VARIABLES["tolerance"] == "0"  # of the modules
+    assert VARIABLES["ramp"] == "3.0e-3" and VARIABLES["tolerance"] == "0"  # command defaults
 
 
 def test_points(tmp_path):
@@ -32,7 +32,7 @@ def test_points(tmp_path):
 
 
 def test_words_of_another_meaning(tmp_path):
-    """A variable with a word for its default, and a bearing whose name ends like a unit."""
+    """A variable whose default is a word, and a bearing whose name ends like a unit."""
     path = tmp_path / "table.csv"
     path.write_text("bearing,load,rpm\n6205N,5kN,1500\n")
     known = {"bearing": "6208", "load": "left", "rpm": "1"}
@@ -52,7 +52,7 @@ def test_long_names():
 
 
 def test_names_of_paths():
-    """Two files of one name in different folders."""
+    """Two files with the same name in different folders."""
     names = {folder_name({"bearing": path, "load": "1"}) for path in ("a/own", "b/own", "own")}
     assert len(names) == 3 and not any("/" in name for name in names)
 
@@ -70,7 +70,7 @@ def test_mark_of_spreadsheets(tmp_path):
         ("load,share\n1,0\n", "line 2: share is '0', must be a number above 0"),
         ("load,share\n1,half\n", "line 2: share is 'half', must be a number above 0"),
         ("load,rpn\n1,2\n", "is not a variable of the deck; did you mean rpm?; there is: load,"),
-        ("load,load\n1,2\n", "column 'load' is there 2 times"),
+        ("load,load\n1,2\n", "column 'load' occurs 2 times"),
         ("load,out\n1,x\n", "column 'out' cannot be swept"),
         ("load,\n1,2\n", "column '' is not a variable"),
         ("load,rpm\n1,\n", "line 2: rpm is empty"),

@@ -118,7 +118,7 @@ def test_name(name):
 
 
 def test_a_name_has_one_home():
-    """No module of one folder hides one of another, and no class hides a module."""
+    """No module hides a module of another folder, and no class hides a module."""
     homes = [found.name for room in ("", *raceway.ROOMS) for found in modules(room)]
     assert len(homes) == len(set(homes))
     assert set(raceway.NAMES) == {*homes, *raceway.CLASSES} - {"__main__"}

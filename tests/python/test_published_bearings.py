@@ -13,8 +13,8 @@ BEARINGS = Path(__file__).resolve().parents[2] / "inputs/bearings"
 
 
 def test_harris_209():
-    """Harris & Kotzalas 2006, worked examples of the 209 under 8.9 kN with P_d = 15 um. Two ways
-    there give 4527 and 4536 N for the ball on the load line; the others are printed to a newton."""
+    """Harris & Kotzalas 2006, worked examples of the 209 under 8.9 kN with P_d = 15 um. Two methods
+    there give 4527 and 4536 N for the ball on the load line; other loads are printed to 1 N."""
     bearing = inputs.bearing(BEARINGS / "harris209")
     state = static.equilibrium(bearing, 8900.0, clearance=15e-6)
     assert 4526.5 < state.inner.load[0] < 4536.5

@@ -35,7 +35,7 @@ def write(tmp_path, text=GOOD):
         ("vg68", "vg68\nmodels: fuller", "models 'fuller' is none of paper, full, eyring"),
         ("load: 10", "load: ten", "known: load: 'ten' is not a number"),
         ("load: 10", "load: -1", "known: load: -1 must lie between 0 and 1e.06"),
-        ("load: 10", "clearance: 1e-6", "clearance is known and unknown"),
+        ("load: 10", "clearance: 1e-6", "clearance is under both known and unknown"),
         (", temperature: 40", "", "reading 1: the temperature of the oil is missing"),
         ("0 15e-6", "15e-6 0", "1.5e-05 must be below 0"),
         ("0 15e-6", "15e-6", "needs a range of two numbers"),
@@ -70,7 +70,7 @@ def test_an_angle_gives_its_line(name):
 
 
 def test_a_line_of_a_recording(tmp_path):
-    """Order and uncertainty of a line come from the signal, and so does the speed."""
+    """Order and uncertainty of a line, and the speed, come from the signal."""
     rate, shaft, order = 24000.0, 29.93, 3.5972
     time = np.arange(int(4 * rate)) / rate
     since = (order * shaft * time) % 1 / (order * shaft)
@@ -122,8 +122,9 @@ def test_unknowns_of_a_table_of_lines(tmp_path):
 
 
 def test_lines_of_hidden_clearance_and_thrust(tmp_path, capsys, monkeypatch):
-    """From statics, without errors: one line leaves a ridge through the truth, a ball's spin and a
-    second load determine the angle; the intervals hold clearance, thrust, angle and no slip."""
+    """Lines from statics, without errors: one line determines only a curve through the true state,
+    a ball's spin and a second load determine the angle; the intervals include the true clearance,
+    thrust and angle, and zero slip."""
     monkeypatch.setattr(identify, "TRIED", 2)
     monkeypatch.setattr(identify, "VALLEY", 4)
     true = {"clearance": 8e-6, "axial": 90.0}
@@ -165,7 +166,7 @@ def test_lines_of_hidden_clearance_and_thrust(tmp_path, capsys, monkeypatch):
 
 
 def test_command(tmp_path, capsys):
-    """Settings of a deck; a reading that no clearance explains is reported."""
+    """Prints the settings of a deck; a reading that no clearance explains is reported."""
     path = str(write(tmp_path))
     assert main(["identify", path]) == 0
     said = capsys.readouterr().out
@@ -177,7 +178,7 @@ def test_command(tmp_path, capsys):
 
 
 def test_angle_beside_a_temperature_that_was_read_first(tmp_path, capsys):
-    """The contact angle is that of the line, whatever the order of the readings."""
+    """The contact angle follows from the line, whatever the order of the readings."""
     line = "  - {rpm: 1797, BPFO: 3.5972, within: 2e-4}"
     rows = ["  - {rpm: 1797, temperature: 40, within: 1}", line]
     head = GOOD.split("readings:")[0].replace(", temperature: 40", "")

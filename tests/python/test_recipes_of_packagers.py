@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""docs/packaging: the Spack package and the conda recipe require the same as pyproject.toml."""
+"""docs/packaging: the Spack package and the conda recipe have the requirements of
+pyproject.toml."""
 
 import re
 import sys

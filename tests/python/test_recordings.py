@@ -14,7 +14,7 @@ from raceway.recordings.contents import GRAVITY, POUND
 from scipy import io
 from scipy.io import wavfile
 
-# Hz, Hz, BPFO divided by it: that of a contact angle, not nominal
+# Hz, Hz, BPFO over shaft speed: for a contact angle, not the nominal value
 RATE, SHAFT, ORDER = 48000.0, 29.87, 3.5972
 SECONDS = 4.0
 
@@ -63,7 +63,7 @@ def paderborn(path, values):
 
 
 def femto(path, values):
-    """Semicolons, as in some of its folders."""
+    """Separated by semicolons, as in some folders of the data set."""
     rows = [f"9;39;39;{k};{v / GRAVITY:.9g};0.0" for k, v in enumerate(values)]
     path.write_text("\n".join(rows))
     return {"rpm": 60 * SHAFT}
@@ -94,7 +94,7 @@ LOAD = {"OuterRaceFault_vload_4.mat": 100 * POUND, "N18_M07_F10_KA01_1.mat": 100
 
 @pytest.mark.parametrize("name", FORMATS)
 def test_a_format(name, tmp_path, bearing):
-    """Values in SI units, rate, load, the true speed where the file has a nominal one, and the
+    """Values in SI units, rate, load, the true speed if the file has only a nominal one, and the
     line."""
     rate = 25600.0 if name.startswith("acc") else RATE
     values = struck(rate)
@@ -116,7 +116,7 @@ def test_a_format(name, tmp_path, bearing):
 
 
 def test_the_true_speed_near_a_nominal_one(tmp_path, bearing, capsys):
-    """A file without a speed: the true one is found 1 % from the nominal one, and the lines are
+    """A file without a speed: the true speed is found 1 % from the nominal one, and the lines equal
     those of a file with the true speed."""
     columns(tmp_path / "a.csv", struck())
     for away in (0.99, 1.01):
@@ -140,8 +140,8 @@ def test_the_true_speed_near_a_nominal_one(tmp_path, bearing, capsys):
 @pytest.mark.parametrize("head", [True, False])
 @pytest.mark.parametrize("names", [["a_m_s2"], ["time_s", "a_m_s2", "b_g"]])
 def test_separators(tmp_path, bearing, mark, head, names):
-    """One column or several, with a heading or without, after a comment; numbers with points or,
-    between semicolons, with decimal commas."""
+    """One or several columns, with or without a heading, after a comment; numbers with decimal
+    points or, between semicolons, with decimal commas."""
     values = struck(seconds=0.05)
     table = np.column_stack([np.arange(len(values)) / RATE, values, values])[:, -len(names) :]
     mark, point = (";", "," if names[1:] else ".") if mark == ";," else (mark, ".")
@@ -189,7 +189,7 @@ def test_length_of_a_spall_in_a_recording(tmp_path, bearing):
 
 
 def test_no_speed_from_what_is_no_shaft(bearing):
-    """Mains hum near the second harmonic, and noise."""
+    """Neither mains hum near the second harmonic nor noise gives a speed."""
     time = np.arange(48000) / RATE
     noise = np.random.default_rng(5).normal(size=len(time))
     assert shaft_speed.find(np.sin(2 * np.pi * 60 * time) + 0.1 * noise, 1 / RATE, 29.9) is None

@@ -25,7 +25,7 @@ FREQUENCIES = {  # Hz, by spin in rad/s, of ROSS: two pairs of bending
     0.0: (265.2845, 267.7216, 1059.7397, 1078.9096),
     1000.0: (265.2594, 267.7468, 961.1215, 1186.4734),
 }
-SIX = np.delete(np.arange(54), np.arange(5, 54, 6))  # a node of ROSS without rz
+SIX = np.delete(np.arange(54), np.arange(5, 54, 6))  # degrees of freedom of ROSS without rz
 
 
 def of_ross():
@@ -59,7 +59,8 @@ def springs(count, ends, sizes=SPRINGS):
 
 @pytest.mark.parametrize("spin", FREQUENCIES)
 def test_its_matrices_are_ours(found, spin):
-    """Frequencies of ROSS to its digits, which also check the sign of the spin's terms."""
+    """Frequencies of ROSS to the printed digits, which also check the sign of the gyroscopic
+    terms."""
     held = springs(45, (0, 40), (*SPRINGS, 1e7))
     ours = beam_motion.frequencies(found.whole, held, spin) / (2 * np.pi)
     for want in FREQUENCIES[spin]:
@@ -99,8 +100,8 @@ def test_four_degrees_of_freedom(found, given):
 
 
 def test_a_station_between_nodes(given):
-    """Displacement and tilt there are those of a beam with a node there, that is of an element with
-    bending and shear."""
+    """Displacement and tilt at the station equal those of a beam with a node there, that is of an
+    element with bending and shear."""
     place, ends = 0.17, (0.0, 0.4)
     z, pieces = beam.divided([Section(0.4, 0.1)], Z)
     thick = beam_motion.matrices(z, pieces)
@@ -126,7 +127,7 @@ def test_a_station_between_nodes(given):
 
 
 def test_its_own_damping(given):
-    """Damping proportional to the stiffness damps every mode by that share."""
+    """Damping proportional to the stiffness damps every mode in that proportion."""
     rotor = rotor_matrices.rotor(**given, damping=2e-6 * given["stiffness"])
     few = rotor_matrices.bending(rotor, (0.0, 0.4), damping=0.01)
     want = 2e-6 * few.stiffness + 0.02 * np.sqrt(few.mass * few.stiffness)
@@ -161,7 +162,7 @@ def damped_mass(given):
         (one_way, "K is not symmetric"),
         (put("stiffness", (0, 0, 2e8), (1, 1, 3e8)), "K holds the rotor.*Leave bearings"),
         (put("stiffness", (0, 0, 1e3), (1, 1, 1e3)), "K holds the rotor"),
-        (put("mass", (24, 24, 1.0)), "M is not alike in the planes of x and y"),
+        (put("mass", (24, 24, 1.0)), "M differs between the planes of x and y"),
         (put("mass", (24, 25, 0.1)), "M couples the planes of x and y"),
         (put("gyroscopic", (27, 28, 1e-3)), "G is not antisymmetric"),
         (damped_mass, "C holds the rotor"),
@@ -194,7 +195,7 @@ def test_damping_that_couples_modes(given):
     [
         ((0.0, 0.17), (), "a kept place must be a node: none is at 0.17 m, the nearest is at 0.15"),
         ((0.0, 0.4), (0.41,), "0.41 m is not on the rotor, which reaches from 0 to 0.4 m"),
-        ((), (), "needs places to keep"),
+        ((), (), "needs positions to keep"),
     ],
 )
 def test_places_refused(found, kept, places, says):
@@ -293,4 +294,4 @@ def test_without_ross(monkeypatch, tmp_path, capsys):
     monkeypatch.setitem(sys.modules, "ross", None)
     assert not ross_file.is_ross("inputs/shafts/motor")
     assert main(["shaft", str(tmp_path / "r.toml")]) == 1
-    assert "ROSS does not load" in capsys.readouterr().err
+    assert "cannot load ROSS" in capsys.readouterr().err

@@ -40,7 +40,8 @@ def oiled():
 
 @pytest.fixture(scope="module")
 def shaft():
-    """Eight elements of 50 mm, 40 mm thick, and a disc of 0.2 m in the middle, of ROSS's steel."""
+    """A shaft of ROSS's steel: eight elements of 50 mm, 40 mm thick, and a disc of 0.2 m in the
+    middle."""
     steel = Steel(211e9, 211e9 / (2 * 81.2e9) - 1, 7810.0)
     z, pieces = beam.divided([Section(0.4, 0.04)], np.linspace(0.0, 0.4, 9))
     mass = 7810.0 * np.pi / 4 * (0.2**2 - 0.04**2) * 0.02
@@ -107,7 +108,7 @@ def test_free_tilts():
 
 
 def test_add_rest(point):
-    """Added to the node's rows of K0 and C0."""
+    """The remaining terms are added to the node's rows of K0 and C0."""
     there = types.SimpleNamespace(number_dof=6, K0=np.ones((24, 24)), C0=np.zeros((24, 24)))
     rotor.add_rest(there, 2, point)
     added, mean = there.K0 - 1, point.over.mean
@@ -115,7 +116,7 @@ def test_add_rest(point):
     assert added[15, 15] == pytest.approx(mean.stiffness[3, 3]) and added[12, 14] != 0
     assert np.all(added[:12] == 0) and np.all(added[17:] == 0)
     there.number_dof = 4
-    with pytest.raises(RacewayError, match="4 degrees of freedom a node"):
+    with pytest.raises(RacewayError, match="4 degrees of freedom per node"):
         rotor.add_rest(there, 2, point)
 
 
@@ -197,7 +198,7 @@ def test_incomplete_lubricant(tmp_path, capsys):
 
 
 def test_smoothing_warns():
-    """A damping that falls fast in a table of six speeds, which ROSS would alter."""
+    """ROSS would alter a damping that falls fast in a table of six speeds."""
     mean = static.equilibrium(B6208, 1500.0, 2500.0).stiffness
     both = [Response(mean, np.eye(5) * damping) for damping in (9.0, 4.0, 1.0, 0.5, 0.3, 0.2)]
     table = [

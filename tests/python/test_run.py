@@ -147,7 +147,7 @@ def test_azimuth_counts_from_the_load_line(folder):
 def test_pair_needs_both_raceways(tmp_path, lubricated):
     data = dict(lubricated, contacts=[list(frame) for frame in lubricated["contacts"]])
     before = RunTables(synthetic.write(tmp_path / "a", data))
-    # one outer contact goes
+    # one outer contact is removed
     first = next(i for i, row in enumerate(data["contacts"][0]) if row[2] == 1)
     lost = data["contacts"][0].pop(first)
     after = RunTables(synthetic.write(tmp_path / "b", data))
@@ -156,7 +156,7 @@ def test_pair_needs_both_raceways(tmp_path, lubricated):
 
 
 def test_pairs_are_in_series(folder):
-    """Their sum is the record's capacitance of the bearing."""
+    """The sum over the balls is the record's capacitance of the bearing."""
     run = RunTables(folder)
     total = run.pairs.groupby("sample")["capacitance"].sum()
     np.testing.assert_allclose(total, run.bearing_capacitance, rtol=1e-13)

@@ -42,7 +42,7 @@ def test_a_settled_bearing_with_ripple_does_not_change():
 def test_changes_are_those_of_the_last_two_halves(drift):
     found = library().call("settling", **scene(drift=drift, turn=0.01))
     assert found.torque == pytest.approx(abs(drift) / (1 + drift), rel=1e-9)
-    assert found.load == pytest.approx(abs(drift) / (1 + drift), rel=1e-9)  # of both, the larger
+    assert found.load == pytest.approx(abs(drift) / (1 + drift), rel=1e-9)  # the larger of the two
     assert found.cage_speed == pytest.approx(abs(1 - (1 + drift) ** -2), rel=1e-9)
     assert found.spin_axis == pytest.approx(2 * np.sin(0.005), rel=1e-9)
 

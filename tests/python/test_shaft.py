@@ -79,7 +79,7 @@ def test_simply_supported():
     assert found.z == pytest.approx([0, 0.15, 0.3])
     down = found.place[:, 1]
     bend = 3000 * 0.3**3 / (48 * BENDING) + 3000 * 0.3 / (4 * SHEAR)
-    held = abs(found.bearings[0].load[3]) / (3000 * 0.3 / 8)  # of the clamped-end moment
+    held = abs(found.bearings[0].load[3]) / (3000 * 0.3 / 8)  # as a share of the clamped-end moment
     assert held < 2e-3
     assert (down[0] + down[2]) / 2 - down[1] == pytest.approx(bend, rel=1e-3 + held)
     # clamped ends would suppress the slope entirely
@@ -159,7 +159,7 @@ def test_preload_by_a_spring(push):
     alone = static.equilibrium(B6208, 0.0, -push, clearance=20e-6)
     state = found.bearings[1].state
     assert state.inner.load.max() == pytest.approx(alone.inner.load.max(), rel=5e-3)
-    # it needs no other load
+    # no other load is needed
     assert shaft.rest(Shaft([Section(0.4, 0.2)]), seats, []).residual <= shaft.EXACT
 
 
@@ -193,7 +193,8 @@ def test_command(capsys, tmp_path):
 
 
 def test_several_speeds(capsys):
-    """Each is the shaft at that speed; figures below the accuracy of the equilibrium are 0."""
+    """Each entry is the shaft at that speed; figures below the accuracy of the equilibrium are
+    0."""
     speeds = ["1500", "9000"]
     assert main(["shaft", str(MOTOR), "--rpm", *speeds, "--json"]) == 0
     both = json.loads(capsys.readouterr().out)

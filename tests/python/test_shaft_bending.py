@@ -83,7 +83,7 @@ def test_bending_pairs(rotor, spin):
     error = [np.abs(exact / one - 1).min() for one in found[:4]]
     assert max(error[:2]) < 1e-3 and max(error[2:]) < 5e-3
     if spin:
-        assert found[1] / found[0] > 1.02 and found[3] / found[2] > 1.02  # worth telling apart
+        assert found[1] / found[0] > 1.02 and found[3] / found[2] > 1.02  # far enough apart
 
 
 def test_more_modes_are_closer(rotor):
@@ -130,7 +130,7 @@ def test_steady_loads_at_kept_places(rotor):
 
 # ---- the file
 def test_file(tmp_path, capsys):
-    """The words of the file, numbers to the last digit, and the positions of its stations."""
+    """The keywords of the file, numbers to the last digit, and the positions of its stations."""
     file = tmp_path / "motor.modes"
     words = ["--modes", "3", "--damping", "0.02", "--places", "0.27", "--kept", "0.1"]
     assert main(["shaft", str(MOTOR), "--reduced", str(file), *words]) == 0

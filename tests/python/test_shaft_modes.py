@@ -33,7 +33,7 @@ def test_a_critical_speed_is_a_natural_frequency_at_that_speed(rotor):
 @pytest.mark.parametrize("speed", [0.0, 1000.0])
 def test_modes_have_the_natural_frequencies(rotor, speed):
     found = [one.speed for one in shaft_modes.modes(*rotor, speed)]
-    # for an axial motion without a spring rate only rounding is left
+    # for an axial motion without stiffness only rounding is left
     assert found == pytest.approx(shaft_motion.frequencies(*rotor, speed), rel=1e-6, abs=1.0)
 
 

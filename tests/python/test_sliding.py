@@ -102,7 +102,7 @@ def test_spring_in_series():
     tau = secant / spring
     steady = secant * distance
     assert tau == pytest.approx(6e-5, rel=0.02)
-    # a short step is the spring, a long one the slip law, and two half steps equal one
+    # a short step gives the spring, a long one the slip law, and two half steps equal one
     force, slope = sliding.in_series(0.0, distance, secant, spring, 1e-9)
     assert force == pytest.approx(spring * distance * 1e-9, rel=1e-4)
     assert slope == pytest.approx(spring * 1e-9, rel=1e-4)
@@ -172,7 +172,8 @@ def test_bair_winer():
 @pytest.mark.parametrize(("speed", "h_c", "slide_roll"), [(0.0725, 32e-9, 0.08),
                                                           (14.4946, 1309e-9, 0.016)])  # fmt: skip
 def test_slide_roll_where_eyring_reaches_coulomb(bearing, speed, h_c, slide_roll):
-    """tau of Eyring alone, Roelands, is 0.05 p at about this slide-roll ratio (mean pressure)."""
+    """Eyring's tau alone, with Roelands's viscosity, is 0.05 p at about this slide-roll ratio (mean
+    pressure)."""
     r_x, r_y = bearing.effective_radii(INNER)
     pressure = 2 / 3 * hertz.pressure(hertz.exact(r_x, r_y), bearing.effective_modulus, LOAD)
     eta = lubricant.roelands(0.04, 22e-9, pressure)

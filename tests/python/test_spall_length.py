@@ -25,8 +25,8 @@ def test_a_ball_that_keeps_its_load_strikes_half_way(bearing, raceway):
 
 @pytest.mark.parametrize("raceway", [INNER, OUTER])
 def test_a_rounded_edge_is_heard_sooner(bearing, raceway):
-    """A ball that keeps its load rises from half-way minus the edge's radius; one that has
-    lost it flies to the far flank, whose position does not depend on the rounding."""
+    """A ball that keeps its load rises from half-way minus the edge radius; a ball that has lost
+    its load flies to the far flank, whose position does not depend on the rounding."""
     edge, both = 5e-5, np.array([0.5e-3, 2.5e-3])
     sharp, rounded = (
         spall.seconds_to_blow(bearing, raceway, both, SPIN, LOAD, 0.2, edge=one)
@@ -41,8 +41,8 @@ def test_a_rounded_edge_is_heard_sooner(bearing, raceway):
 
 @pytest.mark.parametrize("raceway", [INNER, OUTER])
 def test_flight_of_a_ball_that_loses_its_load(bearing, raceway):
-    """A ring that does not follow, and a ball light enough to be in equilibrium until then: it
-    leaves at its share of the drop's rate, and the centrifugal load curves its path."""
+    """A ring that does not follow, and a ball light enough to be in equilibrium until it leaves: it
+    leaves at its share of the drop rate, and the centrifugal load curves its path."""
     orbit = SPIN * kinematics.frequencies(bearing).cage
     rest = static.equilibrium(bearing, LOAD, orbital_speed=orbit)
     approach = rest.inner.overlap[0] + rest.outer.overlap[0]
@@ -50,7 +50,7 @@ def test_flight_of_a_ball_that_loses_its_load(bearing, raceway):
     soft = [
         hertz.stiffness(hertz.exact(*one), bearing.effective_modulus) ** (-2 / 3) for one in radii
     ]
-    share = soft[1 - raceway] / sum(soft)  # of the drop, returned by the other contact
+    share = soft[1 - raceway] / sum(soft)  # share of the drop recovered at the other contact
     rolling, speed = radii[raceway][0], kinematics.entrainment(bearing, SPIN)
     lost = np.sqrt(2 * rolling * approach)  # m from the entry
     on = np.linspace(1.3, 2.5, 5) * lost

@@ -53,7 +53,7 @@ def test_motor(leaky, tmp_path):
 
 
 def test_inverter(leaky, tmp_path):
-    """Edges of the legs take 5 ns."""
+    """Switching edges of the legs take 5 ns."""
     wave = CommonMode(560.0, 1530.0, 47.0, 0.9)
     edges = wave.edges(leaky.time)
     corners = [f"{t:.12g} {before:.9g} {t + 5e-9:.12g} {after:.9g}" for t, before, after in edges]
@@ -96,7 +96,7 @@ def test_current_of_moving_plates(tmp_path):
         ["vs#branch"],
     )
     data = circuit.run(given, Source(Table([0, 1e-3], [0, 6])), points=20).data
-    middle = (data.time[1:] + data.time.values[:-1]) / 2  # of no kink
+    middle = (data.time[1:] + data.time.values[:-1]) / 2  # away from kinks
     theirs = -np.interp(middle, found["time"], found["vs#branch"])
     ours = data.current.to_numpy()[1:]
     later = data.time[1:] > 1.1e-3

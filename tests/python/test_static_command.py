@@ -273,7 +273,7 @@ def test_full_models(capsys):
 def test_temperature_needs_a_lubricant_that_has_it(capsys):
     with pytest.raises(SystemExit):
         main(["static", "--load", "1", "--temperature", "70"])
-    assert "--temperature: of the lubricant; give --lubricant" in capsys.readouterr().err
+    assert "--temperature applies to the lubricant; give --lubricant" in capsys.readouterr().err
     arguments = ["static", "--load", "1", "--rpm", "9", "--temperature", "70"]
     assert main([*arguments, "--lubricant", "mineral"]) == 1
-    assert "mineral has values for 40 C only and none for 70 C" in capsys.readouterr().err
+    assert "mineral has values for 40 C only, not for 70 C" in capsys.readouterr().err

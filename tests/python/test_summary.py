@@ -13,7 +13,7 @@ from raceway.errors import RunError
 from raceway.runs.summary import summary, table
 from raceway.runs.tables import RunTables
 
-# the table of INTERFACE.md in its order, repeated here because it is a promise
+# the table of INTERFACE.md in its order, repeated here because users rely on it
 PROMISED = """bearing lubricant host integrator models temperature_C load_N rpm clearance_m
 step_s passes
 viscosity_Pa_s pressure_viscosity_per_Pa permittivity roughness_m ring_shift_m load_parameter
@@ -59,8 +59,8 @@ def test_promised_keys(folder, dry_folder):
 
 
 def test_rating_life(folder, lubricated, bearing, small_blocks):
-    """That of all contacts of the record in one array, block by block; none where the outer ring
-    turns or the record has no contacts."""
+    """The life read block by block is that of all contacts of the record in one array; none if the
+    outer ring rotates or the record has no contacts."""
     figures, run = summary(RunTables(folder)), raceway.open(folder)
     loads = [run.contacts.Q.sel(raceway=side).fillna(0).to_numpy() for side in ("inner", "outer")]
     rated = figures["dynamic_rating_N"]
@@ -142,8 +142,8 @@ def full(folder, data):
 
 @pytest.mark.parametrize("models, lost", [("paper", LOST), ("film", LOST), ("mine", set())])
 def test_what_a_model_leaves_out(folder, lubricated, models, lost):
-    """The friction of the publication is not a friction torque: no number, but the reason instead.
-    A user's model reports what its contacts have."""
+    """Friction of the paper's model is not a friction torque: the summary has no number but states
+    the reason. A user's model reports the losses that its contacts have."""
     own = synthetic.changed(lubricated, models=models)
     figures = summary(RunTables(synthetic.write(folder, own)))
     assert figures["absent"] == dict.fromkeys(figures["absent"], f"not in models {models}")
@@ -190,7 +190,7 @@ def test_rings_that_stand_still_have_no_torque(folder, lubricated, speed, has_on
 
 
 def test_makers_see_a_load_that_turns(folder, lubricated):
-    """Its mean vector is almost zero, its magnitude is not."""
+    """The mean vector of the load is almost zero, its magnitude is not."""
     turning = forced(
         folder, lubricated, lambda k: (3e3 * np.sin(0.3 * k), 3e3 * np.cos(0.3 * k), 0)
     )
@@ -235,7 +235,7 @@ def test_the_measured_force_stands_beside_the_set_load(folder, lubricated):
         (lambda k: (0.0, 5000.0, 200.0), True),
         (lambda k: (0.0, 5000.0, 300.0), False),  # axial load
         (lambda k: (5000 * np.sin(0.3 * k), 5000 * np.cos(0.3 * k), 0.0), False),  # turning load
-        (lambda k: (300 * (-1) ** k, 5000.0, 0.0), True),  # balls that pass
+        (lambda k: (300 * (-1) ** k, 5000.0, 0.0), True),  # passing balls
     ],
 )
 def test_load_distribution_factor_only_under_a_steady_radial_load(

@@ -23,7 +23,7 @@ def test_a_line_that_comes_and_goes():
     assert line.sel(time=slice(0.1, 0.9)).to_numpy() == pytest.approx(2.0, rel=1e-3)
     assert line.sel(time=slice(1.1, None)).max() < 1e-6
     assert found.attrs["resolution"] == pytest.approx(10.0)
-    # nothing of the mean
+    # the mean is removed
     assert found.sel(frequency=slice(0, 700)).sel(time=slice(0.1, 0.9)).max() < 1e-2
 
 
@@ -43,7 +43,7 @@ def test_mistakes(values, window, says):
 
 @pytest.mark.parametrize("sign", [1, -1])
 def test_even_angles(sign):
-    """A line of constant order in a run-up from 10 to 30 turns a second is one sine."""
+    """A line of constant order in a run-up from 10 to 30 revolutions per second is one sine."""
     time = np.arange(10000) * SAMPLE
     angle = sign * 2 * np.pi * (10 * time + 10 * time**2)
     values, step = order_tracking.at_even_angles(np.cos(ORDER * angle), angle)
@@ -59,7 +59,7 @@ def test_a_shaft_that_turns_back():
 
 @pytest.fixture(scope="module")
 def run_up(tmp_path_factory, lubricated):
-    """A run whose ring moves sideways ORDER times a turn while the shaft's speed doubles."""
+    """A run whose ring moves sideways ORDER times per revolution while the shaft speed doubles."""
     settings = dict(lubricated["settings"], sample_s=SAMPLE, rpm=900.0)
     settings.update(passes=100, samples_per_pass=200)
     time = np.arange(1, 20001) * SAMPLE
@@ -105,4 +105,4 @@ def test_command(run_up, tmp_path, capsys):
         out.unlink()
     with pytest.raises(SystemExit):
         main([*words, "--json"])
-    assert "--json: of kind lines" in capsys.readouterr().err
+    assert "--json applies to kind lines" in capsys.readouterr().err

@@ -25,7 +25,7 @@ ROWS = 12
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory):
-    """Oil that warms up while the clearance shrinks; noise of its stated size, one gap."""
+    """Oil that warms up while the clearance shrinks; noise of the stated size, one gap."""
     folder = tmp_path_factory.mktemp("track")
     random = np.random.default_rng(4)
     time = 600.0 * np.arange(ROWS)
@@ -93,7 +93,7 @@ def test_times_must_rise(folder, capsys):
     path = folder[0] / "hours.csv"
     pd.read_csv(path).iloc[::-1].to_csv(path, index=False)
     assert main(["track", str(folder[0] / "hours.yaml")]) == 1
-    assert "rows whose times rise" in capsys.readouterr().err
+    assert "must have rising times" in capsys.readouterr().err
 
 
 def test_a_linear_reading_is_kalmans():

@@ -14,7 +14,7 @@ from raceway.runs import universe as module
 
 @pytest.fixture
 def run(folder, monkeypatch):
-    # 7 frames at once: 49 take several readings, the last one incomplete
+    # 7 frames at once: 49 frames take several reads, the last one incomplete
     monkeypatch.setattr(module, "ROWS", 7 * 20)
     return raceway.open(folder)
 

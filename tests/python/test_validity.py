@@ -75,8 +75,8 @@ def test_a_shoulder_that_is_none(tmp_path):
 @pytest.mark.parametrize("name", ["static", "electric", "heat"])
 def test_a_ring_held_along_its_axis(name, capsys):
     """An angular contact bearing under radial load alone: text and JSON of every command have the
-    force that holds its ring. As an axial load that force is balanced, and nothing is said; a
-    deep groove bearing has none."""
+    force that holds its ring. With that force as an axial load there is balance and no warning; a
+    deep groove bearing has no such force."""
 
     def said(*more):
         point = ["--rpm", "3000", "--lubricant", "vg46", "--load", "1000"]

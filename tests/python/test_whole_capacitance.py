@@ -49,7 +49,8 @@ def test_unknown_surroundings():
 
 
 def test_columns_of_the_record_come_first(folder, monkeypatch):
-    """When a record contains the total capacitance and no other filling is requested."""
+    """They are used if a record contains the total capacitance and no other filling is
+    requested."""
     run = raceway.open(folder)
     own = whole_capacitance.over_time(run)
     assert own.attrs["source"] == "places, loads and films"

@@ -109,7 +109,7 @@ def touched(tmp_path_factory):
     files = {recipe: carry_out(recipe, tree) for recipe in MOST_FILES}
     add_wrong_toy(tree)
     targets = ["build/liggghts", "build/libraceway_physics.so", CORE]
-    # of the library for the tests, what the derivative test calls
+    # from the library for the tests, the functions that the derivative test calls
     physics = "PHYSICS_C=tests/physics/physics_c.cpp tests/physics/law_c.cpp"
     # nice: ranks of other tests would wait for each other while a compiler occupies their core
     nice = ["nice", "-n", "19", "make", "-s", "-j2"]

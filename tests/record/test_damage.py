@@ -67,7 +67,7 @@ def test_damage_is_found(folder, tmp_path):
     shutil.copytree(folder, to)
 
     def swap(dice, content, _):
-        """Two samples."""
+        """Swaps two samples."""
         a, b = (slice(at, at + one) for at in dice.sample(range(header, len(right), one), 2))
         content[a], content[b] = content[b], content[a]
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A record stores the flaws of its rings: every fix bearing/profile in its own words."""
+"""A record stores the flaws of its rings: every fix bearing/profile with its own arguments."""
 
 import pytest
 import raceway

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A bearing anywhere in the lab has the figures of the same scene with its axis along z.
+"""A bearing in any pose in the lab has the figures of the same scene with its axis along z.
 
 Records are rotated, not decks: integrators stop at a tolerance, which would hide small errors.
 """
@@ -115,7 +115,7 @@ def figures(folder):
 
 
 def of_data_set(run):
-    """{name: array} of what a data set has of `run`: its lines, and signals of sensors."""
+    """{name: array} of the quantities of `run` in a data set: its lines, and signals of sensors."""
     found = {
         f"label {line}": np.array(place)
         for (line, _), place in spectrum.places(run, harmonics=1).items()
@@ -267,8 +267,8 @@ def test_run_about_x(tmp_path):
 
 
 def test_plain_deck_about_x(tmp_path):
-    """The main deck with its style's *axis*: warming, a cage ring and the record to the same bits,
-    apart from the order of the axes."""
+    """The main deck with its style's *axis*: warming, a one-piece cage and the record have the
+    same bits, apart from the order of the axes."""
     words = {"lubricant": "vg46", "rpm": 3000, "models": "full", "cage": "ring", "heat": "yes"}
     words |= {"passes": 1, "samples": 40, "axial": 300, "warm_time": 20}
     text = (ROOT / "inputs" / "in.6208").read_text()
@@ -288,7 +288,7 @@ def test_plain_deck_about_x(tmp_path):
 
 
 def test_direction_without_a_load(tmp_path):
-    """A radial load that is rounding gives no direction: the displacement's is taken."""
+    """A radial load at rounding level gives no direction: that of the displacement is taken."""
     end = succeed(small(tmp_path, deck=SMALL.replace("run 20000", "run 500")), out=tmp_path)
     assert end.code == 0
     found = []

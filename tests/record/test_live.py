@@ -147,9 +147,9 @@ if __name__ == "__main__":
     number = int(sys.argv[1]) if len(sys.argv) > 1 else 60
     with tempfile.TemporaryDirectory() as name:
         place = Path(name)
-        print(f"{len(read_while_it_grows(place / 'run', number))} readers, no bad reading")
+        print(f"{len(read_while_it_grows(place / 'run', number))} readers, no bad reads")
         succeed("inputs/in.6208", out=place / "whole", **CASE)
         truth_of_all = xr.load_dataset(place / "whole" / "record.nc")
         moments = random.Random(6208)
         left_by = [kill(place / str(k), truth_of_all, moments) for k in range(number)]
-        print(f"{number} kills, {min(left_by)} to {max(left_by)} whole samples left by each")
+        print(f"{number} kills, each left {min(left_by)} to {max(left_by)} complete samples")

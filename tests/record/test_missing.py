@@ -115,7 +115,7 @@ def test_a_record_cut_short(sums, kept, tmp_path, capsys):
     assert said.count("\n") == 1
 
 
-@pytest.mark.parametrize("words", [[], ["record", "none"]], ids=["deck of one's own", "main deck"])
+@pytest.mark.parametrize("words", [[], ["record", "none"]], ids=["in your own deck", "main deck"])
 def test_nothing_was_recorded(words, tmp_path, capsys):
     folder = tmp_path / "run"
     if words:

@@ -155,7 +155,7 @@ class Ran:
         assert done.code == 0, done.text[-3000:]
         with xr.open_dataset(folder / "record.nc") as data:
             self.record = data.load()
-        # arrays: an element of a Dataset takes a hundred times as long as that of an array
+        # arrays: access to an element of a Dataset takes a hundred times as long
         self.values = {n: column.to_numpy() for n, column in self.record.variables.items()}
         self.steps = self.values["step"].astype(int).tolist()
         lines = [
@@ -205,7 +205,7 @@ def ran(scene, runs):
 
 
 def same(one, other, terms=()):
-    """To 1e-13 of the value, or of the largest of its terms."""
+    """Check equality to 1e-13 of the value, or of the largest of its terms."""
     scale = max([abs(one), abs(other), *(abs(term) for term in np.ravel(terms))])
     return one == other or abs(one - other) <= 1e-13 * scale or (np.isnan(one) and np.isnan(other))
 
@@ -324,7 +324,7 @@ def test_compute_total_has_the_sums_of_all_bearings(ran):
 
 @scenes([scene for scene in SCENES if "drag" in LAWS[scene[0]]])
 def test_each_ball_has_one_drag(ran):
-    """Whether the ball is on the outer ring, in any number of grooves."""
+    """The drag of a ball counts once on the outer ring, with any number of grooves."""
     inner, several = ran.inner(), 0
     for step in ran.steps:
         c = ran.contacts(step)
@@ -375,7 +375,7 @@ def test_power_in_is_losses_plus_what_the_host_stores(ran, scene):
     stored = energy[last] - energy[first]
     stored += sum(ran.totals[steps[last]][-3:]) - sum(ran.totals[steps[first]][-3:])
     assert abs(work + driven - stored - lost) <= error
-    assert error <= 0.1 * lost, "the estimate is useless"
+    assert error <= 0.1 * lost, "the estimate is too inaccurate"
 
 
 @scenes([scene for scene in SCENES if scene[2] == "implicit"])
@@ -394,7 +394,7 @@ def test_power_in_is_losses_plus_what_is_stored(ran):
     assert lost > 0
     assert abs(taken - lost) <= error
     assert abs(work - stored - lost) <= error
-    assert error <= 0.1 * lost, "the estimate is useless"
+    assert error <= 0.1 * lost, "the estimate is too inaccurate"
 
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])

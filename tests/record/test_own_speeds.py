@@ -68,8 +68,8 @@ def test_lines_are_those_of_its_balls_and_rings(run):
 
 
 def test_rotation_of_balls_that_are_not_recorded(tmp_path):
-    """A thrust lifts the contact angle of a radial bearing; a record without contacts and balls, as
-    of data sets, has the cage's speed alone."""
+    """A thrust causes a contact angle in a radial bearing; a record without contacts and balls, as
+    in data sets, has the cage speed alone."""
     case = dict(axial=1000, load=300, clearance=30e-6, models="full", settle="auto")
     found = []
     for kind in ("all", "summary"):
@@ -78,13 +78,13 @@ def test_rotation_of_balls_that_are_not_recorded(tmp_path):
     whole, short = found
     (_, own), (_, told) = (spectrum.places(one, own=False)["BSF", 1] for one in found)
     assert np.isnan(short.motion.angle) and np.degrees(whole.motion.angle) > 10
-    # BSF changes by a third of what the speed of the cage does, whose slip is below 1e-3
+    # BSF changes by a third of the change of the cage speed, whose slip is below 1e-3
     assert told == pytest.approx(own, rel=3e-4)
     assert spectrum.contact_angle(short) == pytest.approx(whole.motion.angle, abs=np.radians(0.5))
 
 
 def test_speed_at_the_largest_load(run):
-    """Also on a ramp, where the summary has the range of speeds."""
+    """Also during a speed ramp, for which the summary has the range of speeds."""
     figures = summary(run.tables)
     data = run.tables.record.read(["ring_spin"])["ring_spin"]
     sides = list(run.tables.record.fixed("ring_raceway"))

@@ -59,7 +59,7 @@ def test_summary_is_of_its_contacts_and_balls(main_run):
         balls["x"] ** 2 + balls["y"] ** 2
     )
     close(figures["cage_speed_rad_s"], turn.mean())
-    known = {"slip": "friction_power", "film": "damping_power"}  # the cage is no contact of these
+    known = {"slip": "friction_power", "film": "damping_power"}  # without the cage
     parts = friction(run.tables)["losses_W"]  # the summary omits them for models paper
     losses = {part: loss for part, loss in parts.items() if loss is not None}
     assert known.keys() <= losses.keys() <= {*known, "cage"}

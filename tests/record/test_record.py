@@ -147,7 +147,7 @@ def test_smallest(tmp_path):
 
 def test_cage_force_is_that_of_the_compute(tmp_path):
     deck = (ROOT / "docs" / "decks" / "in.ehd").read_text()
-    # displaced, the cage hits balls
+    # the displaced cage hits balls
     deck = deck.replace("timestep 4.0e-7\nrun 40000", "timestep 4.0e-7\nrun 2000")
     deck = deck.replace("fix step all", "velocity cage set 0.1 0 0\nfix step all")
     told = f'variable q equal c_total[11]\nfix told all print 100 "${{q}}" file {tmp_path}/told\n'
@@ -247,7 +247,7 @@ def test_resume(ranks, tmp_path):
         ("content most", "content is 'most', must be one of: none, summary, all"),
         ("wobble", r"unknown keyword .*'wobble'; known: contacts, content, within"),
         ("number mass heavy", "mass"),
-        ("text variables own", "'variables', which readers of netCDF keep for themselves"),
+        ("text variables own", "'variables', which readers of netCDF reserve"),
         ("text _own word", "'_own': it begins with a letter and has letters, digits and '_' only"),
         ("number own-mass 2", "'own-mass': it begins with a letter"),
         ("number mass=nobody", "mass: there is no variable 'nobody' that is one word"),

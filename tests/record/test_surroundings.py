@@ -76,7 +76,8 @@ def test_every_ball_has_both_capacitors(loaded):
     np.testing.assert_array_equal(plates == 0, ~live)
     np.testing.assert_array_equal(total, plates + outside)
     np.testing.assert_array_equal(np.isnan(data["h_c"].values), ~live)
-    # far from contact it is the gap between the rigid surfaces, under light loads a film
+    # far from contact the separation is the gap between the rigid surfaces, under light loads a
+    # film
     separation = data["separation"].values
     assert separation[~live].max() > 5e-6
     np.testing.assert_array_equal((data["h_c"].values >= separation)[live], True)
@@ -90,7 +91,7 @@ def test_every_ball_has_both_capacitors(loaded):
 
 
 def test_t6_balls_by_azimuth(loaded):
-    """pF of a ball at 0, 40 and 80 degrees from the load; linear between samples."""
+    """Capacitance of a ball (pF) at 0, 40 and 80 degrees from the load; linear between samples."""
     known = {
         "none": (44.9, 33.3, 6.27),
         "flooded": (65.5, 52.9, 22.0),
@@ -141,9 +142,9 @@ def test_t6_light_and_fast(tmp_path):
 @pytest.mark.parametrize("rpm", [477.5, 9549])
 @pytest.mark.parametrize("models", ["paper", "film"])
 def test_t7_loss_and_return_of_contact(tmp_path, rpm, models):
-    """Clearance 12 um. A quarter of the sampling interval has about a quarter of the largest change
-    of a contact's capacitance over a sample in which contact is lost or regained: it is continuous
-    there. The mean does not change."""
+    """Clearance 12 um. The largest change of a contact's capacitance over a sample in which contact
+    is lost or regained falls to about a quarter with a quarter of the sampling interval: the
+    capacitance is continuous there. The mean does not change."""
     steps, means = [], []
     for samples in (200, 800):
         data, live = main(
@@ -219,7 +220,7 @@ def test_within_a_step(tmp_path):
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 def test_computes_and_the_fix(tmp_path, integrator):
-    """For each ball, each ring and in total; a ring's balls may or may not touch it."""
+    """Values for each ball, each ring and in total; the balls of a ring need not touch it."""
     steps = {"implicit": 1, "verlet": 250}[integrator]
     fix = f"fix cap balls bearing/capacitance {steps} permittivity 2.2 surroundings dry\n"
     fix += f"fix rec all bearing/record {steps} {tmp_path}/run/rec\n"

@@ -28,7 +28,7 @@ def recorded(folder, options="", fixes=CAPACITANCE, ranks=1, control="tolerance 
 @pytest.fixture(scope="module")
 def coarse_and_fine(tmp_path_factory):
     """Host steps of 0.8 ms with 8 samples each, compared with host steps of 0.1 ms, 1 degree of
-    orbit, both with an error of 0.1 nm an internal step."""
+    orbit, both with an error of 0.1 nm per internal step."""
     folder = tmp_path_factory.mktemp("within")
     case = {"control": "tolerance 1e-10"}
     coarse = recorded(folder / "coarse", "within 8", sample=8e-4, samples=20, **case)
@@ -70,7 +70,7 @@ def test_every_column_is_what_finer_steps_give(coarse_and_fine):
 
 
 def test_ends_of_steps_are_those_of_a_record_without_instants(tmp_path):
-    """To the bit, and so do the balls."""
+    """Ends of steps and balls agree to the bit."""
     with_them = recorded(tmp_path / "with", "within 5", sample=4e-4, samples=10)
     without = recorded(tmp_path / "without", sample=4e-4, samples=10)
     assert (tmp_path / "with/balls.dump").read_bytes() == (
@@ -155,7 +155,7 @@ def test_hosts(host, tmp_path):
     "fixes, options, step, message",
     [
         (CAPACITANCE, "within 4", 2, "N must be 1, not 2"),
-        (CAPACITANCE, "within 0", 1, "samples a step is 0"),
+        (CAPACITANCE, "within 0", 1, "samples per step is 0"),
         (
             CAPACITANCE.replace("2.25", "2.25 within 3"),
             "within 4",
@@ -194,7 +194,7 @@ def share(name, found, truth, where):
 
 
 def test_the_main_deck_is_accurate_enough(tmp_path):
-    """The default tolerance and ten samples a step, compared with a picometre and a step a
+    """The default tolerance and ten samples per step, compared with a picometre and one step per
     sample: these are the errors of columns stated in docs/output.rst."""
     case = {"passes": 1, "record": "all"}
     succeed("inputs/in.6208", out=tmp_path / "run", **case)

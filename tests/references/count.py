@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Counts, law by law, the tests with an expected value that does not come from the package: 40
-digits, quadrature, a solver of another kind, printed numbers.
+"""Counts, law by law, the tests with an expected value that does not come from the package:
+40-digit arithmetic, quadrature, a solver of another kind, printed numbers.
 
     python tests/references/count.py [--list] [TREE ...]
 
-A test belongs to a law whose words stand in its name, its body or the name of its file. Its
-reference may stand in the helpers, fixtures and constants of its file that it uses, too."""
+A test belongs to a law whose words occur in its name, its body or the name of its file. Its
+reference may also be in the helpers, fixtures and constants of its file that it uses."""
 
 import ast
 import re
@@ -77,7 +77,7 @@ def _of_module(tree, source):
 
 
 def _all_of(name, known):
-    """Text of `name` and of all that it uses in its file."""
+    """Text of `name` and of everything that it uses in its file."""
     seen, left, text = set(), [name], ""
     while left:
         one = left.pop()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Films in 40 digits, as printed in their sources; a film over the load is a function of it (N)."""
+"""Films in 40 digits, as printed in their sources; a film "over the load" is a function of it."""
 
 import mpmath
 from mpmath import exp, log, mpf

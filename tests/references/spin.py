@@ -16,7 +16,8 @@ class Spin(NamedTuple):
 
 
 def with_slip(load, friction, a, b, along, across, spin, *, curve=0.0, width=0.0, points=24):
-    """`Spin` where (x along, z across) slides at (along + spin z - curve z^2, across - spin x).
+    """`Spin` if the point (x along, z across) slides at (along + spin z - curve z^2, across - spin
+    x).
 
     Stress mu p along the sliding v, smoothed as v/sqrt(v^2 + width^2) with `width` in m/s.
     Gauss-Legendre in the radius, `points` of it, and four times as many even angles.
@@ -42,8 +43,8 @@ def with_slip(load, friction, a, b, along, across, spin, *, curve=0.0, width=0.0
 
 
 def free_slip(load, friction, a, b, spin, curve, *, points=16):
-    """`with_slip` where slip along rolling leaves no force, `spin` (n,); stresses smoothed over
-    1e-3 of the slip at the edge."""
+    """`with_slip` at the slip along rolling that gives no force, `spin` (n,); stresses smoothed
+    over 1e-3 of the slip at the edge."""
     edge = curve * a**2
     low, high = np.zeros_like(spin), np.full_like(spin, edge)
     options = dict(curve=curve, width=1e-3 * edge, points=points)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The cage in its seats, and agreement of all ways to read a contact."""
+"""The cage on its rails, and agreement of all ways to read a contact."""
 
 import re
 
@@ -131,12 +131,12 @@ def test_virial_is_that_of_the_contact_forces(run):
 
 
 def test_cage_balls_stay_centred(run):
-    """On the pitch circle within the 190 um that pocket and chord allow, and in the middle
-    plane."""
+    """They stay on the pitch circle within the 190 um that pocket and chord allow, and in the
+    middle plane."""
     cage = run.balls[run.balls["type"] == 2]
     radius = np.hypot(cage["x"], cage["y"])
     assert np.all(np.abs(radius - 30.3e-3) < 190e-6)
-    assert np.all(np.abs(cage["z"]) < 1e-9)  # two rails alike
+    assert np.all(np.abs(cage["z"]) < 1e-9)  # two equal rails
 
 
 def test_rails_carry_the_centrifugal_load_at_least(run):
@@ -150,7 +150,7 @@ def test_rails_carry_the_centrifugal_load_at_least(run):
 def test_step_limit_is_that_of_the_stiffest_ball(tmp_path):
     """fix bearing/timestep: dry, so 2 sqrt(m/k) with k of both raceways (tangential modes are
     softer here: the rolling sphere has 2/7 of the mass, but the limit is checked against the
-    smaller of both)."""
+    smaller of the two)."""
     deck = tmp_path / "in.limit"
     main = (ROOT / "inputs" / "in.6208").read_text()
     deck.write_text(

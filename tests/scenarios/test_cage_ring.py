@@ -54,8 +54,8 @@ def momenta(folder):
 @pytest.mark.parametrize("integrator", BOTH)
 @pytest.mark.parametrize("shape", ["cylinder", "sphere"])
 def test_pockets_and_land_keep_momentum(tmp_path, integrator, shape):
-    """Nothing holds the rings. The cage starts at one wall of its pockets and is dragged by
-    the land of the outer ring through oil and friction."""
+    """The rings are free. The cage starts at one wall of its pockets and is dragged by the land of
+    the outer ring through oil and friction."""
     _, cage = scene(
         tmp_path,
         integrator,
@@ -116,7 +116,7 @@ def test_work_is_stored_or_lost(tmp_path, words):
     found = re.search(r"ENERGY work (\S+) own (\S+) dissipated (\S+) stored (\S+)", outcome.text)
     work, missing, lost, stored = map(float, found.groups())
     assert cage[:, 7].max() > 1
-    assert abs(work - lost - stored - missing) < 1e-6 * abs(work)  # as they are printed
+    assert abs(work - lost - stored - missing) < 1e-6 * abs(work)  # digits as printed
     assert abs(missing) < 1e-3 * abs(work)
 
 
@@ -139,7 +139,7 @@ CENTRED = "guide outer 33.0e-3 5e-6 2.0e-3 2"
 
 
 def slip(folder, words=f"friction 0.1 planar yes {CENTRED}", **changes):
-    """Slip of the cage (%) over one turn of the cage after a turn of settling, and the loaded arc
+    """Slip of the cage (%) over one turn of the cage after one turn of settling, and the loaded arc
     (m)."""
     _, cage = scene(folder, span=0.21, samples=100, words=words, **changes)
     speed = np.polyfit(cage[50:, 1], cage[50:, 5], 1)[0]
@@ -171,7 +171,7 @@ def test_a_cage_on_balls_slips_more_than_one_on_its_land(tmp_path):
 
 
 def test_a_run_tells_slip_orbit_and_pocket_forces(tmp_path):
-    """The deck of inputs: its figures agree with the samples of the record."""
+    """The deck in inputs: its figures agree with the samples of the record."""
     succeed("inputs/in.cage_ring", out=tmp_path, settle=4, passes=4, cage_play=2e-4)
     run = Run(tmp_path)
     record = run.tables.record
@@ -210,7 +210,7 @@ def test_a_run_tells_slip_orbit_and_pocket_forces(tmp_path):
     assert float(found["largest"].max()) == figures["pocket_force_max_N"]
     mean = float((found["mean"] * found["samples"]).sum() / found["samples"].sum())
     assert mean == pytest.approx(figures["pocket_force_mean_N"])
-    # the play was given; whether the cage is free by it remains open
+    # the play was given; whether it frees the cage remains open
     ranges = figures["model_ranges"]
     assert "pocket_force_max_N" not in ranges
     arc = np.pi * (inner + outer) * figures["loaded_balls_mean"] / 9
@@ -271,8 +271,8 @@ def test_a_whirl_has_its_speed_and_name(order, name):
 
 @pytest.mark.parametrize("part", ["shear", "land", "churning"])
 def test_parts_of_a_cage_can_be_left_out(tmp_path, part):
-    """What loses power when the others are left out has that of its closed form in samples where no
-    ball strikes its pocket: the walls' damping is never below 0."""
+    """If the other parts are left out, the power loss of a part is that of its closed form in
+    samples in which no ball strikes its pocket: the walls' damping is never below 0."""
     out = sorted({"friction", "shear", "land", "churning"} - {part})
     land = dict(cage_guide="outer", cage_land=34e-3, cage_clearance=2e-4, cage_width=2e-3)
     succeed(
@@ -294,7 +294,7 @@ def test_parts_of_a_cage_can_be_left_out(tmp_path, part):
     couple = 0.3 * np.pi * 0.04 * (ball / 2) ** 3 * 0.35 * ball / 1.5e-4
     share = np.minimum(np.hypot(found["ring_x"], found["ring_y"])[:, 2] / 2e-4, 0.99)
     radius = pitch / 2 + 0.3 * ball
-    # a disc, X of the oil by the level of the bath
+    # a disc; the oil share X follows from the level of the bath
     disc = 0.5 * 870 * cage**3 * radius**5 * 3.87 / np.sqrt(870 * cage * radius**2 / 0.04)
     power = dict(
         shear=couple * ((found["ball_omegaz"] - cage[:, None]) ** 2).sum(axis=1),
@@ -305,8 +305,8 @@ def test_parts_of_a_cage_can_be_left_out(tmp_path, part):
 
 
 def share_below(level, pitch):
-    """Mean share of a ball below oil that stands `level` diameters above the lowest raceway; pitch
-    radius over the ball's radius."""
+    """Mean submerged share of a ball if the oil is `level` diameters above the lowest raceway;
+    `pitch` is pitch radius over ball radius."""
     turn = np.linspace(0, 2 * np.pi, 3601)[:-1]
     depth = np.clip(pitch * (np.cos(turn) - 1) - 1 + 2 * level, -1, 1)
     return ((1 + depth) ** 2 * (2 - depth) / 4).mean()
@@ -314,7 +314,7 @@ def share_below(level, pitch):
 
 def test_a_cage_under_moments_bears_what_statics_estimates(tmp_path):
     """Balls that would run ahead by ten times the play press with their traction. The largest force
-    has the impacts, too. The load of the run is along -y, that of statics along x."""
+    also includes impacts. The load of the run is along -y, that of statics along x."""
     point = dict(load=3500.0, axial=5000.0, rpm=1500.0)
     found = dict(bearing="7208B", moment_x=25, moment_y=15, settle=1, passes=2)
     succeed("inputs/in.cage_ring", out=tmp_path, **found, **point)
@@ -384,9 +384,9 @@ def test_a_cage_bears_gravity(tmp_path, integrator, fall):
 @pytest.mark.parametrize("fall", ["1 0 0", "0 1 0", "-1 0 0", "0 -1 0"])
 @pytest.mark.parametrize("speed", [1, 100, 1000])
 def test_no_ball_leaves_its_pocket_under_gravity(tmp_path, speed, fall):
-    """A ball beyond a wall by a tenth of its radius ends a run. The run covers two ball passes at 1
-    rad/s, a turn of the cage in the test above. The cage hangs on two balls at most one spacing
-    apart, which leave the pitch circle by the clearance, and the walls deform."""
+    """A run ends when a ball is beyond a wall by a tenth of its radius. This run covers two ball
+    passes at 1 rad/s; the test above covers a turn of the cage. The cage hangs on two balls at most
+    one spacing apart, which leave the pitch circle by the clearance, and the walls deform."""
     passes = 2 if speed == 1 else 9
     _, cage = scene(
         tmp_path,

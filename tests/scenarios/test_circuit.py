@@ -144,8 +144,8 @@ def test_the_fix_gives_the_numbers_of_python(pair):
 
 
 def test_metal(tmp_path):
-    """Films shared with asperities conduct, in the fix as in Python; an asperity share of 0.1
-    separates them."""
+    """Films with asperity contact conduct, in the fix as in Python; an asperity share of 0.1
+    separates them from the others."""
     here = tmp_path / "here"
     shutil.copytree(ROOT / "tests/implicit", here, ignore=shutil.ignore_patterns("__pycache__"))
     contact = here / "contact.film"
@@ -217,11 +217,11 @@ def test_the_cases_have_discharges(pair):
         ("floating 1 second 1e-12", "'second' and 'second_factor' go with a motor"),
         ("source 0 voltage constant 1 breakdown 1e6", "give it a resistance"),
         ("source 1 voltage square 1", "constant, sine, common_mode, table"),
-        ("source 1 voltage table {table} points 0", "points of the circuit a sample"),
+        ("source 1 voltage table {table} points 0", "circuit points per sample"),
         ("source 1 voltage table nowhere.txt", "cannot read 'nowhere.txt'"),
         ("floating 1 events x", "'events' needs 'breakdown'"),
         ("floating 1 breakdown 1e6 arc 1", "'arc' needs 'events'"),
-        ("floating 1 within 0", "samples a step is 0"),
+        ("floating 1 within 0", "samples per step is 0"),
         ("floating 1 metal 5", "share of the load on asperities above which a film is metallic"),
         ("floating 1 metal 5 0.1", "'metal' needs 'friction mixed', which has the load share"),
         ("floating 1 loud yes", "voltage, second, second_factor, beside, stray, breakdown"),

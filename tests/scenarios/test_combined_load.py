@@ -4,8 +4,8 @@ moments, and held tilts.
 
 Statics keeps the groove's circle a circle (`finite_shift`), like the simulation, and has no
 friction, so the scenes have none: friction (0.05 to 0.12) changes loads by 1.3 % of the largest,
-and a tenth of it by 0.4 %. The remaining difference is the film's damping of balls and ring that
-move as the balls pass; it grows with the speed.
+and a tenth of that friction by 0.4 %. The remaining difference comes from film damping, since balls
+and ring move as the balls pass; it grows with the speed.
 """
 
 import numpy as np
@@ -86,7 +86,7 @@ def test_combined_load(tmp_path, name, case, speed, sample, load, shift, tilt):
     worst = np.zeros(3)
     for row, found, state in samples(tmp_path, case):
         theory = np.array([state.inner.load, state.outer.load])
-        assert np.count_nonzero(theory[0] > 0.01 * theory[0].max()) >= 7  # nearly all balls carry
+        assert np.count_nonzero(theory[0] > 0.01 * theory[0].max()) >= 7  # nearly all are loaded
         worst = np.maximum(
             worst,
             [
@@ -111,8 +111,8 @@ def test_every_ball_at_its_own_load(tmp_path):
 
 
 def test_moment_that_holds_a_tilt(tmp_path):
-    """20 arc-minutes held: the moment of the contacts on the ring, 65 N m, agrees within 0.1 %
-    (measured 5e-5)."""
+    """A tilt of 20 arc-minutes is held: the moment of the contacts on the ring, 65 N m, agrees
+    within 0.1 % (measured 5e-5)."""
     succeed(DECK, out=tmp_path, **words(HELD))
     for row, _, state in samples(tmp_path, HELD):
         assert row[9:11] == pytest.approx(state.moment[:2], abs=1e-3 * np.hypot(*state.moment[:2]))

@@ -14,8 +14,8 @@ from raceway.theory.bearing import INNER
 
 from scenarios import closed_forms
 
-# mean over balls and samples, the quasi-static run against statics: relative to the effect, or to
-# the total
+# bounds of the quasi-static run against statics, means over balls and samples: relative to the
+# effect, or to the total
 OF_THE_EFFECT, OF_THE_WHOLE = 0.1, 3e-4
 
 

@@ -55,7 +55,8 @@ def test_coulomb_slides_more(found):
 
 
 def test_dry_and_oil_without_the_numbers(tmp_path):
-    """Dry it is `full`. An oil without an Eyring stress has the usual one."""
+    """For dry contacts `eyring` equals `full`. An oil without an Eyring stress has the default
+    one."""
     short = {"passes": 1, "samples": 20, "rpm": 9549}
     succeed("inputs/in.dry", out=tmp_path / "dry", models="eyring", **short)
     oil = (ROOT / "inputs/lubricants/vg46").read_text()

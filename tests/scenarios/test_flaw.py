@@ -72,7 +72,7 @@ def test_narrow_notch(tmp_path, mover, length):
 
 @pytest.mark.parametrize("mover", MOVERS)
 def test_bottom(tmp_path, mover):
-    """A long notch: the ball rolls on its bottom and meets it at sqrt(2 R_x d) from the edge."""
+    """A long notch: the ball reaches its bottom at sqrt(2 R_x d) from the edge and rolls on it."""
     length, depth = 1.5e-3, 5e-6
     b = rolled(tmp_path, notch(length, depth), mover, **SLOW, **QUICK[mover])
     flat = np.abs(b["path"]) < 0.3e-3
@@ -129,7 +129,7 @@ def test_energy(tmp_path, mover, flaw):
 
 
 def test_energy_of_a_ball_that_turns_over_its_own_flaws(tmp_path):
-    """A pit narrower than the ellipse, met off its middle, a wave and a table, all off the equator:
+    """A pit narrower than the ellipse and off its middle, a wave and a table, all off the equator:
     the spin supplies the energy of the motion. Both integrators follow the same path."""
     azimuth = np.arange(4000) * 2 * np.pi / 4000
     np.savetxt(tmp_path / "table.txt", np.c_[azimuth, 2e-7 * np.sin(7 * azimuth)])
@@ -176,7 +176,7 @@ def test_orientation_of_a_ball(tmp_path, mover):
         )
     )
     out = tmp_path / "out"
-    far = "ball pit 0 1.4 1e-4 1e-4 1e-4 1e-5"  # never met
+    far = "ball pit 0 1.4 1e-4 1e-4 1e-4 1e-5"  # never in contact
     words = dict(flaw_ball=far, turning=spin[2], tumbling=spin[0], step=step, steps=5000)
     succeed(deck, out=out, mover=mover, azimuth=BOTTOM, speed=0, **words)
     found = frames(out / "turn.dump")

@@ -81,7 +81,7 @@ def on_bearings(z, whole, stiffness):
 def stiffness_of(clearance):
     """(5, 5) stiffness of a bearing with preload only; the shaft does not slide in it."""
     held = dict.fromkeys(static.FREEDOMS, 0.0)
-    # a ring tilted by t draws the centre of its groove in by R t^2/2, against the preload
+    # a ring tilted by t moves the centre of its groove inwards by R t^2/2, against the preload
     state = static.equilibrium(B6208, held=held, clearance=clearance, finite_shift=True)
     stiffness = state.stiffness.copy()
     stiffness[2, 2] = 1e12
@@ -110,7 +110,7 @@ def test_bending_pairs(tmp_path, file):
     # the disc turns first backward, then forward
     for k, (sign, error) in enumerate([(-1, 1e-3), (1, 1e-3), (-1, 5e-3), (1, 5e-3)]):
         assert np.abs(sign * found / exact[k] - 1).min() < error
-    assert exact[1] / exact[0] > 1.05 and exact[3] / exact[2] > 1.5  # worth telling apart
+    assert exact[1] / exact[0] > 1.05 and exact[3] / exact[2] > 1.5  # far enough apart
 
 
 STEADY = [shaft.Load(0.12, (0.0, -800.0, 0.0)), shaft.Load(0.3, (100.0, -200.0, 0.0))]
@@ -277,7 +277,7 @@ def test_in_the_air(tmp_path, damped, support):
 
 
 def test_held_in_the_middle(tmp_path):
-    """A thin shaft held in its middle by stiff supports: each half vibrates like a cantilever."""
+    """A thin shaft held at its middle by stiff supports: each half vibrates like a cantilever."""
     thin, end = Section(0.2, 0.006), 0.1
     z, pieces = beam.divided([thin], np.linspace(0.0, 0.2, 21))
     kept = [0, 10, 20]
@@ -301,7 +301,7 @@ def test_held_in_the_middle(tmp_path):
     assert found == pytest.approx(exact, rel=5e-3)  # thin: shear contributes 2e-3
     phase = found * step * np.arange(len(y))
     parts = np.column_stack([np.ones_like(y), np.cos(phase), np.sin(phase)])
-    rest = np.linalg.lstsq(parts, y)[0][0]  # what it swings about
+    rest = np.linalg.lstsq(parts, y)[0][0]  # equilibrium position
     assert rest == pytest.approx(end**3 / (3 * bending), rel=5e-3)
 
 
@@ -451,7 +451,7 @@ def test_mistakes(tmp_path, file, text, says):
         ("\nstation 0 ", "\nstation 0 1 ", "'station' has 18 numbers, must have 17"),
         ("\nstation 0 ", "\nstation 1 ", "must be beyond the one before it"),
         ("\nstation 0 ", "\nstation 0.001 ", "ring atom 10 is at 0 m, and"),
-        ("\nstation 0 ", "\nstation nan ", "'nan' is no finite number"),
+        ("\nstation 0 ", "\nstation nan ", "'nan' is not a finite number"),
     ],
 )
 def test_bad_files(tmp_path, file, old, new, says):

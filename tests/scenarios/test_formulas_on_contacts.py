@@ -35,7 +35,7 @@ def run(request, tmp_path_factory):
 
 @pytest.mark.parametrize("side", [INNER, OUTER])
 def test_contacts(run, side):
-    """1e-9 relative."""
+    """Agreement to 1e-9, relative."""
     settings = run.settings
     bearing = closed_forms.bearing_of(settings)
     rows = run.contacts

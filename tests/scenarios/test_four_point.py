@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Four-point contact: two grooves a ring. docs/decks/in.four_point reverses a thrust; tests put
-other loads into a copy of it. The references are statics."""
+"""Four-point contact: two grooves per ring. docs/decks/in.four_point reverses a thrust; tests put
+other loads into a copy of it. The reference is statics."""
 
 import numpy as np
 import pytest
@@ -21,7 +21,7 @@ B6208 = bearing.Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 FOUR = B6208.four_point(np.radians(35))
 STRAIGHT = dict.fromkeys(("x", "y", "rx", "ry"), 0.0)
 LIMIT = 400.0  # N, largest thrust
-SETTLED = 0.012  # s, after which the start has decayed
+SETTLED = 0.012  # s, after which the starting transient has decayed
 VERLET = {
     "fix move all bearing/implicit": "fix move balls nve/sphere",
     "timestep 2.5e-5": "timestep 1.0e-6",
@@ -82,7 +82,7 @@ def test_grooves_of_statics(path):
 
 def test_balls_change_grooves_without_a_jump(path):
     """At +400 N one pair of grooves is unloaded, at -400 N the other. In between each load changes
-    little from sample to sample, and by no more where a contact opens or closes."""
+    little from sample to sample, and no more than that when a contact opens or closes."""
     time, _, force, loads = path
     late = time > SETTLED
     loads, force = loads[late], force[late]
@@ -94,7 +94,7 @@ def test_balls_change_grooves_without_a_jump(path):
     between = np.abs(force) < 0.5 * LIMIT
     assert (loads[between] > 0).all()
     change = np.abs(np.diff(mean, axis=0)).max(axis=(1, 2))
-    fastest = 2 * np.pi / 0.04 * LIMIT * np.diff(time[late])[0]  # N a sample
+    fastest = 2 * np.pi / 0.04 * LIMIT * np.diff(time[late])[0]  # N per sample
     # ratio of a contact's load to the thrust, and preload
     stiffest = 0.5 / 9 / np.sin(np.radians(33))
     assert change.max() < 2.2 * stiffest * fastest
@@ -163,7 +163,7 @@ def test_seat_is_where_the_smallest_thrust_puts_it(tmp_path, way, sign):
     for thrust in (1.0, 0.125):
         rest = static.equilibrium(FOUR, axial_load=sign * thrust, held=STRAIGHT, clearance=10e-6)
         found.append(np.append(rest.shift, rest.outer.angle[side, 0]))
-    *place, angle = (4 * found[1] - found[0]) / 3  # they yield as load^(2/3)
+    *place, angle = (4 * found[1] - found[0]) / 3  # deflections grow as load^(2/3)
     assert sign * place[2] > 5e-6
     assert ring == pytest.approx(place, abs=1e-9)
     # on the line through both contacts
@@ -322,7 +322,7 @@ def test_circuit_of_the_fix_is_that_of_python(outputs):
 
 def test_what_needs_one_groove_says_so(outputs):
     run = raceway.open(outputs[0])
-    with pytest.raises(RunError, match="rings of two grooves for a ball: their whole capacitance"):
+    with pytest.raises(RunError, match="rings with two grooves per ball: their total capacitance"):
         whole_capacitance.over_time(run)
 
 

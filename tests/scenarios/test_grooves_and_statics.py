@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Runs with the models `full` against statics: positions, loads, losses, stiffness, and the steady
-temperature; one groove a ring, four points, two rows, with and without unloaded balls. Both use
+temperature; one groove per ring, four points, two rows, with and without unloaded balls. Both use
 the slices for spin."""
 
 import numpy as np
@@ -16,7 +16,7 @@ from raceway.theory.operating_point import figures
 LAWS = {"spin_law": "slices"}
 OIL = {"lubricant": "vg46", "rpm": 1910}
 HELD = {"rx": 0.0, "ry": 0.0}
-# N, and m of clearance: two contacts a ball, four, four under a thrust
+# N, and m of clearance: two contacts per ball, four, four under a thrust
 CASES = {"thrust": (2000.0, 0.0), "preload": (200.0, -20e-6), "both": (1500.0, -20e-6)}
 PHASES = np.arange(4) * np.pi / 18  # positions of the balls over a ball pass
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """fix bearing/heat: its steady state is that of `raceway heat`, heat and work balance, oil and
-clearance follow the temperatures, and a preloaded bearing seizes or not by its cooling."""
+clearance follow the temperatures, and cooling decides whether a preloaded bearing seizes."""
 
 import numpy as np
 import pytest
@@ -35,7 +35,7 @@ def test_steady_state_is_that_of_raceway_heat(warm):
 
 
 def test_heat_balances(warm):
-    """Heat of the losses is stored or carried away; in the steady state all is carried away."""
+    """Heat of the losses is stored or removed; in the steady state all of it is removed."""
     jumps = warm.heat
     booked, rest = jumps["booked"], jumps["carried"] + jumps["stored"]
     assert booked.to_numpy() == pytest.approx(rest.to_numpy(), rel=1e-9, abs=1e-9)
@@ -63,7 +63,7 @@ def test_work_of_the_drive_is_the_heat(warm, tmp_path):
     gained = float(moving[-1] - moving[0]) / float(balls["time"][-1] - balls["time"][0])
     assert work - gained == pytest.approx(said["power_loss_W"], rel=2e-4)
     said = warm.summary()
-    last = warm.heat["power"][-8:].to_numpy()  # single ball passes, which scatter
+    last = warm.heat["power"][-8:].to_numpy()  # values of single ball passes, which scatter
     error = 3 * last.std(ddof=1) / np.sqrt(len(last))
     assert last.mean() == pytest.approx(said["power_loss_W"], abs=error)
 

@@ -61,8 +61,8 @@ def test_free_decay(run):
 
 
 def test_momentum(run):
-    """The support acts on both alike: the remaining force on the housing is that of its own
-    support."""
+    """The support between ring and housing acts equally on both: the remaining force on the housing
+    is that of its own support."""
     assert RING[0] * run["ax"] == pytest.approx(run["fx"] + 200, abs=1e-6)
     assert HOUSING[0] * run["hax"] == pytest.approx(run["hfx"], abs=1e-6)
     t = run["step"] * 1e-6
@@ -101,7 +101,7 @@ def test_frequencies_and_damping(run, name):
 
 @pytest.mark.parametrize("mover", MOVERS)
 def test_ranks(tmp_path, mover):
-    """On two ranks, with housing and ring on different ranks: the bits of one."""
+    """Two ranks, with housing and ring on different ones, give the bits of one rank."""
     words = dict(MOVERS[mover], steps=300)
     succeed(DECK, out=tmp_path / "one", **words)
     succeed(DECK, out=tmp_path / "two", ranks=2, **words)
@@ -110,8 +110,7 @@ def test_ranks(tmp_path, mover):
 
 
 def test_a_driven_housing_carries_the_ring(tmp_path):
-    """A housing moved by 1 um takes the ring along; the work of its drive is in the energy
-    balance."""
+    """A housing moved by 1 um moves the ring; the work of its drive is in the energy balance."""
     base = "x position v_shake y fixed z fixed rx fixed ry fixed"
     deck = tmp_path / "in.driven"
     text = (ROOT / DECK).read_text().replace("force 200 1000 -400", "force 0 0 0")

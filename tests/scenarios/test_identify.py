@@ -19,7 +19,7 @@ TRIED = (
     "outer 7 mil at 6 o'clock",
     "outer 7 mil at 3 o'clock",
 )
-THRUST = 30.0  # N, one for all
+THRUST = 30.0  # N, the same for all
 
 
 def readings(found, unknown, oil="vg68", models="full", **known):
@@ -44,8 +44,9 @@ def cage(folder, **variables):
     [(1797, 10, 30, 8e-6), (600, 10, 30, 2e-6), (1797, 100, 300, 6e-6)],
 )
 def test_speeds_of_cage_and_balls(tmp_path, models, within, rpm, load, axial, clearance):
-    """Differential slip alone contributes 2e-4 to 1e-3 to the cage's, 1e-3 to the balls'; the axis
-    of the balls 1e-4 to 3e-4. With models paper, that axis stays where it starts."""
+    """Differential slip alone contributes 2e-4 to 1e-3 to the cage speed and 1e-3 to the ball
+    speed; the spin axis of the balls 1e-4 to 3e-4. With models paper, that axis stays as it
+    starts."""
     case = {"rpm": rpm, "load": load, "axial": axial, "clearance": clearance}
     cage(tmp_path, models=models, **case, record="all")
     motion = raceway.open(tmp_path).motion
@@ -61,7 +62,7 @@ def test_speeds_of_cage_and_balls(tmp_path, models, within, rpm, load, axial, cl
 
 
 def test_hidden_clearance_of_a_run(tmp_path):
-    """With the thrust known, the clearance is found; with neither known, a valley through both."""
+    """With the thrust known, the clearance is found; with neither known, a curve through both."""
     clearance, axial = 6e-6, 60.0
     run = cage(tmp_path, models="full", rpm=1797, load=10, axial=axial, clearance=clearance)
     at = [Reading("BPFO", 9 * run, 1e-4, Point(1797.0))]
@@ -78,8 +79,8 @@ def test_hidden_clearance_of_a_run(tmp_path):
 
 @pytest.mark.parametrize("name", TRIED)
 def test_a_motor_bearing(tmp_path, name):
-    """One clearance, from the line at one speed, gives the lines at the other speeds and that of a
-    run; with a single thrust it is inside class CN."""
+    """One clearance, from the line at one speed, gives the lines at the other speeds and the line
+    of a run; with a single thrust it is within class CN."""
     line, orders = CWRU[name].line, list(CWRU[name].orders.values())
     rows = [Reading(line, at, 2e-4, Point(rpm)) for rpm, at in CWRU[name].orders.items()]
     found = identify.identify(readings(rows[:1], {"clearance": (-5e-6, 20e-6)}))
@@ -123,8 +124,8 @@ def test_a_capacitance_parts_clearance_and_thrust():
 
 
 def test_play_of_the_pockets_counts_where_balls_are_idle():
-    """A published slip of 0.1 to 0.6 % lies inside, and that of a cage which hangs toward the load;
-    with all balls loaded there is none."""
+    """The range of slip contains the published 0.1 to 0.6 % and the slip of a cage that hangs
+    towards the load; with all balls loaded there is no slip."""
     body = inputs.bearing(ROOT / "inputs/bearings/6205")
     idle = raceway.static.equilibrium(body, 400.0, clearance=10e-6)
     low, high = cage_speed.lags(body, idle)

@@ -68,7 +68,7 @@ def test_stiffness(line):
 
 
 def test_as_one_double_row_bearing(line):
-    """The pair as two rows of one bearing: displacement under the load, and both rows together."""
+    """The displacement under a load is that of one bearing with two rows."""
     load, place, *_ = line[:, (line[0] > 0.0) & (line[1] < 0.8 * SPREAD)]
     two = BEARING.double_row(DoubleRow(0.018, SPREAD), ANGLE)
     for k in (len(load) // 3, -1):
@@ -77,7 +77,7 @@ def test_as_one_double_row_bearing(line):
 
 
 def test_face_to_face(line, tmp_path):
-    """Face to face the bearings exchange roles; load pair and displacement stay the same."""
+    """Face to face the bearings exchange roles; load and displacement of the pair stay the same."""
     face = {"first": "minus", "second": "plus", "spread": -SPREAD}
     succeed("docs/decks/in.pair", out=tmp_path, **face)
     load, place, first, second = np.loadtxt(tmp_path / "line.dat").T

@@ -12,8 +12,8 @@ from raceway.cli import main
 
 @pytest.fixture(scope="module")
 def long(tmp_path_factory):
-    """40 ball passes: 4.4 turns of the cage. With 0.1 nm, since the ripple of the force along the
-    load, fy, is of the size that 1 nm leaves undetermined (docs/output.rst)."""
+    """40 ball passes, which are 4.4 turns of the cage. The tolerance is 0.1 nm, since the ripple of
+    the force along the load, fy, is no larger than its error with 1 nm (docs/output.rst)."""
     folder = tmp_path_factory.mktemp("long") / "run"
     succeed("inputs/in.6208", out=folder, passes=40, tolerance=1e-10)
     return raceway.open(folder)
@@ -45,7 +45,7 @@ def test_displacement_shows_the_slip_of_the_cage(long):
 
 
 def test_a_perfect_bearing_has_no_other_line(long):
-    """Without flaw and odd ball there is no line at ball spin and inner ball pass."""
+    """Without a flaw or an odd ball there is no line at BSF or BPFI."""
     for signal in ("x", "shift", "fy"):
         for line in spectrum.lines(long, spectrum.of_run(long, signal)):
             assert line.name in ("BPFO", "FTF") or line.note
@@ -89,8 +89,8 @@ def test_smoothed_friction_takes_force_times_sliding(long):
 
 def test_shaft_pays_what_the_contacts_lose(tmp_path):
     """With velocity Verlet. The input power varies by 40 mW about a mean of 1.4 mW as springs load
-    and unload; slip leaves 4e-4 of each of the 20 passes uncovered, 40 mW * 4e-4 = 1.2 % of the
-    mean. Tolerance three times that.
+    and unload; because of slip 4e-4 of each of the 20 passes is not covered, 40 mW * 4e-4 = 1.2 %
+    of the mean. The tolerance is three times that.
     """
     succeed("inputs/in.6208", out=tmp_path / "run", passes=20, settle=4, integrator="verlet")
     mean = losses.losses(raceway.open(tmp_path / "run")).mean()

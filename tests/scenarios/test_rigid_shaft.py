@@ -30,7 +30,7 @@ from shaft_runs import (
 
 MASS, AXIAL, ACROSS = 4.0, 2.0e-3, 2.0e-2  # kg, kg m^2
 MOVERS = {"implicit": {"step": 5e-5}, "verlet": {"mover": "verlet", "step": 1e-6}}
-AIR = 1.0e-3  # m, a clearance large enough that no ring closes it
+AIR = 1.0e-3  # m, a clearance so large that no ring touches its balls
 
 
 # ---- at rest
@@ -50,7 +50,7 @@ def resting(tmp_path_factory):
 
 
 def test_lever_rule(resting):
-    """3 kN at 0.12 m of 0.2: the bearings' own moments change little."""
+    """3 kN at 0.12 m of 0.2 m: the bearings' own moments change little."""
     assert resting["f1y"] == pytest.approx(1200.0, rel=1e-3)
     assert resting["f2y"] == pytest.approx(1800.0, rel=1e-3)
     own = resting["m1x"] + resting["m2x"]  # N m; the shaft's levers are measured from 0.12 m
@@ -58,7 +58,7 @@ def test_lever_rule(resting):
 
 
 def test_as_statics(resting):
-    """raceway shaft with a rigid shaft."""
+    """Agreement with `raceway shaft` for a rigid shaft."""
     seats = [shaft.Seat(at, B6208, phase=-np.pi / 2) for at in (0.1, 0.3)]
     rest = shaft.rest(
         shaft.Shaft([Section(0.4, 0.3)], Steel(young=2.1e13)),
@@ -121,7 +121,7 @@ def test_free_body(tmp_path, mover):
     assert np.abs(data["rx"] + 1j * data["ry"] - tilt).max() < 2e-4 * np.abs(tilt).max()
     assert data["x1"] == pytest.approx(data["x"] - 0.08 * data["ry"], abs=1e-9)
     assert data["x2"] == pytest.approx(data["x"] + 0.12 * data["ry"], abs=1e-9)
-    # of the rings: motion of the centre plus that of the tilt
+    # motion of a ring: that of the centre plus that of the tilt
     growth = 0.07 * 30 / ACROSS * np.cos(AXIAL * 3000 / ACROSS * time)
     for ring, lever in (("a1x", -0.08), ("a2x", 0.12)):
         assert data[ring] == pytest.approx(30 / MASS + lever * growth, rel=0, abs=1e-3)
@@ -201,12 +201,12 @@ def test_whirl_frequencies(tmp_path, spin):
     found = np.sort(np.abs(found))[::2]
     assert found == pytest.approx(want, rel=5e-3)
     if spin:
-        assert want[3] / want[2] > 1.05 and want[1] / want[0] > 1.5  # worth telling apart
+        assert want[3] / want[2] > 1.05 and want[1] / want[0] > 1.5  # far enough apart
 
 
 # ---- balances under load
 def test_energy(tmp_path):
-    """The work of loads equals the energy in motion and springs plus heat; the integrator loses a
+    """The work of loads equals the energy in motion and springs plus heat; the integrator loses one
     thousandth."""
     words = "mass 4 inertia 2e-3 2e-2 centre 0.08 load 0.15 -300 -3000 0 unbalance 0.02 2e-4 0.4"
     _, energy = swing(
@@ -263,7 +263,7 @@ def test_within_a_step(tmp_path):
     velocities."""
     text = succeed(DECK, out=tmp_path, **WITHIN, words=LOADED).text
     said = yaml.safe_load((tmp_path / "run.yaml").read_text())
-    # both bearings form one system: its internal steps are those of each
+    # both bearings form one system and share its internal steps
     (steps,) = numbers_of(text, "STEPS")
     assert said["step_s"] == pytest.approx(said["simulated_s"] / steps, rel=1e-9)
     ring = rings_follow(tmp_path)

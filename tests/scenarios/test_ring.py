@@ -8,7 +8,7 @@ from host import BOX, succeed
 MASS, AXIAL, ACROSS = 0.2, 1.2e-4, 6.5e-5  # kg, kg m^2
 BALL_MASS = 4 / 3 * np.pi * 6.3e-3**3 * 7800
 
-# Balls far from the rings (0.2 mm of radial play): nothing touches unless the clearance is
+# Balls are away from the rings (0.2 mm of radial play): nothing touches unless the clearance is
 # changed.
 DECK = (
     BOX
@@ -51,7 +51,7 @@ def motion(tmp_path, commands, steps, **variables):
 
 
 def test_constant_force_on_a_free_ring(tmp_path):
-    """z = F t^2/(2 m): Verlet is exact for it, and the columns have 15 digits."""
+    """z = F t^2/(2 m): Verlet is exact here, and the columns have 15 digits."""
     t, x, y, z, vz, *_ = motion(
         tmp_path, f"fix inner inner bearing/ring mass {MASS} z free force 3.0 4.0 5.0\n", 2000
     )
@@ -85,7 +85,7 @@ def test_moment_on_a_spinning_ring(tmp_path):
 
 
 def test_one_free_tilt_has_no_gyroscope(tmp_path):
-    """With the other tilt held: M t^2/(2 I_t)."""
+    """With the other tilt held, the free tilt is M t^2/(2 I_t)."""
     t, *_, rx, ry, _, _ = motion(
         tmp_path,
         f"fix inner inner bearing/ring inertia {AXIAL} {ACROSS} rx free spin speed 1000 moment 0.05"

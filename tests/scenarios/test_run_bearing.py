@@ -89,7 +89,8 @@ def test_same_bits_as_commands_of_the_host(scene, within, tmp_path):
     ids=["inner", "both rings", "seated", "angle given"],
 )
 def test_ball_pass(scene, closed, tmp_path):
-    """200 samples are a ball pass from the closed form, by integrator and ring speeds."""
+    """200 samples cover the ball pass of the closed form, for each integrator and several ring
+    speeds."""
     succeed(DECK, out=tmp_path, samples=200, settle=0, **scene)
     notes = values(tmp_path)[1]
     assert notes["samples_per_pass"] == 200
@@ -98,7 +99,7 @@ def test_ball_pass(scene, closed, tmp_path):
 
 @pytest.mark.parametrize("rate", [48000, 192000])
 def test_rate(rate, tmp_path):
-    """Samples a second instead of samples a ball pass; passes end at the nearest sample."""
+    """Samples per second instead of samples per ball pass; passes end at the nearest sample."""
     succeed(DECK, out=tmp_path, more=f"rate {rate}", passes=3, **DAMPING)
     data, notes = values(tmp_path)
     assert notes["sample_s"] == pytest.approx(1 / rate, rel=1e-12)
@@ -156,14 +157,14 @@ def power(folder):
 
 
 def evaluations(folder):
-    """Of the forces, to settle."""
+    """Number of force evaluations to settle."""
     return values(folder)[1]["settling_evaluations"]
 
 
 def test_auto_settles(tmp_path):
-    """After one ball pass the loss is 70 % off, after six a turning point has the loss of a long
-    run, which changes by 3 % once more; `auto` continues past it, at a fraction of the
-    evaluations."""
+    """After one ball pass the loss is 70 % off; after six, at a turning point, it equals that of a
+    long run, but then changes by 3 % once more. `auto` continues past this point, at a fraction of
+    the evaluations."""
     for settle in (1, "auto", 60):
         succeed(DECK, out=tmp_path / str(settle), settle=settle, **TURNS)
     want = power(tmp_path / "60")
@@ -177,8 +178,8 @@ def test_auto_settles(tmp_path):
 
 
 def test_last_passes_have_the_steps_of_the_deck(tmp_path):
-    """The steps on the way are coarse, and so do not depend on the tolerance; the measurement
-    follows one ball pass with it at least."""
+    """Steps during settling are coarse and do not depend on the tolerance; the measurement follows
+    at least one ball pass with that tolerance."""
     for tolerance in ("1.0e-9", "1.0e-10"):
         scene = {**TURNS, "move": f"bearing/implicit tolerance {tolerance}"}
         done = succeed(DECK, out=tmp_path / tolerance, settle="auto", **scene)
@@ -191,7 +192,7 @@ def test_last_passes_have_the_steps_of_the_deck(tmp_path):
 
 
 def test_auto_asks_for_more(tmp_path):
-    """A tenth of the allowed rest takes more ball passes, and the limit is met."""
+    """A tenth of the allowed remainder takes more ball passes, and the limit is met."""
     passes = []
     for settled in (1e-2, 1e-3):
         out = tmp_path / str(settled)
@@ -203,7 +204,7 @@ def test_auto_asks_for_more(tmp_path):
 
 
 def test_auto_ends_at_its_limit(tmp_path):
-    """With a warning that gives the numbers, and with a measurement."""
+    """The run warns with the numbers and then measures."""
     done = succeed(DECK, out=tmp_path, settle="auto", more="limit 2", **TURNS)
     assert re.search(r"WARNING: run_bearing: not settled after 2 ball passes: .* 0\.01", done.text)
     notes = values(tmp_path)[1]
@@ -211,7 +212,7 @@ def test_auto_ends_at_its_limit(tmp_path):
 
 
 def stop(out, scene, share, deck=DECK):
-    """Stops a run when its settling has got to this share (%), or to this ball pass."""
+    """Stops a run when its settling has reached this share (%), or this ball pass."""
     command = [HOSTS["liggghts"][0], "-in", deck, "-log", "none", "-var", "out", out]
     for name, value in scene.items():
         command += ["-var", name, str(value)]
@@ -249,8 +250,8 @@ def stop(out, scene, share, deck=DECK):
     ids=["implicit", "verlet", "ramp, auto", "coarse, auto", "last, auto", "verlet, auto"],
 )
 def test_stopped_while_it_settles(scene, at, tmp_path):
-    """It continues from there, with adaptive steps too, while the loads are applied in coarse
-    steps, in a ball pass of them, and in the last one."""
+    """A run stopped there continues, also with adaptive steps: while the loads are applied in
+    coarse steps, in a ball pass with coarse steps, and in the last one."""
     stop(tmp_path / "stopped", scene, at)
     assert not (tmp_path / "stopped" / "record.nc").exists()
     succeed(DECK, out=tmp_path / "whole", **scene)

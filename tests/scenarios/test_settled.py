@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs of the deck's own settling, and of one ball pass, against runs that settled for 100 ball
-passes, and their own estimate of settling. Balls that start with their spin about the bearing's
-axis lose 14 % more in the first scene and 17 % more in the second."""
+"""Runs with the deck's own settling, and with one ball pass of it, against runs that settled for
+100 ball passes and against their own estimate. Balls that start with their spin about the
+bearing's axis lose 14 % more in the first scene and 17 % more in the second."""
 
 import re
 
@@ -51,8 +51,8 @@ def test_a_settled_run_says_so(runs):
 
 
 def test_check_covers_the_rest(runs, tmp_path, monkeypatch):
-    """A run of the deck's own settling: its torque is within 1 % of that of the settled run, and
-    the error that `raceway check` finds is as large as the difference."""
+    """A run with the deck's own settling: its torque is within 1 % of that of the settled run, and
+    the error found by `raceway check` is as large as the difference."""
     name, _, settled, _ = runs
     words = dict(settle=None, **SCENES[name], **OIL)
     succeed("inputs/in.6208", out=tmp_path, **words)
@@ -66,9 +66,9 @@ def test_check_covers_the_rest(runs, tmp_path, monkeypatch):
 
 
 def test_waits_while_pocket_forces_of_a_cage_ring_fall(tmp_path):
-    """Two balls in the loaded arc pinch the cage at the start. All rests are small with a `settled`
-    of 1, so the pocket forces alone hold the measurement back: after half a turn of the cage, by
-    more than two ball passes, in each of which they fall to less than half."""
+    """Two balls in the loaded arc pinch the cage at the start. With a `settled` of 1 all other
+    criteria are met, so only the pocket forces delay the measurement: after half a turn of the
+    cage, by more than two ball passes, in each of which they fall to less than half."""
     scene = dict(cage="ring", load=6000, rpm=500, lubricant="vg46", models="full", samples=100)
     done = succeed("inputs/in.6208", out=tmp_path, settle="auto", settled=1, passes=1, **scene)
     falls = {

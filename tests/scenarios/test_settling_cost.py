@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Evaluations of the forces of whole runs, settling included, against those of commit a7b5052,
-whose runs settled for one ball pass whatever was left of their changes."""
+"""Force evaluations of whole runs, including settling, against those of commit a7b5052, whose runs
+settled for one ball pass regardless of the remaining change."""
 
 import pytest
 import raceway
@@ -9,8 +9,8 @@ from raceway.sweeps.scene_parts import REFERENCE
 
 MOST = 1.3
 HEAD = ("load", "axial", "rpm", "clearance", "lubricant", "temperature", "before")
-# the scenes that tests/bench/needs.py draws, those that it refuses included, and the evaluations of
-# a7b5052 with the settings of the reference of `raceway needs`
+# the scenes that tests/bench/needs.py draws, including those that it refuses, and the evaluations
+# of a7b5052 with the reference settings of `raceway needs`
 SCENES = """
 1.1e+03 0 256 -4.9e-06 vg68 37 14100
 682 0 1.59e+03 1.9e-05 pao8 42 26461
@@ -49,7 +49,7 @@ CHANGES = {  # choices of `raceway needs` with few evaluations, or with slow mod
 
 
 def evaluations(number, folder, **changes):
-    """(of the run, of a7b5052 with the settings of the reference)"""
+    """(evaluations of the run, of a7b5052 with the reference settings)"""
     words = dict(zip(HEAD, SCENES[number].split(), strict=True))
     before = float(words.pop("before"))
     own = {"passes": "1", "settle": "auto", "surroundings": "flooded"}
@@ -60,8 +60,8 @@ def evaluations(number, folder, **changes):
 
 
 def test_of_the_reference(tmp_path):
-    """A tenth to a half of it in most scenes: slow or light ones with many evaluations while loads
-    are applied."""
+    """In most scenes a tenth to a half of them; more in slow or light scenes with many evaluations
+    while loads are applied."""
     shares = []
     for number in range(len(SCENES)):
         now, before = evaluations(number, tmp_path / str(number))

@@ -16,7 +16,7 @@ SPIN, CLEARANCE = 100 * np.pi, 20e-6
 # Hz of the deck, in the order of the matrices
 DRIVEN = {"x": 250.0, "y": 350.0, "z": 150.0, "rx": 450.0, "ry": 550.0}
 PERIODS, PERIOD = 4, 0.02  # s, period of all of them together
-STUDENT = 5.84  # 99 % of the means of four lie within this number of standard errors
+STUDENT = 5.84  # 99 % of means of four values lie within this number of standard errors
 MASS = 4 / 3 * np.pi * (6.3e-3) ** 3 * 7800.0  # kg, of a ball
 
 
@@ -54,7 +54,7 @@ def want(found):
 
 
 def test_stiffness(found, want):
-    """All entries that symmetry leaves; the others vanish, except those that rotate with the
+    """All entries that symmetry allows; the others vanish, except those that rotate with the
     balls."""
     stiffness, expected = found[0].stiffness, want[0]
     for row, column in ((0, 0), (1, 1), (2, 2), (0, 4), (1, 3), (3, 1), (4, 0)):
@@ -80,7 +80,7 @@ def test_damping(found, want):
 
 
 def test_damping_turns_with_the_balls(found):
-    """K_xy = C omega_c = -K_yx, within the scatter of periods fitted one by one."""
+    """K_xy = C omega_c = -K_yx, within the scatter of individually fitted periods."""
     fit, orbit, run = found
     apart = []
     for k in range(PERIODS):

@@ -95,19 +95,19 @@ def test_length_from_a_housing(tmp_path, raceway, passes, length):
     [
         # nearly loses its load, and bounces
         ("outer", 1e-3, dict(load=1000, rpm=3000), True),
-        # keeps it
+        # keeps its load
         ("outer", 1e-3, dict(bearing=6208, load=2000, rpm=1500, mass=0.2), False),
-        # the worst of the page
+        # the largest error on the page
         ("inner", 2e-3, dict(bearing=6208, load=2000, rpm=1500, mass=0.2), False),
         # the reading was 3.55 mm with the line continued through earlier ringing
         ("outer", 1e-3, dict(bearing=6208, load=4000, rpm=3000, mass=0.2, passes=8), True),
     ],
 )
 def test_hard_lengths_from_a_housing(tmp_path, raceway, length, more, rings):
-    """The runs of tests/bench/spall_length.py that are hardest to read, and one that still vibrates
-    when the next ball arrives: within 3 %."""
+    """The most difficult runs of tests/bench/spall_length.py, and one that still vibrates when the
+    next ball arrives: within 3 %."""
     more = {"passes": {"outer": 5, "inner": 16}[raceway]} | more
-    with pytest.warns(UserWarning, match="the signal moves by") if rings else nullcontext():
+    with pytest.warns(UserWarning, match="the signal varies by") if rings else nullcontext():
         found, _ = lengths_from_a_housing(tmp_path, raceway, length=length, **more)
     assert found == pytest.approx(length, rel=0.03)
 
@@ -117,12 +117,12 @@ def test_a_length_that_is_wrong_has_a_warning(tmp_path):
     case = dict(bearing=6208, load=2000, rpm=3000, mass=0.2)
     with pytest.warns(UserWarning, match="lengths can be wrong by half or more"):
         found, _ = lengths_from_a_housing(tmp_path, "outer", 5, 2e-3, **case)
-    assert found > 3e-3  # once this is right, the test needs another scene
+    assert found > 3e-3  # once this is correct, the test needs another scene
 
 
 def test_length_from_a_file(tmp_path):
-    """1.5 mm from the file of a sensor of 96 kHz; behind the filter of one of 48 kHz all spalls
-    read 1 mm, with a warning."""
+    """1.5 mm from the file of a 96 kHz sensor; behind the filter of a 48 kHz sensor all spalls read
+    1 mm, with a warning."""
     words = HOUSED | dict(bearing=6206, rpm=1500, load=800)
     flaw = f"notch {-np.pi / 2} 1.5e-3 full 1e-3 5e-5"
     succeed("inputs/in.6208", out=tmp_path, passes=8, **words, flaw_outer=flaw)
@@ -173,7 +173,7 @@ def test_length_from_a_contact_load(tmp_path):
         for one in loads.T
     ]
     every = passages.Passages(*map(np.concatenate, zip(*each)))
-    # the neighbouring balls take less load than it loses
+    # the neighbouring balls take less load than the ball loses
     seconds = every.seconds[every.dip > 0.9 * every.dip.max()]
     assert len(seconds) == 2
     spin = RPM * np.pi / 30

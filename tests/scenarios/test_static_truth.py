@@ -38,7 +38,7 @@ def test_ball_loads_at_every_azimuth(tmp_path):
             np.testing.assert_allclose(found[heavy], theory.load[heavy], rtol=1e-3)
             np.testing.assert_allclose(found, theory.load, rtol=0, atol=1e-3 * theory.load.max())
             compared += heavy.sum()
-    assert compared > 101 * 2 * 4  # four to five balls carry
+    assert compared > 101 * 2 * 4  # four to five balls carry load
 
 
 def test_ball_loads_with_clearance(tmp_path):

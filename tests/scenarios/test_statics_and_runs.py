@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Statics against settled runs over random scenes: the same settings mean the same equilibrium.
+"""Statics against settled runs over random scenes: the same settings give the same equilibrium.
 
 The balls of statics are at the azimuths of the run's last sample and orbit at its cage speed.
 Friction, which statics neglects, hinders balls that move across their grooves as they orbit: in a
@@ -35,7 +35,7 @@ def scenes(seed=29):
 
 
 def little_friction(folder, models, moment):
-    """With a `moment`, the paper's model with little friction."""
+    """If there is a `moment`: the paper's model with little friction."""
     if not moment:
         return models
     own = folder / "slippery"
@@ -71,7 +71,7 @@ def test_loads_and_place(tmp_path, name, load, axial, moment, rpm, models):
         np.testing.assert_allclose(side, contacts.load, rtol=0, atol=0.01 * contacts.load.max())
     force = [float(last[f"ring_f{axis}"]) for axis in "xyz"]
     np.testing.assert_allclose(force, rest.force, rtol=0, atol=0.01 * np.hypot(load, axial))
-    seat = inputs.held(path, 0.0)["z"]  # where a run counts z from
+    seat = inputs.held(path, 0.0)["z"]  # origin of z in a run
     place = [float(last["ring_x"]), float(last["ring_z"]) + seat]
     np.testing.assert_allclose(place, rest.shift[[0, 2]], rtol=0.01, atol=1e-7)
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of statics in the column beside those of a run: which point they are of, how far runs are
-from them, and where there are none."""
+"""Figures of statics in the column beside those of a run: their operating point, the deviation of
+runs, and cases without them."""
 
 import json
 import math
@@ -71,10 +71,10 @@ CASES = {
 
 @pytest.mark.parametrize("case", CASES)
 def test_runs_are_near(tmp_path, case):
-    """Loads, films and cage speed of settled runs within 1 %; four places of the balls find the
-    largest load to 0.7 % and the mean capacitance to 0.5 %. Contact angles of a ring that is held
-    along its axis differ around it, and with them the speeds of the balls, of which statics takes
-    the mean: 1.2 % above the cage of the run."""
+    """Loads, films and cage speed of settled runs within 1 %; four positions of the balls give the
+    largest load to 0.7 % and the mean capacitance to 0.5 %. If a ring is held along its axis,
+    contact angles differ around it, and with them the speeds of the balls; statics takes their
+    mean, 1.2 % above the cage speed of the run."""
     words = {"models": "full", **OIL, **CASES[case]}
     settle = 2 if case == "four points" else 20
     succeed("inputs/in.6208", out=tmp_path, settle=settle, passes=1, samples=40, **words)
@@ -90,8 +90,8 @@ def test_runs_are_near(tmp_path, case):
 
 
 def test_two_bearings_on_a_shaft(tmp_path):
-    """Each of two named bearings has its own data and oil; the place of its ring, that of another
-    that slides along the axis as well, is held as measured."""
+    """Each of two named bearings has its own data and oil; the position of its ring is held as
+    measured, even if the ring slides along the axis."""
     done = run("docs/decks/in.two_bearings", out=tmp_path, models=None, settle=None)
     assert done.code == 0, done.error
     names = []
@@ -108,7 +108,7 @@ def test_two_bearings_on_a_shaft(tmp_path):
 NONE = {
     "the load turns": dict(unbalance=1e-4),
     "raceways or balls have flaws": dict(flaw_inner="wave 8 1e-8 0"),
-    "the run has data of its own: ball_poisson=0.29": dict(ball_poisson=0.29),
+    "the run has its own data: ball_poisson=0.29": dict(ball_poisson=0.29),
     "statics has no equivalent of -var without drag": dict(models="full", without="drag"),
     "statics has no equivalent of models none": dict(models="none"),
     "temperatures follow the losses of the run": dict(
@@ -123,7 +123,7 @@ def test_none(tmp_path, why, capsys):
     _, found, said = beside(tmp_path)
     assert not found and said == why
     assert main(["summary", str(tmp_path)]) == 0
-    assert f"none beside this run: {why}" in capsys.readouterr().out
+    assert f"not available for this run: {why}" in capsys.readouterr().out
 
 
 def test_speed_that_changes(tmp_path):

@@ -83,13 +83,14 @@ def test_energy(tmp_path, fall):
     text = succeed(DECK, out=tmp_path, fall=fall).text
     work, lost, stored, rest = map(float, re.findall(r"^ *4000 +(.*)$", text, re.M)[-1].split())
     assert work == pytest.approx(lost + stored, abs=1e-6 * work)
-    # the integrator has an estimated local error of 0.1 nm a step, with springs of 2e8 N/m at 10 um
+    # the integrator has an estimated local error of 0.1 nm per step, with springs of 2e8 N/m at 10
+    # um
     assert abs(rest) < 1e-6 * work
 
 
 def test_momentum(tmp_path):
-    """Forces of supports, load and weight give the acceleration, at every sample, to the ten
-    digits that the host prints: 1e-6 N of 2 kN."""
+    """Forces of supports, load and weight give the acceleration at every sample, to the ten digits
+    that the host prints: 1e-6 N of 2 kN."""
     succeed(DECK, out=tmp_path, fall=9.81)
     x, y, fx, fy, ax, ay = np.loadtxt(tmp_path / "ring.dat").T[[1, 2, 6, 7, 8, 9]]
     assert MASS * ax == pytest.approx(fx + 200 + MASS * 9.81 * FALL[0], abs=1e-6)

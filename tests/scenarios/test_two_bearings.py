@@ -38,8 +38,8 @@ def test_each_has_its_data(run):
 
 
 def test_forces_and_moments_balance(run):
-    """Averaged over whole ball passes the bearings carry the loads, in force and moment; the
-    floating one carries no thrust."""
+    """Averaged over whole ball passes the bearings balance the loads in force and moment; the
+    floating bearing carries no thrust."""
     force, moment = np.zeros(3), np.zeros(3)
     for number, z in AT.items():
         of, couple = reaction(run, number)

@@ -111,8 +111,8 @@ def test_deck_with_combined_load(tmp_path):
 
 
 def test_deck_with_an_unbalanced_shaft(tmp_path):
-    """docs/decks/in.unbalance: the shaft's centre orbits once a turn, and the contacts carry
-    weight and unbalance."""
+    """docs/decks/in.unbalance: the shaft's centre orbits once per revolution, and the contacts
+    carry weight and unbalance."""
     succeed("docs/decks/in.unbalance", out=tmp_path)
     speed, force = 3000 * math.pi / 30, 2e-3 * (3000 * math.pi / 30) ** 2
     with xarray.open_dataset(tmp_path / "record.nc") as data:

@@ -39,7 +39,7 @@ def test_lines_of_a_spall(tmp_path, side, names, length):
     for line in wanted:
         assert line.note == "", line
         assert line.found == pytest.approx(line.by_cage, rel=2e-3), line
-    # a flaw of the other raceway has no line here
+    # a flaw of the other raceway would have no line here
     other = {"outer": "BPFI", "inner": "BPFO"}[side]
     assert all(line.note for line in lines if line.name == other)
 
@@ -64,7 +64,7 @@ def test_rate(perfect):
 
 
 def test_a_repeat_with_more_samples(perfect):
-    """The repeats of `raceway check`: a finer tolerance brings a finer step."""
+    """In repeated runs of `raceway check` a finer tolerance brings a finer step."""
     more = check.repeats(RunTables(perfect))["sampling"]
     assert more["oversampling"] == "4" and more["samples"] == "200"
     assert more["sampling"] == "25600" and more["housing_frequency"] == "4000"

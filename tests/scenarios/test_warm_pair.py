@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""docs/decks/in.warm_pair: a preloaded pair of 7205Bs warms up or seizes by its cooling, as the
-balance of heat and expansion of one bearing with a held inner ring has it."""
+"""docs/decks/in.warm_pair: depending on its cooling a preloaded pair of 7205Bs warms up or seizes,
+as predicted by the balance of heat and expansion of one bearing with a held inner ring."""
 
 import numpy as np
 import pytest
@@ -33,8 +33,8 @@ def jumps(folder):
 
 
 def energy(table, shaft):
-    """(heat of the losses, heat carried away and stored) in J, from temperatures and losses of the
-    rows alone."""
+    """(heat of the losses, heat removed and stored) in J, from temperatures and losses of the rows
+    alone."""
     step = np.diff(table["thermal_time"])
 
     def mean(values):
@@ -49,8 +49,8 @@ def energy(table, shaft):
 
 
 def test_a_cooled_pair_is_steady(tmp_path):
-    """Temperatures of the balance in statics to 1.2 K: the losses of a run are 1 % higher, because
-    its balls orbit faster under their gyroscopic moment, and 2 % of 50 K are 1 K."""
+    """Temperatures agree with the balance in statics to 1.2 K: the losses of a run are 1 % higher,
+    because its balls orbit faster under their gyroscopic moment, and 2 % of 50 K are 1 K."""
     succeed("docs/decks/in.warm_pair", out=tmp_path)
     table = jumps(tmp_path)
     _, found = rest(SHAFT)
@@ -68,8 +68,8 @@ def test_a_cooled_pair_is_steady(tmp_path):
 
 
 def test_without_cooling_of_the_shaft_it_seizes(tmp_path):
-    """Statics has no steady state below 200 C either. Inner rings get hotter than outer ones, the
-    clearance falls and the losses rise, which oil alone would lower."""
+    """Statics has no steady state below 200 C either. Inner rings become hotter than outer rings,
+    the clearance falls and the losses rise, whereas hotter oil alone would lower them."""
     with pytest.raises(NoEquilibrium, match="no steady temperature up to 200 C"):
         rest(0.0)
     done = run("docs/decks/in.warm_pair", out=tmp_path, shaft_cooling=0)

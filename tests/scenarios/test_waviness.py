@@ -93,11 +93,11 @@ def test_other_orders_move_nothing(tmp_path):
 
 
 def test_waves_of_a_ball(tmp_path):
-    """An even order makes a ball larger and smaller n times a turn relative to the cage: the ring
+    """An even order makes a ball larger and smaller n times per turn relative to the cage: the ring
     whirls at n times that speed plus and minus the cage speed, and moves along its axis at n times
-    it. An odd order meets both raceways at once, one high and one low, and moves nothing. The wave
-    is traversed where the balls' path is, off the equator. Along the axis the ring still settles,
-    which leaves 5e-3 of the line at any speed."""
+    that speed. An odd order meets both raceways at once, one high and one low, and moves nothing.
+    The balls' path crosses the wave off the equator. Along the axis the ring still settles, which
+    adds 5e-3 of the line at any speed."""
     time, across, along, _, cage, _ = turned(
         tmp_path, flaw_ball=f"wave 2 {AMPLITUDE} 0.3 wave 3 {AMPLITUDE} 0.3"
     )

@@ -61,7 +61,8 @@ def test_closed_form_verlet(words, speed):
     "words, speed", [("unbalance 1e-5 0.3", 100), ("rotating 0.05 -60 0.3", -60)]
 )
 def test_closed_form_implicit(words, speed):
-    """The internal steps follow the tolerance; host steps of a quarter of a turn do not matter."""
+    """Internal steps follow the tolerance, so host steps of a quarter of a turn are accurate
+    enough."""
     force = 1e-5 * 100**2 if "unbalance" in words else 0.05
     exact = whirl(force, speed, 0.3, 0.1)
     found = [

@@ -47,7 +47,7 @@ def point(filling, phase=0.0):
 
 
 def test_mean_is_that_of_statics(whole, filling):
-    """Over the positions of the balls. Within 0.3 %: the balls skid, and the ring moves
+    """Means over the positions of the balls agree within 0.3 %: the balls skid, and the ring moves
     slightly."""
     phases = 2 * np.pi / 9 * np.arange(8) / 8
     statics = [point(filling, phase).capacitors() for phase in phases]
@@ -68,7 +68,7 @@ def test_gaps_are_the_run_s_overlaps(run, whole):
 
 
 def test_plates_are_the_run_s(run, whole):
-    """Where a contact carries more than the ball's own load."""
+    """They agree if a contact carries more than the ball's own load."""
     plates = run.contacts["capacitance"].sel(time=whole["time"]).transpose(*whole["plates"].dims)
     heavy = whole["load"] > 1.001 * whole.attrs["quiet_load_N"]
     assert float(np.abs(whole["plates"] / plates - 1).where(heavy).max()) < 1e-9
@@ -77,7 +77,7 @@ def test_plates_are_the_run_s(run, whole):
 
 def test_no_jump_where_contact_is_lost(whole):
     """The largest change between samples occurs in the transition from play to film, at 60 samples
-    a pass."""
+    per pass."""
     one = whole["one_ball"].to_numpy()
     load = whole["load"].sel(raceway="inner").to_numpy()
     steps = np.abs(np.diff(one, axis=0)) / one[1:]
@@ -116,7 +116,7 @@ def test_dry_runs_have_none(tmp_path):
         whole_capacitance.over_time(raceway.open(tmp_path / "run"))
 
 
-# ---- against the engine, which computes the same by formulas of its own -------------------------
+# ---- against the engine, which computes the same with its own formulas ---------------------------
 @pytest.fixture(scope="module", params=["flooded", "cavitated"])
 def recorded(request, tmp_path_factory):
     folder = tmp_path_factory.mktemp("whole") / "run"
@@ -135,7 +135,7 @@ def recorded(request, tmp_path_factory):
 
 
 def test_the_record_is_taken(recorded):
-    """Its columns, and the settings of its fix."""
+    """The columns of the record and the settings of its fix are used."""
     found = whole_capacitance.over_time(recorded)
     assert found.attrs["source"] == "record"
     filling = whole_capacitance.filling_of(recorded)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Ball bearings: runs of the simulation, read and drawn, and the theory to compare them with.
+"""Ball bearings: reads and draws runs of the simulation, and has the theory to compare them with.
 
 `simulate` runs a bearing, `open` reads a run. The other public names are loaded on first
 use.
@@ -40,7 +40,7 @@ def open(folder: str | PathLike[str], samples: slice = slice(None)) -> "Run":
 
     Raises `raceway.errors.RunError` if the folder does not contain a run.
     """
-    # xarray takes longer to load than a static bearing to solve
+    # loading xarray takes longer than solving a static bearing
     from raceway.runs.run import Run
 
     return Run(folder, samples)

@@ -12,12 +12,12 @@ Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Numbers = float | Floats  # one number or an array of them
 
-SHOWN = 6  # numbers of an array that are shown one by one; longer arrays by shape and range
+SHOWN = 6  # longest array whose numbers are listed; longer ones are shown by shape and range
 
 
 def short(result: Any) -> str:
     """A dataclass or named tuple in a few lines, for its `__repr__`: one line for each field;
-    nested results by the names of their fields."""
+    nested results are shown by the names of their fields."""
     lines = [f"  {name}: {_value(getattr(result, name))}" for name in _names(result)]
     return "\n".join([f"<{type(result).__name__}", *lines]) + ">"
 

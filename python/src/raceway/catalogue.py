@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Finds data by name: bearings and lubricants of the `inputs` folder, of the package, or a user's
-own file. `raceway.listing` searches the bearings."""
+"""Finds bearings and lubricants by name, in the `inputs` folder, in the package or in a user's own
+file. `raceway.listing` searches the bearings."""
 
 import difflib
 from pathlib import Path
@@ -12,11 +12,11 @@ from raceway.inputs import InputError
 KINDS = {"bearings": "bearing", "lubricants": "lubricant"}
 # In a source tree this is a link to the folder inputs; a wheel has copies of the files.
 SHIPPED = Path(__file__).with_name("data")
-MANY = 20  # number of names in a message; if there are more, those similar to the requested one
+MANY = 20  # most names in a message; if there are more, only those similar to the requested one
 
 
 def folder(given: FilePath | None = None) -> Path:
-    """The inputs folder: `given`; otherwise `inputs` here or in a folder above; otherwise the files
+    """The inputs folder: `given`, or else `inputs` here or in a parent folder, or else the files
     of the package. Raises `InputError` if `given` is not a folder."""
     if given is not None:
         if not Path(given).is_dir():
@@ -31,8 +31,8 @@ def folder(given: FilePath | None = None) -> Path:
 
 def find(kind: str, name: str, inputs: FilePath | None = None) -> Path:
     """Path of the data file `name` of a kind ("bearings" or "lubricants"); a name with a slash is
-    itself a path. Where a table in the folder has a row of that name and there is no such file,
-    `raceway.inputs` reads the row under this path.
+    itself a path. If there is no such file but a table in the folder has a row of that name,
+    `raceway.inputs` reads that row under this path.
 
     `inputs` is a folder or None, see `folder`. Raises `InputError` with the available names.
     """

@@ -51,7 +51,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         return 1
     except (
         BrokenPipeError
-    ):  # the reader has closed the pipe: leave nothing for the interpreter to flush at exit
+    ):  # the reader has closed the pipe, so leave nothing for the interpreter to flush at exit
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
     except OSError as error:
@@ -64,7 +64,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def modules() -> Iterator[ModuleType]:
     """The subcommands by name: the modules of `raceway.commands` with `add` and `run`. A module
-    that begins with _ belongs to another one and loads large packages."""
+    whose name begins with _ belongs to another one and loads large packages."""
     for found in pkgutil.iter_modules(commands.__path__):
         if found.name.startswith("_"):
             continue

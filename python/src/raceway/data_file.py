@@ -54,8 +54,8 @@ def text(path: FilePath) -> str:
 
 def values(path: FilePath) -> dict[str, str]:
     """The index variables of a data file as {name: text}. Raises `InputError` if it cannot be read
-    and for a mistyped name, as decks do: one that no variable has and that is close to one that the
-    file lacks. Other names are the user's own."""
+    or, as decks do, for a mistyped name: one that is not a variable but resembles one that the file
+    lacks. Other names are the user's own."""
     found = _matches(path, LINE)
     if wrong := core.mistyped(found):
         raise InputError(f"{path}: {wrong}")

@@ -14,8 +14,8 @@ SIZES = ("bore_diameter", "outside_diameter", "bearing_width")
 
 
 def names(folder: Path) -> list[str]:
-    """Names of a folder's data, sorted: its files and the rows of its tables. None for a folder
-    that is not there."""
+    """Names of a folder's data, sorted: its files and the rows of its tables. Empty if the folder
+    does not exist."""
     if not folder.is_dir():
         return []
     files = {path.name for path in folder.iterdir() if path.is_file() and path.suffix != ".csv"}
@@ -42,7 +42,7 @@ def _table(path, changed):
 
 
 class _Table:
-    """One file: comments, commands for all rows, the line of columns, rows."""
+    """One file: comments, commands for all rows, the heading, rows."""
 
     def __init__(self, path):
         self.path = path
@@ -67,14 +67,14 @@ class _Table:
             else:
                 self._add(columns, line.split(","), f"{path}, line {number}")
         if columns is None:
-            raise InputError(f"{path} has no line of columns that begins with name,")
+            raise InputError(f"{path} has no heading that begins with name,")
         end = columns.index("source") if "source" in columns else len(columns)
         self.variables = columns[1:end]
 
     def _add(self, columns, cells, place):
         if len(cells) != len(columns):
             raise InputError(
-                f"{place}: {len(cells)} cells, must be {len(columns)} as in the line of columns"
+                f"{place}: {len(cells)} cells, must be {len(columns)} as in the heading"
             )
         if cells[0] in self.rows:
             raise InputError(f"{place}: a second row '{cells[0]}'")

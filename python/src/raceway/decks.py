@@ -12,7 +12,7 @@ INPUTS = "inputs"
 
 
 def decks() -> dict[str, str]:
-    """Title, its first comment, of each deck by name."""
+    """{name: title} of all decks; the title is the first comment."""
     return {path.name: _title(path.read_text()) for path in sorted(catalogue.SHIPPED.glob("in.*"))}
 
 
@@ -53,7 +53,7 @@ def copy(name: str, to: FilePath = ".") -> list[Path]:
     texts = {path: text for path, text in texts.items() if not _is(path, text)}
     for path in texts:
         if path.exists():
-            raise InputError(f"{path} is there with another text: remove it, or copy elsewhere")
+            raise InputError(f"{path} exists with different text: remove it, or copy elsewhere")
     for path, text in texts.items():
         files.folder(path.parent)
         files.text(path, text)

@@ -6,7 +6,7 @@ from difflib import get_close_matches
 
 
 class RacewayError(Exception):
-    """Base of everything a user can cause; its text is a complete message."""
+    """Base of all errors that a user can cause; its text is a complete message."""
 
 
 class RunError(RacewayError):

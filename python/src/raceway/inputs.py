@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from raceway.data_file import check, numbers, values
-from raceway.data_file import comments as comments  # public here, too
+from raceway.data_file import comments as comments  # also public here
 from raceway.data_file import text as text
 from raceway.errors import InputError
 from raceway.files import FilePath
@@ -41,7 +41,7 @@ FLUID = {
 }
 
 
-# variables of `Bearing`, and those that a bearing given by its usual data may omit
+# variables of `Bearing`, and those that a bearing defined by its usual data may omit
 RADII = ("inner_radius", "outer_radius", "inner_groove", "outer_groove")
 STEEL = {"ball_young": 210e9, "ball_poisson": 0.3}
 
@@ -56,7 +56,7 @@ class Oil(NamedTuple):
 
 
 def _named(kind, path):
-    """The path of a data file; for a name without folder that is not a file here, as in
+    """The path of a data file; a name without folder that is not a file here is found with
     `catalogue.find`."""
     from raceway import catalogue  # which imports this module
 
@@ -72,15 +72,15 @@ def bearing(
     one_groove: str | None = None,
 ) -> Bearing:
     """`Bearing` from a file of inputs/bearings or a name of the catalogue, with four-point contact
-    if the file or `four_point` (rad) requests it, with two rows by `double_row`. `one_groove`, a
-    reason, refuses several grooves a ring. Raises `InputError`."""
+    if the file or `four_point` (rad) requests it, and with two rows if `double_row` is given. If
+    `one_groove`, a reason, is given, several grooves per ring are refused. Raises `InputError`."""
     path = _named("bearings", path)
     body = _one_groove(path)
     angle = four_point_angle(path) if four_point is None else four_point
     if one_groove and (angle is not None or double_row is not None):
         raise InputError(f"{path}: a four-point contact bearing; {one_groove}")
     if angle is not None and nominal_angle(path):
-        raise InputError(f"{path}: four points need a bearing of contact_angle 0")
+        raise InputError(f"{path}: four-point contact needs a bearing with contact_angle 0")
     try:
         if angle is not None:
             body = body.four_point(angle)
@@ -90,7 +90,7 @@ def bearing(
 
 
 def _one_groove(path):
-    """`Bearing` of a file with one groove a ring."""
+    """`Bearing` of a file with one groove per ring."""
     known = values(path)
     data = numbers(path, "balls", "ball_diameter")
     if "pitch_diameter" in known:
@@ -128,7 +128,7 @@ def held(
         raise InputError(
             f"{path}: clearance {clearance:g} m must be 0: it follows from the contact angle"
         )
-    # as in create_bearing: half of it compresses a ball, by at most 0.02 of its radius at a contact
+    # as in create_bearing: half of the preload compresses each contact, by at most 0.02 ball radii
     least, most = -0.08 * body.ball_radius, body.play(math.pi / 2)
     if not least <= clearance <= most:
         raise InputError(
@@ -154,8 +154,8 @@ def nominal_angle(path: FilePath) -> float:
 
 
 def four_point_angle(path: FilePath) -> float | None:
-    """Angle (rad) at which balls in the middle touch both grooves of each ring, for a
-    file of inputs/bearings; None for a bearing with one groove a ring. Raises `InputError`."""
+    """Angle (rad) at which centred balls touch both grooves of each ring, for a file of
+    inputs/bearings; None for a bearing with one groove per ring. Raises `InputError`."""
     if "four_point" not in values(path):
         return None
     return math.radians(numbers(path, "four_point")["four_point"]) or None
@@ -298,8 +298,8 @@ def fluid(path: FilePath, temperature: float | None = None) -> Fluid:
         numbers(path, "viscosity")
         if temperature not in (None, own):
             raise InputError(
-                f"{path} has values for {own:g} C only and none for {temperature:g} C: take a file "
-                "with physical data, vg46 for example"
+                f"{path} has values for {own:g} C only, not for {temperature:g} C: use a file "
+                "with physical data, for example vg46"
             )
         result = Fluid(own, *[math.nan] * (len(Fluid._fields) - 1))
     given = {field: key for field, key in FLUID.items() if key in data}
@@ -309,8 +309,8 @@ def fluid(path: FilePath, temperature: float | None = None) -> Fluid:
 
 
 def assumed(path: FilePath, models: str | None = None) -> dict[str, float]:
-    """Constants of an oil that its file does not have, by name, with the defaults by which decks
-    and statics replace them; with `models` only those that these take. Raises `InputError`."""
+    """Constants of an oil that its file lacks, by name, with the defaults that decks and statics
+    use instead; with `models`, only those that these models need. Raises `InputError`."""
     data, over, table = values(path), physical(path), variable_table.oil()
     return {
         name: float(row["default"])
@@ -323,7 +323,7 @@ def assumed(path: FilePath, models: str | None = None) -> dict[str, float]:
 
 
 def _constants(path, *names):
-    """Numbers of an oil by name, defaults where its file has none."""
+    """Numbers of an oil by name; defaults for those that its file lacks."""
     usual = {name: value for name, value in assumed(path).items() if name in names}
     found = numbers(path, *(name for name in names if name not in usual)) | usual
     return {name: found[name] for name in names}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearings of an inputs folder (files and rows of tables), and a search in them."""
+"""Lists and searches the bearings of an inputs folder (files and rows of tables)."""
 
 import math
 from collections.abc import Iterable

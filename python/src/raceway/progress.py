@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A progress line on the terminal. Off in the library; the `raceway` command
-turns it on."""
+"""A progress line on the terminal. It is off in the library and turned on by the `raceway`
+command."""
 
 import sys
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A rotor of ROSS as a file: the output of `Rotor.save` (.toml, read by ROSS), or its matrices
+"""A ROSS rotor as a file: the output of `Rotor.save` (.toml, read by ROSS), or its matrices
 (.npz, read without ROSS)."""
 
 import zipfile
@@ -15,7 +15,7 @@ from raceway.theory import rotor_matrices
 
 SUFFIXES = (".toml", ".npz")
 NEEDED, OTHER = ("M", "K", "G", "z"), ("C",)
-ROWS = 6000  # largest matrix, of 1000 nodes
+ROWS = 6000  # rows of the largest matrix, for 1000 nodes
 WRITE = "numpy.savez(FILE, M=r.M0, K=r.K0, C=r.C0, G=r.G0, z=r.nodes_pos) of a rotor r"
 
 
@@ -28,7 +28,7 @@ class Read(NamedTuple):
 
 
 def is_ross(path: FilePath) -> bool:
-    """True if `path` has the suffix of a ROSS rotor; a shaft's YAML file has another."""
+    """True if `path` has the suffix of a ROSS rotor, not that of a shaft's YAML file."""
     return Path(path).suffix in SUFFIXES
 
 
@@ -56,8 +56,8 @@ def _toml(path):
         import ross
     except ImportError as error:
         raise RacewayError(
-            f"{path}: ROSS does not load ({error}): pip install ross-rotordynamics 'plotly<7', or"
-            f" write the matrices where ROSS is: {WRITE}, FILE ending in .npz"
+            f"{path}: cannot load ROSS ({error}): pip install ross-rotordynamics 'plotly<7', or"
+            f" write the matrices where ROSS is installed: {WRITE}, FILE ending in .npz"
         ) from None
     if not Path(path).is_file():
         raise RacewayError(f"cannot read {path}: there is no such file")
@@ -98,7 +98,7 @@ def _check_sizes(path):
                     raise ValueError(f"'{name}' is not an array of real numbers")
                 shape, _, kind = read(file)
             if kind.kind not in "fiu":
-                raise ValueError(f"'{name}' is of {kind}, must be real numbers")
+                raise ValueError(f"'{name}' has type {kind}, must be real numbers")
             if len(shape) > 2 or max(shape, default=0) > ROWS:
                 size = " x ".join(map(str, shape))
                 raise ValueError(f"'{name}' is {size}, must have {ROWS} rows and columns at most")

@@ -68,9 +68,9 @@ def lines(
     second: tuple[str, Mapping[str, Any]] | None = None,
 ) -> list[str]:
     """The lines of a table of `topics` (`Row`s by heading); figures that are None are left out.
-    Where there are `errors` by key, in the unit of the figure, a column has them; `ranges` (low,
-    high) by key end a line. `second`, a name and figures by key, is a column of its own, with its
-    name above it in each topic that it has figures of."""
+    If `errors` by key are given, in the unit of the figure, they have a column; `ranges` (low,
+    high) by key are at the end of a line. `second`, a name and figures by key, is a separate
+    column, with its name above it in each topic for which it has figures."""
     result = []
     name, others = second or ("", {})
     for topic, rows in topics.items():
@@ -113,8 +113,8 @@ def cells(
     errors: Mapping[str, float] | None = None,
     ranges: Mapping[str, tuple[float, float]] | None = None,
 ) -> list[tuple[str, ...]]:
-    """The cells of that table: (label, value, error, range, source), and (topic,) above a
-    topic's."""
+    """The cells of that table: (label, value, error, range, source), with (topic,) before those
+    of each topic."""
     result: list[tuple[str, ...]] = []
     for topic, rows in topics.items():
         block = [

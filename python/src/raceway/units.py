@@ -11,7 +11,7 @@ def prefixed(value: float, unit: str, digits: int = 4) -> str:
     """`value` in `unit` as text with `digits` significant digits and an SI prefix: 2.571e9, "Pa" ->
     2.571 GPa.
 
-    A value without a unit gets no prefix either, and an angle none below micro.
+    A value without a unit gets no prefix, and an angle no prefix below micro.
 
     >>> prefixed(2.571e9, "Pa"), prefixed(3.4867e-05, "m"), prefixed(1.4, "")
     ('2.571 GPa', '34.87 µm', '1.4')
@@ -20,9 +20,9 @@ def prefixed(value: float, unit: str, digits: int = 4) -> str:
     """
     if not unit or value == 0 or not math.isfinite(value):
         return f"{value:.{digits}g} {unit}".strip()
-    value = float(f"{value:.{digits - 1}e}")  # first, so that 999.99 m becomes 1 km and not 1000 m
+    value = float(f"{value:.{digits - 1}e}")  # round first, so that 999.99 m becomes 1 km
     power = _power(value)
-    if abs(value) < (1e-6 if unit == "rad" else 1e-18):  # of no prefix
+    if abs(value) < (1e-6 if unit == "rad" else 1e-18):  # below all prefixes
         return f"{value:.{digits}g} {unit}"
     return f"{value / 10.0**power:.{digits}g} {PREFIX[power]}{unit}"
 
@@ -42,7 +42,7 @@ SPELLED = {
     "rpm": {"rpm": 1.0, "krpm": 1e3, "1/min": 1.0, "Hz": 60.0},
 }
 SCALED = {"N", "N m", "m", "Hz", "V", "V/m", "F", "W/K", "ohm", "ohm m", "rad"}
-MILLI = {"mm": "m"}  # given in thousandths of another unit
+MILLI = {"mm": "m"}  # units that are thousandths of another unit
 NUMBER = re.compile(r"([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)(.*)", re.DOTALL)
 
 
@@ -63,7 +63,7 @@ def read(text: str, unit: str) -> float:
     if factor is None:
         raise ValueError(f"'{text}' is not a number{_hint(unit)}")
     value, power = float(match[1]), math.log10(factor)
-    # as written, 10um is 1e-05 to the last bit: a decimal number is rounded once
+    # parsed as the decimal 10e-6, so that 10um equals 1e-05 to the last bit
     if abs(power - round(power)) < 1e-12 and "e" not in match[1].lower():
         return float(f"{match[1]}e{round(power)}")
     return value * factor
@@ -79,7 +79,7 @@ def _factor(written, unit):
     if unit not in SCALED:
         return None
     plain, base = (re.sub(r"[ *·]", "", one) for one in (spelling, unit))
-    plain = plain.replace("Ω", "ohm").replace("μ", "µ")  # the Greek letter, for the sign of micro
+    plain = plain.replace("Ω", "ohm").replace("μ", "µ")  # the Greek letter mu for the micro sign
     prefix = plain.removesuffix(base)
     if prefix == plain or prefix == "":
         return 1.0 if prefix == "" else None

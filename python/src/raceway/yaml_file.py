@@ -17,7 +17,7 @@ class _Loader(yaml.BaseLoader):
     def compose_node(self, parent, index):
         if self.check_event(yaml.events.AliasEvent):
             raise yaml.composer.ComposerError(
-                None, None, "references (*name) are not read", self.peek_event().start_mark
+                None, None, "references (*name) are not supported", self.peek_event().start_mark
             )
         return super().compose_node(parent, index)
 

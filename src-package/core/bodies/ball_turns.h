@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Orientations of four balls, kept if one of them has a profile: from the ball's own axes to the
-// frame that turns with its azimuth (lane_frame.h). In that frame the spin of the ball relative to
-// the frame is constant over a stage, like all components, so this rotation is exact.
+// Orientations of four balls, tracked if one of them has a profile: rotations from the ball's own
+// axes to the frame that turns with its azimuth (lane_frame.h). In that frame, the spin of the ball
+// relative to the frame is constant over a stage, as all components are, so the rotation is exact.
 #ifndef RACEWAY_BALL_TURNS_H
 #define RACEWAY_BALL_TURNS_H
 
@@ -22,12 +22,12 @@ struct BallTurns {
   Quaternion stored(int lane, const LaneFrame &) const;
   void start();                                          // starts a step: base = from
   void move(const BodyGroup &, double h);                // now is h seconds after base
-  void coast(const BodyGroup &, double h, bool on);      // starts at from, or at now if on
+  void coast(const BodyGroup &, double h, bool on);      // starts at `from`, or at `now` if `on`
   void second_base(double beyond);                       // base = from, turned by beyond times the
                                                          // last turn
   void accept();                                         // from = now
   void rest() { std::copy(from, from + lanes, now); }    // now = from
-  void keep() { std::copy(now, now + lanes, end); }      // saves now while it is moved elsewhere
+  void keep() { std::copy(now, now + lanes, end); }      // saves `now` before it is changed
   void put_back() { std::copy(end, end + lanes, now); }
   // Orientation at the share s of a step of h seconds that ends at end, v and w at its end.
   void between(const BodyGroup &, const LaneFrame &end_frame, const Vec3L &v, const Vec3L &w,

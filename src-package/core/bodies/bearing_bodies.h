@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Bodies and rings of one bearing in the layout of the implicit step: four bodies per group, balls
-// on the same raceways and cage balls on the same rails next to each other.
+// Bodies and rings of one bearing in the layout of the implicit step: four bodies per group, with
+// balls on the same raceways and cage balls on the same rails next to each other.
 #ifndef RACEWAY_BEARING_BODIES_H
 #define RACEWAY_BEARING_BODIES_H
 
@@ -20,7 +20,7 @@ struct alignas(32) RingBody {
   RingPose from, base, now, first, end;
   double gained[RingProgram::N_DOF] = {};
   // By degree of freedom, -1: none. Coordinates of the ring or of its rigid shaft, and columns
-  // (BearingBodies::columns): the same, or those of the ring alone on a flexible shaft.
+  // (BearingBodies::columns), which are the same or, on a flexible shaft, the ring's own.
   int coordinate[RingProgram::N_DOF], column[RingProgram::N_DOF];
   bool loose = false;      // at least one degree of freedom is free
   bool carried = false;    // by a shaft
@@ -43,7 +43,7 @@ struct alignas(32) RingBody {
     base = beyond(from, now, beyond_by);
   }
   void accept() { from = now; }
-  void keep() { end = now; }    // saves now while it is moved elsewhere
+  void keep() { end = now; }    // saves `now` before it is changed
   void put_back() { now = end; }
   void between(double h, double s) { now = raceway::between(from, end, h, s); }
 };
@@ -65,10 +65,10 @@ class BearingBodies {
     for (RingBody &r : rings) act(r);
     for (ShaftBend &b : bends) act(b);
   }
-  // Forces on the coordinates at the share s of the host's step, N or N m, except the moments of
-  // bending on the tilts of its shaft.
+  // Forces on the coordinates at the share s of the host's step, N or N m, except the moments that
+  // bending exerts on the tilts of its shaft.
   void border_forces(double s, std::vector<double> &);
-  void border_loads(double s, std::vector<double> &);    // those of loads and weight alone
+  void border_loads(double s, std::vector<double> &);    // the same for loads and weight alone
   // Power of contacts and supports on the driven degrees of freedom of a ring, W.
   double power_on_drives(const RingBody &) const;
   // Pose on which the supports of a ring act: relative to its holder if it has one; for a flexible
@@ -127,8 +127,8 @@ class BearingBodies {
   std::vector<int> groove_at;     // inverse of contact_at, -1: none
   std::vector<States> kept;       // by group of contacts, if the law has states
   std::vector<KeptSlopes> kept_slopes;
-  // Entrainment speed (m/s) and contact angle, which with the overlap determine the elastic energy
-  // of a contact; cos_angle < 0 without contact.
+  // Entrainment speed (m/s) and contact angle, which together with the overlap determine the
+  // elastic energy of a contact; cos_angle < 0 without contact.
   struct EnergyBasis {
     Lane entrainment = {}, cos_angle = all_lanes(-1.0);
   };
@@ -145,8 +145,8 @@ class BearingBodies {
   // Ring motions at the contacts: first the coordinates except those of flexible shafts, then all
   // motions of each ring on such a shaft.
   int columns = 0, straight = 0;
-  // Columns that can be nonzero, by group: all of them, or with flexible shafts those of the
-  // group's own bearing. With flexible shafts likewise by column.
+  // Columns that can be nonzero, by group: all of them or, with flexible shafts, those of the
+  // group's own bearing; with flexible shafts also by column.
   std::vector<std::vector<int>> columns_of_group, columns_of_column;
   Vec3 centre;           // of the rotating frames
   Vec3 gravity;          // m/s^2, acts on all bodies and rings

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // One bearing: pairs of bodies that may touch, the program of each ring, and the state. Independent
-// of the host: atoms have tags, and the mover of a ring is an index into a list of the caller.
+// of the host: atoms have tags, and the mover of a ring is an index into the caller's list.
 // Indices refer to bodies and rings. The bearing axis is the third axis; units are SI.
 #ifndef RACEWAY_BEARING_MODEL_H
 #define RACEWAY_BEARING_MODEL_H

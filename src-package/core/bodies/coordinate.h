@@ -17,21 +17,21 @@ struct Coordinate {
   // Velocity at the start of the step, at the base of the stage, after the first stage, and now.
   const double *from, *base, *first, *now;
   bool tilts = false;
-  bool of_cage = false;    // its errors count as those of cage balls
-  // Displacement per unit, m or m/rad, of a tilt without that of the balls; of a spin 0, except
-  // that of a cage, whose pockets move along the pitch circle.
+  bool of_cage = false;    // its errors are treated like those of cage balls
+  // Displacement per unit, m or m/rad; for a tilt without that of the balls, for a spin 0 except
+  // for a cage, whose pockets move along the pitch circle.
   double lever = 1.0;
   double spring = 0.0, damper = 0.0;    // N/m, N s/m, of a mode
   const double *place = nullptr;        // m, present amplitude of a mode
 
-  // The same with that of balls at this distance (m) from the axis.
+  // The same, including that of balls at this distance (m) from the axis.
   double moves(double radius) const { return tilts ? radius + lever : lever; }
 };
 
 // A spring and damper on the sum of some coordinates, each times its share.
 struct Coupling {
   const Support *by;
-  int after;    // its place in the matrix: after the mass of this coordinate
+  int after;    // position in the matrix: after the mass of this coordinate
   std::vector<std::pair<int, double>> of;
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The states of the contacts (core/parts/part.h) depend on the velocities at the end of a stage.
 // The last evaluation gives them, with their slopes, at the velocities before the last correction.
-// This first-order update gives the states that the stage itself solved for, so that momentum
-// and contact forces agree. Without it a stiff tangential spring would lag by one correction, as in
-// an explicit step, and be unstable.
+// This first-order update gives the states that the stage solved for, so that momentum and contact
+// forces agree. Without it, a stiff tangential spring would lag by one correction, as in an
+// explicit step, and be unstable.
 #ifndef RACEWAY_KEPT_FOLLOW_H
 #define RACEWAY_KEPT_FOLLOW_H
 

@@ -5,9 +5,9 @@
 // all bodies are condensed, the links' forces l solve
 //   l_i/a_i + sum_j c_ij l_j = n_i . (x_first - x_second)
 // with c_ij = +-n_i . A^-1 n_j at a body that i and j share.
-// A link shares at most two bodies with others, so c is tridiagonal, with one corner where a chain
-// closes to a circle; elimination carries that corner along. The order of operations depends only
-// on the order of the links.
+// A link shares at most two bodies with others, so c is tridiagonal, with one corner entry if a
+// chain closes into a circle; elimination carries that corner along. The order of operations
+// depends only on the order of the links.
 #ifndef RACEWAY_LINK_CHAIN_H
 #define RACEWAY_LINK_CHAIN_H
 

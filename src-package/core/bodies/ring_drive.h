@@ -17,7 +17,8 @@ inline void gain(const RingProgram &p, RingPlace &r, const double *gained)
   r.v = Vec3::from(v);
 }
 
-// Moves a ring over h seconds to the share s of the host's step, at its own velocity where free.
+// Moves a ring over h seconds to the share s of the host's step; free degrees of freedom move at
+// their own velocity.
 inline void displace(const RingProgram &p, RingPlace &r, double h, double s)
 {
   double x[3], v[3], origin[3];
@@ -39,7 +40,7 @@ inline void displace(const RingProgram &p, RingPlace &r, double h, double s)
   r.v = Vec3::from(v);
 }
 
-// Tilt rates (rad/s): the given ones where free, otherwise fixed or driven.
+// Tilt rates (rad/s): those given if the tilt is free, otherwise fixed or driven.
 inline void drive_rates(const RingProgram &p, const RingPlace &r, double *rate, double h, double s)
 {
   for (int k = 0; k < 2; ++k) {
@@ -53,14 +54,14 @@ inline void drive_rates(const RingProgram &p, const RingPlace &r, double *rate, 
   }
 }
 
-// Driven tilts set the axis directly: no drift from adding up small rotations.
+// Driven tilts set the axis directly, so that small rotations do not add up to a drift.
 inline void tilt_by(RingPlace &r, const double *rate, double h)
 {
   for (int k = 0; k < 2; ++k) r.tilt[k] += rate[k] * h;
   r.e = rotate({0.0, 0.0, 1.0}, {r.tilt[0], r.tilt[1], 0.0});
 }
 
-// Spin (rad/s): the given one where free.
+// Spin (rad/s): the given one if it is free.
 inline double driven_spin(const RingProgram &p, double spin, double s)
 {
   switch (p.mode[RingProgram::SPIN]) {

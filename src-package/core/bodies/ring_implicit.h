@@ -2,8 +2,8 @@
 // A ring in the implicit step: w = W + spin e with W normal to its axis e, W = (rate_x, rate_y, .),
 // so that
 //   e' = W x e,    I_t W' = M_across - I_a spin (W x e),    I_a spin' = M.e
-// (M_across = M - (M.e) e: the part along e includes the drive of an imposed spin). The gyroscopic
-// moment is the term with the spin.
+// (M_across = M - (M.e) e; the component along e includes the drive of an imposed spin). The
+// gyroscopic moment is the term with the spin.
 #ifndef RACEWAY_RING_IMPLICIT_H
 #define RACEWAY_RING_IMPLICIT_H
 
@@ -12,7 +12,7 @@
 
 namespace raceway {
 
-// Velocities of the base plus `gained` (N_DOF values) where free; no motion.
+// Adds `gained` (N_DOF values) to the free velocities of the base, without motion.
 inline RingPose kicked(const RingProgram &p, const RingPose &base, const double *gained)
 {
   RingPose r = base;

@@ -65,7 +65,7 @@ struct RingProgram {
   bool grains = false;
   Vec3 grain_force, grain_moment;
   double spin_growth = 0.0;    // rad/s^2, of a driven spin
-  double ramp = 0.0;           // s, over which the loads come on (3s^2 - 2s^3)
+  double ramp = 0.0;           // s, time over which the loads are applied (3s^2 - 2s^3)
   double end = 0.0,
          length = 0.0;    // s: age of the load at the end of the host's step, length of that step
 
@@ -116,7 +116,7 @@ struct RingProgram {
   }
   // Moment of the load about the centre of a ring at this place.
   Vec3 moment_at(double s, const RingPlace &) const;
-  // Force (N) and moment (N m) of the supports on the ring; the tilt rates are W of its axis.
+  // Force (N) and moment (N m) of the supports on the ring; the tilt rates are the W of its axis.
   Vec3 support_force(const RingPlace &) const;
   Vec3 support_moment(const RingPlace &, double rate_1, double rate_2) const;
   double support_energy(const RingPlace &) const;    // J, of the springs
@@ -130,10 +130,10 @@ struct RingProgram {
   }
 };
 
-// Position and orientation of a ring, with the turned angles.
+// Position and orientation of a ring, with its rotation angles.
 struct RingPlace {
   Vec3 x, v, e{0.0, 0.0, 1.0}, origin;
-  double angle = 0.0;             // rad, turned about its axis
+  double angle = 0.0;             // rad, rotation about its axis
   double tilt[2] = {0.0, 0.0};    // rad, rotation vector from the bearing axis to e
 };
 

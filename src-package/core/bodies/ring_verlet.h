@@ -7,9 +7,9 @@
 
 namespace raceway {
 
-// Springs and dampers in velocity Verlet at the end of its step, with velocities half a step behind
-// (half, s; 0 if they are not). `push` (N) is the sum of all other forces. A damper is implicit, so
-// it does not limit the time step: v = v_half + half (push - K d - C v)/m.
+// Springs and dampers in velocity Verlet at the end of its step, with velocities that lag by `half`
+// a step (s; 0 if they do not lag). `push` (N) is the sum of all other forces. A damper is
+// implicit, so it does not limit the time step: v = v_half + half (push - K d - C v)/m.
 inline double verlet_support(const Support &on, double displacement, double behind, double push,
                              double inertia, double half)
 {
@@ -27,8 +27,8 @@ struct SupportEnd {
   Support ground;
 };
 
-// The same for a support between two rings: its damper and that of the second ring to the ground
-// are implicit in the velocities of both. Force on the first.
+// The same for a support between two rings: its damper and the damper from the second ring to the
+// ground are implicit in the velocities of both. Returns the force on the first ring.
 inline double verlet_support(const Support &on, const SupportEnd &held, const SupportEnd &holder,
                              double half)
 {
@@ -61,7 +61,7 @@ inline RingAtom kicked(const RingProgram &p, const RingAtom &base, const Vec3 &f
     if (!p.free(RingProgram::SPIN)) r.w += r.e * (spin - dot(r.w, r.e));
     return r;
   }
-  // one free tilt alone: no gyroscopic coupling
+  // only one free tilt, so no gyroscopic coupling
   if (p.free(RingProgram::TILT)) r.w.x += h / p.inertia.transverse * moment.x;
   if (p.free(RingProgram::TILT + 1)) r.w.y += h / p.inertia.transverse * moment.y;
   if (p.free(RingProgram::SPIN)) r.w += r.e * (h / p.inertia.axial * dot(moment, r.e));

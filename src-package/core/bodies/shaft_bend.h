@@ -58,8 +58,7 @@ struct ShaftBend {
     return carried(shaft, 0.0, shaft.origin, Deflection(*centre, now));
   }
   // Modal forces, N: of the loads alone, and of contacts, loads, supports, springs, dampers and the
-  // spin of the rigid shaft. Valid until the next call: every correction calls them and memory is
-  // reused.
+  // spin of the rigid shaft. Valid until the next call, because memory is reused.
   const std::vector<double> &loads(const RingProgram &, const RingPose &shaft, double s);
   const std::vector<double> &forces(const RingProgram &, const RingPose &shaft, double s);
   void start() { base = now = from; }
@@ -68,7 +67,7 @@ struct ShaftBend {
   void accept() { from = now; }
   void keep() { end = now; }
   void put_back() { now = end; }
-  void between(double h, double s);    // now: at the share s of a step of h seconds up to `end`
+  void between(double h, double s);    // sets `now`, at the share s of a step of h seconds to `end`
 
  private:
   std::vector<double> loads_, forces_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Bending of a round shaft: elastic modes in addition to its rigid-body motion, equal in the planes
-// of both radial axes (the bearing axis is the third). Modal coordinates are lengths; the modes do
-// not rotate with the shaft. They are mass-orthogonal to the rigid-body motion, and
+// Bending of a round shaft: elastic modes in addition to its rigid-body motion, the same in the
+// planes of both radial axes (the bearing axis is the third). Modal coordinates are lengths; the
+// modes do not rotate with the shaft. They are mass-orthogonal to the rigid-body motion, and
 //   m a'' + c a' + k a + spin g b' = f_a,    m b'' + c b' + k b - spin g a' = f_b
 // with the coordinates a of the first plane and b of the second. The gyroscopic matrix g also
 // couples them to the slopes of the rigid shaft, its first row and column.

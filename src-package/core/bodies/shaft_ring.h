@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A shaft is a ring without raceways (RingProgram, RingPose) that carries rings, each fixed on its
 // axis at a distance `at` (m) from its centre. A carried ring has the axis, the angular velocity
-// and the turned angle of its shaft.
+// and the rotation angle of its shaft.
 #ifndef RACEWAY_SHAFT_RING_H
 #define RACEWAY_SHAFT_RING_H
 
@@ -32,7 +32,7 @@ template <class Place> Place shaft_of(const Place &ring, double at)
   return shaft;
 }
 
-// Moment about the shaft's centre: of a moment and of a force `at` metres along its axis.
+// Moment about the shaft's centre of a moment and a force that act `at` metres along its axis.
 inline Vec3 moment_about_centre(const Vec3 &e, double at, const Vec3 &force, const Vec3 &moment)
 {
   return moment + cross(e * at, force);

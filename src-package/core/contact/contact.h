@@ -22,7 +22,7 @@
 
 namespace raceway {
 
-// The parts act in this order: those whose results others read come first. It is also the bit order
+// The parts act in this order; those whose results others use come first. It is also the bit order
 // of a set of parts and the order of tables in the docs.
 using Parts =
     PartList<HertzContactPart, FilmInGapPart, HysteresisPart, FilmThicknessPart, FilmDamperPart,
@@ -41,7 +41,7 @@ using FullLaw =
 
 template <class... L> struct LawList {};
 
-// The laws of inputs/models: a loop over contacts is compiled for each, with the law inlined. This
+// The laws of inputs/models; for each, a loop over contacts is compiled with the law inlined. This
 // list affects only the speed, not the results.
 using DryLaws = LawList<DryLaw<ConstantFrictionPart, TangentialSpringPart>,
                         DryLaw<ConstantFrictionPart, SmoothedFrictionPart>>;

@@ -38,13 +38,13 @@ struct ContactLanes {
   bool live[lanes];        // result: in contact
   double energy[lanes];    // J, result: stored energy
 
-  // reused memory: values that the law does not set are unchanged
+  // reused memory; values that the law does not set keep their old value
   ContactStateT<Lane> all;
 };
 
 // Finds the contacts that may touch.
 void find_places(const RacewayPhysics &, ContactLanes &);
-// Evaluates law and kinematics: contact states, forces, and with dt > 0 the state variables. Valid
+// Evaluates law and kinematics: contact states, forces and, with dt > 0, the state variables. Valid
 // only for contacts that touch. Contacts of a law without a reach must be near.
 void act_in_lanes(const RacewayPhysics &, ContactLanes &);
 // The same for any law, with each part as a separate function.

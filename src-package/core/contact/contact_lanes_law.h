@@ -100,7 +100,7 @@ RACEWAY_INLINE void act_as(const L &law, const RacewayPhysics &p, ContactLanes &
       if (x.gaps) lanes_apart(c, x.state);
       return;
     }
-    c.overlap = where(live, overlap, 1e-9);    // any overlap with a load
+    c.overlap = where(live, overlap, 1e-9);    // any overlap that has a load
   }
   TurnRowT<Lane> depth;
   if (flawed) {

@@ -4,7 +4,7 @@
 //
 // Motions: approach of ball and raceway, sliding along t and w; if the law has couples, also the
 // relative rotation about n, t and w. Forces: N, f_t, f_w; couples about n, t, w. Over a time in
-// which positions follow velocities the overlap follows the approach.
+// which positions follow velocities, the overlap follows the approach.
 #ifndef RACEWAY_CONTACT_SLOPES_H
 #define RACEWAY_CONTACT_SLOPES_H
 
@@ -18,8 +18,8 @@ template <class T, int n> struct alignas(sizeof(Value<T>)) ContactSlopesT {
   T state[most_states][n];    // state variables of the contact, over motion k
 };
 
-// As law.act(); c keeps its values except those set by the law. `follows` (s): time over which the
-// overlap follows the approach, the length of an implicit stage; 0 if positions are given.
+// Like law.act(); c keeps its values except those set by the law. `follows` (s): time over which
+// the overlap follows the approach, the length of an implicit stage; 0 if positions are given.
 template <class L, class B>
 RACEWAY_INLINE void act_with_slopes(const L &law, const RacewayPhysics &p,
                                     const LawStates<B> &memory, double follows, ContactStateT<B> &c,

@@ -41,7 +41,7 @@ template <class... P> struct PartList {
   {
     return ((detail::same_text(P::slot, slot) ? bit<P>() : 0u) | ...);
   }
-  // Largest number of state variables per contact of a set: parts of one slot exclude each other.
+  // Largest number of state variables per contact of any set; parts of one slot exclude each other.
   static constexpr int most_states()
   {
     const int states[] = {P::states...};
@@ -106,7 +106,7 @@ template <class All, class... P> struct LawOf {
     (one<P>(p, k, m, c), ...);
   }
 
-  // True if there is no contact although the overlap exceeds -reach, as decided by a part.
+  // True if a part decides that there is no contact although the overlap exceeds -reach.
   template <class T>
   static RACEWAY_INLINE auto misses(const RacewayPhysics &p, const RacewayConstantsT<T> &k,
                                     ContactStateT<T> &c)
@@ -116,7 +116,7 @@ template <class All, class... P> struct LawOf {
     return some;
   }
 
-  // m, overlap beyond the onset of the load, by the part that defines the onset
+  // m, overlap beyond the onset of the load, from the part that defines the onset
   template <class T>
   static RACEWAY_INLINE T beyond(const RacewayPhysics &p, const ContactStateT<T> &c)
   {

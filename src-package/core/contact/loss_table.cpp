@@ -8,7 +8,7 @@
 namespace raceway {
 
 namespace {
-// Known losses, followed by the new ones of the lists, each once.
+// Known losses, followed by those that the lists add, each once.
 template <class Known, class... Lists> struct DistinctLosses {
   using type = Known;
 };
@@ -29,8 +29,9 @@ constexpr bool same_text(const char *a, const char *b)
   while (*a && *a == *b) ++a, ++b;
   return *a == *b;
 }
-// Position of a column. Outputs keep the column order from before the parts declared their losses;
-// new columns follow in the order of the parts. A name without a loss gives the number of columns.
+// Position of a column. Outputs keep the column order that they had before the parts declared their
+// losses; new columns follow in the order of the parts. For a name without a loss, the number of
+// columns.
 template <class... L> constexpr int loss_place(LossList<L...>, const char *name)
 {
   const char *const names[] = {"friction_power",   "damping_power", "rolling_power",

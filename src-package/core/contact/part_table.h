@@ -44,8 +44,8 @@ const std::vector<PartEntry> &part_table();
 // "hertz + hysteresis + normal_force", for messages
 std::string law_text(unsigned parts);
 
-// Reason why no contact can have these parts; "" if it can. A set made by keywords has at most one
-// part per slot.
+// Reason why a contact cannot have these parts; "" if it can. A set made by keywords has at most
+// one part per slot.
 std::string contradiction(unsigned parts);
 
 }    // namespace raceway

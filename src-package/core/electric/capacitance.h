@@ -50,8 +50,8 @@ RACEWAY_INLINE T contact_capacitance(const T &eps_r, const T &a, const T &b, con
 }
 
 // Mean 1/gap of rough surfaces over 1/h, for a gap with a gamma distribution: Lambda^2/(Lambda^2 -
-// 1), Lambda = h/sigma. Argument sigma/h. Below Lambda = 2.5 the factor stays constant: anything
-// closer counts as contact instead of a gap.
+// 1), Lambda = h/sigma. The argument is sigma/h. Below Lambda = 2.5 the factor is constant, because
+// closer surfaces count as contact instead of a gap.
 template <class T> RACEWAY_INLINE T rough_film_factor(const T &sigma_over_h)
 {
   const T s = where(sigma_over_h > 0.4, 0.4, sigma_over_h);

@@ -15,8 +15,8 @@ struct CircuitAccount {
   double source_work = 0.0, mechanical_work = 0.0, leak_heat = 0.0, resistor_heat = 0.0;
   double discharge_energy = 0.0;
   double discharges = 0.0, failures = 0.0;          // counts
-  double film_charge = 0.0;                         // largest, charge of a film at the full voltage
-  double charge_error = 0.0, energy_error = 0.0;    // largest of a node and of a step
+  double film_charge = 0.0;                         // largest charge of a film at full voltage
+  double charge_error = 0.0, energy_error = 0.0;    // largest errors of a node and of a step
   double current = 0.0;    // A, mean of the last step, into the films of the inner ring
 };
 
@@ -84,7 +84,8 @@ template <class Failed> void settle(CircuitState &s, double before, Failed &&fai
   a.charge_error = std::fmax(a.charge_error, largest_charge_error(s));
 }
 
-// To a point `length` (s) later; returns the charge (C) that went into the films of the inner ring.
+// Advances to a point `length` (s) later; returns the charge (C) that entered the inner ring's
+// films.
 template <class Failed>
 double step_circuit(CircuitState &s, const CircuitPoint &to, double length, Failed &&failed)
 {
@@ -101,8 +102,8 @@ double step_circuit(CircuitState &s, const CircuitPoint &to, double length, Fail
     moved.supplied = s.charge.ring - charge;
     for (double q : moved.inner) moved.supplied += q;
   }
-  // charge of every element times the mean of its voltages; the remainder of a capacitance is the
-  // work of its plates
+  // charge of every element times the mean of its voltages; for a capacitance, the rest of the
+  // energy change is the work of its plates
   double plates = v0.ring * v1.ring * (outer.beside - s.outer.beside), leak = 0.0;
   for (size_t k = 0; k < films.size(); ++k) {
     const double in0 = v0.ring - v0.ball[k], in1 = v1.ring - v1.ball[k];
@@ -130,8 +131,8 @@ double step_circuit(CircuitState &s, const CircuitPoint &to, double length, Fail
 
 }    // namespace circuit_detail
 
-// The first point: balls without charge, the inner ring at `start` (V) unless a voltage drives it.
-// `failed` is called for every FilmFailure, in order.
+// The first point: balls have no charge, and the inner ring is at `start` (V) unless a voltage
+// drives it. `failed` is called for every FilmFailure, in order.
 template <class Failed>
 void begin_circuit(CircuitState &s, const CircuitPoint &at, double start, Failed &&failed)
 {
@@ -161,7 +162,7 @@ inline int charged_without_film(const CircuitState &s)
 }
 
 // The next point, from the time `from` to `to` (s). The driving voltage is linear between the
-// `edges`, a range in time order after `from` up to `to`; at each of them films may fail.
+// `edges`, which are sorted by time, after `from` and up to `to`; films may fail at each of them.
 // `at(time)` is the CircuitPoint there.
 template <class Edges, class At, class Failed>
 void advance_circuit(CircuitState &s, double from, double to, const Edges &edges, At &&at,

@@ -45,8 +45,8 @@ inline double film_limit(double thickness, double strength, double less, double 
   return strength * local_thickness(thickness, less, floor);
 }
 
-// Smallest voltage between the rings at which a film fails with uncharged balls, V; 0 where that
-// film is bridged: its limit is at most `bridged` (V), that of the film floor.
+// Smallest voltage between the rings at which a film fails with uncharged balls, V; 0 if that film
+// is bridged, that is, if its limit is at most `bridged` (V), the limit at the film floor.
 inline double threshold_voltage(const BearingFilms &films, double bridged)
 {
   double least = std::numeric_limits<double>::infinity();
@@ -78,7 +78,7 @@ struct Broken {
   bool inner = false, outer = false;
 };
 
-// Voltages with broken films as conductors, from the charges before.
+// Voltages with broken films as conductors, from the charges before the failure.
 inline void redistribute(const BearingFilms &films, const OuterPoint &outer,
                          const NodeValues &charge, const std::vector<Broken> &broken,
                          NodeValues &voltage)

@@ -96,11 +96,11 @@ RACEWAY_INLINE FilmCapacitorT<T> film_capacitor(const RacewayPhysics &p, const C
 // A raceway and the surroundings of its contacts.
 //
 // The separation is the film thickness at a load of at least 0.1 N and at least Q_u, the load of a
-// ball guided by the outer raceway alone, m_b r_pitch omega_c^2: so it is defined where the contact
+// ball guided by the outer raceway alone, m_b r_pitch omega_c^2, so it is defined where the contact
 // load vanishes. Without contact it is the gap, if that is larger. With film in the gap
-// (part_film_gap) contacts begin at a gap; the gap then counts from where it equals the film, and
-// the play from the onset of contact, so that capacitances do not jump there. A film with a
-// thickness at any load is itself the separation.
+// (part_film_gap) contacts begin at a gap; the gap is then used once it exceeds the film, and the
+// play is counted from the onset of contact, so that capacitances do not jump there. If a film has
+// a thickness at any load, that thickness is the separation.
 class SurroundedRaceway {
  public:
   static constexpr double least_load = 0.1;    // N
@@ -194,7 +194,7 @@ class SurroundedRaceway {
     }
     f.begins = none;
     if (begins_ > 0.0) {
-      // film thickness at no less than this load
+      // film thickness at this load or above
       const auto cut = live & (Q <= least_load_);
       if (any(cut)) f.ln_load = where(cut, logarithm(c.load), f.ln_load);
       if (any(!live))

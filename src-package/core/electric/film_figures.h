@@ -26,7 +26,7 @@ struct SampledFilm {
   double roughness = 0.0;      // m, composite
   double paths = 0.0;          // m, resistivity of the oil over the film's resistance
 
-  // Adds another film between the same ball and ring: the thinner of the two fails.
+  // Adds another film between the same ball and ring; the thinner of the two fails.
   void add(const SampledFilm &beside)
   {
     if (!(beside.capacitance > 0.0)) return;
@@ -42,7 +42,7 @@ struct SampledBall {
   SampledFilm film[2];    // inner, outer
 };
 
-// 0 if not requested, and for infinite values.
+// Values are 0 if not requested or infinite.
 struct FilmFigures {
   double leak = 0.0;                      // ohm, direct current
   double impedance = 0.0, phase = 0.0;    // ohm, rad
@@ -77,7 +77,7 @@ inline SampledFilm sampled_film(const CapacitorModel &m, const FilmCapacitorT<do
   return f;
 }
 
-// `beside` (F) lies between the rings, parallel to the films.
+// `beside` (F) is a capacitance between the rings, parallel to the films.
 inline FilmFigures film_figures(const FilmQuestions &ask, const std::vector<SampledBall> &balls,
                                 double beside)
 {

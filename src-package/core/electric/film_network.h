@@ -10,7 +10,7 @@
 
 namespace raceway {
 
-// One film at one point. Capacitance 0: open, no displacement current passes.
+// One film at one point. With capacitance 0 it is open and passes no displacement current.
 struct CircuitFilm {
   double capacitance = 0.0;                                  // F
   double conductance = 0.0;                                  // S
@@ -127,8 +127,8 @@ inline OuterPoint between(const OuterPoint &from, const OuterPoint &to, double s
   return p;
 }
 
-// One step of `length` (s) to the films and the outer circuit at its end: two-stage SDIRK, L-stable
-// and of second order.
+// One step of `length` (s) to the films and the outer circuit at its end, by a two-stage SDIRK
+// method, L-stable and of second order.
 inline void network_step(const BearingFilms &from, const BearingFilms &to,
                          const OuterPoint &outer_from, const OuterPoint &outer_to, double length,
                          NodeValues &charge, NodeValues &voltage, StepCharges &moved)

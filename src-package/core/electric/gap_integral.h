@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Integral of dA/gap over the area outside the contact ellipse, m: times the permittivity it is the
-// capacitance there (docs/fix_bearing_capacitance, Surroundings).
+// Integral of dA/gap over the area outside the contact ellipse, m. Multiplied by the permittivity
+// it is the capacitance there (docs/fix_bearing_capacitance, Surroundings).
 //
 // Loaded, with the film thickness h within the ellipse and the Hertz gap g outside:
 //   I = 4 kappa Ebar R {G + pi P sqrt(2 R_x g_s)/b},  g_s = overlap/Fbar,  H = h/g_s,
@@ -8,15 +8,15 @@
 // ends along the groove's section, to S. Both are fits to integrals, accurate to 1 % of plates and
 // surroundings together for conformity 0.505 to 0.54, h 20 nm to 2 um, loads to 3 kN on a 6208.
 //
-// Without load, at the gap g_0, it is the limit for load to 0 with h = g_0, so that both agree
+// Without load, at the gap g_0, it is the limit of zero load with h = g_0, so that both agree
 // there:
 //   I = 4 pi sqrt(R_x R_y') asinh(S/sqrt(2 R_y' g_0)),  R_y' = Fbar a^2/(2 e overlap c),
 // e = ln(4 kappa) - 1. At c = 1 R_y' is the radius across the groove R_y within 1 %. c is
-// 1 - play/(r_c - R_b): with play, the centres of ball and groove come closer, and the gap is
-// flatter. Beyond concentric circles c < 0, and the inverse sine applies.
+// 1 - play/(r_c - R_b): with play, the centres of ball and groove are closer and the gap is
+// flatter. Beyond concentric circles c < 0, and asinh becomes asin.
 //
 // 4 kappa Ebar R = 2 Fbar a b/overlap and sqrt(2 R_x g_s)/b do not depend on the load, and Fbar =
-// pi E' a/(3 K sqrt(overlap)): all follows from the constants of the contact law (hertz.h).
+// pi E' a/(3 K sqrt(overlap)), so all follows from the constants of the contact law (hertz.h).
 #ifndef RACEWAY_GAP_INTEGRAL_H
 #define RACEWAY_GAP_INTEGRAL_H
 
@@ -38,7 +38,7 @@ template <class T> struct GapShapeT {
 using GapShape = GapShapeT<double>;
 
 // Eprime as in hertz.h (Pa), R_x along rolling (m). An ellipse that is longer along rolling, which
-// no groove has, counts as a circle.
+// does not occur in a groove, is treated as a circle.
 template <class T>
 RACEWAY_INLINE GapShapeT<T> gap_shape(const RacewayConstantsT<T> &k, double Eprime, const T &Rx)
 {
@@ -83,7 +83,7 @@ template <class T> struct GapEnd {
   }
 };
 
-// For a loaded contact: root of its overlap (sqrt(m)), load (N) and h (m), the last two also by
+// For a loaded contact: root of its overlap (sqrt(m)), load (N) and h (m), the last two also as
 // logarithms.
 template <class T> struct LoadedGapT {
   const GapShapeT<T> &shape;
@@ -92,7 +92,7 @@ template <class T> struct LoadedGapT {
   RACEWAY_INLINE LoadedGapT(const GapShapeT<T> &s, const T &any_root, const T &ln_load, const T &h,
                             const T &ln_h) : shape(s)
   {
-    const auto pressed = any_root > 1e-8;    // the limit without load, to rounding
+    const auto pressed = any_root > 1e-8;    // below, the limit without load, to rounding
     root = where(pressed, any_root, 1e-8);
     T ln_X = (s.log_H + ln_h) * (1.0 / 6) - ln_load * (1.0 / 9);
     if (any(!pressed))
@@ -123,7 +123,7 @@ RACEWAY_INLINE Lane sine_stretch(const Lane &z)
   return Lane{sine_stretch(z[0]), sine_stretch(z[1]), sine_stretch(z[2]), sine_stretch(z[3])};
 }
 
-// For surfaces without contact, at the gap g (m), with their c; G is 0 there.
+// For surfaces without contact, at the gap g (m), with their c; G is 0.
 template <class T> struct OpenGapT {
   T wider;    // 1/sqrt(c); the limit for concentric circles, to rounding
 

@@ -51,7 +51,7 @@ struct Waveform {
         if (times[k] > from && times[k] <= to)
           found.push_back({times[k], voltages[k], voltages[k]});
     if (kind != common_mode) return found;
-    std::vector<std::pair<double, int>> switched;    // time, legs more at the upper voltage
+    std::vector<std::pair<double, int>> switched;    // time, change in the number of upper legs
     for (int leg = 0; leg < 3; ++leg)
       for (double lo = from; lo < to;) {
         double hi = std::fmin(to, 0.5 * (std::floor(2.0 * carrier * lo) + 1.0) / carrier);
@@ -73,8 +73,8 @@ struct Waveform {
  private:
   static constexpr double turn = 2.0 * 3.14159265358979323846;
 
-  // A leg is at half the link voltage while its sine is not below a triangle that starts at +1,
-  // otherwise at minus half.
+  // A leg is at plus half the link voltage while its sine is at or above a triangle that starts at
+  // +1, otherwise at minus half.
   bool up(int leg, double t) const
   {
     const double cycles = carrier * t;
@@ -84,7 +84,7 @@ struct Waveform {
   int legs_up(double t) const { return up(0, t) + up(1, t) + up(2, t); }
   double mean(int legs) const { return voltage * (legs / 3.0 - 0.5); }
 
-  // The first time after `lo` at which a leg is in its state at `hi`, by bisection.
+  // The first time after `lo` at which a leg has the state that it has at `hi`, by bisection.
   double instant(int leg, double lo, double hi) const
   {
     const bool was = up(leg, lo);

@@ -25,10 +25,10 @@ struct BallFigures {
 
   static constexpr size_t numbers() { return sizeof(BallFigures) / sizeof(double); }
   void contact(const ContactView &);    // adds a loaded contact
-  void gap(const ContactView &);        // surfaces without contact: only the surroundings count
-  // A contact with a cage ball or another ball: loss of this ball there (W), force (N).
+  void gap(const ContactView &);        // surfaces without contact: adds only the surroundings
+  // A contact with a cage ball or another ball: its loss for this ball (W) and force (N).
   void cage(double loss, double force);
-  // Combines both contacts of a ball: capacitances in series, a ball loaded on both raceways.
+  // Combines both contacts of a ball: capacitances in series, and whether both raceways are loaded.
   void take_pairs(const BallFigures &);
 };
 

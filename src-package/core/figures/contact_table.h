@@ -24,8 +24,8 @@ struct RacewayContact {
   double *kept = nullptr;                                // state variables of the law
   bool live = false;                                     // surfaces overlap
   raceway::ContactState state;    // at this step; if not live, only the frame is set
-  // if the pair style looks at gaps: rad/s, of the ball about the ring; without contact the state
-  // has frame, overlap and entrainment speed
+  // rad/s, of the ball about the ring, if the pair style evaluates gaps; without contact the state
+  // then has frame, overlap and entrainment speed
   double orbit = 0.0;
 
   bool flawed() const { return profile || ball_profile; }
@@ -44,7 +44,7 @@ struct SphereContact {
   double loss = 0.0;                                     // W, to damping
 };
 
-// A ball in its pocket of a cage that is one ring.
+// A ball in its pocket of a one-piece cage.
 struct PocketRow {
   tag_t ball = 0, cage = 0;
   double mass = 0.0;                                     // kg, reduced

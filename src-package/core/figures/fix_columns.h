@@ -165,7 +165,7 @@ const Column list[N] = {
     {"mean", "F", "mean of the total over the instants of the step"},
     {"least", "F", "smallest total over the instants of the step"},
     {"most", "F", "largest total over the instants of the step"},
-    {"capacitance_total", "F", "total with surroundings; 0 unless asked for, as the next"},
+    {"capacitance_total", "F", "total with surroundings; 0 unless requested, like the next"},
     {"capacitance_total_top", "F", "largest value of one ball with its surroundings"},
     {"capacitance_total_mean", "F", "mean of capacitance_total over the instants of the step"},
     {"capacitance_total_least", "F", "smallest capacitance_total over the instants of the step"},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Settling of a bearing: the change of its means from one half of the last samples to the next.
-// A half of a whole ball pass keeps the ripple of ball passes out of the change. Independent of
-// the host.
+// Settling of a bearing: the change of its means from the first half of the last samples to the
+// second. If each half is a whole ball pass, ball-pass ripple does not affect the change.
+// Independent of the host.
 #ifndef BEARING_SETTLING_H
 #define BEARING_SETTLING_H
 
@@ -18,8 +18,8 @@ struct SettlingSample {
   double load[2] = {};          // N, largest on the inner and on the outer raceway
   double cage_speed = 0.0;      // rad/s
   double pocket_force = 0.0;    // N, largest of a ball on its pocket in a one-piece cage
-  // over the balls: load, and load times unit vector of the spin axis, in radial, tangential and
-  // axial direction of the ball's place
+  // sums over the balls: load, and load times the unit vector of the spin axis in the radial,
+  // tangential and axial directions at the ball
   double weight = 0.0, axis[3] = {};
 
   // Adds the spin axis of a ball: `load` on its raceways (N), place from the bearing's centre (m),
@@ -40,8 +40,8 @@ struct SettlingSample {
   }
 };
 
-// Relative changes; of the loads, the larger of both raceways; of the spin axis, an angle (rad).
-// Pocket forces are impacts, which scatter: only their fall from a start counts, 0 if they rise.
+// Relative changes; for the loads, the larger of both raceways; for the spin axis, an angle (rad).
+// Pocket forces are impacts, which scatter, so only a fall counts; the change is 0 if they rise.
 struct SettlingChanges {
   double torque = HUGE_VAL, load = HUGE_VAL, cage_speed = HUGE_VAL, spin_axis = HUGE_VAL,
          pocket_fall = HUGE_VAL;
@@ -76,7 +76,7 @@ class Settling {
   // True at the end of each half except the first.
   bool known() const { return before_.count >= wanted_ && now_.count >= wanted_; }
 
-  // From the last half but one to the last one; infinite unless known().
+  // From the last but one half to the last; infinite unless known().
   SettlingChanges changes() const
   {
     if (!known()) return {};

@@ -6,13 +6,13 @@ namespace bearing {
 using raceway::Vec3;
 using Series = std::vector<Vec3>;    // a figure by ball pass; a number has one component
 
-// Largest ratio of steps one ball pass apart: a mode that decays more slowly cannot be told from a
-// constant drift.
+// Largest ratio of steps one ball pass apart; a mode that decays more slowly cannot be
+// distinguished from a constant drift.
 static constexpr double slowest = 0.98;
 
 static double length(const Vec3 &v) { return std::sqrt(dot(v, v)); }
 
-// Steps between the means of the last spans, at most three, the latest last.
+// Steps between the means of the last spans: at most three, in order.
 static Series steps_of(const Series &passes, size_t span)
 {
   const size_t spans = std::min<size_t>(4, passes.size() / span);
@@ -33,7 +33,7 @@ static Vec3 mean_of(const Series &steps)
   return sum * (1.0 / static_cast<double>(steps.size()));
 }
 
-// True if steps scatter about their mean as much as that is large.
+// True if the scatter of the steps is at least as large as their mean.
 static bool scatters(const Series &steps)
 {
   const Vec3 mean = mean_of(steps);
@@ -48,7 +48,7 @@ static double change(const Series &steps)
   return std::max(length(mean_of(steps)), length(steps.back()) / static_cast<double>(steps.size()));
 }
 
-// Change that a drift has still ahead, 0 without a drift.
+// Remaining change of a drift, 0 without a drift.
 static double rest_of_drift(const Series &steps, size_t span)
 {
   double products = 0.0, squares = 0.0;
@@ -58,7 +58,7 @@ static double rest_of_drift(const Series &steps, size_t span)
   }
   if (!(products > 0.0) || scatters(steps)) return 0.0;
   const double ratio = std::min(products / squares, std::pow(slowest, static_cast<double>(span)));
-  // a drift does not end at once
+  // a drift does not end abruptly
   const double last = std::max(length(steps.back()), ratio * length(steps[steps.size() - 2]));
   return last * ratio / (1.0 - ratio);
 }

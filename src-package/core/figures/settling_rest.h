@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Rest: change that a settling bearing has still ahead, estimated from the means of its ball
-// passes. Independent of the host.
+// Rest: remaining change of a settling bearing, estimated from the means of its ball passes.
+// Independent of the host.
 //
 // Means over spans of 1, 2, 4 ... ball passes, up to a quarter of all of them, are compared. Steps
-// that keep a direction are a drift: with the ratio r of one step to the one before, d r/(1 - r) is
-// left of it after a step d. Steps that scatter about their mean are noise, of which nothing is
-// left. No rest is below the change of a ball pass by the longest span, with noise by the mean of
-// its steps.
+// that keep a direction are a drift: with the ratio r of successive steps, d r/(1 - r) remains
+// after a step d. Steps that scatter about their mean are noise, which leaves no rest. A rest is
+// at least the change per ball pass over the longest span; with noise, that of the mean of its
+// steps.
 #ifndef BEARING_SETTLING_REST_H
 #define BEARING_SETTLING_REST_H
 

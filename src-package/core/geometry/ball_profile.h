@@ -10,9 +10,9 @@
 // equator and fades as cos^2(latitude), so its slope is zero at the poles; the path over it is that
 // over a table of a raceway.
 //
-// A pit narrower than the contact patch takes a strip of it from y1 to y2, counted from the middle
-// of the patch. Its share of the load is half the difference of the shares of two central pits of
-// half widths |y2| and |y1|; half the sum if y1 and y2 lie on both sides.
+// A pit narrower than the contact patch covers a strip of it from y1 to y2, measured from the
+// middle of the patch. Its share of the load is half the difference between the shares of two
+// central pits of half widths |y2| and |y1|, or half the sum if y1 and y2 lie on opposite sides.
 #ifndef RACEWAY_BALL_PROFILE_H
 #define RACEWAY_BALL_PROFILE_H
 
@@ -63,8 +63,8 @@ class BallProfile {
     }
   }
 
-  // Overlap reduced by waves and tables. They are subtracted before a raceway's profile, pits after
-  // it.
+  // Overlap reduced by waves and tables. These are subtracted before a raceway's profile, pits
+  // after it.
   double all_round(double overlap, const BallView &view, BallSlopes &b) const
   {
     const Place at(view);

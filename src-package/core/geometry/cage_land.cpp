@@ -4,7 +4,7 @@
 
 namespace raceway {
 
-// Oil film, and beyond the clearance the touching surfaces, along both axes of the land's plane.
+// Oil film and, beyond the clearance, contact of the surfaces, along both axes of the land's plane.
 template <class T>
 static LandForce<T> in_plane(const CageRing &c, const T &x, const T &y, const T &vx, const T &vy,
                              double sum, double mass, LandContact &keep)
@@ -63,7 +63,7 @@ LandContact land_contact(const CageRing &c, const CageMotion &cage, const CageMo
     l.force += brake;
     l.moment += cross(point - d, brake);
   }
-  // power that the pair takes from both bodies: what the spring does not store is lost
+  // power that the pair takes from both bodies; the part that the spring does not store is lost
   const double taken = -dot(l.force, cage.v) + dot(l.force, ring.v + cross(ring.w, d)) -
                        dot(l.moment, cage.w - ring.w);
   double stored = 0.0;

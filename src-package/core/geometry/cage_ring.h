@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A cage as one rigid ring: pockets at equal angles on the pitch circle, and a land that may guide
-// it. Both integrators evaluate the same contact of a ball and its pocket.
+// A one-piece cage: pockets at equal angles on the pitch circle, and a land that may guide it. Both
+// integrators evaluate the same contact of a ball and its pocket.
 //
 // A pocket is a slot along its radial axis p. Its half plays are c_t along the pitch circle and
 // c_z along the bearing's axis. A cylindrical pocket leaves the ball free along p; a spherical
-// one holds it there as well. Ball and wall touch by damped_hertz.h or, if the bars of the cage
-// deform more than the contact does, by pocket_wall.h. Coulomb friction opposes the sliding of
-// the ball's surface on the wall, smoothed below `creep`; oil in the wrap shears with the
-// relative spin. Forces on ball and cage act through one point, so momentum and angular momentum
-// are conserved.
+// one holds it there as well. The contact of ball and wall follows damped_hertz.h or, if the bars
+// of the cage deform more than the contact does, pocket_wall.h. Coulomb friction opposes the
+// sliding of the ball's surface on the wall, smoothed below `creep`; oil in the pocket is sheared
+// by the relative spin. Forces on ball and cage act through one point, so momentum and angular
+// momentum are conserved.
 #ifndef RACEWAY_CAGE_RING_H
 #define RACEWAY_CAGE_RING_H
 
@@ -20,7 +20,7 @@
 
 namespace raceway {
 
-// Estimate of the play along the circle, of the ball's diameter (docs/cage)
+// Estimated play along the circle, as a fraction of the ball's diameter (docs/cage)
 constexpr double usual_play = 0.025;
 
 struct CageRing {
@@ -30,7 +30,7 @@ struct CageRing {
   double pitch = 0.0, phase = 0.0;        // m, circle of the pockets; rad, of the first pocket
   double along = 0.0, across = 0.0;       // m, half plays along the circle and along the axis
   double stiffness = 0.0;                 // N/m^1.5, of ball on wall
-  double wall = 0.0;                      // N/m, of a pocket whose bars bend; 0: Hertz
+  double wall = 0.0;                      // N/m, of a pocket with flexible bars; 0: Hertz
   double mass = 0.0;                      // kg
   double friction = 0.0, creep = 1e-2;    // of ball on wall; m/s
   double shear = 0.0;                     // N m s, pocket_shear()
@@ -39,7 +39,7 @@ struct CageRing {
   double land_stiffness = 0.0;    // N/m^1.5, of cage on land
   double oil_share = 0.0, oil_density = 0.0, oil_viscosity = 0.0, outer_radius = 0.0;    // churning
 
-  // m, effective play: half of the smaller one, at least that of a bore wider by a thousandth
+  // m, effective play: half of the smaller one, at least that of a bore wider by 1e-3
   double least_play(double ball_radius) const
   {
     return std::fmax(std::fmin(along, across), 1e-3 * ball_radius);
@@ -50,9 +50,9 @@ struct CageRing {
   }
 };
 
-// Stiffness of a ball in the bore of its pocket, N/m^1.5: with the play to one side the bore's
+// Stiffness of a ball in the bore of its pocket, N/m^1.5: with the play c to one side, the bore's
 // radius is R + c; along a cylinder's axis the wall is straight. A bore without play is treated as
-// one with a play of a thousandth of the ball.
+// if the play were a thousandth of the ball.
 inline double pocket_stiffness(bool spherical, double ball_radius, double play, double Eprime)
 {
   const double R = ball_radius, bore = R + std::fmax(play, 1e-3 * R);
@@ -60,15 +60,15 @@ inline double pocket_stiffness(bool spherical, double ball_radius, double play, 
   return hertz_contact(spherical ? around : R, around, Eprime, Ellipse::exact).K;
 }
 
-// Stiffness of a cage that touches its land, N/m^1.5: along the circle both radii differ by the
-// play, across it the land is taken to be as curved as the circle.
+// Stiffness of a cage that touches its land, N/m^1.5: along the circle the radii differ by the
+// play; across it the curvature of the land is assumed to be that of the circle.
 inline double land_stiffness(const LandGap &land, double Eprime)
 {
   const double r = land.radius;
   return hertz_contact(r * (r + land.clearance) / land.clearance, r, Eprime, Ellipse::exact).K;
 }
 
-// Position and motion of the cage; e is its axis, angle its turn about e since the start.
+// Position and motion of the cage; e is its axis, angle its rotation about e since the start.
 struct CageMotion {
   Vec3 x, v, e, w;
   double angle = 0.0;
@@ -107,10 +107,10 @@ struct PocketContact {
   Vec3 lever;        // m, ball's centre from the cage's
   DampedHertz h;
   double rate = 0.0;    // m/s, of the overlap
-  double bend = 0.0;    // N/m, of a normal that turns with the ball's place in the bore
+  double bend = 0.0;    // N/m, from the rotation of the normal with the ball's position in the bore
   Vec3 side, axis;      // across the normal in the pocket's section; axis of the pocket
   bool spherical = false;
-  Vec3 slide;                 // direction of the ball's sliding, times its share of full friction
+  Vec3 slide;                 // direction of the ball's sliding times its fraction of full friction
   double braking = 0.0;       // N s/m, friction over sliding speed
   Vec3 force, ball_torque;    // on the ball, N and N m
   Vec3 cage_moment;           // on the cage about its centre, N m
@@ -122,7 +122,7 @@ struct PocketBall {
   double radius, mass;
 };
 
-// close: m, a gap up to which derivatives are those of an overlap `barely` (m). The forces are
+// Up to a gap of `close` (m), derivatives are those of an overlap `barely` (m); the forces are
 // still those of the gap.
 inline PocketContact pocket_contact(const CageRing &cage, const CageMotion &m, int pocket,
                                     const PocketBall &ball, double close = 0.0, double barely = 0.0)
@@ -169,7 +169,7 @@ inline PocketContact pocket_contact(const CageRing &cage, const CageMotion &m, i
   c.energy = (cage.wall > 0.0 ? 0.5 : 0.4) * spring * c.overlap;
   c.loss += (c.h.force - spring) * c.rate;
   if (!(c.h.force > 0.0)) return c;
-  // where the half plays differ, the slot has straight walls, on which the normal does not rotate
+  // if the half plays differ, the slot has straight walls, on which the normal does not rotate
   const bool turns = cage.spherical || cage.along == cage.across || (qt != 0.0 && qz != 0.0);
   c.bend = turns ? c.h.force / off : 0.0;
   c.force = n * c.h.force;
@@ -186,8 +186,8 @@ inline PocketContact pocket_contact(const CageRing &cage, const CageMotion &m, i
   return c;
 }
 
-// Force and moment between a cage and the ring whose land guides it. The force acts on the cage at
-// its centre and on the ring through the same point.
+// Force and moment between a cage and the ring whose land guides it. The force acts at the cage's
+// centre, and on the ring through the same point.
 struct LandContact {
   Vec3 force, moment;                               // on the cage, N and N m
   Vec3 lever;                                       // m, cage's centre from the ring's

@@ -10,7 +10,7 @@
 namespace raceway {
 
 struct GothicArch {
-  double slack;    // m, groove radius less ball radius
+  double slack;    // m, groove radius minus ball radius
   double angle;    // rad
 
   double offset() const { return slack * std::sin(angle); }    // m, of the groove centres

@@ -5,7 +5,7 @@
 // circle of radius rho about the ring axis e. With d = ball centre - ring centre, z = d.e, r = |d -
 // z e|, u = (d - z e)/r, the ball's distance from that circle is s = |(r - rho) u + z e| and
 //   overlap = s - (r_c - R_b),   normal n = ((r - rho) u + z e)/s  (ball -> raceway).
-// The same expression serves both rings: rho lies outside the ball path for the inner ring
+// The same expression applies to both rings: rho lies outside the ball path for the inner ring
 // (n points to the axis) and inside it for the outer ring.
 //
 // Local frame: u (radial), t = e x u (circumferential, rolling), e (axial); w = n x t.

@@ -66,8 +66,8 @@ class GrooveShoulder {
     quarter_ = half_tangent(across / (down + std::hypot(across, down)));
   }
 
-  // Reach for the sine and cosine (0 or more) of the contact angle. A shoulder passed by the
-  // contact is at less than 0. With two grooves per ring the far side ends at the other groove.
+  // Reach for the sine and cosine (0 or more) of the contact angle; negative for a shoulder that
+  // the contact has passed. With two grooves per ring the far side ends at the other groove.
   template <class T> RACEWAY_INLINE GrooveReachT<T> reach(const T &sine, const T &cosine) const
   {
     const T lean = half_tangent(half_tangent(sine, cosine)), both = quarter_ * lean,

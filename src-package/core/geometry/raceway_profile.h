@@ -5,7 +5,7 @@
 // A ball follows a flaw only as far as its size allows (docs/theory, Flaws of a raceway). With R_x
 // the effective radius along rolling and edges of radius E, its path over a notch of length w is
 //   depth = (w/2 - |s|)^2/(2 (R_x + E)), at most the notch's depth, s along the raceway from its
-// middle. Where the path turns, in the middle or at the bottom, the turn is spread over +-E.
+// middle. The bend of the path, in the middle or at the bottom, is spread over +-E.
 #ifndef RACEWAY_RACEWAY_PROFILE_H
 #define RACEWAY_RACEWAY_PROFILE_H
 
@@ -50,7 +50,7 @@ class NotchPath {
   const NotchShape &shape() const { return shape_; }
   double half_angle() const { return half_ / raceway_; }    // rad
   double deepest() const { return deepest_; }               // m, largest depth reached by the ball
-  // The path has a slope before its turn.
+  // The path has a slope before its bend.
   bool falls() const { return half_ > turns_; }
 
   // Largest step (rad) from an azimuth in the direction of `rate`: up to the edge, and inside the
@@ -157,8 +157,8 @@ class RacewayProfile {
   }
 
   // Longest step (s) for a ball at this azimuth that moves along the raceway at `rate` (rad/s): up
-  // to the edge of a notch, and in it a fifth of the edge; a sixteenth of a wave; from one point of
-  // a table to the next.
+  // to the edge of a notch, a fifth of the edge radius inside a notch, a sixteenth of a wave, and
+  // one point of a table.
   double longest_step(double azimuth, double rate) const
   {
     if (rate == 0.0) return HUGE_VAL;

@@ -21,9 +21,9 @@ struct Rail {
 };
 
 // Two rails outside the pitch circle, one on each side, touching a cage ball of radius R that is
-// centred on the pitch circle (gap = 0). Squeezed between two balls a cage ball is pushed outwards
-// (the chord of the balls lies inside the pitch circle): outside rails at +-45 degrees form a V in
-// which that push seats it, and the V holds it axially. See docs/theory, "Cage".
+// centred on the pitch circle (gap = 0). A cage ball squeezed between two balls is pushed outwards,
+// because the chord of the balls lies inside the pitch circle. Outer rails at +-45 degrees form a V
+// that seats it and holds it axially. See docs/theory, "Cage".
 inline Rail seat_rail(double pitch, double ball_radius, double tube, double gap, double sign)
 {
   const double reach = (ball_radius + tube + gap) * 0.70710678118654752440;

@@ -23,11 +23,11 @@ inline Vec3 angular_velocity(const RingInertia &I, const Vec3 &L, const Vec3 &e)
   return L * (1.0 / I.transverse) + e * ((1.0 / I.axial - 1.0 / I.transverse) * dot(L, e));
 }
 
-// The axis e after the time h. The integrators differ here because they hold the angular velocity
-// within the step differently.
+// The axis e after the time h. The integrators differ in how they treat the angular velocity within
+// the step.
 
-// Velocity Verlet: the moments act in the half kicks around the drift, so the angular momentum L is
-// constant in it. Midpoint rule: second order, |e| kept to rounding.
+// Velocity Verlet: the moments act in the half kicks before and after the drift, so the angular
+// momentum L is constant in the drift. Midpoint rule: second order, keeps |e| to rounding.
 inline Vec3 drift_axis(const RingInertia &I, const Vec3 &L, const Vec3 &e, double h)
 {
   const Vec3 half = rotate(e, angular_velocity(I, L, e) * (0.5 * h));

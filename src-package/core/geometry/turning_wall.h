@@ -24,7 +24,7 @@ struct TurningWall {
   double z1 = 0.0, z2 = 0.0;    // m, along the axis: both ends
   int parts() const { return drum ? 3 : blades; }
 
-  // False where a sphere of radius R with its centre at p is apart from every part.
+  // False if a sphere of radius R at p is apart from every part.
   bool near(const Vec3 &p, double R) const
   {
     const double r2_at = p.x * p.x + p.y * p.y, outer = r2 - R, inner = r1 - R;
@@ -32,8 +32,8 @@ struct TurningWall {
     return !(inner > 0.0 && r2_at < inner * inner);
   }
 
-  // Part of the wall at a sphere of radius R with its centre at p; the axis is the third axis, and
-  // `angle` (rad) the wall's turn about it. Parts of a drum: shell, first and second end.
+  // Contact of a part of the wall with a sphere of radius R at p; the axis is the third axis, and
+  // `angle` (rad) the wall's rotation about it. Parts of a drum: shell, first and second end.
   WallTouch touch(int part, const Vec3 &p, double R, double angle) const
   {
     if (drum) {

@@ -2,7 +2,7 @@
 // A bearing from its usual data; radii as in raceway.inputs. SI units.
 //
 // The pitch diameter is that of the ball centres in contact with both raceways at the contact
-// angle, so above 0 the contact angle determines the clearance.
+// angle, so a contact angle above 0 determines the clearance.
 #ifndef RACEWAY_USUAL_DATA_H
 #define RACEWAY_USUAL_DATA_H
 

@@ -67,7 +67,7 @@ EXPORT(int, bearing_circuit,
   CircuitState s;
   int count = 0, next = 0;
   *out = {-1.0, -1.0};
-  // the share `back` of a step before the point p
+  // a fraction `back` of a step before the point p
   const auto point = [&](int p, double back, double volts) {
     const auto film = [&](int k) {
       const auto mix = [&](const double *values) {
@@ -155,8 +155,8 @@ EXPORT(void, film_redistribution,
   put(voltage, ball, ring);
 }
 
-// Voltage between the rings at which the first film fails, V, by point; 0 where that film has at
-// most the limit `bridged` (V).
+// Voltage between the rings at which the first film fails, V, by point; 0 where the limit of that
+// film is at most `bridged` (V).
 EXPORT(void, threshold_voltages,
        (int points, int balls, const double *capacitance, const double *limit, double bridged,
         double *out))

@@ -53,7 +53,7 @@ static void section(const char *name, const std::vector<bearing::Figure> &list,
 // The parts of the contact law: name, condition of use, state variables per contact, keywords.
 static void print_law()
 {
-  const char *const when[] = {"always", "with a lubricant", "when asked for"};
+  const char *const when[] = {"always", "with a lubricant", "on request"};
   json.add("  \"law\": [\n");
   for (const raceway::PartEntry &part : raceway::part_table()) {
     const bool last = &part == &raceway::part_table().back();

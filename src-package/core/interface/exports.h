@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-// hidden: each of two libraries in a process keeps its own text
+// hidden, so that each of two libraries in a process keeps its own text
 __attribute__((visibility("hidden"))) inline std::string &exported_text()
 {
   static std::string text;
@@ -58,7 +58,7 @@ void formula_at(Result (*one)(Numbers...), long n, long i, const double *in, dou
   for (long j = 0; j < outputs; ++j) out[j * n + i] = numbers[j];
 }
 
-// Parameter k of call i is in[k n + i], number j of its result out[j n + i].
+// Parameter k of call i is in[k n + i]; value j of its result is out[j n + i].
 template <class Result, class... Numbers>
 void formula_over_arrays(Result (*one)(Numbers...), long n, const double *in, double *out)
 {

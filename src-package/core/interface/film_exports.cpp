@@ -68,7 +68,7 @@ FORMULA(double, inlet_shear, (int law, double loading))
   return f.of(0.0);
 }
 
-// the factor without pressure, and its reduction by the pressure, not limited
+// the factor without pressure, and its reduction by pressure without a limit
 FORMULA(GuptaParts, gupta_parts, (double loading, double pressure, double slide_roll))
 {
   FilmFactors f;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Starts that Anderson acceleration chooses (fixed_point.h).
+// Starting points of Anderson acceleration (fixed_point.h).
 #include "../numbers/fixed_point.h"
 #include "exports.h"
 

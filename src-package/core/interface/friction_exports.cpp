@@ -129,7 +129,7 @@ FORMULA(SlidingForces, slip_slices,
 }
 
 // Motion of a ball that rolls on both raceways: angles in rad, inner ring at `ring` rad/s, `ball`
-// and `pitch` radius in m, radial part of its rotation in rad/s; all found in rad/s
+// and `pitch` radius in m, radial part of its rotation in rad/s; all results in rad/s
 RECORD(RollingBall, double orbit, axial, spin_inner, spin_outer;)
 FORMULA(RollingBall, rolling_on_both,
         (double inner, double outer, double ring, double ball, double pitch, double radial))
@@ -146,7 +146,7 @@ FORMULA(double, rolling_force,
   return rolling_force(rolling_shape(k, r_x), logarithm(std::fabs(speed)), load, std::cbrt(load));
 }
 
-// exact by quadrature; and by the interpolation that contacts use
+// exact, by quadrature, and by the interpolation that contacts use
 FORMULA(double, inlet_share, (double length, double thickness))
 {
   return inlet_share(length, thickness);

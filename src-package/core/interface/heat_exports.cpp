@@ -68,7 +68,7 @@ FORMULA(double, clearance_change,
 }
 
 // Temperatures (C) after `time` seconds with heat (W) into each node that varies linearly from
-// `heat` to `end`; returns the heat (J) carried to ambient.
+// `heat` to `end`; returns the heat (J) released to ambient.
 EXPORT(double, heat_advance,
        (const HeatNetworkOf *net, const double heat[4], const double end[4], const double from[4],
         double time, double to[4]))
@@ -84,8 +84,8 @@ EXPORT(double, heat_steady, (const HeatNetworkOf *net, const double heat[4], dou
   return flow.slowest();
 }
 
-// Takes a ball pass with these mean losses (W) into the nodes and conductances of the contacts
-// (W/K), and starts the next jump.
+// Takes the mean losses (W) of a ball pass in the nodes and the conductances of the contacts (W/K),
+// and starts the next jump.
 EXPORT(void, heat_jump,
        (HeatStateOf * state, const double heat[4], double inner, double outer,
         const HeatNetworkOf *net, const HeatControlOf *control))

@@ -25,7 +25,7 @@ extern "C" const char *variables_json()
   return text.c_str();
 }
 
-// `names` apart by blanks; the message of the thread's last call.
+// `names` are separated by blanks; the message is valid until the thread's next call.
 extern "C" const char *mistyped_name(const char *names)
 {
   static thread_local std::string message;

@@ -28,7 +28,7 @@ struct LandGap {
   double viscosity = 0.0, filled = 1.0;    // Pa s, share of the gap with oil
 };
 
-// Eccentricities beyond this are limited to it: there the surfaces touch.
+// Largest eccentricity in the film law; beyond it the surfaces touch.
 constexpr double most_eccentric = 0.99;
 
 // Petroff's couple in an eccentric gap, N m per rad/s of relative speed; e is the eccentricity over
@@ -46,9 +46,9 @@ template <class T> struct LandForce {
   T x, y;
 };
 
-// Half film of a short bearing. x, y (m) and vx, vy (m/s): cage from land; sum: both speeds added,
-// rad/s. The film resists approach and is dragged round by half the sum of the speeds, so it does
-// not carry a cage that whirls at that speed.
+// Half film of a short bearing. x, y (m) and vx, vy (m/s): cage relative to land; sum: sum of both
+// speeds, rad/s. The film resists approach and is dragged round at half the sum of the speeds, so
+// it does not support a cage that whirls at that speed.
 template <class T>
 LandForce<T> land_film(const LandGap &g, const T &x, const T &y, const T &vx, const T &vy,
                        double sum)

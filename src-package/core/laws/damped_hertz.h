@@ -34,7 +34,7 @@ RACEWAY_INLINE DampedHertzT<T> damped_hertz(double K, const T &overlap, const T 
   return h;
 }
 
-// Power lost, W. While the bodies separate faster than the spring relaxes there is no contact
+// Power lost, W. While the bodies separate faster than the spring relaxes, there is no contact
 // force, and the energy of the spring is lost.
 template <class T>
 RACEWAY_INLINE T damping_loss(const DampedHertzT<T> &h, const T &overlap, const T &overlap_rate)

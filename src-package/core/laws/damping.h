@@ -5,8 +5,8 @@
 //   C_hyst  = 1.5 alpha_e Q                                    (Hunt & Crossley 1975)
 //   C_fluid = 3 pi eta/sqrt(2) l (R/h)^1.5                     (Walford & Stone 1983)
 // As printed, l is the semi-axis a and R the ball radius; a half-film squeeze per unit length would
-// use l = 2a and R = R_x (errata, eq 5): both are options.
-// h never falls below a floor: a film alone does not carry a contact at rest.
+// use l = 2a and R = R_x (errata, eq 5). Both are available.
+// h has a lower limit, because a film alone does not carry a contact at rest.
 #ifndef RACEWAY_DAMPING_H
 #define RACEWAY_DAMPING_H
 

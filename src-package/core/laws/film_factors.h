@@ -6,8 +6,8 @@
 //   Wilson 1979             1/(1 + 0.1 L^0.64)
 //   Gupta et al. 1992       (1 - 13.2 P L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64)
 // with P = p_max/E' and S = s/u, s the sliding speed; for L below about 10. 13.2 P L^0.42 is
-// limited to 0.9. Starvation is a factor given by the user. The derivative of a law holds the
-// factor.
+// limited to 0.9. Starvation is a factor given by the user. Derivatives of a law keep the factor
+// fixed.
 #ifndef RACEWAY_FILM_FACTORS_H
 #define RACEWAY_FILM_FACTORS_H
 

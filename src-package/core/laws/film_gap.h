@@ -19,7 +19,7 @@
 
 namespace raceway {
 
-constexpr double power_law_cut = 1.0;    // N, below which the power law keeps its thickness
+constexpr double power_law_cut = 1.0;    // N, below which the power law's thickness is constant
 
 template <class T> struct FilmGapT {
   T compression;    // x, m

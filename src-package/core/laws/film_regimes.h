@@ -6,7 +6,7 @@
 // With U = 2 eta u/(E' R_x), M = Q/(E' R_x^2) U^(-3/4), L = xi E' U^(1/4), lambda = R_x/R_y:
 //   h = R_x sqrt(U) {[RI^1.5 + (EI^-4 + H_0^-4)^(-3/8)]^(2s/3) + (RP^-8 + EP^-8)^(-s/8)}^(1/s),
 //   s = 1.5 (1 + e^(-1.2 EI/EP)).
-// All in logarithms: the asymptotes are straight lines in ln M there.
+// Everything is in logarithms, because the asymptotes are straight lines in ln M.
 #ifndef RACEWAY_FILM_REGIMES_H
 #define RACEWAY_FILM_REGIMES_H
 
@@ -109,7 +109,7 @@ template <class T> class MoesFilmT {
     return {exponential(T(scale_ + ln_H)), fall};
   }
 
-  // Logarithm of a load below that of a film of the thickness e^ln_h: the load of a rigid contact.
+  // Logarithm of the load of a rigid contact, a lower bound on that of a film of thickness e^ln_h.
   RACEWAY_INLINE T below(const T &ln_h) const { return unit_ + 0.5 * (ri_ - (ln_h - scale_)); }
   // Logarithm of the thickness exceeded only by a rigid contact.
   RACEWAY_INLINE T widest() const { return widest_; }

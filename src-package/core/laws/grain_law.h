@@ -8,8 +8,8 @@
 namespace raceway {
 
 struct GrainLaw {
-  // Ratio of tangential to normal stiffness and damping. A solid sphere then rolls back in the time
-  // in which it bounces: its effective mass at the surface is 2/7 of its mass.
+  // Ratio of tangential to normal stiffness and damping. The tangential and normal periods of a
+  // solid sphere are then equal, because its effective mass at the surface is 2/7 of its mass.
   static constexpr double tangential = 2.0 / 7.0;
 
   double stiffness = 0.0;      // N/m

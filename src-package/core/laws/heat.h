@@ -14,8 +14,8 @@ constexpr double steel_density = 7850.0;       // kg/m^3
 constexpr double steel_heat = 460.0;           // J/(kg K)
 constexpr double steel_expansion = 12e-6;      // 1/K
 
-// Conductance (W/K) of a contact ellipse whose surfaces both pass with the speed u (m/s): each
-// point conducts into two half-spaces for 2b sqrt(1 - z^2)/u, z the position across rolling over a.
+// Conductance (W/K) of a contact ellipse whose surfaces both move through it at the speed u (m/s):
+// each point conducts into two half-spaces for 2b sqrt(1 - z^2)/u, z the position across over a.
 // The prefactor is the integral of (1 - z^2)^(1/4) over z from 0 to 1, sqrt(pi) G(5/4)/(2 G(7/4)).
 // Derived for the package; valid for u b rho c/(2 k) > 5, which holds in every rotating bearing.
 inline double contact_conductance(double a, double b, double u)
@@ -25,8 +25,8 @@ inline double contact_conductance(double a, double b, double u)
   return integral * 2.0 * a * std::sqrt(2.0 * property * b * u / 3.14159265358979323846);
 }
 
-// Heat that seats and housing of a radial bearing of these sizes (m) carry away per kelvin above
-// ambient, W/K, at the reference conditions of ISO 15312: W_s = q_r pi B (D + d)/50 K, q_r = 0.016
+// Conductance of seats and housing of a radial bearing of these sizes (m), W/K, per kelvin above
+// ambient at the reference conditions of ISO 15312: W_s = q_r pi B (D + d)/50 K, q_r = 0.016
 // W/mm^2 (from memory, unchecked).
 inline double iso_15312_conductance(double bore, double outside, double width)
 {

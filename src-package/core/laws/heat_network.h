@@ -80,7 +80,7 @@ class HeatFlow {
   // s, time constant of the slowest mode
   double slowest() const { return 1.0 / *std::min_element(rate_, rate_ + n_); }
 
-  // Temperatures (C) after `time` seconds from `from`; returns the heat (J) carried to ambient.
+  // Temperatures (C) after `time` seconds from `from`; returns the heat (J) released to ambient.
   double advance(const double *from, double time, double *to) const
   {
     double now[heat_nodes], sum[heat_nodes];    // rises over ambient times root_, and integral
@@ -115,7 +115,7 @@ class HeatFlow {
     if (n_ == 3) to[3] = housing_of(to[2]);
   }
 
-  // The longest time (s) up to `most` in which no node moves by more than `change` (K).
+  // The longest time (s) up to `most` in which no node changes by more than `change` (K).
   double time_of_change(const double *from, double change, double most) const
   {
     const auto fits = [&](double time) {
@@ -141,8 +141,8 @@ class HeatFlow {
     return net_.ambient + (outer_ring - net_.ambient) * net_.seat / (net_.seat + net_.housing);
   }
 
-  // Rises over ambient in equilibrium with the conductances `g`. In the chain, elimination has one
-  // factor a row and takes no difference of similar numbers.
+  // Temperature rises over ambient in equilibrium with the conductances `g`. For a chain,
+  // elimination has one factor per row and subtracts no similar numbers.
   void find_steady(const double g[heat_nodes][heat_nodes], const double *heat)
   {
     // diagonal and heat, minus the share of earlier parts

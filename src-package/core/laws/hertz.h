@@ -71,8 +71,8 @@ inline ContactEllipse fitted_ellipse_major(double alpha, Ellipse form)
 }
 
 // Ellipse for R_y/R_x above or below 1, with F and E of the modulus^2 1 - 1/kappa^2. Below 1 the
-// axes are swapped: F(1 - 1/kappa^2) = kappa' F(1 - 1/kappa'^2), E that over kappa', with kappa' =
-// 1/kappa.
+// axes are swapped: with kappa' = 1/kappa, F(1 - 1/kappa^2) = kappa' F(1 - 1/kappa'^2) and
+// E(1 - 1/kappa^2) = E(1 - 1/kappa'^2)/kappa'.
 inline ContactEllipse contact_ellipse(double Rx, double Ry, Ellipse form)
 {
   const bool swapped = Ry < Rx;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Load of a ball over a pit that is narrower than the contact patch (docs/theory, Flaws of a
-// raceway). The strip of the patch over the pit, with the share chi of the load, has its overlap
-// reduced by the depth D, the remainder has not:
+// raceway). The strip of the patch over the pit, which carries the share chi of the load, has an
+// overlap reduced by the depth D; the remainder does not:
 //   Q/K = chi max(0, d - D)^1.5 + (1 - chi) d^1.5,    chi = 1.5 x - 0.5 x^3, x = sqrt(e/d)
 // for d > e, chi = 1 below. d is the overlap without the pit, e the overlap at which the patch is
 // as wide as the pit. Stored energy, gradient and second derivatives in d and D are in closed form.

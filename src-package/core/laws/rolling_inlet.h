@@ -6,7 +6,7 @@
 //   g = X sqrt(X^2 - 1) - arcosh X,  X = x/b.
 // Its share of the flooded one depends on m and H = 2 R_x h_c/b^2. The shortest inlet that still
 // feeds the full film, m = 1 + 3.06 (H/2)^0.58 (Hamrock and Dowson), leaves 0.50 to 0.57 for H from
-// 0.007 to 18: the share is at least 1/2.
+// 0.007 to 18. The share is therefore at least 1/2.
 #ifndef RACEWAY_ROLLING_INLET_H
 #define RACEWAY_ROLLING_INLET_H
 
@@ -27,7 +27,7 @@ inline double inlet_integral(double m, double H)
   for (int k = 0; k <= steps; ++k) {
     const double over = std::exp(low + k * width), X = 1.0 + over;
     const double root = std::sqrt(over * (over + 2.0));
-    // arcosh X - X sqrt(X^2 - 1) cancels near 1: its first term is used there
+    // arcosh X - X sqrt(X^2 - 1) suffers from cancellation near 1, so its first term is used there
     const double g = over < 1e-4 ? 4.0 / 3.0 * std::sqrt(2.0) * over * std::sqrt(over)
                                  : X * root - std::log(X + root);
     const double weight = k == 0 || k == steps ? 1.0 : k % 2 ? 4.0 : 2.0;
@@ -45,8 +45,8 @@ inline double inlet_share(double m, double H)
   return (m < far ? detail::inlet_integral(m, H) : all) / all;
 }
 
-// The same, as contacts use it: ln((1 - share)/share) by interpolation in ln H at five Chebyshev
-// points, within 0.007 for H of 0.001 to 20, and the limit of 1/2.
+// The same, as used by contacts: ln((1 - share)/share) by interpolation in ln H at five Chebyshev
+// points, within 0.007 for H from 0.001 to 20, and limited to at least 1/2.
 struct RollingInlet {
   static constexpr int nodes = 5;
   static constexpr double low = -6.9, high = 3.0;    // ln H

@@ -2,7 +2,7 @@
 // Couples of rolling resistance (docs/theory, Rolling resistance).
 //
 // Hydrodynamic: the film inlet resists with the force f and consumes the power 2 f u (Biboulet and
-// Houpert 2010, part 2, eq 32; here in powers of u and Q, Balan et al. 2015, within 0.6 % of it):
+// Houpert 2010, part 2, eq 32; here in powers of u and Q after Balan et al. 2015, within 0.6 %):
 //   f/(E' R_x^2) = (I - E)/(1 + M/6.6) + E,  r = R_y/R_x,  U = eta u/(E' R_x),  W = Q/(E' R_x^2),
 //   I = 2.9766 r^0.3316 W^(1/3) U^(2/3),  E = 7.5826 r^0.4055 W^(1/3) U^(3/4),
 //   M = 0.5549 r^-0.6029 W U^(-3/4).
@@ -42,7 +42,7 @@ RACEWAY_INLINE RollingShapeT<T> rolling_shape(const RollingConstants &k, const T
           (0.5549 / 6.6) * exponential(T(-0.6029 * r - unit - 0.75 * u))};
 }
 
-// Force f, N. ln_u: of u (m/s); root: Q^(1/3) (N^(1/3)).
+// Force f, N. ln_u: ln of u (m/s); root: Q^(1/3) (N^(1/3)).
 template <class T>
 RACEWAY_INLINE T rolling_force(const RollingShapeT<T> &k, const T &ln_u, const T &load,
                                const T &root)

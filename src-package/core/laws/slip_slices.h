@@ -8,8 +8,8 @@
 // along v. A slice carries the load of the Hertz pressure on it, half at each of the two Gauss
 // points of its chord. Within a slice v is taken as linear, with the mean direction
 //   mean(v/|v|) = 2 mean(v)/(|v| at one end + |v| at the other),
-// exact where v keeps its line. Forces therefore have no steps where the sliding of a point
-// reverses. All sums share one weight per point: the power lost is positive for any motion.
+// exact if v keeps its direction. Forces therefore have no steps where the sliding of a point
+// reverses. All sums share one weight per point, so the power lost is positive for any motion.
 #ifndef RACEWAY_SLIP_SLICES_H
 #define RACEWAY_SLIP_SLICES_H
 
@@ -27,8 +27,8 @@ template <class T> struct SlipMotionT {
   T least;
 };
 // Forces over mu Q and the moment over mu Q a, each opposing its motion; `couple`, over mu Q,
-// belongs to e. Slopes, s/m, are for implicit steps: for the forces the tangent, and the secant as
-// far as the contact slides as a whole; for moment and couple the secant, positive.
+// belongs to e. Slopes, s/m, are for implicit steps: for the forces the tangent, blended with the
+// secant the more the contact slides as a whole; for moment and couple the secant, positive.
 template <class T> struct SlipForcesT {
   T along, across, moment, couple;
   T slope_along, slope_across, slope_moment, slope_couple;

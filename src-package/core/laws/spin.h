@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Couple against spin about the contact normal (docs/theory, Spin), (3/8) mu Q a E for pure spin
-// under Coulomb's law, E the complete elliptic integral of the ellipse.
+// Couple against spin about the contact normal (docs/theory, Spin): (3/8) mu Q a E for pure spin
+// under Coulomb's law, with the complete elliptic integral E of the ellipse.
 //
 // If the contact also slides, the couple at small spin is proportional to the spin. Gauss points
 // over the ellipse (tests/references/spin.py) give the width: omega a = 0.78 s_e with differential
@@ -14,7 +14,7 @@
 
 namespace raceway {
 
-// N m, from mu Q and the constants of Hertz: with K, a and b in hand E needs no evaluation,
+// N m, from mu Q and the Hertz constants. With K, a and b known, E need not be evaluated:
 //   (3/8) mu Q a E = mu Q sqrt(delta) pi E' a^2 b^2 (1/R_x + 1/R_y)/(16 K),
 // a and b over sqrt(delta).
 template <class T>
@@ -32,8 +32,8 @@ inline double pure_spin_couple(double limit, double a, double E) { return 0.375 
 // that is lost
 constexpr double spin_width = 0.78, spin_loss = 1.35, spin_slide = 1.9;
 
-// m/s, from omega a, the width s_e and the sliding speed: the couple is that of pure spin times the
-// speed over this.
+// m/s, from omega a, the width s_e and the sliding speed. The couple is that of pure spin times
+// the speed omega a over this value.
 template <class T> RACEWAY_INLINE T spin_growth(const T &speed, const T &width, const T &slide)
 {
   const T slip = spin_slide * slide, wide = spin_width * width;

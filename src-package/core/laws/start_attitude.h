@@ -5,9 +5,9 @@
 // In the plane of the bearing's axis (e) and the ball's radius (u), contact k has the normal n_k
 // from ball to raceway. Rolling on both raceways leaves one free speed x, in which orbit, rotation
 // and both spins omega_k are linear. The moments of spin M_k(omega_k) grow up to a width and are
-// constant beyond. They balance where sum of M_k d omega_k/dx vanishes. With zero width this is the
-// least loss, control by one of the raceways; otherwise both share the spin. The sum rises with x,
-// so the root is unique and lies between the motions without spin at one raceway.
+// constant beyond. They balance where the sum of M_k d omega_k/dx vanishes. With zero width this is
+// the least loss, and one of the raceways controls the ball; otherwise both share the spin. The sum
+// increases with x, so the root is unique and lies between the motions without spin at one raceway.
 #ifndef RACEWAY_START_ATTITUDE_H
 #define RACEWAY_START_ATTITUDE_H
 
@@ -16,8 +16,8 @@
 
 namespace raceway {
 
-// A contact of the ball, its angle positive on the side of +e at the outer raceway and of -e at the
-// inner one.
+// A contact of the ball. Its angle is positive on the side of +e at the outer raceway and of -e at
+// the inner one.
 struct SpinContact {
   double angle = 0.0;     // rad, below pi/2 in magnitude
   double speed = 0.0;     // rad/s, of the ring

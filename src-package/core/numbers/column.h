@@ -19,7 +19,7 @@ struct Column {
   const char *format = as_real;
 };
 
-// a lubricant; also a fix bearing/capacitance, or one with surroundings
+// film: a lubricant; then also a fix bearing/capacitance, and one with surroundings
 enum class Needs { nothing, film, capacitance, surroundings };
 
 }    // namespace raceway

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Numbers that carry their derivatives: a law written for a number type gives its derivative too.
+// Numbers that carry their derivatives: a law written for a number type also gives its derivative.
 //
 // Dual<B, n> is a value of type B (double or Lane) with n partial derivatives (forward mode;
 // Griewank and Walther, Evaluating Derivatives, 2008, ch. 3). The value uses the same operations as
 // the plain type, so it is bit-identical. held(x) is the value alone, without derivatives: each law
-// states what its derivative holds. For a plain number, held(x) is x.
+// states what its derivatives keep fixed. For a plain number, held(x) is x.
 #ifndef RACEWAY_DUAL_H
 #define RACEWAY_DUAL_H
 
@@ -35,7 +35,7 @@ using IfPlain =
     std::enable_if_t<std::is_same<S, double>::value || std::is_same<S, Lane>::value, int>;
 }    // namespace detail
 
-// The plain type below T: T itself, or that of the value of a Dual.
+// The plain type of T: T itself, or the type of a Dual's value.
 template <class T> using Value = typename detail::ValueOf<T>::type;
 
 RACEWAY_INLINE double held(double a) { return a; }

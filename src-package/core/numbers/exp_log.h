@@ -2,7 +2,7 @@
 // Exponential and logarithm by series, for a double or a Lane: within 2 units in the last place.
 //
 // The C library's functions depend on the processor in their last bits and take one number at a
-// time. Only + - * / and shifts are used here: all processors and all lanes give the same bits.
+// time. Only + - * / and shifts are used here, so all processors and lanes give the same bits.
 //
 // Exponential: x = k ln 2 + r, |r| <= ln(2)/2; e^r by Taylor's series to r^13 (remainder below
 // 5e-18). 0 below -708 (results there would lose precision), infinite above 709.
@@ -11,8 +11,8 @@
 // |f| < 0.1716, by its series to f^21 (remainder below 2e-18). Minus infinity below the smallest
 // normal number; no meaning for x < 0 or infinity.
 //
-// Rough versions, to start an iteration: logarithm within 3e-4; exponential within 2 % for -1 <= x
-// <= 0, below -1 the value at -1.
+// Rough versions for starting an iteration: logarithm within 3e-4; exponential within 2 % for
+// -1 <= x <= 0, and below -1 the value at -1.
 //
 // NaN gives NaN.
 #ifndef RACEWAY_EXP_LOG_H

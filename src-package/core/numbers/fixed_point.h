@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The fixed point x = g(x) of a map whose values cost much: Anderson acceleration.
+// The fixed point x = g(x) of a map that is expensive to evaluate: Anderson acceleration.
 //
 // D. G. Anderson, J. ACM 12 (1965) 547; type II as in H. F. Walker and P. Ni, SIAM J. Numer. Anal.
 // 49 (2011) 1715. With the residuals f = g(x) - x of the last starts, the next start is
 //   g_k - sum_j c_j (g_j+1 - g_j),   c: least squares of f_k - sum_j c_j (f_j+1 - f_j),
-// which for an affine map equals GMRES: a mode that decays slowly takes one more value of the map.
+// which for an affine map equals GMRES: a slowly decaying mode takes one more value of the map.
 // Residuals and moves are measured with weights, in the norm sqrt(sum (w_i y_i)^2). A difference of
-// residuals that the later ones hold already, to a share `apart`, is noise and is left out, as is
-// one below `flat` of the residual: where residuals hardly depend on the start, the next start lies
-// on in their direction.
+// residuals that is a combination of the later ones, up to a share `apart`, is noise and omitted,
+// and so is one below `flat` of the residual: if residuals hardly depend on the start, the next
+// start lies further in their direction.
 #ifndef RACEWAY_FIXED_POINT_H
 #define RACEWAY_FIXED_POINT_H
 
@@ -25,13 +25,13 @@ class FixedPoint {
   struct Settings {
     size_t memory = 5;      // starts that are kept
     double reach = 0.1;     // longest move from g_k, in the norm
-    double apart = 1e-2;    // share of a difference that must be its own
+    double apart = 1e-2;    // share of a difference that must be independent of later ones
     double flat = 0.02;     // smallest difference over the residual
   };
   struct Next {
     Vector start;
     double residual = HUGE_VAL;    // norm of f_k
-    // norm of the way from x_k to the fixed point of the affine map through the kept values;
+    // norm of the distance from x_k to the fixed point of the affine map through the kept values;
     // infinite with one start
     double distance = HUGE_VAL;
   };
@@ -57,7 +57,7 @@ class FixedPoint {
     g_.erase(g_.begin(), g_.end() - 1);
   }
 
-  // Share of the residual before that the last one keeps, along it; 0 with one start.
+  // Component of the last residual along the previous one, over the previous one; 0 with one start.
   double contraction() const
   {
     if (x_.size() < 2) return 0.0;
@@ -72,7 +72,7 @@ class FixedPoint {
     const size_t last = x_.size() - 1, n = weights_.size();
     Vector f = residual(last), move(n, 0.0);
     to.residual = norm(f);
-    std::vector<Vector> basis, images;    // orthonormal differences of f, and those of g alike
+    std::vector<Vector> basis, images;    // orthonormal differences of f; those of g likewise
     for (size_t j = last; j-- > 0;) {
       Vector df = difference(residual(j + 1), residual(j)), dg = difference(g_[j + 1], g_[j]);
       const double whole = norm(df);
@@ -96,7 +96,7 @@ class FixedPoint {
     }
     for (size_t b = 0; b < basis.size(); ++b) subtract(move, dot(basis[b], f), images[b]);
     if (basis.empty() && last > 0) {
-      // the sum of all residuals to come, if each keeps that share of the one before
+      // the sum of all further residuals, if they keep decreasing by that factor
       const double share = contraction(), sum = share < 1.0 ? share / (1.0 - share) : HUGE_VAL;
       subtract(move, -std::min(sum, 2.0 * set_.reach / to.residual), f);
       to.distance = to.residual * (1.0 + sum);

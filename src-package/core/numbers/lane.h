@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-// Lanes are compiled for processors with AVX2 and for those without, but not by sanitizers, not
+// Lanes are compiled for processors with AVX2 and for those without, but not with sanitizers, not
 // with RACEWAY_ONE_TARGET, and not for other families of processors.
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(RACEWAY_ONE_TARGET)
 #define RACEWAY_TWO_TARGETS 1
@@ -24,8 +24,9 @@
 // (RACEWAY_WIDE), and once more in a file for one target; instruction_set.h selects the one to
 // call.
 //
-// For one target all are plain functions, which compile several times faster: for sanitizers, which
-// do not support the mechanism, and for builds without need for speed (RACEWAY_ONE_TARGET).
+// For one target all are plain functions, which compile several times faster. This is used with
+// sanitizers, which do not support the mechanism, and if speed does not matter
+// (RACEWAY_ONE_TARGET).
 #if defined(__SANITIZE_ADDRESS__) || defined(RACEWAY_ONE_TARGET)
 #define RACEWAY_INLINE inline
 #else
@@ -42,7 +43,7 @@
 namespace raceway {
 
 constexpr int lanes = 4;
-// Code for AVX2 assumes a Lane to be aligned to 32 bytes, but its type requires only 16 where the
+// Code for AVX2 assumes that a Lane is aligned to 32 bytes, but its type requires only 16 if the
 // target lacks AVX2. Structs of lanes passed between functions therefore have alignas(sizeof(T)).
 typedef double Lane __attribute__((vector_size(8 * lanes)));
 using LaneMask = decltype(Lane() < Lane());    // of a comparison: 0 or all bits

@@ -3,10 +3,10 @@
 // height, and velocities along the radial, circumferential and axial direction of that frame.
 //
 // Over a step h a body drifts as r += h v_r, azimuth += h v_c/r (the new r), z += h v_z and keeps
-// its components: on a circular path the drift is exact, while a straight line leaves the path by
-// h^2 v^2/(2r). Keeping components in a turning frame needs the frame's own acceleration: with w =
-// v_c/r it is -w z x v for a vector v, that is +w v_c along the radius and -w v_r along the circle;
-// the spin needs the same.
+// its components. The drift is exact on a circular path, whereas a straight line would leave the
+// path by h^2 v^2/(2r). Constant components in a rotating frame need the frame's acceleration: with
+// w = v_c/r it is -w z x v for a vector v, that is, +w v_c along the radius and -w v_r along the
+// circle; the same applies to the spin.
 #ifndef RACEWAY_LANE_FRAME_H
 #define RACEWAY_LANE_FRAME_H
 
@@ -64,7 +64,7 @@ struct LaneFrame {
     s[i] = x.y / r[i];
   }
 
-  // Frame after the time h at local velocity v; `turn` is the rotation (rad), good up to
+  // Frame after the time h at local velocity v; `turn` is the rotation (rad), accurate up to
   // largest_turn.
   RACEWAY_INLINE LaneFrame drifted(const Vec3L &v, double h, Lane &turn) const
   {

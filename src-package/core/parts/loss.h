@@ -22,7 +22,7 @@ struct LossColumn {
   const char *name;    // of the column, W
   const char *key;     // in losses_W of `raceway summary`
   const char *meaning;
-  bool usual;    // a column of every law, and in records by default
+  bool usual;    // a column of every law, included in records by default
 };
 
 template <class... L> struct LossList {

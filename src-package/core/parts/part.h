@@ -37,7 +37,7 @@ namespace raceway {
 enum class When { always, with_film, asked };
 
 // One value of a keyword: a number in the raceway or in the part's own Parameters, or one of
-// several words. `unset` describes the default where it is not a number.
+// several words. `unset` describes the default if it is not a number.
 template <class Own> struct Parameter {
   using Number = double &(*)(Raceway &, Own &);
   using Choose = void (*)(Raceway &, Own &, int);
@@ -91,9 +91,9 @@ struct StateColumn {
   bool usual = true;    // in records by default
 };
 
-// State variables of a contact: before and at the end of a time dt. dt = 0 changes nothing. Decay
-// at the rate r is exact, e^-(r dt), for constant motions over dt; in a stage of an implicit method
-// it is 1/(1 + r dt), as in backward Euler, on which the order of the method depends.
+// State variables of a contact before and after a time dt; dt = 0 changes nothing. Decay at the
+// rate r is exact, e^-(r dt), for constant motions over dt. In a stage of an implicit method it is
+// 1/(1 + r dt), as in backward Euler, because the order of the method depends on it.
 template <class T> struct LawStates {
   double dt = 0.0;
   const Value<T> *before = nullptr;

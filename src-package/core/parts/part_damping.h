@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Normal damping of the paper: hysteresis, the film damper, and the sum N = max(0, Q + C rate)
-// (damping.h). The derivative holds C.
+// (damping.h). Derivatives keep C fixed.
 #ifndef RACEWAY_PART_DAMPING_H
 #define RACEWAY_PART_DAMPING_H
 
@@ -84,7 +84,7 @@ struct FilmDamperPart : PartBase {
   }
 };
 
-// Column of all normal damping: of the steel, and of the film by a damper or a branch.
+// Column of all normal damping: by the steel, and by the film through a damper or a branch.
 struct DampingPower {
   static constexpr LossColumn column = {"damping_power", "film", "power lost to normal damping",
                                         true};

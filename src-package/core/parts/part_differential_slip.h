@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Differential slip along rolling and Coulomb's law of matching width across it, each in series
-// with the contact's tangential spring k_t (Mindlin):
+// Differential slip along rolling and, across it, Coulomb's law with the slope of free rolling,
+// each in series with the contact's tangential spring k_t (Mindlin):
 //   f' = k_t (s - f/c),  f <- f e^(-dt/tau) + c s (1 - e^(-dt/tau)),  tau = c/k_t,
 // s the slip relative to free rolling, c the secant of the slip law. It acts as a slip law for dt
 // >> tau, as a spring for dt << tau, and sticks at rest. |f| stays below mu N. The states are the
 // forces, in the frame that turns with the ball's azimuth. Explicit steps see only the spring, so
 // both integrators support this law.
 //
-// The derivative holds mu, k_t, the ellipse and the shape of the secant, but not N.
+// Derivatives keep mu, k_t, the ellipse and the shape of the secant fixed, but not N.
 #ifndef RACEWAY_PART_DIFFERENTIAL_SLIP_H
 #define RACEWAY_PART_DIFFERENTIAL_SLIP_H
 
@@ -77,8 +77,9 @@ struct DifferentialSlipPart : PartBase {
     m.after[0] = c.friction_t;
     m.after[1] = c.friction_w;
 
-    // The couple belongs to the slip after the spring. It follows from the force: with f/c and c at
-    // the present sliding, an oscillation of the spring would amplify itself in explicit steps.
+    // The couple is that of the slip after the spring and follows from the force. If it followed
+    // from f/c with c at the present sliding, oscillations of the spring would grow in explicit
+    // steps.
     const B used = held(c.friction_t) * sharing * forward / (most + none);
     const B against = -slip_couple(force_root(used)) * most * curve * curve / width;    // N m s
     c.slip_couple = against * turn;
@@ -86,8 +87,8 @@ struct DifferentialSlipPart : PartBase {
   }
 
  private:
-  // Remainder of a force after a time dt, part = -dt k_t/(mu N). Without a derivative if the
-  // remainder is tiny, since a contact may have no load.
+  // Remaining fraction of a force after a time dt, part = -dt k_t/(mu N). It has no derivative if
+  // it is tiny, since a contact may have no load.
   template <class T> static RACEWAY_INLINE T left_of(const T &part, const Value<T> &speed)
   {
     const T x = part * speed;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Oil drag on the balls (ball_drag.h) at their speed relative to the outer ring, which takes the
 // reaction. A ball off the outer raceway has no drag; of the two grooves of a Gothic arch, the one
-// with the larger overlap carries it. The derivative holds the force: over an implicit step it
-// changes the speed of a ball by at most a fraction of 1e-3.
+// with the larger overlap carries it. Derivatives keep the force fixed, because over an implicit
+// step it changes the speed of a ball by at most 1e-3.
 #ifndef RACEWAY_PART_DRAG_H
 #define RACEWAY_PART_DRAG_H
 
@@ -81,8 +81,8 @@ struct DragPart : PartBase {
   }
 
  private:
-  // True if a ball at z (m) from its groove's centres overlaps the twin groove at -offset less. In
-  // the middle plane, to rounding, the groove at the positive offset carries the drag.
+  // True if a ball at z (m) from its groove's centres has a smaller overlap with the twin groove at
+  // -offset. In the middle plane, to rounding, the groove at the positive offset carries the drag.
   template <class B> static RACEWAY_INLINE auto deeper(double offset, const B &z)
   {
     const B from_middle = z + offset;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Film thickness and lambda ratio at the present load and entrainment speed (film.h), times the
-// factors of film_factors.h. The derivative holds all of them: this affects the rate of the Newton
-// iteration, not its result.
+// factors of film_factors.h. Derivatives keep all of them fixed, which affects the convergence of
+// the Newton iteration but not its result.
 #ifndef RACEWAY_PART_FILM_H
 #define RACEWAY_PART_FILM_H
 
@@ -10,7 +10,7 @@
 
 namespace raceway {
 
-// Central thickness in an act() after this part: with the film in the gap it is already set.
+// Central thickness in an act() after this part; with the film in the gap it is already set.
 template <class T>
 RACEWAY_INLINE Value<T> held_central_film(const Raceway &p, const RacewayConstantsT<Value<T>> &k,
                                           const ContactStateT<T> &c)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Film damping as a spring and a dashpot in series (film_branch.h) instead of eq 5. It acts after
-// the normal force and adds to it. The derivative holds the branch.
+// the normal force and adds to it. Derivatives keep the branch fixed.
 #ifndef RACEWAY_PART_FILM_BRANCH_H
 #define RACEWAY_PART_FILM_BRANCH_H
 
@@ -9,10 +9,10 @@
 
 namespace raceway {
 
-// Power of the branch, f times the rate of overlap: below 0 while the film springs back. k_m
+// Power of the branch, f times the rate of overlap; negative while the film springs back. k_m
 // changes with the film, so f^2/(2 k_m) is not a potential (at rest k_m falls to 0 while f
-// remains), and the loss in the dashpot alone, f^2/(k_m tau), would not add up to the work on the
-// branch.
+// remains), and the loss in the dashpot alone, f^2/(k_m tau), would not add up to the work done on
+// the branch.
 struct FilmBranchLoss : DampingPower {
   template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
   {

@@ -28,7 +28,7 @@ struct FilmInGapPart : PartBase {
         moes = {p.model.lubricant, p.material.Eprime(), p.rolling_radius(1.0),
                 p.transverse_radius()};
     }
-    // wider than films in bearings: cutting off a film would make the force jump
+    // wider than films in bearings, because cutting off a film would make the force jump
     double reach(const Raceway &p) const { return 0.01 * p.groove.ball_radius; }
     double widest(const Raceway &p) const { return share > 0.0 ? p.reach / share : p.reach; }
   };
@@ -70,7 +70,7 @@ struct FilmInGapPart : PartBase {
   {
     c.ln_speed = logarithm(c.entrainment);
     if (p.factors.any && !p.factors.by_pressure) c.film_factor = p.factors.of(c.ln_speed);
-    if (own.all_regimes) {    // the film is unlimited: it counts up to the reach
+    if (own.all_regimes) {    // the film is unlimited and counts up to the reach
       c.h_edge = where(c.entrainment > resting, T() + own.widest(p), 0.0);
     } else if (p.factors.by_pressure) {
       const T film = GapFilmT<T, false>(own.moes, p, k, c).at(logarithm(kept(own, k))).thickness;
@@ -122,7 +122,7 @@ struct FilmInGapPart : PartBase {
     c.film_energy = thinning_work(own.share, exponent, Q, c.h_c, cut, c.h_edge);
   }
 
-  // The work against the film starts at the onset of thinning; constant entrainment speed.
+  // The work against the film starts at the onset of thinning; the entrainment speed is constant.
   template <class T>
   static RACEWAY_INLINE Value<T> energy(const Parameters &own, const Raceway &p,
                                         const ContactStateT<T> &c)
@@ -134,7 +134,7 @@ struct FilmInGapPart : PartBase {
   }
 
  private:
-  // m, compression below which a power law keeps its thickness
+  // m, compression below which the thickness by a power law is constant
   template <class T>
   static RACEWAY_INLINE T kept(const Parameters &own, const RacewayConstantsT<T> &k)
   {

@@ -2,9 +2,9 @@
 // Friction (friction.h): a coefficient, constant or a function of the lambda ratio, and a
 // tangential law, either a spring with history or Coulomb's law smoothed over a creep speed.
 //
-// The derivative of the smoothed law is the secant f/s: mu, v_0 and the denominator are held, N is
-// not. The tangent of a sliding contact is nearly flat, and one correction would then throw a light
-// ball across zero sliding.
+// The derivative of the smoothed law is the secant f/s: mu, v_0 and the denominator are kept fixed,
+// but not N. The tangent of a sliding contact is nearly flat, so one correction with it would throw
+// a light ball across zero sliding.
 #ifndef RACEWAY_PART_FRICTION_H
 #define RACEWAY_PART_FRICTION_H
 
@@ -13,7 +13,7 @@
 
 namespace raceway {
 
-// Loss of all tangential laws: energy stored in a spring counts as lost until it is returned.
+// Loss of all tangential laws; energy stored in a spring counts as lost until it is returned.
 struct FrictionLoss {
   static constexpr LossColumn column = {"friction_power", "slip",
                                         "power lost to the tangential force", true};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Friction coefficient of a contact whose load is shared by asperities and film (asperities.h). The
 // coefficient of the film is a constant, or Eyring's with a limit (film_traction.h) at the speed of
-// free rolling combined with the sliding of the contact. The derivative holds it.
+// free rolling combined with the sliding of the contact. Derivatives keep it fixed.
 #ifndef RACEWAY_PART_MIXED_FRICTION_H
 #define RACEWAY_PART_MIXED_FRICTION_H
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Couples against rolling, opposite on ball and ring (rolling_resistance.h). They pass through zero
-// speed linearly. The derivative is the couple over the speed: it is large at rest, where
-// an implicit step needs it.
+// Couples against rolling, opposite on ball and ring (rolling_resistance.h). They are linear in the
+// speed near zero. The derivative is the couple over the speed, which is large at rest, where an
+// implicit step needs it.
 #ifndef RACEWAY_PART_ROLLING_H
 #define RACEWAY_PART_ROLLING_H
 

@@ -6,12 +6,12 @@
 // The states are the forces f and the slip y after the spring, relative to free rolling:
 //   y' = (s - y)/tau,  f' = (F(y) + c (s - y) - f)/tau,  tau = c/k_t,
 // s the slip relative to free rolling, F the sum over the slices. So f' is k_t (s - y) while F
-// lags: a slip law for dt >> tau, a spring for dt << tau. Apart from spin and roll the slices
-// depend only on y, which does not follow oscillations of the spring; neither do the couples. c is
-// near the slope of F in free rolling and above half of it everywhere, otherwise oscillations would
-// grow.
+// lags, which is a slip law for dt >> tau and a spring for dt << tau. Apart from spin and roll, the
+// slices depend only on y, which does not follow oscillations of the spring; the same holds for the
+// couples. c is close to the slope of F in free rolling and everywhere above half of it; otherwise
+// oscillations would grow.
 //
-// The derivative holds mu, k_t, c and the ellipse, but not N.
+// Derivatives keep mu, k_t, c and the ellipse fixed, but not N.
 #ifndef RACEWAY_PART_SLIP_SLICES_H
 #define RACEWAY_PART_SLIP_SLICES_H
 
@@ -89,14 +89,14 @@ struct SlipSlicesPart : PartBase {
   }
 
  private:
-  // c over mu N and the width, with spin over the width. Along rolling 3.80 without spin. Across
-  // rolling few slices reverse, and the slope is steep.
+  // c times the width over mu N, as a function of spin over the width: along rolling 3.80 without
+  // spin; across rolling few slices reverse, so the slope is steep.
   template <class B> static RACEWAY_INLINE B lean(double most, double falls, const B &spin)
   {
     const B x = falls * spin;
     return most / square_root(B(1.0 + x * x));
   }
-  // Remainder of a state after a time dt (LawStates); spring = dt k_t.
+  // Remaining fraction of a state after a time dt (LawStates); spring = dt k_t.
   template <class B> static RACEWAY_INLINE B left_of(const B &spring, const B &c, bool stage)
   {
     if (stage) return c / (c + spring);

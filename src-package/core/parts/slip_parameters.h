@@ -10,7 +10,7 @@ namespace raceway {
 
 // Parameters of a slip law in series with the contact's tangential spring.
 struct SlipParameters {
-  double least = 1e-4;                  // m/s, lower limit of s_e: towards rest the law becomes
+  double least = 1e-4;                  // m/s, lower limit of s_e; towards rest the law becomes
                                         // Coulomb's
   double kt_ratio = 0.0, lift = 0.0;    // derived; 1/m, 1/(2 R_d)
   void prepare(const Raceway &p)

@@ -15,7 +15,7 @@ namespace raceway {
 
 // Quantities that carry derivatives.
 template <class T> struct alignas(sizeof(Value<T>)) ContactVariablesT {
-  // motions of the ball against the raceway (kinematics.h)
+  // motions of the ball relative to the raceway (kinematics.h)
   T overlap = T();         // m, of the rigid surfaces; negative for a gap
   T compression = T();     // m, elastic approach of the bodies: the overlap and additions by parts
   T overlap_rate = T();    // m/s

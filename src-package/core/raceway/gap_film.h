@@ -29,7 +29,7 @@ template <class T, bool all> class GapFilmT {
   using Film = std::conditional_t<all, MoesFilmT<T>, PowerFilmT<T>>;
 
   // steep: Gupta's factor by the root of the compression, or null; without its `unpressed`, which
-  // is in the film. K: stiffness, N/m^1.5
+  // the film includes. K: stiffness, N/m^1.5
   RACEWAY_INLINE GapFilmT(const Film &film, const GuptaFactorT<T> *steep, const T &K) :
       film_(film), pressed_(steep != nullptr), ln_K_(logarithm(K))
   {
@@ -39,7 +39,7 @@ template <class T, bool all> class GapFilmT {
   RACEWAY_INLINE GapFilmT(const MoesRaceway &moes, const Raceway &p, const RacewayConstantsT<T> &k,
                           const State &c)
   {
-    // at rest any finite film suffices: the contact is dry (FilmInGapPart)
+    // at rest any finite film will do, because the contact is dry (FilmInGapPart)
     const T ln_u = logarithm(T(where(c.entrainment > resting, c.entrainment, resting)));
     T ln_factor = T();
     pressed_ = p.factors.by_pressure;
@@ -70,8 +70,8 @@ template <class T, bool all> class GapFilmT {
     return f;
   }
 
-  // Logarithm of a compression below that at the overlap d; kept: compression at which a power law
-  // is cut.
+  // Logarithm of a lower bound on the compression at the overlap d; kept: compression at which a
+  // power law is cut.
   RACEWAY_INLINE T start(const T &d, const T &kept) const
   {
     const T squeezed = logarithm(T(where(d > 0.0, d, 1e-30)));

@@ -2,8 +2,8 @@
 // From the motion of a ball and a ring to the local motions of their contact, and from local forces
 // back to forces and torques, independent of the contact law (law.h).
 //
-// The contact point is R_b along the normal from the ball centre; both bodies are taken rigid
-// there. The force of the raceway on the ball is -N n - f_t t - f_w w (frame of groove.h), its
+// The contact point is R_b along the normal from the ball centre; both bodies are treated as rigid
+// there. The force of the raceway on the ball is -N n - f_t t - f_w w (frame of groove.h). Its
 // opposite acts on the ring at the same point, so linear and angular momentum are conserved to
 // rounding.
 //

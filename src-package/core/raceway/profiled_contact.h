@@ -15,8 +15,8 @@ template <class T> struct alignas(sizeof(T)) ProfiledContactT {
   T slope = T();      // of the depth along the path of the ball's centre
   T bend = T();       // 1/m, derivative of the slope along the path, for profiles across the whole
                       // groove
-  // of a pit: energy beyond that of the overlap itself, J; derivative of the overlap by the
-  // approach, less 1; stiffness between approach and path, and along the path, N/m
+  // of a pit: energy in addition to that of the overlap, J; derivative of the overlap with respect
+  // to the approach, minus 1; stiffness between approach and path, and along the path, N/m
   T energy = T(), follows = T(), cross = T(), side = T();
 };
 using ProfiledContact = ProfiledContactT<double>;
@@ -72,7 +72,7 @@ inline ProfiledContact profiled(const RacewayProfile *ring, const BallProfile *b
 
 // Change of a number that depends on the direction of the normal in the ball's axes, with the
 // velocity v of the ball's centre relative to the ring's material there and the spin w of the ball
-// relative to the ring. `along` and `across` are its derivatives by the direction.
+// relative to the ring. `along` and `across` are its derivatives with respect to the direction.
 template <class T> struct TurnRowT {
   Vec3T<T> v, w;
 

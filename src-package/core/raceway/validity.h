@@ -3,8 +3,8 @@
 //
 // Error: a contact ellipse as wide as the groove, or an overlap beyond the limit of the deck.
 // Warning: a pressure that leaves dents, a film thicker than the contact length, a lambda ratio
-// beyond those found in bearings, a capacitance of a conducting film, a film outside the fit of
-// Hamrock and Dowson, a contact ellipse beyond the shoulder of its groove.
+// beyond those found in bearings, a capacitance of a conducting film, a film outside the range of
+// Hamrock and Dowson's fit, a contact ellipse beyond the shoulder of its groove.
 #ifndef RACEWAY_VALIDITY_H
 #define RACEWAY_VALIDITY_H
 

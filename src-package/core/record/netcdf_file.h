@@ -2,12 +2,12 @@
 // A growing netCDF classic file: records are written in batches, one write each, while the next
 // batch fills.
 //
-// The header counts the records (4 bytes at offset 4). A reader of a growing or a killed file sees
-// complete records only: the count follows the writing. It is updated a few times a second, to the
-// number written at the previous update, because a reader that maps the file first and reads the
-// count afterwards must not find more records counted than mapped. A file cut at the end of a
-// record is valid: continuing a run is a truncate(). Header and records have checksums
-// (netcdf_header.h).
+// The header counts the records (4 bytes at offset 4). A reader of a growing file, or of one left
+// by a killed run, sees only complete records, because the count lags behind the writing. It is
+// updated a few times per second, to the number written at the previous update: a reader that maps
+// the file first and then reads the count must not find more records counted than mapped. A file
+// cut at the end of a record is valid, so a run is continued with a truncate(). Header and records
+// have checksums (netcdf_header.h).
 #ifndef BEARING_NETCDF_FILE_H
 #define BEARING_NETCDF_FILE_H
 
@@ -27,8 +27,8 @@ class NetcdfFile {
   // These return an error message, empty on success.
   // Creates or replaces a file; records follow in batches of `batch`.
   std::string create(const std::string &path, const NetcdfHeader &, size_t batch);
-  // Continues a file with the same header except for the value of the scalar `changing`, cut to its
-  // first `records`.
+  // Continues a file that has the same header except for the value of the scalar `changing`, after
+  // cutting it to its first `records`.
   std::string go_on(const std::string &path, const NetcdfHeader &, size_t batch, size_t records,
                     int changing);
 

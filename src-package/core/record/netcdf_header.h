@@ -30,7 +30,7 @@ class NetcdfHeader {
   struct Variable {
     std::string name;
     std::vector<int>
-        dimensions;    // numbers; with 0, the record dimension, first: a value a record
+        dimensions;    // numbers; with 0, the record dimension, first: one value per record
     Type type = real;
     Attributes attributes;
     std::string words;         // values of a fixed variable of type text

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A record as one netCDF file: its variables, a sample from the rows of its parts, and the sums
-// over each bearing. Rows may come in any order; the bytes do not depend on it. Independent of the
-// host.
+// A record as one netCDF file: its variables, the assembly of a sample from the rows of its parts,
+// and the sums over each bearing. Rows may come in any order, which does not affect the bytes.
+// Independent of the host.
 #ifndef BEARING_RECORD_FILE_H
 #define BEARING_RECORD_FILE_H
 

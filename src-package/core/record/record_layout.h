@@ -17,7 +17,7 @@ struct RecordLayout {
   struct RecordRing {
     double tag;
     int bearing;
-    int raceway;    // 0 inner, 1 outer, 2 a cage that is one ring
+    int raceway;    // 0 inner, 1 outer, 2 a one-piece cage
     double origin[3];
     // of a cage: of its pockets along the circle (m); CageRing::Guide; of the first pocket (rad)
     double play, guide, phase;
@@ -33,7 +33,7 @@ struct RecordLayout {
 
   int grooves = 1;    // per ring and ball: contacts are by raceway, groove and ball
 
-  static constexpr int cage_ring = 2;    // raceway of a cage that is one ring
+  static constexpr int cage_ring = 2;    // raceway of a one-piece cage
   bool pockets() const
   {
     for (const RecordRing &r : rings)

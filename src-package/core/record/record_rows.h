@@ -19,13 +19,13 @@ class RecordRows {
   void begin(const RecordLayout &, const RecordFile &, const Columns &, size_t batch);
 
   int ball(Tag) const;    // index in the layout; -1: not in the record
-  // The speed of a ball about the axis of the outer ring, or of the only ring it has, rad/s.
+  // The speed of a ball about the axis of the outer ring, or of its only ring, rad/s.
   bool needs_orbit(int ball, raceway::Side s) const
   {
     return s == raceway::Side::outer || shares_[ball].orbit == 0.0;
   }
   void orbit(int ball, double value) { shares_[ball].orbit = value; }
-  void contact(int ball, const ContactView &);    // a live one
+  void contact(int ball, const ContactView &);    // an active contact
   // Surfaces without contact; only the surroundings have a value.
   void gap(int ball, const ContactView &);
   // A contact with a cage ball or another ball: loss of this ball (W), force (N).
@@ -73,7 +73,7 @@ class RecordRows {
   std::vector<Place> places_;    // by tag
   size_t widths_[4] = {};
   size_t batch_ = 1, samples_ = 0;
-  std::vector<double> said_;    // the first used_ of it
+  std::vector<double> said_;    // only the first used_ values count
   size_t used_ = 0;
   // of the present sample
   std::vector<BallFigures> shares_;    // by ball

@@ -32,7 +32,7 @@ Arguments::Arguments(LAMMPS *lmp, const std::string &command, int narg, char **a
   note_words(lmp, command, words_);
 }
 
-// Style of "fix ID STYLE" or the command itself, as the table of variables names it
+// Style of "fix ID STYLE" or the command itself, as named in the table of variables
 static std::string taker(const std::string &command)
 {
   return command.compare(0, 4, "fix ") == 0 ? command.substr(command.rfind(' ') + 1) : command;
@@ -176,7 +176,7 @@ int Arguments::choice(const std::string &what, const std::vector<std::string> &a
   fail(what + " is '" + s + "', must be one of: " + list);
 }
 
-// The word of a list "a, b, c" that a wrong one may have meant, as the end of a message
+// The word of a list "a, b, c" that a wrong word may stand for, as the end of a message
 static std::string meant(const std::string &wrong, const std::string &list)
 {
   std::set<std::string> known;

@@ -24,8 +24,8 @@ std::optional<std::string> host_variable(LAMMPS_NS::LAMMPS *, const std::string 
 // A number in the user's notation ("6.3e-3") for messages.
 std::string text(double value);
 
-// `vars K ...` at the end of a command stands for `K VALUE` of every K that is a variable of the
-// host, of those in core/settings/deck_variable_table.h that the command takes.
+// `vars K ...` at the end of a command stands for `K VALUE` for every K that is a variable of the
+// host and, by core/settings/deck_variable_table.h, is taken by the command.
 class Arguments {
  public:
   Arguments(LAMMPS_NS::LAMMPS *lmp, const std::string &command, int narg, char **arg, int first);

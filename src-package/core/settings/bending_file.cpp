@@ -99,7 +99,7 @@ class Reader {
       char *end;
       read.values.push_back(strtod(value.c_str(), &end));
       if (*end != '\0' || !std::isfinite(read.values.back()))
-        fail("line " + std::to_string(number) + ": '" + value + "' is no finite number");
+        fail("line " + std::to_string(number) + ": '" + value + "' is not a finite number");
     }
     lines_[word].push_back(read);
   }

@@ -15,9 +15,9 @@ struct CageSettings {
   double young[2] = {2.08e11, 2.08e11}, poisson[2] = {0.3, 0.3};    // ball and cage, steel
   double height = 0.0;                                              // m, of a pocket's band of oil
   double oil = 0.0, filled = 1.0;                                   // Pa s, filled share
-  double land_filled = -1.0;                                        // of the land; -1: as filled
+  double land_filled = -1.0;                                        // of the land; -1: same
 
-  // Reads all words after the ball type; error for one that contradicts another.
+  // Reads all words after the ball type. Error for words that contradict each other.
   void read(Arguments &);
   // Derives the values that depend on the balls, of this radius on this pitch circle (m). Error if
   // they do not fit.

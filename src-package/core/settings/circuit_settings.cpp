@@ -100,9 +100,9 @@ CircuitSettings CircuitSettings::read(Arguments &args)
     } else if (args.take("arc")) {
       s.arc = args.positive("resistance of a film while it fails (ohm)");
     } else if (args.take("within")) {
-      s.within = args.integer("samples a step", 1, 100000);
+      s.within = args.integer("samples per step", 1, 100000);
     } else if (args.take("points")) {
-      s.points = args.integer("points of the circuit a sample", 1, 1000000);
+      s.points = args.integer("circuit points per sample", 1, 1000000);
     } else if (args.take("events")) {
       s.events = args.word("file for the films that fail");
     } else {

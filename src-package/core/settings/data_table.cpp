@@ -40,7 +40,7 @@ DataTable::DataTable(const std::string &file) : file_(file)
     }
   }
   if (complaint_.empty() && head)
-    complaint_ = "table '" + file + "' has no line of columns that begins with name,";
+    complaint_ = "table '" + file + "' has no heading that begins with name,";
   if (!complaint_.empty()) return;
   columns_.erase(std::find(columns_.begin(), columns_.end(), "source"), columns_.end());
   columns_.erase(columns_.begin());
@@ -52,7 +52,7 @@ void DataTable::read_row(const std::string &line, int number)
   const std::string place = "table '" + file_ + "', line " + std::to_string(number) + ": ";
   if (row.size() != columns_.size())
     complaint_ = place + std::to_string(row.size()) + " cells, must be " +
-                 std::to_string(columns_.size()) + " as in the line of columns";
+                 std::to_string(columns_.size()) + " as in the heading";
   else if (rows_.count(row[0])) complaint_ = place + "a second row '" + row[0] + "'";
   else rows_[row[0]] = {row.begin() + 1, row.end()};
 }

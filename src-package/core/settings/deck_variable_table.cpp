@@ -156,7 +156,7 @@ const std::vector<DeckVariable> &deck_variables()
        "sampling rate of the signal"},
       {"oversampling", "4", "", "1 100 whole", "bearing/vibration",
        "samples of the record per sample of the signal"},
-      // bearings: complete data, and the usual data from which they follow
+      // bearings: complete data, and the usual data from which complete data follow
       {"balls", "", "", "2 1000 whole", "bearing data", "number of balls"},
       {"ball_diameter", "", "m", "1.0e-4 0.3", "bearing data", "diameter of a ball"},
       {"inner_radius", "", "m", "1.0e-4 10", "bearing data",

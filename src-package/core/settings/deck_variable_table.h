@@ -17,7 +17,7 @@ struct DeckVariable {
   const char *range;      // "LO HI", "LO HI whole", "LO HI or V", "one_of A B ..."; "": any words
   const char *of;         // commands and styles that take it, a kind of data, or one deck
   const char *meaning;
-  // of a constant of an oil: the models that take it, `file` for a file of keywords; "": all
+  // for a constant of an oil: the models that take it, `file` for a file of keywords; "": all
   const char *models = "";
 
   std::string label() const;    // name and unit, for messages
@@ -30,8 +30,9 @@ struct DeckVariable {
 const std::vector<DeckVariable> &deck_variables();
 const DeckVariable *find_deck_variable(const std::string &name, const std::string &of = "");
 
-// Message on a name of a data file that no variable has and that is one or two letters off one that
-// the file lacks, whose default would count; "" without one. Other names are the user's own.
+// Message about a name in a data file that is not a variable but differs by one or two letters from
+// one that the file lacks and whose default would be used; "" if there is none. Other names are the
+// user's own.
 std::string mistyped(const std::set<std::string> &names);
 
 // Reason why a variable cannot have this value; "" if it can.

@@ -14,8 +14,8 @@ class LAMMPS;
 
 namespace bearing {
 
-// The last command of a fix counts; several create_bearing commands are kept as one checksum.
-// Paths and the options of a continued run are left out.
+// For a fix, the last command counts; several create_bearing commands are kept as one checksum.
+// Paths and the options of a continued run are omitted.
 void note_words(const LAMMPS_NS::LAMMPS *, const std::string &command,
                 const std::vector<std::string> &words);
 void note_file(const LAMMPS_NS::LAMMPS *, const std::string &command, const std::string &content);

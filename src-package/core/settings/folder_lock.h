@@ -13,7 +13,7 @@ struct FolderClaim {
 };
 
 // Claims `folder` for this process; a repeated claim succeeds. The lock is on the file `.writer` in
-// it, which names the process; the system releases it however the process ends.
+// the folder, which names the process. The system releases it however the process ends.
 FolderClaim claim_folder(const std::string &folder);
 
 }    // namespace bearing

@@ -141,9 +141,9 @@ ContactModel contact_model(const ModelChoice &of, const OilWords *oil,
   const bool full = of.models == "full" || of.models == "eyring", film = of.models == "film",
              paper = of.models == "paper";
   ContactModel model;
-  // the vibration of a cage that drives balls would limit the step; 1 um is 0.4 N in its contacts
+  // otherwise the vibration of a cage that drives balls would limit the step; 1 um is 0.4 N there
   model.cage_tolerance_share = full ? 1000.0 : film ? 100.0 : 1.0;
-  model.estimate = !paper;    // whose records keep their bits
+  model.estimate = !paper;    // because records of models paper keep their bits
   if (of.models == "none") return model;
   if (oil && !paper) require(*oil, of.models);
   if (full) {

@@ -235,12 +235,12 @@ bool PairCoefficients::smooth_friction(double creep)
   return changed;
 }
 
-// A ball is a neighbour if it touches its groove, or is outside by up to the overlap limit plus
-// half a radius: ghosts are needed up to that distance only. Spheres touch at the sum of their
+// A ball is a neighbour if it touches its groove, or is outside it by up to the overlap limit plus
+// half a radius; ghosts are needed only up to that distance. Spheres touch at the sum of their
 // radii.
 double PairCoefficients::cutoff(int i, int j) const
 {
-  // balls of one type are listed as neighbours so that overlapping ones can be refused at the start
+  // balls of one type are neighbours, so that overlapping ones can be refused at the start
   if (i == j && is_ball(i)) return 2.0 * sizes_.largest[i];
   if (spheres(i, j) || grains(i, j)) return sizes_.largest[i] + sizes_.largest[j];
   const RacewayPhysics *p = raceway(j, i);
@@ -310,7 +310,7 @@ std::string PairCoefficients::wrong_size(const GrooveName &of, const RacewayPhys
            text(R) + " m (a conformal groove is no Hertz point contact)";
   if (std::fabs(g.offset) >= g.slack())
     return "gothic_arch " + text(std::fabs(g.offset)) +
-           " m must be smaller than the groove radius less that of the ball, " + text(g.slack()) +
+           " m must be smaller than the groove radius minus that of the ball, " + text(g.slack()) +
            " m: beyond that a ball cannot be between both grooves";
   if (g.side == Side::outer && !(g.raceway_radius - R > R))
     return "raceway radius " + text(g.raceway_radius) +

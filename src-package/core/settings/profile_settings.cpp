@@ -110,8 +110,8 @@ void read_ball(Arguments &args, ProfileSettings &s)
 
 }    // namespace
 
-// As a deck's variables name them: flaw_inner and flaw_outer are profiles of raceways, flaw_ball is
-// one of balls, by default the first; the last keyword, flawed_ball, has the balls' numbers.
+// In the words of a deck's variables: flaw_inner and flaw_outer are profiles of raceways, flaw_ball
+// is a profile of balls, by default the first; the last keyword, flawed_ball, has their numbers.
 ProfileSettings ProfileSettings::read(Arguments &args, int most_grooves,
                                       std::vector<std::string> &said)
 {

@@ -120,7 +120,7 @@ bool RingWords::take()
   return true;
 }
 
-// Loads of a radial bearing: `free loaded` frees the directions that they push.
+// Loads of a radial bearing; `free loaded` frees the directions in which they act.
 bool RingWords::take_load()
 {
   if (args_.take("free")) {
@@ -152,8 +152,8 @@ bool RingWords::take_housing()
   return true;
 }
 
-// The direction of the radial load is rounded to 15 digits, so that one along -y has no component
-// along x.
+// The direction of the radial load is rounded to 15 digits, so that a load along -y has no
+// component along x.
 void RingWords::apply_load()
 {
   RingProgram &p = to_.program;

@@ -15,7 +15,7 @@ namespace bearing {
 struct StatedLoads {
   bool stated = false;
   double load = 0.0, azimuth = 0.0, axial = 0.0;    // N, rad, N
-  double moment[2] = {0.0, 0.0};                    // N m, constant ones
+  double moment[2] = {0.0, 0.0};                    // N m, constant moments
   double unbalance = 0.0;                           // kg m
   double speed = NAN;                               // rad/s, imposed and constant; NAN: other
 };
@@ -27,7 +27,7 @@ struct RingSettings {
   std::string holder;    // group of the ring that the supports hold to; empty: the ground
 };
 
-// Mass and inertia of a ring for which the words give none; zeros: unknown.
+// Mass and inertia of a ring, used if the words give none; zeros: unknown.
 struct RingBody {
   double mass = 0.0;
   raceway::RingInertia inertia;

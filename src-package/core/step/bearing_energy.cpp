@@ -18,7 +18,7 @@ void BearingIntegrator::add_energy(const Stage &stage, double weight, double s)
   forces_.evaluate(stage);
   system_.add_border(stage.h, stage.follows(), s, false);
   double power = -power_of_residual(stage.h);
-  // if only dampers are implicit, free degrees of freedom move half the way at the old velocity
+  // if only dampers are implicit, free degrees of freedom move half of the step at the old velocity
   const double old_share = stage.dampers_only ? 0.5 : 0.0;
   double lost = forces_.power_lost();
   loads_.resize(bodies_.border.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Forces of one bearing at the present state of its bodies, optionally with derivatives: raceway
-// contacts (raceway_contacts.cpp), cage balls (cage_contacts.cpp), and cages that are one ring
+// contacts (raceway_contacts.cpp), cage balls (cage_contacts.cpp), and one-piece cages
 // (cage_ring_forces.cpp).
 #ifndef RACEWAY_BEARING_FORCES_H
 #define RACEWAY_BEARING_FORCES_H
@@ -47,8 +47,8 @@ struct Stage {
                                    // on rings
   bool keep = false;               // with `derivatives`: BearingSystem::keep() after the raceways
   bool kept = false;    // with `derivatives`: raceways as kept, at the end of the last correction
-  bool gaps = false;    // also look at surfaces that do not touch
-  // Gaps of balls and of cage balls that count as contact in the derivatives, m: without them a
+  bool gaps = false;    // also evaluate surfaces that do not touch
+  // Gaps of balls and of cage balls that count as contact in the derivatives, m. Without them, a
   // body at rest would leap out of its groove.
   double close = 0.0, close_cage = 0.0;
 
@@ -62,7 +62,7 @@ class BearingForces {
 
   Failure evaluate(const Stage &);
   // Updates the states of the contacts after a correction based on the last evaluation
-  // (kept_follow.h). False if they change by more than the contact's spring does over `exact`, m.
+  // (kept_follow.h). False if they change by more than the contact's spring force over `exact`, m.
   bool follow(double exact);
   // Longest step from the present state allowed by the profiles of raceways and balls, s.
   double longest_step() const;
@@ -73,8 +73,8 @@ class BearingForces {
   int body() const { return body_; }                           // body of the failure, or -1
   double power_lost() const { return power_lost_; }            // W, in contacts
   double contact_energy() const { return contact_energy_; }    // J, elastic
-  // J, change of the elastic energy by entrainment speeds and contact angles since the start of the
-  // step: thicker films load the contacts, and no force works along the angle
+  // J, change of the elastic energy due to entrainment speeds and contact angles since the start of
+  // the step: thicker films load the contacts, and no force does work along the angle
   double energy_gained() const { return energy_gained_; }
 
  private:

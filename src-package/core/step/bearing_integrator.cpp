@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Sequence of a step; its energy is in bearing_energy.cpp.
+// The sequence of a step; the energy of a step is in bearing_energy.cpp.
 #include "bearing_integrator.h"
 
 #include <algorithm>
@@ -8,9 +8,9 @@ namespace raceway {
 
 static const double gamma_2 = 1.0 - std::sqrt(0.5);     // length of a stage of order 2
 static const double beyond_2 = 1.0 + std::sqrt(2.0);    // (1 - gamma)/gamma
-// Error of the method for a velocity that grows with the square of time: of a position, over h
-// times the second divided difference of the velocities at 0, gamma h and h. In a free vibration,
-// whose first stage is off by second order, the error is 6.8 times as large.
+// Position error of the method for a velocity that grows with the square of time, over h times the
+// second divided difference of the velocities at 0, gamma h and h. In a free vibration, whose first
+// stage has a second-order error, the error is 6.8 times as large.
 static const double bend_2 = gamma_2 + (1.0 - gamma_2) * gamma_2 * gamma_2 - 1.0 / 3.0;
 
 static BearingIntegrator::Outcome &failed(BearingIntegrator::Outcome &o, Failure why, int body = -1)
@@ -48,7 +48,7 @@ BearingIntegrator::Outcome BearingIntegrator::step(const Settings &asked, double
   }
   pending_ = Energy();
   present_ = {h, s0, s1};
-  if (s0 == 0.0) remains_ = 1.0;    // nothing of an earlier step of the host
+  if (s0 == 0.0) remains_ = 1.0;    // independent of earlier steps of the host
   bodies_.start();
   if (set.dampers_only) {
     const double middle = 0.5 * (s0 + s1);
@@ -87,8 +87,8 @@ BearingIntegrator::BearingIntegrator(const BearingModel &model) :
 {
 }
 
-// The last correction of a cage that is one ring is a thirtieth of its allowed error, however long
-// the stage.
+// For a one-piece cage, the last correction is a thirtieth of the allowed error, whatever the
+// length of the stage.
 static constexpr double of_ring = 30.0;
 
 // Weight of a cage ball's last correction in a stage of h seconds. Its tolerance is ten times finer
@@ -105,8 +105,8 @@ double BearingIntegrator::cage_correction(const Settings &set, double h) const
   return set.cage > finer ? finer / set.cage : 1.0;
 }
 
-// Newton's method contracts: where a correction is the share q of the one before, later ones add up
-// to at most q/(1 - q) of it. At least a tenth.
+// Newton's method contracts: if a correction is the share q of the previous one, later ones add up
+// to at most q/(1 - q) of it. The result is at least a tenth.
 static double remaining(double q) { return q < 0.5 ? std::max(0.1, q / (1.0 - q)) : 1.0; }
 
 bool BearingIntegrator::solve_stage(const Settings &set, double h, double s, Outcome &o)
@@ -163,8 +163,8 @@ bool BearingIntegrator::solve_stage(const Settings &set, double h, double s, Out
       return true;
     }
 
-    // derivatives of the last correction suffice for a small residual as long as each correction is
-    // at most a tenth of the previous one; farther away a contact may open or close
+    // the last derivatives suffice as long as the residual is small and each correction is at most
+    // a tenth of the previous one; otherwise a contact may open or close
     fresh = stage.kept || !(last < 0.1 * before && last < 3.0 * set.newton);
     before = last;
   }
@@ -276,9 +276,10 @@ static constexpr double light = 0.2, least_count = 0.1;
 // Safety factor of the estimate
 static constexpr double safe = 4.0;
 
-// Weight of the bound of the error beside its estimate. The estimate is that of one step of smooth
-// motion; a vibration adds up the errors of all its steps. At this weight it lags, after s radians
-// of a vibration that sets the step, by less than 0.65 s tolerances (docs/fix_bearing_implicit).
+// Weight of the error bound relative to the estimate. The estimate applies to one step of smooth
+// motion, whereas a vibration accumulates the errors of all its steps. With this weight, a
+// vibration that determines the step lags by less than 0.65 s tolerances after s radians
+// (docs/fix_bearing_implicit).
 static constexpr double sudden = 0.3;
 
 // Weights of the changes of velocity: between both stages, and of their second difference.
@@ -296,11 +297,12 @@ static RACEWAY_INLINE T changed(const ErrorWeights &w, const T &from, const T &f
   return where(bend > change, bend, change);
 }
 
-// Error of a ball as one of its load, in a bearing whose cage is one ring: a ball outside the
-// loaded arc is thrown about between the raceways by its pocket. An error is wrong by the
-// stiffness of its contacts, but by no more than their load. `share`: of the largest stiffness;
-// the load varies as its cube, and the largest one is `full` (m) times two thirds of that
-// stiffness. A free ball may be off by 200 times as much as a loaded one.
+// Position error of a ball expressed as an error of its load, in a bearing with a one-piece cage,
+// whose pockets throw balls outside the loaded arc to and fro between the raceways. A position
+// error changes the load by the stiffness of the contacts, but by no more than the load. `share` is
+// the stiffness over the largest one; the load varies as its cube, and the largest load is `full`
+// (m) times two thirds of the largest stiffness. The error of a free ball may be 200 times that of
+// a loaded one.
 static RACEWAY_INLINE Lane of_load(const Lane &share, const Lane &off, double full)
 {
   const Lane by_stiffness = share * off, by_load = share * share * share * (full / 1.5),
@@ -316,7 +318,7 @@ RACEWAY_LANES double BearingIntegrator::error(double h, const Settings &set) con
   const double full = drift ? 0.0 : light * largest_stiffness();
   const ErrorWeights weights =
       set.estimate ? ErrorWeights{sudden, safe * bend_2 / gamma_2} : ErrorWeights();
-  // m/s, velocity error that is as large as the largest overlap; 0: no cage ring
+  // m/s, velocity error equivalent to the largest overlap; 0: no one-piece cage
   const double whole =
       drift || bodies_.model.cages.empty() ? 0.0 : forces_.largest_overlap() / (share * h);
   Lane off = {};
@@ -346,7 +348,7 @@ RACEWAY_LANES double BearingIntegrator::error(double h, const Settings &set) con
 }
 
 // Adds the correction. Its size, m: the largest over balls normal to the rolling direction, rings
-// and shaft modes; apart from these that of the cage, weighted.
+// and shaft modes; separately that of the cage, weighted.
 RACEWAY_LANES void BearingIntegrator::apply(double h, double cage_counts, Outcome &o)
 {
   Lane off = {}, off_cage = {};

@@ -9,30 +9,30 @@
 // end is the end of the step. That is the L-stable diagonally implicit Runge-Kutta method of
 // Alexander (SIAM J. Numer. Anal. 14, 1977): nothing of an earlier step is needed.
 //
-// With dampers_only what depends on velocities is implicit and springs are as in velocity Verlet:
-// half a step of drift,
+// With dampers_only, forces that depend on velocities are implicit and springs are as in velocity
+// Verlet: half a step of drift,
 //   M (V - V_start) = h F(q_middle, V)
-// by the same Newton's method without the springs' derivatives, and the other half of the drift. It
-// keeps vibrations that the stages above damp away and has a stability limit, that of the springs:
-// h^2 k = 4 (m + h c/2) for one body on springs k and dampers c, of which three quarters are
-// allowed.
+// by the same Newton iteration without the springs' derivatives, and the other half of the drift.
+// It preserves vibrations that the stages above would damp out, and has the stability limit of the
+// springs: h^2 k = 4 (m + h c/2) for one body on springs k and dampers c; three quarters of it are
+// used.
 //
 // Estimated local error, m: the error of a ball normal to the rolling direction, or of a ring, if
 // the method were of first order, g h |V_2 - V_1| (order 1: h |V - V_start|/2). It is an upper
-// bound for order 2. With dampers_only: the distance moved normal to the rolling direction in the
-// step, by which a ball may be late in meeting a groove. A cage ball may be off by a multiple of
-// that: its contacts are soft, and where the cage drives balls its vibration would otherwise set
-// the step.
+// bound for order 2. With dampers_only it is the distance moved normal to the rolling direction in
+// the step, by which a ball may be late in meeting a groove. A cage ball is allowed a multiple of
+// that error: its contacts are soft, and if the cage drives balls its vibration would otherwise
+// determine the step.
 //
 // With `estimate` the error is four times that of order 2, from the second difference of the
 // velocities at the start and the ends of both stages, or 0.3 of the bound if that is larger. A
-// stage ends when later corrections would be below the tolerance if they decrease as before. Where
-// balls and rings are known and the cage is not, further corrections take the raceways from their
-// derivatives.
+// stage ends when later corrections would be below the tolerance if they keep decreasing at the
+// same rate. If balls and rings have converged and the cage has not, further corrections
+// extrapolate the raceway contacts from their derivatives.
 //
 // The error of a ball with less than a hundredth of the largest load is weighted by the stiffness
-// of its contacts, down to a tenth: unloaded balls rattle by nanometres without effect on any load.
-// With a cage that is one ring the error of each ball is that of its load, down to a 200th.
+// of its contacts, down to a tenth, because unloaded balls rattle by nanometres without effect on
+// any load. With a one-piece cage the error of each ball is that of its load, down to 1/200.
 //
 // A relative tolerance is a fraction of the largest overlap of a ball and a raceway at the start of
 // the step, used if it exceeds the tolerance in m. It depends on the state alone, so a restart is
@@ -75,7 +75,7 @@ class BearingIntegrator {
     double error = HUGE_VAL;    // m, estimated
     double stability = 0.0;     // h^2 over its limit; grows like h^2
     double last = HUGE_VAL;     // m, last correction
-    double last_cage = 0.0;     // m, the same of the cage, weighted
+    double last_cage = 0.0;     // m, the same for the cage, weighted
 
     bool solved() const { return failure == Failure::none; }
   };

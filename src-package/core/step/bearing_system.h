@@ -33,11 +33,11 @@ class BearingSystem {
   // Right-hand sides of the border and, if fresh, the part of D without contacts, at share s of the
   // step. Positions follow velocities over `follows` seconds.
   void add_border(double h, double follows, double s, bool fresh);
-  // Keeps the residuals and, if fresh, the matrix of the raceways and of inertia, without cages
-  // and supports.
+  // Keeps the residuals and, if fresh, the matrix of raceways and inertia, without cages and
+  // supports.
   void keep(bool fresh);
-  // Sets them again, the residuals at the end of the corrections since keep(), to first order. Not
-  // with a flexible shaft.
+  // Restores them, with the residuals updated to first order for the corrections since keep(). Not
+  // available with a flexible shaft.
   void restore();
   void add_kept();    // to the right-hand sides of the border, after add_border()
   bool keeps() const { return b_.bends.empty(); }

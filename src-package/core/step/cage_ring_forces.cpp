@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A cage that is one ring: balls in its pockets, the land that guides it, churning of its faces.
+// A one-piece cage: balls in its pockets, the land that guides it, churning of its faces.
 #include "bearing_forces.h"
 #include "bearing_system.h"
 
@@ -37,9 +37,9 @@ void BearingForces::cages(const Stage &stage)
   }
 }
 
-// In the ball's frame. The force of the wall depends on the motion of the ball's centre, by springs
-// and damper along the normal n, and on that of the surface at the wall, -R n from the centre, by
-// friction across n.
+// In the ball's frame. The force of the wall depends on the motion of the ball's centre, through
+// spring and damper along the normal n, and on the motion of the surface at the wall, -R n from the
+// centre, through friction across n.
 void BearingForces::pocket(const Stage &stage, const BearingModel::Cage &cage, const CageMotion &m,
                            int body, int number)
 {
@@ -71,7 +71,7 @@ void BearingForces::pocket(const Stage &stage, const BearingModel::Cage &cage, c
   add(g.rhs + 3, local(c.ball_torque) * h);
   if (!fresh || !(c.h.growth > 0.0)) return;
   if (stage.dampers_only && c.h.force > 0.0) {
-    // ball and cage vibrate on one spring: its share in either is at most twice its own
+    // ball and cage vibrate on one spring, whose effect on either is at most doubled
     g.spring[i] += 2.0 * c.h.stiffness;
     g.damper[i] += c.h.damping;
     ring.spring += 2.0 * c.h.stiffness;
@@ -79,7 +79,7 @@ void BearingForces::pocket(const Stage &stage, const BearingModel::Cage &cage, c
   const double springs = h * stage.follows(), along = h * c.h.damping + springs * c.h.growth,
                bend = springs * c.bend, across = h * c.braking;
   const Vec3 n = local(c.normal), wall = n * -R, pull = n - local(c.slide), side = local(c.side);
-  // change of the force by motions of the centre and of the surface
+  // change of the force due to motions of the centre and of the surface
   const auto answer = [&](const Vec3 &centre, const Vec3 &surface) -> Vec3 {
     const Vec3 f = pull * (along * dot(centre, n)) + (surface - n * dot(surface, n)) * across;
     return f +
@@ -137,7 +137,7 @@ void BearingForces::land(const Stage &stage, const BearingModel::Cage &cage, con
     ring.spring += 2.0 * c.stiffness;
     guide.spring += 2.0 * c.stiffness;
   }
-  // motion of the cage against the ring along both axes, by column
+  // motion of the cage relative to the ring along both axes, by column
   struct Moving {
     int column;
     double along[2];

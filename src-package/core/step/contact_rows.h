@@ -3,9 +3,10 @@
 //
 // Local motions are rows over the ball's velocity and spin: approach [n | 0], sliding [t | R w] and
 // [w | -R t], rotations [0 | n], [0 | t], [0 | w]. A motion of the ring has the same rows with the
-// velocity of its contact point. With L the slopes of the local forces in the local motions, the
-// ball's block is rows' L rows, the ring's columns and the border come from the same product.
-// Displacement also turns the normal: along the groove by 1/r, across it by 1/s, with the force N.
+// velocity of its contact point. With the slopes L of the local forces with respect to the local
+// motions, the ball's block is rows' L rows; the ring's columns and the border follow from the same
+// product. Displacement also rotates the normal, on which the force N acts: along the groove by
+// 1/r, across it by 1/s.
 #ifndef RACEWAY_CONTACT_ROWS_H
 #define RACEWAY_CONTACT_ROWS_H
 
@@ -59,8 +60,8 @@ RACEWAY_INLINE void ball_rows(const ScaledSlopes<n> &s, double R, Lane (&row)[n]
   }
 }
 
-// Local forces per unit of a motion given as a row of velocities; `displaces`: also of
-// displacements.
+// Local forces per unit of a motion given as a row of velocities; with `displaces` also those due
+// to displacements.
 template <int n>
 RACEWAY_INLINE void local_forces(const ScaledSlopes<n> &s, const Lane (&motion)[n], bool displaces,
                                  Lane (&force)[n])

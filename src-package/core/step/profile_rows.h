@@ -8,8 +8,8 @@
 
 namespace raceway {
 
-// Adds the contribution of a profile beyond the slope in its rows: the slope changes along the path
-// of the ball's centre. h2 (s^2) is 0 without contact.
+// Adds the contribution of a profile that its slope in the rows does not include: the slope changes
+// along the path of the ball's centre. h2 (s^2) is 0 without contact.
 static inline void add_profile(BearingSystem &system, BodyGroup &g, int group, const RingBody &ring,
                                const Vec3L &d, const Vec3L &e, const ContactStateT<Lane> &c,
                                const Lane &h2, const ProfiledContactT<Lane> &on)

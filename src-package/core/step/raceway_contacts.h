@@ -104,8 +104,8 @@ static RACEWAY_INLINE void look_at_gap(const RacewayPhysics &p, const BallStateT
   find_motions<false>(p, ball, ring, seen);
 }
 
-// Elastic energy of contacts at this overlap less that at the entrainment speeds and contact angles
-// of the start of the step, J: no force does the work of these changes.
+// Elastic energy of contacts at this overlap minus the energy at the entrainment speeds and contact
+// angles of the start of the step, J. No force does work in these changes.
 template <class L>
 static RACEWAY_INLINE double energy_gain(const L &law, const RacewayPhysics &p,
                                          const LaneMask &near, const ContactStateT<Lane> &c,

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Subcommands of `raceway`, a module each: `add(commands)` adds its parser, `run(arguments)` does
-the work."""
+"""Subcommands of `raceway`, one module each: `add(commands)` adds its parser, `run(arguments)`
+does the work."""
 
 import argparse
 
-# The commands in the order of `raceway --help`: each is in one group.
+# The commands in the order of `raceway --help`; each belongs to one group.
 GROUPS = {
     "Runs": ("decks", "summary", "plot", "animate", "report", "spectrum", "export", "check"),
     "Theory, without a run": ("static", "heat", "stiffness", "shaft", "catalogue"),
@@ -14,5 +14,5 @@ GROUPS = {
     "The publication": ("paper",),
 }
 
-# what `ArgumentParser.add_subparsers` gives
+# type of the result of `ArgumentParser.add_subparsers`
 Commands = argparse._SubParsersAction

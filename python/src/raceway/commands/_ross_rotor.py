@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway shaft` for a rotor of ROSS: bending, and rigid-body properties."""
+"""`raceway shaft` for a ROSS rotor: bending and rigid-body properties."""
 
 import argparse
 import json
@@ -16,9 +16,9 @@ from raceway.units import prefixed
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the figures, and write the file of `arguments.reduced`. Raises `RacewayError`."""
+    """Print the figures and write the file `arguments.reduced`. Raises `RacewayError`."""
     if arguments.out:
-        raise RacewayError("--out draws a shaft at rest on its bearings: a rotor of ROSS has none")
+        raise RacewayError("--out draws a shaft at rest on its bearings, but a ROSS rotor has none")
     rotor, bearings = ross_file.read(arguments.file)
     if arguments.reduced:
         kept = arguments.kept or bearings
@@ -42,8 +42,8 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def figures(rotor: rotor_matrices.Rotor, bearings: list[float]) -> dict[str, Any]:
-    """Figures by name in SI units: nodes, omitted bearings, the rigid body, and the free bending
-    frequencies in a plane without spin."""
+    """Figures by name in SI units: nodes, omitted bearings, the rigid body, and the free-free
+    bending frequencies in one plane without spin."""
     import scipy.linalg
 
     plane = shaft_bending.planes(len(rotor.z))[0]
@@ -66,7 +66,7 @@ def table(result: dict[str, Any]) -> str:
         [
             f"Rotor: {len(z)} nodes from {prefixed(z[0], 'm')} to {prefixed(z[-1], 'm')}"
             + (f", without its bearings at {left_out}" if left_out else ""),
-            f"Frequencies of bending, free and still: {first}",
+            f"Free-free bending frequencies at standstill: {first}",
             shaft.rigid_line(result["rigid"]),
         ]
     )

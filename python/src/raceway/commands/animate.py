@@ -10,7 +10,7 @@ from raceway.commands.quantity import number
 DESCRIPTION = """\
 Animate a run: rings, balls and cage from the front, cut in the middle plane so that the torus
 grooves are visible; the most loaded ball in section; the loads around the ring. Balls are coloured
-by their load. Motions of ring and balls, clearance and overlaps are too small to be seen: they are
+by load. Motions of ring and balls, clearance and overlaps are too small to be seen, so they are
 enlarged by a factor, which the picture states. White dots rotate with their balls and with the
 inner ring."""
 EXAMPLES = """\
@@ -41,34 +41,34 @@ def add(commands: Commands) -> None:
         "--passes",
         type=number(0.001, 1e6, "ball passes"),
         metavar="P",
-        help="ball passes shown (default: all that were measured, at most 4)",
+        help="ball passes to show (default: all recorded ones, at most 4)",
     )
     one.add_argument(
         "--frames",
         type=_whole(1, 2000),
         default=80,
         metavar="N",
-        help="pictures in all (default: %(default)s)",
+        help="total number of frames (default: %(default)s)",
     )
     one.add_argument(
         "--rate",
         type=number(1, 60, "pictures a second"),
         default=20,
         metavar="R",
-        help="pictures a second (default: %(default)s)",
+        help="frames per second (default: %(default)s)",
     )
     one.add_argument(
         "--exaggerate",
         type=number(1, 1e6, ""),
         metavar="X",
-        help="factor on small motions (default: chosen by their size)",
+        help="factor applied to small motions (default: depends on their size)",
     )
     one.add_argument(
         "--width",
         type=_whole(200, 4000),
         default=800,
         metavar="PX",
-        help="width, about (default: %(default)s)",
+        help="approximate width (default: %(default)s)",
     )
     one.add_argument("--out", metavar="FILE", help="a .gif or .mp4 (default: DIR/animation.gif)")
     one.set_defaults(command=run)
@@ -76,7 +76,7 @@ def add(commands: Commands) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Write the animation and print its path."""
-    # matplotlib takes longer to load than --help to print
+    # loading matplotlib takes longer than printing --help
     from raceway.pictures.animation import animation
 
     out = Path(arguments.out or Path(arguments.folder) / "animation.gif")

@@ -58,7 +58,7 @@ def add(commands: Commands) -> None:
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    one.add_argument("words", nargs="*", metavar="WORD", help="text that all rows shown have")
+    one.add_argument("words", nargs="*", metavar="WORD", help="text that all rows shown contain")
     one.add_argument("--series", metavar="TEXT", help="what the name starts with: 60, 62, 72")
     for name in ("bore", "outside", "width"):
         one.add_argument(f"--{name}", type=number(0.1, 3000, "mm"), metavar="MM", help="mm")
@@ -66,7 +66,7 @@ def add(commands: Commands) -> None:
         "--contact-angle",
         type=number(0, 60, "degrees"),
         metavar="DEG",
-        help="nominal, degrees; 0: deep groove ball bearings",
+        help="nominal contact angle, degrees; 0: deep groove ball bearings",
     )
     for name, symbol in (("dynamic", "C"), ("static", "C0")):
         one.add_argument(
@@ -79,14 +79,14 @@ def add(commands: Commands) -> None:
     one.add_argument(
         "--inputs",
         metavar="DIR",
-        help="the inputs folder (default: here or above, otherwise that of the package)",
+        help="the inputs folder (default: here or in a parent folder, else that of the package)",
     )
     form = one.add_mutually_exclusive_group()
     form.add_argument("--json", action="store_true", help="a JSON list, SI units")
     form.add_argument(
         "--file",
         metavar="PATH",
-        help="write the bearing called WORD as a file that holds its data and their sources",
+        help="write the data of the bearing WORD and their sources to a file",
     )
     form.add_argument("--csv", action="store_true", help="comma-separated values, SI units")
     one.set_defaults(command=run)

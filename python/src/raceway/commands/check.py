@@ -9,9 +9,9 @@ from raceway.commands.quantity import takes_negative
 
 DESCRIPTION = """\
 Repeats a run of the main deck with a tenth of the tolerance (velocity Verlet: half the step), with
-twice the samples, and settled for 100 more ball passes. The difference of a figure is its error.
-The repeats are in DIR/check, the errors in DIR/check.json. `raceway summary DIR` then shows their
-sum beside each figure.
+twice as many samples, and after 100 more ball passes of settling. The change of a figure is its
+error. The repeats are in DIR/check, the errors in DIR/check.json. `raceway summary DIR` then shows
+the sum of the errors beside each figure.
 
 This is the numerical error, not the error of the model."""
 EXAMPLES = """\
@@ -26,13 +26,13 @@ def add(commands: Commands) -> None:
     """Put the command into the parser's `commands`."""
     one = commands.add_parser(
         "check",
-        help="the numerical error of a run's figures, by repeating it finer",
+        help="the numerical error of a run's figures, found by finer repeats of the run",
         description=DESCRIPTION,
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     options.run_folder(one)
-    options.variables(one, "what the run was given of a bearing's or a lubricant's own data")
+    options.variables(one, "data of the bearing or lubricant that were given to the run")
     options.deck(one)
     takes_negative(one)
     one.set_defaults(command=run)

@@ -9,8 +9,8 @@ from raceway.commands import Commands, one_run
 from raceway.commands.quantity import each, number, positive, takes_negative
 
 DESCRIPTION = """\
-The circuit of a bearing in a run: every ball floats between two films, and an outer circuit lies
-between the rings. It is one of
+The circuit of a bearing in a run: every ball floats between two films, and an outer circuit
+connects the rings. The outer circuit is one of
   --motor CWR CRF   capacitances of winding to rotor and of rotor to frame; needs a voltage
   --source OHM      a resistance; needs a voltage
   --floating V      the charge that this voltage puts on the inner ring
@@ -53,7 +53,7 @@ def add(commands: Commands) -> None:
         "--surfaces",
         choices=("rough", "smooth"),
         default="rough",
-        help="local thickness less three times the roughness, or not (default: rough)",
+        help="subtract three times the roughness from the local thickness, or not (default: rough)",
     )
     one.add_argument(
         "--roughness",
@@ -78,7 +78,7 @@ def add(commands: Commands) -> None:
         "--resistivity",
         type=number(1e3, 1e18, "ohm m"),
         metavar="OHM_M",
-        help="of the lubricant (default: films do not leak)",
+        help="of the lubricant (default: infinite, films do not leak)",
     )
     one.add_argument(
         "--metal",
@@ -91,7 +91,7 @@ def add(commands: Commands) -> None:
         type=number(0, 0.999, ""),
         default=0.0,
         metavar="S",
-        help="of the load that asperities carry in such a film at least (default 0)",
+        help="least share of the load on the asperities of such a film (default 0)",
     )
     one.add_argument(
         "--stray", type=FARAD, default=0.0, metavar="F", help="added to every film (default 0)"
@@ -100,7 +100,7 @@ def add(commands: Commands) -> None:
         "--points",
         type=positive,
         metavar="N",
-        help="points of the circuit a sample (default: 20 a period of the voltage)",
+        help="circuit steps per sample (default: 20 per period of the voltage)",
     )
     one.add_argument("--json", action="store_true", help="one JSON object instead of a table")
     one.add_argument("--out", metavar="DIR", help="folder for tables and picture")
@@ -123,10 +123,10 @@ def _outer(one):
         type=number(0, 100, ""),
         default=0.0,
         metavar="X",
-        help="the same, over the capacitance of this one",
+        help="the same as a multiple of the capacitance of this one",
     )
     one.add_argument(
-        "--background", type=FARAD, default=0.0, metavar="F", help="beside the bearing (default 0)"
+        "--background", type=FARAD, default=0.0, metavar="F", help="parallel to it (default 0)"
     )
 
 
@@ -171,7 +171,7 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.resistivity is not None or arguments.metal is not None:
         leak = Leak(arguments.resistivity, arguments.metal, arguments.metal_share)
     opened = one_run.opened(arguments)
-    try:  # a ValueError: an option without its partner, or unsuited to the run
+    try:  # ValueError: an option lacks its partner or does not suit the run
         result = circuit.run(
             opened,
             _outer_circuit(arguments),
@@ -185,7 +185,7 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.out:
         circuit_figures.write(result, arguments.out)
         if breakdown:
-            # matplotlib takes longer to load than the circuit to compute
+            # loading matplotlib takes longer than computing the circuit
             from raceway.pictures.discharges import picture
 
             picture(opened, result, Path(arguments.out) / "discharges.png")
@@ -202,7 +202,7 @@ def _outer_circuit(arguments):
 
     if arguments.floating is not None:
         if _waveform(arguments):
-            arguments.complain("--floating takes no voltage of an outer circuit")
+            arguments.complain("--floating excludes a voltage of an outer circuit")
         return outer.Floating(arguments.floating, arguments.background)
     driving = _waveform(arguments)
     if driving is None:

@@ -15,9 +15,9 @@ if TYPE_CHECKING:  # scipy takes longer to load than `--help` should
 
 HELP = "levels and lines of a run compared with a recording"
 DESCRIPTION = """\
-Levels, and the lines in the envelope spectrum, of a run and of a recording of the
-bearing it represents. Lines are in orders of the shaft, each with its own speed; levels are those
-at the rate of the recording, to which a faster run is filtered. Both envelopes use the same band.
+Compares levels and the lines of the envelope spectrum between a run and a recording of the
+bearing it represents. Lines are in orders of the respective shaft. Levels are at the sampling rate
+of the recording; a run with a higher rate is low-pass filtered. Both envelopes use the same band.
 
 A level depends on the path from the bearing to the sensor, which the run does not model; the orders
 do not."""
@@ -77,7 +77,7 @@ def run(arguments: argparse.Namespace) -> None:
         arguments.harmonics,
     )
     if arguments.out:
-        # matplotlib takes longer to load than a spectrum to compute
+        # loading matplotlib takes longer than computing a spectrum
         from raceway.pictures.compare import picture
 
         picture(found, arguments.out)

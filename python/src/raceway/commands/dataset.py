@@ -7,7 +7,7 @@ from raceway.commands import Commands, options
 from raceway.commands.program import command, end_on_signals
 
 DESCRIPTION = """\
-Runs every flaw of the file SPEC under all of its conditions, with integrator vibration and a
+Runs every flaw in the file SPEC under all of its conditions, with integrator vibration and a
 housing. Each run becomes a record: .mat files with the housing's acceleration at the rates of
 SPEC, and a row of DIR/labels.csv. DIR/README.md states what is simulated and what is assumed.
 
@@ -52,7 +52,7 @@ def run(arguments: argparse.Namespace) -> None:
         print(f"{arguments.spec}: {len(wanted)} records, {seconds:g} s at {spec.run_rate} Hz")
         return
     if not arguments.out:
-        arguments.complain("--out: say where the data set goes")
+        arguments.complain("--out: give a folder for the data set")
     runs = command(arguments)
     from raceway.datasets.make import LABELS, make  # scipy and pandas are slow to import
 

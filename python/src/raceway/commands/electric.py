@@ -16,13 +16,13 @@ from raceway.theory.models import CAPACITANCE
 
 HELP = "total capacitance, breakdown and impedance from theory"
 DESCRIPTION = """\
-With DIR the figures are those of a run over time, from its record; the options of an operating
-point are then omitted. Otherwise they are those of an operating point, without a simulation.
+With DIR, the figures are those of a run over time, from its record; the options of an operating
+point do not apply. Otherwise they are those of an operating point, without a simulation.
 
-Total capacitance of a bearing at an operating point: contact ellipses, the gap around them,
-unloaded balls. In addition the smallest voltage at which a film fails, the impedance, and the
-bearing voltage ratio of a motor. Loads and films are those of `raceway static`; docs/electric
-derives the formulas.
+The total capacitance of a bearing consists of the contact ellipses, the gap around them and the
+unloaded balls. The command also prints the smallest voltage at which a film fails, the impedance,
+and the bearing voltage ratio of a motor. Loads and films are those of `raceway static`;
+docs/electric derives the formulas.
 
 --load, --axial, --rpm, --clearance and --temperature take several values: a line for each.
 --measured calculates the film thickness from a measured capacitance.
@@ -75,7 +75,7 @@ def add(commands: Commands) -> None:
     out.add_argument("--kind", choices=KINDS, help="a picture; needs --out")
     out.add_argument("--out", metavar="PNG", help="where to put the picture; needs --kind")
     out.add_argument(
-        "--csv", metavar="FILE", help="a table: of the points, or with --kind reading of its curve"
+        "--csv", metavar="FILE", help="table of the points, or of the curve of --kind reading"
     )
     out.add_argument("--json", action="store_true", help="JSON instead of tables")
     one.set_defaults(
@@ -122,7 +122,7 @@ def _surroundings(one):
     around.add_argument(
         "--roughness",
         choices=("none", "gamma"),
-        help="of the films' capacitance: smooth, or a gamma-distributed film (none)",
+        help="roughness in the films' capacitance: smooth, or a gamma-distributed film (none)",
     )
 
 
@@ -139,7 +139,7 @@ def _electrics(one):
         "--voltage",
         type=number(1e-6, 1e6, "V"),
         metavar="V",
-        help="between the rings: gives fields",
+        help="voltage between the rings: gives fields",
     )
     electric.add_argument(
         "--frequency", type=number(1e-3, 1e10, "Hz"), metavar="HZ", help="gives the impedance"
@@ -161,7 +161,7 @@ def _electrics(one):
         "--measured",
         type=number(1e-15, 1e-3, "F"),
         metavar="F",
-        help="measured capacitance of the bearing: gives the film thickness",
+        help="measured capacitance of the bearing; gives the film thickness",
     )
     electric.add_argument(
         "--measured-impedance",
@@ -176,7 +176,7 @@ def run(arguments: argparse.Namespace) -> None:
     """Print the figures, write picture and table. Raises `RacewayError`."""
     if arguments.folder is not None:
         return electric_run.run(arguments)
-    # scipy takes longer to load than --help to print
+    # loading scipy takes longer than printing --help
     from raceway.theory import electric_point, electric_table
 
     _check(arguments)
@@ -319,7 +319,7 @@ def _table(path, results, curve):
 
 
 def _picture(arguments, points, results, curve):
-    from importlib import import_module  # matplotlib takes longer to load than a point to solve
+    from importlib import import_module  # loading matplotlib takes longer than solving a point
 
     module = {"parts": "capacitance_parts", "field": "film_field", "reading": "film_reading"}
     kind = arguments.kind

@@ -25,7 +25,7 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.bearing is not None:
         of = of.select(_number(arguments))
     ask = arguments.ask(arguments)
-    try:  # a ValueError: shoulders outside the groove
+    try:  # ValueError: shoulders outside the groove
         whole = whole_capacitance.over_time(of, _filling(arguments, of))
     except ValueError as error:
         arguments.complain(str(error))
@@ -53,7 +53,7 @@ def _check(arguments):
     if (arguments.kind is None) != (arguments.out is None):
         complain("--kind and --out: give both")
     if arguments.kind == "reading":
-        complain("--kind reading: is of an operating point, without a run")
+        complain("--kind reading applies to an operating point, not to a run")
     if arguments.kind == "field" and arguments.voltage is None:
         complain("--kind field: give --voltage")
     if arguments.kind == "bode" and math.isinf(arguments.resistivity):
@@ -68,7 +68,7 @@ def _number(arguments):
 
 
 def _filling(arguments, of):
-    """Filling of the gaps of the run with the given changes; None without any."""
+    """Filling of the run's gaps with the given changes; None if none are given."""
     from raceway.runs import whole_capacitance
 
     names = ("surroundings", "shoulders", "permittivity_at", "roughness")

@@ -16,7 +16,7 @@ Write a run as files for other programs:
         outer_raceway.obj
   spice for SPICE: bearing.cir (subcircuits of capacitances that follow the run), bearing.pwl (a
         table of time, capacitance and leak resistance)
-Real positions without exaggeration; SI units."""
+Positions are real, without exaggeration; SI units."""
 EXAMPLES = """\
 examples:
   raceway export build/run/6208 --format vtk              build/run/6208/vtk/bearing.pvd
@@ -48,7 +48,7 @@ def add(commands: Commands) -> None:
         "--every",
         type=positive,
         metavar="N",
-        help="every Nth sample (default: so that at most 200 are left; spice: all)",
+        help="every Nth sample (default: at most 200 in all; spice: every one)",
     )
     one.add_argument(
         "--resistivity",

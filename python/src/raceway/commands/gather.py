@@ -10,7 +10,7 @@ EXAMPLES = """\
 examples:
   raceway gather build/sweep/points
 
-Exit codes: 0 done, even if points are missing or failed, 1 there is no sweep in DIR,
+Exit codes: 0 done, even if points are missing or failed, 1 DIR has no sweep,
 2 wrong command line."""
 
 
@@ -33,7 +33,7 @@ def add(commands: Commands) -> None:
 def run(arguments: argparse.Namespace) -> None:
     """Write the table; print its path and the number of points by status. Raises `RacewayError`
     if there is no sweep."""
-    # pandas takes longer to load than --help to print
+    # loading pandas takes longer than printing --help
     from raceway.sweeps.gather import write_results
 
     path, table = write_results(arguments.folder)

@@ -12,13 +12,13 @@ from raceway.commands.quantity import number, takes_negative
 
 HELP = "steady temperature, viscosity, clearance, film and friction torque from theory"
 DESCRIPTION = """\
-The temperature at which cooling carries away the heat of friction. Loads, film in the gap and
+Finds the temperature at which cooling balances the heat of friction. Loads, film in the gap and
 friction torque are those of `raceway static` at that temperature. The lubricant must
 have physical data (vg32, vg46, vg68, vg100, pao8, grease110).
 
 Cooling is that of ISO 15312 unless --conductance is given. --nodes gives three conductances: inner
-ring to ambient, outer ring to ambient, ring to balls. The parts then have their own temperatures,
-and the clearance follows from them.
+ring to ambient, outer ring to ambient, ring to balls. Each part then has its own temperature,
+and the clearance follows from these.
 
 --runs N takes the friction from at most N short runs of the main deck with the same models, one
 after another, each at the temperature that follows from the previous one. The command stops early
@@ -63,14 +63,14 @@ def add(commands: Commands) -> None:
         type=number(-40, 150, "C"),
         default=20.0,
         metavar="C",
-        help="temperature around, degrees Celsius (20)",
+        help="ambient temperature, degrees Celsius (20)",
     )
     cooling = one.add_mutually_exclusive_group()
     cooling.add_argument(
         "--conductance",
         type=number(1e-3, 1e5, "W/K"),
         metavar="W/K",
-        help="from the bearing to its surroundings (ISO 15312)",
+        help="conductance from the bearing to its surroundings (ISO 15312)",
     )
     cooling.add_argument(
         "--nodes",
@@ -105,7 +105,7 @@ def add(commands: Commands) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Print the figures. Raises `RacewayError`."""
-    # scipy takes longer to load than --help to print
+    # loading scipy takes longer than printing --help
     from raceway.theory.steady_heat import curves, table
 
     points = options.points(arguments)

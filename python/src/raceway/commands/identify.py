@@ -19,21 +19,21 @@ if TYPE_CHECKING:  # scipy takes longer to load than `--help` should
 
 HELP = "clearance, thrust, oil temperature, cooling from lines, capacitance, temperatures"
 DESCRIPTION = """\
-State of a real bearing from readings: lines in orders of the shaft (FTF, BPFO, BPFI,
+Finds the state of a real bearing from readings: lines in orders of the shaft (FTF, BPFO, BPFI,
 BSF), capacitance of the contacts in F, temperature in degrees C, or a recording in which lines are
-found. Each reading has its standard deviation, `within`, and its operating point. Least squares
-over statics, films and friction determines the `unknown` quantities within their given ranges.
+found. Each reading has its standard deviation, `within`, and its operating point. A least-squares
+fit of statics, films and friction determines the `unknown` quantities within their given ranges.
 
-A table of lines (--lines) needs no such file: clearance and thrust are looked for there, and load
-and oil temperature unless they are given.
+A table of lines (--lines) needs no such file: the unknowns are then clearance and thrust, and also
+load and oil temperature unless they are given.
 
-One line leaves a valley of clearance and thrust, which is printed. A capacitance, a second
+A single line leaves a valley of clearance and thrust, which is printed. A capacitance, a second
 load (`load_more`, `axial_more`) or a temperature with a known cooling (`conductance`) separates
 them.
 
 In the model, the film in the gap reduces the clearance by its thickness, and rolling on curved
-grooves speeds up the cage, by up to 1e-3 of a line (models full). Where balls are unloaded, the
-play of the pockets changes the cage's speed by an unknown amount, which widens the result."""
+grooves speeds up the cage, by up to 1e-3 of a line (models full). If some balls are unloaded, the
+pocket play changes the cage's speed by an unknown amount, which widens the result."""
 EXAMPLES = """\
 examples:
   raceway identify --bearing 6205 --lines lines.csv --load 10
@@ -62,8 +62,8 @@ NAMES = {
     "temperature": "oil temperature",
     "conductance": "cooling",
 }
-DECK = ("clearance", "load", "axial", "temperature")  # variables of the deck among the unknowns
-OUT = 3.0  # ratio to its uncertainty above which the result does not explain a reading
+DECK = ("clearance", "load", "axial", "temperature")  # unknowns that are variables of the deck
+OUT = 3.0  # deviations above this multiple of their uncertainty are not explained by the result
 
 
 def add(commands: Commands) -> None:
@@ -138,14 +138,14 @@ def run(arguments: argparse.Namespace) -> None:
 
 def figures(given: "Readings", found: "Found") -> dict[str, Any]:
     """Result for JSON, SI units, temperatures in degrees C. The first keys are [value, low, high],
-    95 %, or None for what was known or the readings do not give."""
+    95 %, or None for quantities that are known or that the readings do not determine."""
     from raceway.recordings.readings import STATE, UNITS
 
     def key(name):
         return f"{name}_{STATE[name][2].replace('/', '_')}"
 
     def named(values):
-        """With units in the names."""
+        """The values under names with units."""
         return {key(name): one for name, one in values.items()}
 
     def three(one, unit=1.0):
@@ -208,7 +208,7 @@ def text(given: "Readings", found: "Found") -> str:
         rows.append(row if one.determined else f"{row}  not determined")
     for name, one, unit, shown in (
         ("contact angle", found.angle, math.degrees(1), "{:.3f}°"),
-        ("slip of the cage", found.slip, 100.0, "{:.3f} %"),
+        ("cage slip", found.slip, 100.0, "{:.3f} %"),
     ):
         if one:
             cells = [shown.format(unit * value) for value in (one.best, one.low, one.high)]
@@ -225,7 +225,7 @@ def _remarks(given, found) -> Sequence[str]:
     rows = []
     if found.valley:
         names = list(found.values)
-        rows += ["", "These readings do not part the unknowns. All of these explain them:"]
+        rows += ["", "These readings do not separate the unknowns. Each of these explains them:"]
         from raceway.recordings.readings import STATE
 
         rows.append("  " + "".join(f"{NAMES[name]:>22}" for name in names))
@@ -242,9 +242,9 @@ def _remarks(given, found) -> Sequence[str]:
     if found.idle and given.models != "paper":
         rows += [
             "",
-            f"Up to {found.idle} balls are without load: the play of the pockets changes the",
+            f"Up to {found.idle} balls are unloaded: the pocket play changes the",
         ]
-        rows.append("cage's speed by an unknown amount, which is in the uncertainty of the lines.")
+        rows.append("cage's speed by an unknown amount, included in the uncertainty of the lines.")
     return rows
 
 

@@ -23,11 +23,11 @@ shaft from its own lines, and the lines of the bearing in the spectrum of the en
 Files: .mat of Case Western Reserve University (X..._DE_time), of the MFPT society (bearing.gs), of
 Paderborn University (structure of X and Y) and of `raceway dataset`; .npz with one row for each
 name; .csv of PRONOSTIA (acc_00001.csv), or with columns, the first of which may be `time_s`; .wav.
-CWRU's .mat do not state their rate: give --rate 12000 or 48000. Accelerations in g are shown in
-m/s^2.
+CWRU's .mat files do not state their rate: give --rate 12000 or 48000. Accelerations in g are shown
+in m/s^2.
 
-The nominal speed often differs from the true one by more than the slip of a cage. The true speed is
-searched within 1.5 % of it, from lines of the shaft that agree. --nominal gives it for a file that
+The nominal speed often differs from the true one by more than the cage slip. The true speed is
+found within 1.5 % of it, from lines of the shaft that agree. --nominal gives it for a file that
 does not state it; --rpm sets the true speed."""
 EXAMPLES = """\
 examples:
@@ -35,7 +35,7 @@ examples:
   raceway measured vibration.csv --bearing 6208 --rate 48000 --nominal 1500 --out lines.png
   raceway measured 0002.mat --bearing 6205 --raw --kind time --out motion.png
 
-Exit codes: 0 done, 1 the file cannot be read or does not suffice, 2 wrong command line."""
+Exit codes: 0 done, 1 the file cannot be read or has too little data, 2 wrong command line."""
 
 
 def add(commands: Commands) -> None:
@@ -49,7 +49,7 @@ def add(commands: Commands) -> None:
     )
     takes_negative(one)
     recorded.add(one)
-    one.add_argument("--raw", action="store_true", help="of the signal, not of its envelope")
+    one.add_argument("--raw", action="store_true", help="lines of the signal, not of its envelope")
     one.add_argument(
         "--harmonics", type=count, default=3, metavar="N", help="of each line (default 3)"
     )
@@ -64,13 +64,13 @@ def add(commands: Commands) -> None:
         type=number(1e-4, 0.05, "of the frequency"),
         default=0.01,
         metavar="SHARE",
-        help="where a line is looked for, relative (default 0.01)",
+        help="relative width of the search around a line (default 0.01)",
     )
     one.add_argument(
         "--kind",
         choices=("lines", "time"),
         default="lines",
-        help="of the picture: lines (default), or over time and frequency",
+        help="kind of picture: lines (default), or over time and frequency",
     )
     one.add_argument("--out", metavar="PNG", help="draw the picture")
     one.add_argument("--json", action="store_true", help="one JSON object instead of tables")
@@ -82,9 +82,9 @@ def run(arguments: argparse.Namespace) -> None:
     from raceway.runs import envelope, spectrum
 
     if arguments.raw and arguments.band:
-        arguments.complain("--band: of an envelope; leave out --raw")
+        arguments.complain("--band applies to an envelope; leave out --raw")
     if arguments.kind == "time" and not arguments.out:
-        arguments.complain("--kind time: a picture; give --out")
+        arguments.complain("--kind time draws a picture; give --out")
     opened = recorded.opened(arguments)
     of = spectrum.of_run if arguments.raw else envelope.of_run
     more = () if arguments.raw else (arguments.band,)
@@ -96,7 +96,7 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.out and arguments.kind == "time":
         _over_time(arguments, opened, found)
     elif arguments.out:
-        # matplotlib takes longer to load than a spectrum to compute
+        # loading matplotlib takes longer than computing a spectrum
         from raceway.pictures.spectrum import picture
 
         picture(opened, found, lines, arguments.out)

@@ -13,8 +13,8 @@ from raceway.errors import RacewayError
 
 DESCRIPTION = """\
 Runs a scene with the full model and a fine integration. Then it omits each part and coarsens
-each setting alone, and shows the effect on the figures and on the cost. Finally it searches for the
-cheapest set that meets the wanted accuracy, runs that set, and prints its -var words.
+each setting, one at a time, and shows the effect on the figures and on the cost. Finally it
+searches for the cheapest set that meets the required accuracy, runs it, and prints its -var words.
 
 Runs are in folders named after their variables. A command that was stopped continues when it is
 repeated. The table is printed; DIR/needs.json and DIR/needs.png contain the same."""
@@ -44,7 +44,7 @@ def add(commands: Commands) -> None:
         nargs="+",
         metavar="FIGURE=ERROR",
         default=None,
-        help="what is to be kept and how well, for instance torque=10%% (default: torque=10%%"
+        help="figures and their allowed errors, for instance torque=10%% (default: torque=10%%"
         " capacitance=5%% load=1%%, as far as the scene has them)",
     )
     one.add_argument(

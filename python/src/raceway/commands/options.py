@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Options shared by several commands. They are added to a parser or to an option group, which have
-no common public type in argparse."""
+"""Options shared by several commands. They are added to a parser or to an option group; argparse
+has no public type for both."""
 
 import argparse
 import itertools
@@ -51,7 +51,7 @@ def program(to: Any) -> None:
         "--program",
         metavar="COMMAND",
         default="build/liggghts",
-        help="program that runs it, with its own words if any: 'mpirun -np 2 build/liggghts'"
+        help="program that runs it, with its own options if any: 'mpirun -np 2 build/liggghts'"
         " (default: %(default)s)",
     )
 
@@ -63,7 +63,7 @@ def jobs(to: Any) -> None:
         metavar="N",
         type=positive,
         default=len(os.sched_getaffinity(0)),
-        help="runs at a time (default: the cores, %(default)s)",
+        help="runs at a time (default: number of cores, %(default)s)",
     )
 
 
@@ -92,25 +92,25 @@ def bearing(to: Any) -> None:
 
 
 def grooves(to: Any) -> None:
-    """--four-point and --double-row: several grooves a ring."""
+    """--four-point and --double-row: several grooves per ring."""
     to.add_argument(
         "--four-point",
         type=number(5, 60, "degrees"),
         metavar="DEGREES",
-        help="a four-point contact bearing: two grooves a ring, which balls in the middle meet at"
+        help="a four-point contact bearing: two grooves per ring, which centred balls touch at"
         " this angle (the bearing's four_point, or one groove)",
     )
     to.add_argument(
         "--double-row",
         type=number(0, 1, "m"),
         metavar="M",
-        help="two rows of balls so far apart, metres; loads act in the middle of them (one row)",
+        help="distance of two rows of balls, metres; loads act midway between them (one row)",
     )
     to.add_argument(
         "--arrangement",
         choices=("back_to_back", "face_to_face"),
         default="back_to_back",
-        help="of the two rows (back_to_back)",
+        help="arrangement of the two rows (back_to_back)",
     )
     to.add_argument(
         "--preload",
@@ -127,7 +127,7 @@ def grooves_of(arguments: argparse.Namespace) -> dict[str, Any]:
 
     angle, spacing = arguments.four_point, arguments.double_row
     if spacing is None and (arguments.preload or arguments.arrangement != "back_to_back"):
-        arguments.complain("--arrangement and --preload: of two rows; give --double-row")
+        arguments.complain("--arrangement and --preload apply to two rows; give --double-row")
     rows = (spacing, arguments.preload, arguments.arrangement)
     return {
         "four_point": None if angle is None else math.radians(angle),
@@ -141,7 +141,7 @@ def spin_law(to: Any) -> None:
         "--spin-law",
         choices=("closed", "slices"),
         default="closed",
-        help="of the friction torque: closed has fits of spin beside slip, slices both together",
+        help="of the friction torque: closed has separate fits of spin and slip, slices joint ones",
     )
 
 
@@ -159,7 +159,7 @@ def lubrication(to: Any) -> None:
         type=number(0, 100, "ball diameters"),
         default=0.5,
         metavar="H",
-        help="of an oil bath above the lowest raceway, in ball diameters (0.5)",
+        help="level of an oil bath above the lowest raceway, in ball diameters (0.5)",
     )
 
 
@@ -190,7 +190,7 @@ def inputs(to: Any) -> None:
     to.add_argument(
         "--inputs",
         metavar="DIR",
-        help="the inputs folder (default: here or above, otherwise that of the package)",
+        help="the inputs folder (default: here or in a parent folder, else that of the package)",
     )
 
 
@@ -208,7 +208,7 @@ def point(to: Any, name: str, said: str = "", kind: Any = None, several: bool = 
 
 
 def points(arguments: argparse.Namespace) -> list[dict[str, float]]:
-    """The operating points that the options of `point` ask for: every combination of their values,
-    without those that were not given."""
+    """The operating points that the options of `point` request: every combination of the values of
+    those that were given."""
     given = {name: found for name in POINT if (found := getattr(arguments, name, None))}
     return [dict(zip(given, values)) for values in itertools.product(*given.values())]

@@ -17,7 +17,7 @@ long as the program, the decks and the settings do not change."""
 EXAMPLES = """\
 examples:
   raceway paper                          everything, into build/paper
-  raceway paper --figure 8a --figure 9   two figures and no run that they do not need
+  raceway paper --figure 8a --figure 9   two figures, and only the runs that they need
   raceway paper --list                   available products
 
 Exit codes: 0 done, 1 a case failed (it is named, and products that do not need it are still made),
@@ -46,7 +46,7 @@ def add(commands: Commands) -> None:
         action="append",
         dest="products",
         default=[],
-        help="only this one, as in --list; may be given again",
+        help="only this one, named as in --list; may be repeated",
     )
     one.add_argument("--list", action="store_true", help="name the figures and tables, run nothing")
     one.set_defaults(command=run)
@@ -102,7 +102,7 @@ def _make(products, plan, tree, outcome, out):
 
 
 def _progress(total):
-    """Report every case on a terminal, otherwise every tenth, and every failure."""
+    """Report failures and, on a terminal, every case, otherwise every tenth."""
     live = sys.stderr.isatty()
     again = "\r\033[K" if live else ""  # overwrite the present line
 

@@ -11,7 +11,7 @@ from raceway.sweeps import host_program
 
 
 def program(text: str) -> list[str]:
-    """Words of the program; if the default is not here, those of the program that
+    """Program and options as a list; if the default program is missing, the one that
     `host_program.find` finds. Raises `RacewayError` if there is none."""
     usual = host_program.BUILT["liggghts"]
     absent = text == str(usual) and not usual.is_file()
@@ -27,7 +27,7 @@ def command(arguments: argparse.Namespace) -> list[str]:
 
 
 def end_on_signals() -> None:
-    """Let SIGTERM and SIGHUP end the process like Ctrl-C, with runs stopped and files
+    """Make SIGTERM and SIGHUP end the process as Ctrl-C does: runs are stopped and files are
     complete."""
     signal.signal(signal.SIGTERM, _terminated)
     signal.signal(signal.SIGHUP, _terminated)

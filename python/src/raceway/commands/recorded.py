@@ -24,7 +24,7 @@ def add(to: Any, bearing: bool = True) -> None:
         "--rate",
         type=number(1e-3, 1e8, "Hz"),
         metavar="HZ",
-        help="sampling rate, hertz (that of the file)",
+        help="sampling rate, hertz (from the file)",
     )
     speed = to.add_mutually_exclusive_group()
     speed.add_argument(
@@ -36,13 +36,13 @@ def add(to: Any, bearing: bool = True) -> None:
         metavar="R",
         help="nominal speed, from which the true one differs by at most 1.5 %% (that of the file)",
     )
-    to.add_argument("--channel", default="", metavar="NAME", help="of the file (the first)")
+    to.add_argument("--channel", default="", metavar="NAME", help="channel of the file (the first)")
     to.add_argument(
         "--band",
         type=number(1e-3, 1e8, "Hz"),
         nargs=2,
         metavar=("LOW", "HIGH"),
-        help="of the envelope, hertz (the most impulsive one)",
+        help="band of the envelope, hertz (the most impulsive one)",
     )
 
 

@@ -9,8 +9,8 @@ from raceway.errors import RacewayError
 
 DESCRIPTION = """\
 Writes a run or a sweep as one HTML page to send to a colleague: figures with their errors, pictures
-with zoom and values, warnings, settings, and the command that repeats it. The page is a single file
-and loads nothing."""
+that can be zoomed and read off, warnings, settings, and the command that repeats it. The page is
+one self-contained file."""
 EXAMPLES = """\
 examples:
   raceway report build/run/6208                   build/run/6208/report.html
@@ -43,7 +43,7 @@ def run(arguments: argparse.Namespace) -> None:
         page = of_run.page(one_run.tables(arguments))
     elif any(folder.glob("*/point.yaml")):
         if arguments.bearing is not None:
-            arguments.complain(f"--bearing: of a run, and {folder} holds a sweep")
+            arguments.complain(f"--bearing applies to a run, but {folder} holds a sweep")
         page = of_sweep.page(folder)
     else:
         raise RacewayError(f"{folder} holds no run (run.yaml) and no sweep (*/point.yaml)")

@@ -12,14 +12,14 @@ from raceway.theory.cleanliness import CLEANLINESS
 from raceway.units import prefixed
 
 DESCRIPTION = """\
-A shaft on several ball bearings at rest, from theory: loads and tilt of every bearing, its
-rating life, displacements of the shaft; and its rigid-body properties and natural frequencies
-with the bearings' stiffness at rest. The shaft is a Timoshenko beam, each bearing the statics of
-`raceway static`. The file names sections, bearings and loads in SI units (docs/shaft.rst). Several
---rpm print a line for each: stiffness of the bearings and natural frequencies.
+A shaft at rest on several ball bearings, from theory: load, tilt and rating life of every bearing,
+displacements of the shaft, its rigid-body properties, and its natural frequencies with the
+bearings' stiffness at rest. The shaft is a Timoshenko beam; each bearing follows the statics of
+`raceway static`. The file has sections, bearings and loads in SI units (docs/shaft.rst). Several
+values of --rpm print a line each: stiffness of the bearings and natural frequencies.
 
-For a rotor of ROSS (.toml), or its matrices (.npz), --reduced and the properties as a free body are
-available."""
+For a ROSS rotor (.toml) or its matrices (.npz), only --reduced and the properties of the free
+rotor are available."""
 EXAMPLES = """\
 examples:
   raceway shaft inputs/shafts/motor
@@ -30,8 +30,8 @@ examples:
   raceway shaft rotor.toml --reduced build/rotor.modes
 
 Exit codes: 0 done, 1 no equilibrium or unusable data, 2 wrong command line."""
-SHOWN = 6  # natural frequencies and critical speeds
-FASTEST = 1e4  # rad/s, of critical speeds
+SHOWN = 6  # number of natural frequencies and of critical speeds
+FASTEST = 1e4  # rad/s, limit of critical speeds
 LOADS = ("load_x_N", "load_y_N", "load_z_N", "moment_x_N_m", "moment_y_N_m")
 PLACES = ("shift_x_m", "shift_y_m", "shift_z_m", "tilt_x_rad", "tilt_y_rad")
 
@@ -66,7 +66,7 @@ def add(commands: Commands) -> None:
         type=int,
         default=4,
         metavar="N",
-        help="modes of a plane while bearings and loads are held (4)",
+        help="modes per plane with bearings and loads held (4)",
     )
     reduced.add_argument(
         "--damping",
@@ -81,8 +81,8 @@ def add(commands: Commands) -> None:
         nargs="+",
         default=[],
         metavar="Z",
-        help="places that bend as the whole shaft under steady loads, m: besides bearings and loads"
-        " of a YAML file, instead of the bearings of a rotor of ROSS",
+        help="places with exact deflection under steady loads, m: besides bearings and loads"
+        " of a YAML file, instead of the bearings of a ROSS rotor",
     )
     reduced.add_argument(
         "--places",
@@ -90,14 +90,14 @@ def add(commands: Commands) -> None:
         nargs="+",
         default=[],
         metavar="Z",
-        help="other places of the deck's loads and unbalances, m",
+        help="further places of loads and unbalances of the deck, m",
     )
     one.set_defaults(command=run)
 
 
 def run(arguments: argparse.Namespace) -> None:
     """Print the figures and draw on request. Raises `RacewayError`."""
-    # scipy takes longer to load than --help to print
+    # loading scipy takes longer than printing --help
     from raceway import ross_file, shaft_file
     from raceway.errors import RacewayError
     from raceway.theory import shaft
@@ -137,11 +137,11 @@ def _check(arguments):
     if not 0 <= arguments.damping < 1:
         raise RacewayError(f"--damping is {arguments.damping:g}, must be from 0 to below 1")
     if len(arguments.rpm or ()) > 1 and (arguments.out or arguments.reduced):
-        raise RacewayError("--out and --reduced: of one speed; give one --rpm")
+        raise RacewayError("--out and --reduced apply to one speed; give one --rpm")
 
 
 def reduce(case: Any, rest: Any, arguments: argparse.Namespace) -> None:
-    """Write the file of `arguments.reduced`. Raises `RacewayError`."""
+    """Write the file `arguments.reduced`. Raises `RacewayError`."""
     from raceway import bending_file
     from raceway.errors import RacewayError
     from raceway.theory import shaft_motion
@@ -321,8 +321,8 @@ def _block(rows):
 
 
 def _noise(values):
-    """Below these values by unit, figures (value, unit) are shown as 0: those of a shaft at rest
-    are known to a thousand-millionth of its loads."""
+    """{unit: value below which figures (value, unit) are shown as 0}. Figures of a shaft at rest
+    are accurate to 1e-9 of its loads."""
     largest: dict[str, float] = {}
     for value, unit in values:
         largest[unit] = max(largest.get(unit, 0.0), abs(value or 0.0))

@@ -20,15 +20,15 @@ if TYPE_CHECKING:  # xarray takes longer to load than `--help` should
 
 DESCRIPTION = """\
 Spectrum of a column of a ring, with the kinematic lines found in it. Measure enough ball
-passes: -var passes 40 separates all lines but FTF; the record must hold more than five periods of a
-line.
+passes: -var passes 40 separates all lines but FTF. The record must be longer than five periods of
+a line.
 
 --envelope takes the spectrum of the signal's envelope, in a band around a resonance: the rate at
 which flaws excite it, with the sidebands of the shaft and the cage.
 
 Kinematics are those of balls that roll at the measured contact angle. The last column compares with
-the run's own cage and balls, which slip. Where the outer ring rotates, its own line and VC, the
-rate of balls past the load, are added, and FTF is the cage's speed relative to the frame.
+the run's own cage and balls, which slip. If the outer ring rotates, its own line and VC, the rate
+at which balls pass the load, are added, and FTF is the cage's speed relative to the frame.
 
 --kind time draws the signal, or its envelope, over time and frequency. Where the speed of the shaft
 changes by more than 1 %, orders of the shaft (inner relative to outer ring) replace the
@@ -64,7 +64,7 @@ def add(commands: Commands) -> None:
         "--ring",
         choices=("inner", "outer"),
         default="inner",
-        help="whose signal; an outer ring in a housing has ax, ay ... too (default inner)",
+        help="ring of the signal; an outer ring in a housing also has ax, ay ... (default inner)",
     )
     one.add_argument(
         "--harmonics", type=count, default=3, metavar="N", help="of each line (default 3)"
@@ -76,14 +76,14 @@ def add(commands: Commands) -> None:
         help="contact angle of the kinematics (default: as measured, else nominal, else 0)",
     )
     one.add_argument(
-        "--envelope", action="store_true", help="of the signal's envelope, with sidebands"
+        "--envelope", action="store_true", help="spectrum of the signal's envelope, with sidebands"
     )
     one.add_argument(
         "--band",
         type=number(1e-3, 1e8, "Hz"),
         nargs=2,
         metavar=("LOW", "HIGH"),
-        help="of the envelope, hertz (default: the most impulsive one)",
+        help="band of the envelope, hertz (default: the most impulsive one)",
     )
     one.add_argument("--json", action="store_true", help="a JSON list instead of a table")
     one.add_argument(
@@ -106,7 +106,7 @@ def run(arguments: argparse.Namespace) -> None:
     from raceway.runs.spectrum import lines, of_run
 
     if arguments.band and not arguments.envelope:
-        arguments.complain("--band: of an envelope; give --envelope")
+        arguments.complain("--band applies to an envelope; give --envelope")
     if arguments.band and not arguments.band[0] < arguments.band[1]:
         arguments.complain(f"--band: {arguments.band[0]:g} Hz must be below {arguments.band[1]:g}")
     opened = one_run.opened(arguments)
@@ -126,7 +126,7 @@ def run(arguments: argparse.Namespace) -> None:
         sidebands=arguments.envelope,
     )
     if arguments.out:
-        # matplotlib takes longer to load than a spectrum to compute
+        # loading matplotlib takes longer than computing a spectrum
         from raceway.pictures.spectrum import picture
 
         picture(opened, spectrum, found, arguments.out)
@@ -143,7 +143,7 @@ def _over_time(arguments, opened):
     from raceway.runs import envelope, time_frequency
 
     if arguments.json:
-        arguments.complain("--json: of kind lines")
+        arguments.complain("--json applies to kind lines")
     name, ring, band = arguments.signal, arguments.ring, arguments.band
     if arguments.envelope and band is None:
         band = envelope.of_run(opened, name, None, ring).attrs["band"]
@@ -154,8 +154,8 @@ def _over_time(arguments, opened):
 
 
 def table(run: "Source", spectrum: "xr.DataArray", found: Sequence["Line"]) -> str:
-    """The `Line`s `found` in `spectrum` of a run or recording as text; the last column, relative to
-    its own cage, where that is known."""
+    """The `Line`s `found` in the `spectrum` of a run or recording as text. The last column is
+    relative to its own cage, if that is known."""
     unit, resolution, of = spectrum.attrs["units"], spectrum.attrs["resolution"], spectrum.dims[0]
     fine = prefixed(resolution, "Hz", 3) if of == "frequency" else f"{resolution:.3g} orders"
     rows = [f"{spectrum.attrs['long_name']}; resolution {fine}"]
@@ -187,7 +187,7 @@ def table(run: "Source", spectrum: "xr.DataArray", found: Sequence["Line"]) -> s
 
 
 def plain(line: "Line", unit: str) -> dict[str, Any]:
-    """A `Line` of a signal in `unit` for JSON, None for what was not found."""
+    """A `Line` of a signal in `unit` for JSON; values that were not found are None."""
     values = line._asdict()
     places = ("expected", "found", "by_cage")
     keys = {key: f"{key}_{values['unit']}" if key in places else key for key in values}

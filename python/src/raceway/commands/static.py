@@ -16,14 +16,14 @@ HELP = "loads, tilt, film and capacitance from theory, without a simulation"
 DESCRIPTION = """\
 Quasi-static equilibrium of a ball bearing in five degrees of freedom (Jones, Harris): radial and
 axial load and two moments on the inner ring, free contact angles, centrifugal load of the balls.
-With a lubricant and a speed: film (Masjedi-Khonsari) and capacitance of every contact, rolling
-without slip, and the friction torque by part, with the makers' formulas for comparison. --models
-paper has the publication's laws, which have no friction torque.
+With a lubricant and a speed also the film (Masjedi-Khonsari) and capacitance of every contact,
+rolling without slip, and the friction torque by part, with makers' formulas for comparison.
+--models paper uses the publication's laws, which have no friction torque.
 
 x points along the radial load, z along the bearing's axis. As in a deck, the ring is held along z
 unless it has an axial load: at 0, or where its balls touch both raceways at their contact angle. It
-is held straight unless --moment frees its tilts or --tilt imposes them. Balls are counted from
-azimuth --phase, at 0 on the load line."""
+is held untilted unless --moment frees its tilts or --tilt imposes them. The first ball is at the
+azimuth --phase, measured from the load line."""
 EXAMPLES = """\
 examples:
   raceway static --load 5000 --clearance 10e-6
@@ -76,7 +76,7 @@ def add(commands: Commands) -> None:
         type=number(-1e5, 1e5, "N m"),
         nargs=2,
         metavar=("MX", "MY"),
-        help="about x and y, newton metres; frees the tilts, 0 0 too",
+        help="about x and y, newton metres; frees the tilts, even if 0 0",
     )
     ring = one.add_argument_group("the ring")
     options.point(ring, "clearance")
@@ -100,8 +100,8 @@ def add(commands: Commands) -> None:
         "--exact-circle",
         action="store_true",
         help=(
-            "shift and tilt the groove's circle as a circle (a simulation does); default: its"
-            " components in each ball's plane, as Jones and Harris do"
+            "shift and tilt the groove as a rigid circle, as a simulation does; default: only its"
+            " components in each ball's plane, as in Jones and Harris"
         ),
     )
     balls = one.add_argument_group("balls, speed, film")
@@ -113,7 +113,7 @@ def add(commands: Commands) -> None:
         help="azimuth of the first ball from the load line: rad, or 20deg (0)",
     )
     options.point(
-        balls, "rpm", "speed of the inner ring; brings the centrifugal load of the balls (0)"
+        balls, "rpm", "speed of the inner ring; causes the centrifugal load of the balls (0)"
     )
     balls.add_argument(
         "--density",
@@ -153,7 +153,7 @@ def add(commands: Commands) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Print the figures. Raises `RacewayError`."""
-    # scipy takes longer to load than --help to print
+    # loading scipy takes longer than printing --help
     from raceway.theory import load_spectrum
     from raceway.theory.operating_point import figures
     from raceway.theory.operating_table import curves, table
@@ -175,7 +175,7 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.spin_law != "closed" and arguments.models == models.PAPER:
         arguments.complain("--spin-law: applies to the friction torque only; give --models full")
     if arguments.temperature is not None and arguments.lubricant in (None, "dry"):
-        arguments.complain("--temperature: of the lubricant; give --lubricant")
+        arguments.complain("--temperature applies to the lubricant; give --lubricant")
     held = {} if arguments.moment else dict(zip(("rx", "ry"), arguments.tilt or (0.0, 0.0)))
     held.update(arguments.hold)
     evaluate = partial(

@@ -11,10 +11,10 @@ from raceway.theory.models import CAPACITANCE
 
 DESCRIPTION = """\
 Stiffness and damping of a bearing's ring from statics and films: 5 x 5 matrices in x, y, z, rx, ry,
-their mean over a ball pass, and its least and greatest values. One row for each radial load and
+as the mean over a ball pass with the least and greatest values. One row for each radial load and
 speed. Damping comes from films and steel alone, and needs a lubricant.
 
---out writes them in the format of the name's ending:
+--out writes them in a format that depends on the file name extension:
   .csv   a table, with units in its first line
   .json  all of it
   .toml  for ROSS, one load: ross.BearingElement.load(FILE); without tilting terms, see
@@ -59,7 +59,7 @@ def add(commands: Commands) -> None:
         "--frequency",
         type=number(0, 1e5, "Hz"),
         metavar="HZ",
-        help="of the vibration, for the damping (that of the shaft's rotation)",
+        help="frequency of the vibration, for the damping (that of the shaft's rotation)",
     )
     one.add_argument(
         "--phases",
@@ -67,7 +67,7 @@ def add(commands: Commands) -> None:
         choices=range(1, 65),
         default=8,
         metavar="N",
-        help="places of the balls over a ball pass, 1 to 64 (8)",
+        help="ball positions within a ball pass, 1 to 64 (8)",
     )
     one.add_argument(
         "--node", type=int, default=0, metavar="N", help=".toml: node of the rotor (0)"
@@ -76,7 +76,7 @@ def add(commands: Commands) -> None:
         "--tilts",
         choices=("held", "free"),
         default="held",
-        help=".toml: tilts of the ring held, or free of moments (held)",
+        help=".toml: tilts of the ring are held, or free without moments (held)",
     )
     one.add_argument("--out", metavar="FILE", help="write .csv, .json or .toml")
     one.set_defaults(command=run, complain=one.error)
@@ -94,11 +94,11 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.node < 0:
         arguments.complain(f"--node {arguments.node}: must be 0 or more")
     if arguments.temperature is not None and arguments.lubricant is None:
-        arguments.complain("--temperature: of the lubricant; give --lubricant")
+        arguments.complain("--temperature applies to the lubricant; give --lubricant")
     if arguments.lubricant is not None and not all(arguments.rpm):
         arguments.complain("--lubricant: a film needs a speed; give --rpm above 0")
 
-    # scipy takes longer to load than --help to print
+    # loading scipy takes longer than printing --help
     from raceway.export import rotor
 
     found = rotor.points(

@@ -22,7 +22,7 @@ again, so a sweep that was stopped (Ctrl-C, kill, a time limit) continues when t
 repeated; two sweeps started on one DIR share the work. A point that fails keeps its message and
 does not stop the others. At the end DIR/results.csv has a row per point.
 
-A column `share` is not a variable but the share of the time of a point in a load spectrum:
+A column `share` is not a variable but the time share of a point in a load spectrum:
 `raceway static --spectrum DIR/results.csv` computes the life under all points together.
 """
 EXAMPLES = """\
@@ -36,8 +36,8 @@ Exit codes: 0 all points finished, 1 a point failed or the table cannot be used,
 line, 130 and 143 stopped."""
 SLURM = """\
 #!/bin/bash
-# A sweep as a Slurm job array, written by `raceway sweep`. Submit it from the folder it was written
-# from:
+# A sweep as a Slurm job array, written by `raceway sweep`. Submit it from the folder in which
+# `raceway sweep` was called:
 #   sbatch {script}
 # Submit it again to run the missing points; `raceway gather {folder}` shows the finished ones.
 #SBATCH --job-name=raceway-sweep
@@ -63,7 +63,7 @@ def add(commands: Commands) -> None:
     parser.add_argument(
         "table",
         metavar="TABLE",
-        help="CSV file: variables of the deck in the first line, a point in each other line",
+        help="CSV file: variables of the deck in the first line, one point in each further line",
     )
     parser.add_argument(
         "--out", metavar="DIR", help="folder of the sweep (default: build/sweep/NAME for NAME.csv)"
@@ -104,7 +104,7 @@ def run(arguments: argparse.Namespace) -> None:
     elif arguments.slurm:
         _write_array(arguments, out, len(points))
     else:
-        from raceway.sweeps.gather import write_shares  # pandas takes a while
+        from raceway.sweeps.gather import write_shares  # pandas is slow to import
         from raceway.sweeps.point_run import FINISHED, state
         from raceway.sweeps.sweep import sweep
 
@@ -166,7 +166,7 @@ def _write_array(arguments, out, points):
         tasks=tasks,
         command=shlex.join(words + ["--retry"] * arguments.retry),
     )
-    files.folder(out)  # Slurm does not create the folder of its output
+    files.folder(out)  # Slurm does not create its output folder
     files.text(arguments.slurm, text)
     print(f"{arguments.slurm}: {points} points in {tasks} tasks")
 

@@ -8,14 +8,14 @@ from raceway.commands.identify import NAMES
 
 HELP = "state over hours from a series of readings: clearance, loads, oil temperature, cooling"
 DESCRIPTION = """\
-An unscented Kalman filter over a series of readings: like `raceway identify`, for a drifting
+An unscented Kalman filter over a series of readings: like `raceway identify`, but for a drifting
 state. Each row of a csv file has a time in s, the speed, and the readings at that time; empty cells
 are allowed. Columns: time_s, rpm, load, axial, load_more, axial_more, at (temperature of the oil),
 FTF, BPFO, BPFI, BSF (orders), capacitance (F), temperature (C).
 
-The file is that of `raceway identify` with `series`, `within` and `drift` instead of `readings`:
+FILE has the format of `raceway identify` with `series`, `within` and `drift` instead of `readings`:
 the name of the csv file, the standard deviation of each quantity, and the possible drift of each
-unknown in an hour (standard deviation; default 0, constant)."""
+unknown per hour (standard deviation; default 0, constant)."""
 EXAMPLES = """\
 examples:
   raceway track hours.yaml
@@ -68,7 +68,7 @@ def run(arguments: argparse.Namespace) -> None:
         columns |= {f"{name}_low": found.low[:, k], f"{name}_high": found.high[:, k]}
     table = pd.DataFrame(columns | {"surprise": found.surprise})
     if arguments.out:
-        # matplotlib takes longer to load than a filter to run
+        # loading matplotlib takes longer than running a filter
         from raceway.pictures.track import picture
 
         picture(found, NAMES, arguments.out)

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from raceway.errors import RacewayError
 
-if TYPE_CHECKING:  # loads numpy, which `table` does without
+if TYPE_CHECKING:  # loads numpy, which `table` does not need
     from raceway.core.exports import Formula, Library
 
 PATH = Path(__file__).with_name("lib") / "libraceway_core.so"
@@ -49,8 +49,8 @@ def table(name: str) -> Any:
 
 
 def mistyped(names: Iterable[str]) -> str:
-    """Message on a mistyped one among the `names` of a data file, as decks have it; empty without
-    one. Raises `NotBuilt`."""
+    """The message that decks print about a mistyped name among the `names` of a data file; empty if
+    there is none. Raises `NotBuilt`."""
     return _mistyped(" ".join(names))
 
 

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 PARAMETER = re.compile(r"(const )?(\w+) (\*?) ?(\w+)(\[\d*\])?$")
 FIELD = re.compile(r"(\w+)(?:\[(\d+)\])?$")
 NUMBERS = {"double": (ctypes.c_double, np.float64), "int": (ctypes.c_int, np.int32)}
-FEW = 2  # number of parameters that may be given by position
+FEW = 2  # largest number of parameters that may be passed by position
 
 
 class Parameter(NamedTuple):
@@ -38,8 +38,8 @@ class Function(NamedTuple):
 
 class Formula:
     """A function of single numbers, called with numbers or arrays that broadcast, by position or by
-    name. Returns one number or array, or a named tuple of them; for xarray's arrays, arrays of
-    xarray. Raises `TypeError` for a wrong number of values or an unknown name."""
+    name. Returns one number or array, or a named tuple of them; xarray arrays give xarray arrays.
+    Raises `TypeError` for a wrong number of values or an unknown name."""
 
     def __init__(
         self, name: str, symbol: Any, parameters: tuple[str, ...], record: type | None
@@ -66,7 +66,7 @@ class Formula:
         return self._record(*outputs) if self._record else outputs[0]
 
     def _labelled(self, values):
-        import xarray  # takes longer to import than most formulas to evaluate
+        import xarray  # importing it takes longer than evaluating most formulas
 
         found = xarray.apply_ufunc(self, *values, output_core_dims=[[]] * self._outputs)
         return self._record(*found) if self._record else found
@@ -113,7 +113,7 @@ class Library:
 
     def call(self, name: str, *few: Any, **named: Any) -> Any:
         """The result of the function `name` with the records and arrays of fixed size that it
-        fills, in its order, single or as a tuple; those given by name are filled in place."""
+        fills, in its order, alone or as a tuple; those passed by name are filled in place."""
         function = self.functions[name]
         outputs = [p for p in function.parameters if self._fills(p) and p.name not in named]
         inputs = [p.name for p in function.parameters if p not in outputs]

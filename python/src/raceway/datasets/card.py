@@ -11,7 +11,7 @@ from raceway.datasets.spec import OVERSAMPLING, Spec
 TEXT = """\
 # {title}
 
-Simulated vibration of a bearing {bearing}, with labels. Made by `raceway dataset`, version
+Simulated vibration of a {bearing} bearing, with labels. Made by `raceway dataset`, version
 {version}. It has {there} of {wanted} records of {seconds:g} s.
 
 ## Files
@@ -22,7 +22,7 @@ Simulated vibration of a bearing {bearing}, with labels. Made by `raceway datase
 - `runs/`: variables and figures of each run.
 
 A `.mat` file of record 12 has `X012_DE_time`, N x 1, and `X012RPM`, named like those of the bearing
-data center of Case Western Reserve University, and in addition `fault`, `fault_size_m`, `load_N`,
+data center of Case Western Reserve University, and also `fault`, `fault_size_m`, `load_N`,
 `sampling_Hz` and `unit`. A `.parquet` file has `time_s` and `acceleration_m_s2`. The signal is the
 acceleration of the housing along {axis}, in m/s^2. The
 load points along -y unless `load_azimuth` is set.
@@ -32,14 +32,14 @@ load points along -y unless `load_azimuth` is set.
 {classes}
 
 `size_m` is the length of a notch along rolling, or the amplitude of waves. `flaw_place` is
-given as on a clock: the load presses at 6. Lines (`BPFO_Hz` ...) are those of the run's own cage
+given as on a clock, with the load at 6. Lines (`BPFO_Hz` ...) follow from the run's own cage
 speed.
 
 ## What is physics
 
 Every ball, the cage and both rings move by contact forces in three dimensions. Contacts have
 elliptical Hertz elasticity, an oil film, film damping and friction. A flaw is a change of the
-raceway's shape. A ball reaches only a part of it, because it is round. Impacts, load zones, slip
+raceway's shape. Because a ball is round, it reaches only part of a flaw. Impacts, load zones, slip
 and sidebands follow from that. No impact, line, jitter or sideband was added by hand.
 
 ## What is assumed
@@ -52,8 +52,8 @@ and sidebands follow from that. No impact, line, jitter or sideband was added by
 - Waviness has the orders Z - 1 and Z + 1 on both raceways.
 - Speed and load are constant. A seed determines the initial positions of balls and rotating flaws.
 - {noise}
-- Records are at {oversampling} times the fastest rate, then filtered: flat to 0.4 of the
-  rate of a file, 80 dB down from half of it on.
+- Records are at {oversampling} times the fastest rate, then filtered: flat up to 0.4 of the
+  rate of a file, 80 dB down above half of it.
 
 ## Noise floor
 
@@ -64,7 +64,7 @@ KINDS = {"mat": "MATLAB version 5 (`.mat`)", "parquet": "Apache Parquet (`.parqu
 
 
 def card(spec: Spec, table: pd.DataFrame, wanted: int) -> str:
-    """Text of README.md for the records of `table` (rows of labels.csv), out of `wanted` ones."""
+    """Text of README.md for the records in `table` (rows of labels.csv), of `wanted` in all."""
     classes, floor = [], "There is no record without a flaw, so the floor is not known here."
     if len(table):
         for kind, some in table.groupby("class", sort=False)["rms_m_s2"]:

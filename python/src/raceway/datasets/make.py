@@ -3,7 +3,7 @@
 
 The folder holds
 
-    dataset.json     the specification; files of another one are refused
+    dataset.json     the specification; a folder of another one is refused
     README.md        the card
     labels.csv       one row for each record
     48k/0001.mat     signals, one folder for each rate; or .parquet, or both
@@ -86,7 +86,7 @@ def _claim(spec, folder):
             raise SpecError(f"{folder} holds another data set: {path} differs; choose a new folder")
         return
     if folder.exists() and any(folder.iterdir()):
-        raise SpecError(f"{folder} holds files of something else: choose a new folder")
+        raise SpecError(f"{folder} contains other files: choose a new folder")
     files.folder(folder)
     files.text(path, asked)
 
@@ -144,7 +144,7 @@ def _write(one: Record, spec: Spec, folder: Path, keep: bool) -> None:
 
 
 def _save_matlab(path, one, rate, values):
-    with open(path, "wb") as file:  # given a name, savemat would append .mat
+    with open(path, "wb") as file:  # savemat would append .mat to a name
         io.savemat(file, _matlab(one, rate, values), oned_as="column", do_compression=True)
 
 

@@ -15,9 +15,9 @@ from raceway.sweeps.points import OURS, WORD, Point
 from raceway.theory import kinematics
 from raceway.theory.bearing import Bearing
 
-OVERSAMPLING = 4  # samples of a run for each sample of the fastest file
+OVERSAMPLING = 4  # samples of a run per sample of the fastest file
 GUARD = 64  # samples of the slowest file at each end, affected by the filter
-# words of a flaw: {word: default, None if it is required}; lists are swept
+# words of a flaw: {word: default, or None if required}; lists are swept
 NOTCH: dict[str, Any] = {"length": None, "width": "round", "depth": 3e-4, "edge": 5e-5}
 PIT = {name: default for name, default in NOTCH.items() if name != "width"}  # round
 FLAWS: dict[str, dict[str, Any]] = {
@@ -28,7 +28,7 @@ FLAWS: dict[str, dict[str, Any]] = {
     "ball": PIT,
     "waviness": {"amplitude": None},
 }
-FILES = ("mat", "parquet")  # kinds of files that a signal can be written as
+FILES = ("mat", "parquet")  # file formats of a signal
 FLAW_WORDS = ("length", "width", "depth", "edge", "place", "amplitude")
 RANGES = {  # m, except for the place
     "length": (1e-5, 1e-2),
@@ -37,7 +37,7 @@ RANGES = {  # m, except for the place
     "amplitude": (1e-10, 1e-5),
     "place": (0, 12),  # o'clock
 }
-# where the file has no value; otherwise the deck's defaults count
+# used if the file has no value; all other variables have the deck's defaults
 USUAL = {"housing": "springs", "settle": "1"}
 SET_HERE = {
     **OURS,
@@ -69,7 +69,7 @@ class Spec(NamedTuple):
 
     @property
     def run_rate(self) -> int:
-        """Samples a second of the runs' records."""
+        """Sampling rate of the runs' records, Hz."""
         return OVERSAMPLING * max(self.rates)
 
 
@@ -117,12 +117,12 @@ def _spec(data, known):
     deck = {name: _word(name, v) for name, v in (data.get("deck") or {}).items()}
     for name in [*swept, *deck]:
         if name in SET_HERE or name == "bearing" or name not in known:
-            why = SET_HERE.get(name, "no such variable of the deck, or it stands elsewhere")
+            why = SET_HERE.get(name, "the deck has no such variable, or it belongs elsewhere")
             raise SpecError(f"variable '{name}' cannot be set: {why}")
     if twice := set(swept) & set(deck):
-        raise SpecError(f"variable '{min(twice)}' stands in deck and in conditions")
+        raise SpecError(f"variable '{min(twice)}' is in both deck and conditions")
     if len(set(seeds)) < len(seeds) or any(len(set(v)) < len(v) for v in swept.values()):
-        raise SpecError("conditions: a value is there twice")
+        raise SpecError("conditions: a value is repeated")
     for rpm in swept["rpm"]:
         _number("rpm", rpm, 1, 1e5)
     return Spec(
@@ -207,7 +207,7 @@ def records(spec: Spec) -> list[Record]:
     bearing = inputs.bearing(path)
     angle = inputs.four_point_angle(path) or inputs.nominal_angle(path)
     if "ball" in spec.flaws and len(bearing.raceways) > 2:
-        raise SpecError(f"flaw ball: {path.name} has four points, which its pit does not meet")
+        raise SpecError(f"flaw ball: {path.name} has four points, which its pit does not touch")
     passes = kinematics.frequencies(bearing, angle).outer / 60  # ball passes a second and rpm
     length = spec.seconds + 2 * GUARD / min(spec.rates)
     result = []
@@ -237,7 +237,7 @@ def records(spec: Spec) -> list[Record]:
 
 
 def azimuth(place: float) -> float:
-    """Azimuth (rad) of a `place` on a clock, 12 at the top; the load presses at 6 o'clock.
+    """Azimuth (rad) of a `place` on a clock, 12 at the top; the load acts at 6 o'clock.
 
     >>> print(f"{azimuth(6):.4f} {azimuth(3):.4f} {azimuth(12):.4f}")
     -1.5708 0.0000 1.5708
@@ -246,7 +246,7 @@ def azimuth(place: float) -> float:
 
 
 def _words_of(kind, flaw, bearing: Bearing, turned, draw):
-    """Words of fix bearing/profile for both raceways, or for a ball on the equator that rolls."""
+    """Words of fix bearing/profile for both raceways, or for the rolling equator of a ball."""
     if kind == "none":
         return {}
     if kind == "waviness":

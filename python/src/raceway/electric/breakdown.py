@@ -16,7 +16,7 @@ SURFACES = ("rough", "smooth")
 
 @dataclass(frozen=True)
 class Breakdown:
-    """A film fails where its voltage exceeds `strength` (V/m) times its local thickness.
+    """A film fails when its voltage exceeds `strength` (V/m) times its local thickness.
 
     The local thickness is that of the film minus three times the composite roughness ("rough") or
     the film's own ("smooth"), and at least `floor` (m). `roughness` (m) is the run's unless given.
@@ -59,14 +59,14 @@ class Breakdown:
 
     @property
     def bridged(self) -> float:
-        """Limit of a film at the film floor, V: peaks of the surfaces bridge it."""
+        """Limit of a film at the film floor, V: asperities bridge it."""
         return self.strength * self.floor
 
 
 def threshold(films: Films, limit: Floats, bridged: float = 0.0) -> Floats:
     """The smallest voltage between the rings at which a film fails, (n,) V, with uncharged
-    balls; `limit` (n, 2, Z) V of each film. Infinite where no film can fail, 0 where a film has at
-    most the limit `bridged` (V)."""
+    balls; `limit` (n, 2, Z) V of each film. Infinite where no film can fail, 0 where the limit of a
+    film does not exceed `bridged` (V)."""
     n, _, z = films.capacitance.shape
     found = np.empty(n)
     core.library().call(

@@ -21,15 +21,15 @@ from raceway.runs.run import Run
 from raceway.theory.film_voltage import field
 
 RACEWAYS = ("inner", "outer")
-MOST = 100_000_000  # films at all points
-LATE = 3  # field over strength of a failing film
+MOST = 100_000_000  # upper bound of films times points
+LATE = 3  # field over strength above which a film fails too late
 MEANINGS = {  # variables and their units
     "bearing_voltage": ("V", "voltage of the inner ring to the outer ring"),
     "driving_voltage": ("V", "voltage of the outer circuit"),
     "ball_voltage": ("V", "voltage of a ball to the outer ring"),
     "film_voltage": ("V", "voltage across a film, from the inner to the outer ring"),
     "field": ("V/m", "voltage across a film over its thickness"),
-    "local_thickness": ("m", "thickness of a film less what the surfaces' roughness takes"),
+    "local_thickness": ("m", "thickness of a film minus the reduction by roughness"),
     "local_field": ("V/m", "voltage across a film over its local thickness; NaN if bridged"),
     "film_capacitance": ("F", "capacitance of a film"),
     "film_state": ("1", "0 capacitive, 1 leaking, 2 metallic"),
@@ -43,7 +43,7 @@ MEANINGS = {  # variables and their units
     "ball_charge": ("C", "charge of a ball"),
     "charge_error": (
         "C",
-        "largest difference of a node's charge by currents and by voltages so far",
+        "largest difference so far between a node's charge from currents and from voltages",
     ),
 }
 EVENT_UNITS = {
@@ -90,16 +90,16 @@ def run(
     all). `points` is the number of circuit steps per sample, with linear interpolation; None gives
     `PER_CYCLE` points per period of the voltage of `outer`.
     `stray` (F) is added to every film. Voltages of the dataset are those after a discharge. Events
-    have the columns of `EVENT_UNITS`; `energy` includes what the charges of other films lose. The
+    have the columns of `EVENT_UNITS`; `energy` includes the energy lost by other films. The
     peak `current`, the `duration` in which it falls to 1/e and the current density over all Hertz
     area are NaN without the breakdown's `arc`.
 
-    Raises `RunError` where `of` lacks what is needed, `ValueError` for parameters out of range and
+    Raises `RunError` if `of` lacks required data, `ValueError` for parameters out of range and
     for steps too long for the voltage of `outer`.
     """
     if isinstance(of, Films):
         if leak is not None or stray:
-            raise ValueError("leak and stray belong to the films, which are given")
+            raise ValueError("leak and stray already belong to the given films")
         coarse = of
     else:
         coarse = (films.of_run if isinstance(of, Run) else films.of_dataset)(of, leak, stray)
@@ -222,8 +222,8 @@ def _events(fine, s: Solution, breakdown):
 
 
 def _warn_of_late(events, sudden, breakdown):
-    """Warn of steps so long that films fail far above their strength, except at the `sudden`
-    times and after another film."""
+    """Warn if the steps are so long that films fail far above their strength. Failures at the
+    `sudden` times and those after another film's failure are exempt."""
     gradual = ~np.isin(events.time, sudden) & (events.order == 1)
     field = events.field[gradual].abs().max()
     if breakdown and field > LATE * breakdown.strength:
@@ -236,12 +236,12 @@ def _warn_of_late(events, sudden, breakdown):
 
 
 def _unbridged(local, breakdown):
-    """Local thickness; NaN for a film at the floor, bridged by peaks of the surfaces."""
+    """Local thickness; NaN for a film at the floor, which asperities bridge."""
     return np.where(local > breakdown.floor, local, np.nan)
 
 
 class _Between:
-    """Values at `times` of arrays over the points `grid`, linear between them."""
+    """Interpolates arrays over the points `grid` linearly to `times`."""
 
     def __init__(self, grid, times):
         self.first = np.searchsorted(grid, times, "right") - 1

@@ -97,7 +97,7 @@ def figures(result: Result) -> dict[str, float | None]:
             found[f"{key}_{what}{unit}"] = (
                 None if values is None else _finite(getattr(values, what)())
             )
-    if fails and not found["threshold_min_V"]:  # bridged at times: the mean of the others
+    if fails and not found["threshold_min_V"]:  # bridged at times: mean over the other times
         whole = data.threshold_voltage.where(data.threshold_voltage > 0)
         found["threshold_mean_V"] = _finite(whole.mean()) or 0.0
     for name in "source_work mechanical_work leak_heat resistor_heat discharge_energy".split():
@@ -175,7 +175,7 @@ def _largest(values):
 
 
 def _before(values, events):
-    """The largest magnitude, also just before a discharge."""
+    """The largest magnitude, including values just before a discharge."""
     return max(_largest(values) or 0.0, _finite(events.abs().max()) or 0.0)
 
 
@@ -184,7 +184,7 @@ def _finite(value):
 
 
 def _place(events):
-    """Mean direction of the positions, weighted with energy; None without any, or for positions
+    """Mean direction of the positions, weighted by energy; None if there are none or if they are
     evenly distributed around the ring."""
     weight = events.energy.to_numpy(dtype=float)
     total = (weight * np.exp(1j * events.from_load_line.to_numpy(dtype=float))).sum()

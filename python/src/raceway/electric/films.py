@@ -39,7 +39,7 @@ class Films:
 
     def __post_init__(self) -> None:
         if len(self.time) < 2 or not (np.diff(self.time) > 0).all():
-            raise ValueError("films need at least two points of time, and times that rise")
+            raise ValueError("films need at least two points of time, in rising order")
         for name in ("capacitance", "conductance"):
             values = getattr(self, name)
             if not (np.isfinite(values).all() and (values >= 0).all()):
@@ -91,11 +91,11 @@ def series(capacitance: Floats) -> Series:
 
 
 def of_run(run: Run, leak: Leak | None = None, stray: float = 0.0) -> Films:
-    """The films of `run` from `raceway.open`, with the total capacitance of a contact if recorded
-    (`capacitance_total`), otherwise that of the contact patch.
+    """The films of `run` from `raceway.open`, with the total capacitance of each contact
+    (`capacitance_total`) if recorded, otherwise with that of the contact patch.
 
     `leak` makes them conduct; `stray` (F) is added to every film. Raises `RunError` for a run that
-    lacks what is needed.
+    lacks required data.
     """
     if run.settings["lubricant"] == "dry":
         raise RunError(f"{run.tables.folder}: a dry run has no films")
@@ -126,11 +126,11 @@ def of_dataset(
     name: str = "the dataset",
 ) -> Films:
     """The films of a dataset with dimensions time, raceway and ball, such as `run.contacts`. The
-    two films between a ball and a ring with two grooves are merged: in parallel, and the thinner
-    one fails.
+    two films between a ball and a ring with two grooves are merged: they are in parallel, and the
+    thinner one fails.
 
     `permittivity` (1) is that of the lubricant at rest, `roughness` (m) that of both surfaces.
-    `balls` has the azimuths of balls without contact; without it `contacts` has the azimuths. The
+    `balls` has the azimuths of all balls; if it is not given, they are taken from `contacts`. The
     columns a and b give the Hertz area.
     `name` is for messages. Raises `RunError` if a column is missing or a value is not a number.
     """

@@ -13,8 +13,8 @@ from raceway.theory.capacitance import VACUUM
 
 @dataclass(frozen=True)
 class Leak:
-    """Conduction of films: through the lubricant by its `resistivity` (ohm m), through asperities
-    by the resistance `metal` (ohm) of a contact.
+    """Conduction of films: through the lubricant of a given `resistivity` (ohm m), and through
+    asperities with the resistance `metal` (ohm) per contact.
 
     Asperities conduct where they carry more than `share` of the contact's load. None for either
     means no conduction. `permittivity` (1) of the lubricant is by default that of the run.
@@ -31,7 +31,7 @@ class Leak:
             if value is not None and not 0 < value < np.inf:
                 raise ValueError(f"{name} = {value:g} {unit} must be positive")
         if not 0 <= self.share < 1:
-            raise ValueError(f"share = {self.share:g} must lie from 0 to 1, 1 not included")
+            raise ValueError(f"share = {self.share:g} must be at least 0 and below 1")
         if self.permittivity is not None and not self.permittivity >= 1:
             raise ValueError(f"permittivity = {self.permittivity:g} must be 1 or more")
 

@@ -16,12 +16,12 @@ from raceway.errors import RunError
 # since the start, J
 ENERGIES = {
     "source_work": "work of the driving voltage since the start",
-    "mechanical_work": "work that moving the plates of the films put in since the start",
+    "mechanical_work": "work done on the films by moving their plates, since the start",
     "leak_heat": "heat in the conductance of films since the start",
     "resistor_heat": "heat in the resistance of the source since the start",
     "discharge_energy": "heat of discharges since the start",
     "stored_energy": "energy stored in films, beside them and in the coupling",
-    "energy_error": "largest gap in the balance of energy of a step so far",
+    "energy_error": "largest error so far in the energy balance of a step",
 }
 OUTER = ("factor", "coupling", "driving", "edges", "start")
 
@@ -32,7 +32,7 @@ class Solution(NamedTuple):
     ball: Floats  # (n, Z) V
     bearing: Floats  # (n,) V
     ball_charge: Floats  # (n, Z) C, carried from point to point
-    current: Floats  # (n,) A, mean of the step that ends here; no discharge counts
+    current: Floats  # (n,) A, mean of the step that ends here; excludes discharges
     charge_error: Floats  # (n,) C, largest so far
     energies: dict[str, Floats]  # (n,) J, by the names in `ENERGIES`
     failures: list[Failure]

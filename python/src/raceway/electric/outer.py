@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Circuit between the rings of a bearing (docs/electric_circuit, Outer circuit).
 
-The outer ring is the frame, at 0 V. Every outer circuit is reduced to `Terms`, the only form in the
-network.
+The outer ring is the frame, at 0 V. Every outer circuit is reduced to `Terms`, the only form that
+the network accepts.
 """
 
 from dataclasses import dataclass, field
@@ -18,12 +18,12 @@ class Terms(NamedTuple):
     """An outer circuit at the points of a solution, n of them."""
 
     capacitance: float  # from inner ring to frame, in parallel with the films, F
-    factor: float  # likewise, over the bearing's capacitance
+    factor: float  # likewise, as a multiple of the bearing's capacitance
     coupling: float  # from the driving voltage to the inner ring, F
     conductance: float  # likewise, S; infinite: the inner ring is at the driving voltage
     driving: Floats  # (n,) V
     edges: Floats  # (k, 3) s and V before and after, where the driving voltage kinks or jumps
-    start: float  # V of the inner ring at the first point where no voltage drives it
+    start: float  # V, initial voltage of an inner ring that no voltage drives
 
     @property
     def stiff(self) -> bool:

@@ -44,7 +44,7 @@ def write(films: Films, out: FilePath, name: str = NAME) -> Path:
 
 def write_lines(films: Films, path: FilePath) -> None:
     """Write the bearing as one element to the text file `path`: time (s), capacitance (F),
-    resistance of the leak (ohm, inf without one), one row for each sample. Raises `RunError` if
+    leak resistance (ohm, inf without one), one row for each sample. Raises `RunError` if
     that fails."""
     with np.errstate(divide="ignore"):
         table = np.stack(
@@ -62,7 +62,7 @@ def leak(films: Films) -> Floats:
 
 def _heading(films, name):
     yield f"* {name}: {len(films.balls)} balls, {films.time[0]:g} to {films.time[-1]:g} s"
-    yield "* controlling nodes: 1 V is 1 pF or 1 nS. Films are whole: there is no breakdown."
+    yield "* controlling nodes: 1 V is 1 pF or 1 nS. Films do not break down."
     yield f"* use: X1 a b {name}, with .tran ... uic"
 
 

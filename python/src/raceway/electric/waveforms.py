@@ -2,8 +2,8 @@
 """Voltages over time that drive an outer circuit (docs/electric_circuit).
 
 A waveform is called with an array of times (s) and returns volts. `shortest` is the shortest time
-(s) over which it changes, infinite if it does not limit the step. `edges` are the times within a
-range at which it kinks or jumps.
+(s) over which it changes, infinite if it does not limit the step. `edges` are its kinks and jumps
+within a range of times.
 """
 
 from dataclasses import dataclass
@@ -79,8 +79,8 @@ class Sine(Waveform):
 class CommonMode(Waveform):
     """Common-mode voltage of a three-phase inverter with two levels: the mean of its three legs.
 
-    A leg is at half the DC link voltage, `link` (V), while `modulation` times the sine of its phase
-    is not below a triangle of `carrier` (Hz), otherwise at minus that.
+    A leg is at plus half the DC link voltage, `link` (V), while `modulation` times the sine of its
+    phase is at or above a triangle of `carrier` (Hz), otherwise at minus half.
     `fundamental` (Hz) is the frequency of the phases. Four levels: +-link/2 and +-link/6.
     """
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Runs as files for other programs: ParaView (`vtk`) and OVITO (`xyz`). Bearings for
-programs of rotor dynamics: `ross`, and the other functions of `rotor`."""
+rotor dynamics programs: `ross` and the other functions of `rotor`."""
 
 from typing import Any
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The raceway tori as meshes: the strip of the groove between shoulders with a height of a fifth of
-a ball diameter."""
+"""The raceway tori as meshes: the part of the groove between shoulders that are a fifth of a ball
+diameter high."""
 
 import numpy as np
 
@@ -12,8 +12,8 @@ AROUND, ACROSS = 96, 9  # cells, points
 
 
 def mesh(bearing: Bearing, raceway: int, clearance: float = 0.0) -> tuple[Floats, Integers]:
-    """(points (n, 3) in m, quads (m, 4) of point numbers) of a groove centred at the origin, axis
-    z; normals towards the balls.
+    """(points (n, 3) in m, quads (m, 4) of point numbers) of a groove centred at the origin, with
+    axis z; normals point towards the balls.
 
     Points are `AROUND` rows of `ACROSS`; all points of a row have the same azimuth.
     """

@@ -3,8 +3,8 @@
 raceways as `.obj` surfaces.
 
 Columns have OVITO's standard names (species, id, pos, radius, velo); the others become
-properties of their own. Where a ball has no film, -1 is written, since not every reader of text
-accepts NaN.
+properties of their own. If a ball has no film, -1 is written, since not every text reader accepts
+NaN.
 """
 
 from pathlib import Path

@@ -18,11 +18,11 @@ def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
     """Write the run `tables` into the folder `out`; return the path of `bearing.pvd`, which is
     written last.
 
-    Balls are points with the `data` of `particles.frames` (part 0), raceways surfaces with the
+    Balls are points with the `data` of `particles.frames` (part 0). Raceways are surfaces with the
     `azimuth` of their points in the ring (rad; parts 1 inner, 2 outer). The inner one moves and
-    rotates; its tilt is omitted. The walls of the pockets of a cage that is one ring are part 3,
-    with the `force` of the ball on each (N). Raises `RunError` if the run's files are broken or
-    `out` cannot be written.
+    rotates; its tilt is omitted. The pocket walls of a one-piece cage are part 3, with the `force`
+    of the ball on each (N). Raises `RunError` if the run's files are broken or `out` cannot be
+    written.
     """
     out, entries, clearance = files.folder(out), [], tables.settings["clearance_m"]
     azimuth = np.repeat(np.arange(groove.AROUND) * 2 * np.pi / groove.AROUND, groove.ACROSS).astype(
@@ -54,7 +54,7 @@ def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
 
 
 def _pockets(tables, frame, number, out):
-    """Writes the pockets of a cage that is one ring; the names of the files."""
+    """Write the pockets of a one-piece cage; return the names of the files."""
     found = pockets(tables, frame.sample, frame.sample + 1)
     if found is None:
         return

@@ -29,13 +29,13 @@ class Frame(NamedTuple):
 
 
 def frames(tables: RunTables, every: int | None = None) -> Iterator[Frame]:
-    """Yield every `every`th sample of the run `tables` as a `Frame`, in bounded memory; None
-    chooses it so that at most `FRAMES` are left.
+    """Yield every `every`th sample of the run `tables` as a `Frame`, in bounded memory; None yields
+    at most `FRAMES` samples.
 
     `data` has id, type (1 ball, 2 cage ball), radius, velocity, spin, load (the larger one of a
     ball), the values of each column of `CARRIED` in the run on either raceway (`load_inner`
     ..., or `load_inner_0` ... for rings with two grooves), and capacitance (both in series).
-    Without contact: 0 for quantities that vanish with it, NaN for undefined ones. Raises `RunError`
+    Without contact, quantities that vanish are 0 and undefined ones NaN. Raises `RunError`
     if a file is broken.
     """
     if every is None:

@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The pockets of a cage that is one ring as a mesh: a cylinder along the radius for each."""
+"""The pockets of a one-piece cage as a mesh: each is a cylinder along the radius."""
 
 import numpy as np
 
 from raceway.arrays import Floats, Integers
 from raceway.theory.bearing import Bearing
 
-HEIGHT = 0.35  # of a pocket along the radius, divided by the ball's diameter
-AROUND = 24  # cells of a pocket
+HEIGHT = 0.35  # radial height of a pocket divided by the ball's diameter
+AROUND = 24  # cells around a pocket
 
 
 def mesh(bearing: Bearing, play: float) -> tuple[Floats, Integers]:
     """(points (n, 3) in m, quads (m, 4) of point numbers) of the walls of all pockets with this
-    `play` (m) in a cage at the origin, axis z; normals towards the balls.
+    `play` (m) in a cage at the origin with axis z; normals point towards the balls.
 
     Each pocket has 2 `AROUND` points, those nearer to the axis first. The first is at azimuth 0.
     """

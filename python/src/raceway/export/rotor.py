@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Stiffness and damping of a bearing for rotor dynamics: over load and speed, as a table (CSV,
-JSON) and for ROSS, without ROSS installed.
+"""Stiffness and damping of a bearing over load and speed for rotor dynamics, as a table (CSV, JSON)
+and for ROSS, which need not be installed.
 
 ROSS (`ross-rotordynamics`) has our axes: x, y across, z along the shaft, right-handed tilts alpha =
 rx and beta = ry. Its `BearingElement` takes translations alone, without coupling to z.
@@ -140,7 +140,7 @@ def ross(
 
 
 def ross_of(points: Sequence[Point], tilts: str = "held") -> dict[str, float | list[float]]:
-    """As `ross`, for `points` of one load and rising speed. Raises `ValueError` for others."""
+    """Like `ross`, for `points` of one load and rising speed. Raises `ValueError` for others."""
     speeds = [one.rpm for one in points]
     if len({(one.load, one.axial) for one in points}) != 1 or np.any(np.diff(speeds) <= 0):
         raise ValueError("ROSS takes the points of one load and of rising speed")
@@ -187,16 +187,16 @@ def rest(point: Point) -> tuple[Floats, Floats]:
 
 def add_rest(rotor: Any, node: int, point: Point) -> None:
     """Add `rest` to the matrices K0 and C0 of a ROSS `rotor` before its first analysis, because it
-    caches its results. The rest does not change with speed there, so choose a `point` in the middle
-    of your range.
+    caches its results. The rest does not change with speed in ROSS, so choose a `point` in the
+    middle of your speed range.
 
     Raises `RacewayError` for a rotor whose nodes do not have six degrees of freedom (ROSS before
     2.0).
     """
     if rotor.number_dof != ROSS_FREEDOMS:
         raise RacewayError(
-            f"this rotor has {rotor.number_dof} degrees of freedom a node, and needs"
-            f" {ROSS_FREEDOMS}: take ROSS 2.0 or later"
+            f"this rotor has {rotor.number_dof} degrees of freedom per node, but needs"
+            f" {ROSS_FREEDOMS}: use ROSS 2.0 or later"
         )
     at = slice(ROSS_FREEDOMS * node, ROSS_FREEDOMS * (node + 1))
     stiffness, damping = rest(point)
@@ -205,14 +205,14 @@ def add_rest(rotor: Any, node: int, point: Point) -> None:
 
 
 def element(node: int, *arguments: Any, tag: str | None = None, **options: Any) -> Any:
-    """ROSS's `BearingElement` at `node` of `ross`(*arguments, **options). Raises `RacewayError`
+    """ROSS's `BearingElement` at `node`, from `ross`(*arguments, **options). Raises `RacewayError`
     without ROSS."""
     try:
         from ross import BearingElement
     except ImportError as error:
         raise RacewayError(
-            f"ROSS does not load ({error}): pip install ross-rotordynamics 'plotly<7', or"
-            " take the keyword arguments of raceway.export.ross"
+            f"cannot load ROSS ({error}): pip install ross-rotordynamics 'plotly<7', or"
+            " use the keyword arguments of raceway.export.ross"
         ) from None
     return BearingElement(int(node), tag=tag, **ross(*arguments, **options))
 
@@ -279,7 +279,7 @@ def _unit(a: int, b: int, second: str = "") -> str:
 
 
 def _cleaned(one):
-    """Without the rounding errors of entries that are 0 by symmetry."""
+    """The matrix without rounding errors in entries that are 0 by symmetry."""
     result = []
     for matrix in one:
         scale = np.sqrt(np.abs(np.diag(matrix)))

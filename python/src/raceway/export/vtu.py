@@ -2,8 +2,8 @@
 """VTK's XML format for points and quads, and the list of a time series (VTK User's Guide, "VTK File
 Formats").
 
-Written here because it is a few lines; the libraries that write it require a mesh database or a
-renderer. The tests read it with meshio.
+Implemented here because it takes only a few lines; libraries that write it require a mesh database
+or a renderer. The tests read the files with meshio.
 """
 
 import base64

@@ -16,7 +16,7 @@ OILS = {"mineral": "mineral oil", "pao48": "PAO VG48"}
 
 @dataclass
 class Book:
-    """Readings of the finished cases, and the data of inputs/ that belong to them."""
+    """Readings of the finished cases, and the corresponding data of inputs/."""
 
     root: Path
     readings: Readings

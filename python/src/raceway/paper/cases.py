@@ -72,7 +72,7 @@ def plan(root: Path) -> Plan:
             f"{path}: {error!r} where cases (deck, with) and products were expected"
         ) from None
     if unknown := sorted({need for needs in products.values() for need in needs} - set(sets)):
-        raise InputError(f"{path}: products ask for unknown cases: {', '.join(unknown)}")
+        raise InputError(f"{path}: products refer to unknown cases: {', '.join(unknown)}")
     return Plan(sets, products, root)
 
 

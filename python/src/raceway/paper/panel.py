@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Parts that the paper's figures share."""
+"""Shared parts of the paper's figures."""
 
 from typing import Any
 

@@ -76,7 +76,7 @@ class Reading:
     @cached_property
     def _whole(self):
         run = Run(self.tables.folder)
-        run.tables = self.tables  # whose contacts have been read already
+        run.tables = self.tables  # its contacts have already been read
         found = whole_capacitance.over_time(run, self.filling)
         line = run.balls["from_load_line"].sel(time=found["time"])
         return _sorted(
@@ -108,7 +108,7 @@ class Reading:
         return pairs.reindex(range(self.tables.contacts.attrs["samples"]), fill_value=0).to_numpy()
 
     def cage_contact_share(self, ball_radius: float, cage_radius: float) -> float:
-        """Share of all neighbouring pairs of ball and cage ball, over all samples, that touch."""
+        """Fraction of neighbouring pairs of ball and cage ball in contact, over all samples."""
         balls = self.tables.balls
         places = {
             kind: (
@@ -130,14 +130,14 @@ class Reading:
         return float((contacts["friction"].abs() / (contacts["mu"] * contacts["normal"])).max())
 
     def spin(self) -> float:
-        """Mean spin in rad/s of a ball about the bearing's axis, opposite to the inner ring's
-        sense."""
+        """Mean spin in rad/s of a ball about the bearing's axis, positive opposite to the inner
+        ring's rotation."""
         balls = self.tables.balls
         return -float(balls.loc[balls["type"] == BALL, "omegaz"].mean())
 
 
 def gridded(psi: Floats, values: Floats) -> Floats:
-    """Values at whole degrees; zero where no sample is near, as outside the load zone."""
+    """Values at whole degrees; zero where no sample is near, for instance outside the load zone."""
     result = np.interp(GRID, psi, values, period=360)
     gap = np.min(np.abs((GRID[:, None] - psi[None, :] + 180) % 360 - 180), axis=1)
     return np.where(gap < 0.5, result, 0.0)

@@ -26,8 +26,8 @@ class CaseError(RacewayError):
 
 
 def root() -> Path:
-    """The source tree around the present folder. Raises `RacewayError` if there is none or it is
-    not built."""
+    """The source tree that contains the current folder. Raises `RacewayError` if there is none or
+    it is not built."""
     here = Path.cwd()
     for folder in (here, *here.parents):
         if (folder / "inputs/paper/cases.yaml").is_file():
@@ -49,7 +49,7 @@ class Outcome:
 
 
 class Runner:
-    """Runs the cases of one source tree; results are stored in `store`, one folder for each state
+    """Runs the cases of one source tree. Results are in `store`, in one folder for each state
     of program and inputs."""
 
     def __init__(self, tree: Path, store: FilePath) -> None:

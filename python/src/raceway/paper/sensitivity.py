@@ -2,8 +2,8 @@
 """Change of results over the plausible range of data missing from the paper's text: its oils (table
 2) and the roughness.
 
-By theory, at 5 kN, 0.41 m/s, no clearance; two runs with other oils show that the simulation
-changes in the same way.
+The changes come from theory, at 5 kN, 0.41 m/s and no clearance; two runs with other oils show that
+the simulation changes in the same way.
 """
 
 import itertools
@@ -108,8 +108,8 @@ def power(book: Book, what: str, ball: Callable[[Oil], float] | None = None) -> 
 def oils_ratio(
     book: Book, first: str, second: str, ball: Callable[[Oil], float] | None = None
 ) -> tuple[float, float]:
-    """(least, greatest) ratio of the oils' capacitances of a ball on the load line over all corners
-    of their ranges; `ball` as in `power`."""
+    """(least, greatest) ratio of a load-line ball's capacitances with the two oils, over all
+    corners of their ranges; `ball` as in `power`."""
     ends, of = ranges(book), ball or _plates(book)
 
     def corners(name):

@@ -94,8 +94,8 @@ def judge(
     printed: Mapping[str, Quantity],
     whole: Mapping[str, Quantity] = MappingProxyType({}),
 ) -> Judged:
-    """`Judged` of a statement, from {name: `Quantity`} of the corrected and of the printed
-    formulas, and of those that replace the corrected ones with the total capacitance.
+    """`Judged` of a statement, from {name: `Quantity`} by the corrected formulas, by the printed
+    formulas, and by the total capacitance (only those that differ from the corrected ones).
 
     `statement.whole` has the rules and numbers for the total capacitance where they differ.
     """
@@ -126,7 +126,7 @@ def judge(
 
 
 def _other(statement, corrected, others):
-    """Verdict and numbers if `others` replace some of those that `statement` uses."""
+    """Verdict and numbers if `others` replace some of the quantities that `statement` uses."""
     used = {name for rule in statement.rules for name in names(rule)} | set(statement.show)
     if used & set(others):
         return _verdict(statement, {**corrected, **others})

@@ -3,7 +3,7 @@
 capacitance on top.
 
 No run is needed: `raceway.static` gives the loads, `film` and `capacitance` the rest. `printed`
-takes eqs 2 and 9 as the paper prints them (docs/errata.rst).
+uses eqs 2 and 9 as printed in the paper (docs/errata.rst).
 """
 
 from functools import lru_cache
@@ -43,8 +43,8 @@ def contact(
     clearance: float = 0.0,
     printed: bool = False,
 ) -> Contact:
-    """`Contact` for loads in N at an entrainment speed in m/s; unloaded ones have no film (nan) and
-    no capacitance."""
+    """`Contact` for loads in N at an entrainment speed in m/s; unloaded contacts have no film (nan)
+    and no capacitance."""
     r_x, r_y = bearing.effective_radii(raceway, clearance=clearance)
     ellipse = hertz.hamrock_brewe(r_x, r_y, printed=True) if printed else hertz.exact(r_x, r_y)
     load = np.asarray(load, float)
@@ -124,7 +124,7 @@ def bearing_capacitance(
     printed: bool = False,
 ) -> float:
     """Mean of the bearing's capacitance in F over a ball pass (eq 12). `printed` keeps the loads:
-    without clearance, a stiffness that differs by the same factor everywhere shares the load in the
-    same way."""
+    without clearance, the load distribution does not change if all stiffnesses change by the same
+    factor."""
     _, load, _ = loads(bearing, radial_load, clearance)
     return float(ball(bearing, oil, load, speed, clearance, printed).sum(axis=1).mean())

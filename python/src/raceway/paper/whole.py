@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Total capacitance from statics, flooded: as in `theory`, which has the plates alone, but with
+"""Total capacitance from statics, flooded: like `theory`, which has only the plates, but with
 the gap around them and the unloaded balls."""
 
 from functools import lru_cache
@@ -17,7 +17,7 @@ PHASES = 6
 
 @lru_cache(maxsize=256)
 def _state(bearing, radial_load, spin, step):
-    """State and Q_u with the first ball `step` of `PHASES` from the load line to the next one."""
+    """State and Q_u with the first ball `step`/`PHASES` of a ball spacing past the load line."""
     phase = 2 * np.pi / bearing.balls * step / PHASES
     state, orbit = lubrication.turning(bearing, spin, radial_load, phase=phase)
     return state, capacitors.quiet_load(bearing, orbit)

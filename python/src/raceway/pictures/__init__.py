@@ -1,3 +1,2 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Pictures of runs, one in each module: each has a function that draws a run (a `RunTables`) to a
-file."""
+"""Pictures of runs, one per module; its function draws a run (a `RunTables`) to a file."""

@@ -36,17 +36,17 @@ def animation(
 ) -> Path:
     """Animate the run `tables` to `path`, which ends in .gif or .mp4; return the `Path`.
 
-    `passes` ball passes (None: all measured, at most 4) in `frames` pictures, evenly in time,
-    `rate` a second, `width` dots wide; `colour` and `factor` as in `scene.scene`. The same run
-    gives the same GIF to the bit. Raises `RunError` if the run's files are broken, hold fewer
-    passes, or the animation cannot be written.
+    Shows `passes` ball passes (None: all measured, at most 4) in `frames` pictures, evenly spaced
+    in time, at `rate` per second, `width` pixels wide; `colour` and `factor` as in `scene.scene`.
+    The same run gives a bitwise identical GIF. Raises `RunError` if the run's files are broken,
+    contain fewer passes, or the animation cannot be written.
     """
     kind = str(path).lower().rpartition(".")[2]
     if kind not in WRITERS:
         raise RunError(f"{path}: an animation is a .gif or an .mp4")
     if kind == "mp4" and not shutil.which("ffmpeg"):
         raise RunError(
-            f"{path}: writing an MP4 needs the program ffmpeg, which is not there: apt-get install"
+            f"{path}: writing an MP4 needs the program ffmpeg, which is missing: apt-get install"
             " ffmpeg, or name a .gif"
         )
     tables, samples = _window(tables, passes, frames)
@@ -72,7 +72,7 @@ def _window(tables, passes, frames):
         raise RunError(f"{tables.folder} holds no sample to draw")
     way = tables.passes(tables.first + np.arange(have))
     way = way - way[0]
-    # the cage slips: the number of passes requested by the deck is accepted
+    # the cage slips, so the number of passes that the deck requests is accepted
     if passes is not None and passes > max(way[-1], tables.settings["passes"]) + 0.5 / have:
         raise RunError(f"{tables.folder} has {way[-1]:.3g} ball passes, fewer than {passes:g}")
     wanted = max(int(np.searchsorted(way, 4.0 if passes is None else passes)), 1)
@@ -109,8 +109,8 @@ def _gif(part, pictures, rate):
 
 
 def _palette():
-    """One palette for all pictures: parts that do not change from one to the next then cost
-    nothing. Pictures have few colours."""
+    """One palette for all frames, so that parts that do not change between frames take no space.
+    Frames have few colours."""
     scale = plt.get_cmap(style.MAP)(np.linspace(0, 1, COLOURS))[:, :3]
     grey = np.repeat(np.linspace(0, 1, GREYS)[:, None], 3, axis=1)
     flat = to_rgba_array([STEEL, CAGE, IDLE, style.INK, style.SOFT, style.FAINT])[:, :3]
@@ -121,7 +121,7 @@ def _palette():
 
 def _mp4(part, pictures, rate):
     first = next(pictures)
-    # the usual colour format needs even sizes
+    # the usual pixel format needs an even width and height
     height, width = (size - size % 2 for size in first.shape[:2])
     command = [
         "ffmpeg",
@@ -151,7 +151,7 @@ def _mp4(part, pictures, rate):
                     program.stdin.write(np.ascontiguousarray(picture[:height, :width]).tobytes())
                 program.stdin.close()
             except BrokenPipeError:
-                pass  # it has stopped and printed the reason
+                pass  # ffmpeg has stopped and printed the reason
         if program.returncode:
             said.seek(0)
             raise RunError(

@@ -115,7 +115,7 @@ def polar(axes: Axes, title: str, unit: str, edge: float, handles: Sequence[Arti
     """Scales of polar `axes` that reach `edge` in `unit`, with the load line down; `title` and
     legend of `handles` above."""
     axes.set_title(title, pad=54, x=-0.06)
-    axes.set_theta_zero_location("S")  # the load line points down, as a weight does
+    axes.set_theta_zero_location("S")  # the load line points down, like a weight
     axes.set_thetagrids(
         range(0, 360, 45),
         [f"{angle}°".replace("-", "−") for angle in (0, 45, 90, 135, 180, -135, -90, -45)],

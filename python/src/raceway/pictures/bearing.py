@@ -22,7 +22,7 @@ from raceway.runs.turning import changes
 from raceway.theory.bearing import INNER, OUTER
 from raceway.units import axis, prefixed
 
-# of a ball's diameter: rings behind the grooves, half their width, their shoulders
+# fractions of a ball's diameter: ring thickness behind the grooves, half width, shoulder height
 THICK, WIDE, SHOULDER = (0.3, 0.72, 0.2)
 STEEL, DARK, LIGHT, CAGE, IDLE = "#c9ced6", 0.52, 0.92, "#efe9dc", "#f4f4f4"
 SHADES = 12  # shades of a groove
@@ -33,7 +33,7 @@ def bearing(
     tables: RunTables, path: FilePath, colour: str = "load", factor: float | None = None
 ) -> None:
     """Draw the run `tables` at the sample with the largest contact load to the PNG `path`; `colour`
-    and `factor` as `scene`'s.
+    and `factor` as in `scene`.
 
     Raises `RunError` if the run's files are broken or the picture cannot be written.
     """
@@ -48,7 +48,7 @@ def bearing(
 
 class Sheet:
     """A figure of the `Scene` `what` of the run `tables`; `show(k)` moves everything to its
-    position at the k-th of its samples."""
+    position at the k-th sample of the scene."""
 
     def __init__(self, tables: RunTables, what: Scene, colour: str, dpi: int = 110) -> None:
         self.tables, self.scene, self.geometry = tables, what, tables.geometry

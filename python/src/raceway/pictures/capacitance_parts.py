@@ -28,8 +28,8 @@ PARTS = (
 
 
 def parts(results: Sequence[Mapping[str, Any]], over: str, path: FilePath) -> None:
-    """Draw the parts of the capacitance in `results` (of `electric_point.figures`) over a key of
-    `OVER` to the PNG `path`. Raises `RunError` when it cannot be written."""
+    """Draw the parts of the capacitance in `results` (from `electric_point.figures`) over a key of
+    `OVER` to the PNG `path`. Raises `RunError` if it cannot be written."""
     label, scale = OVER[over]
     results = sorted(results, key=lambda one: one[over])
     x = scale * np.array([one[over] for one in results])

@@ -19,10 +19,10 @@ RACEWAYS = ("inner", "outer")
 def picture(run: Run, result: Result, path: FilePath) -> None:
     """Draw the discharges of `result`, the circuit of `run`, to the PNG `path`.
 
-    A dot is a discharge, with the colour of the raceway where the first film failed. Left: its
-    azimuth from the load line, and its energy as the radius. Right: the bearing voltage before it,
-    over the remaining voltage and the threshold voltage. Raises `RunError` if the picture
-    cannot be written.
+    A dot is a discharge, in the colour of the raceway where the first film failed. Left: azimuth
+    from the load line, with the energy as radius. Right: bearing voltage before the discharge, and
+    the remaining voltage and the threshold voltage. Raises `RunError` if the picture cannot be
+    written.
     """
     with plt.rc_context(style.STYLE):
         figure = plt.figure(figsize=(14, 7.4), dpi=110)

@@ -20,8 +20,8 @@ BINS = 72  # sectors of the ring, in the picture of the field
 
 
 def parts(run: Run, data: xr.Dataset, path: FilePath) -> None:
-    """Draw the parts of the capacitance of a `run` over time to the PNG `path`, `data` of
-    `film_figures.over_time`. Raises `RunError` when it cannot be written."""
+    """Draw the parts of the capacitance of a `run` over time to the PNG `path`; `data` is from
+    `film_figures.over_time`. Raises `RunError` if it cannot be written."""
     layers = np.stack([data[name].to_numpy() for name in VARIABLES])
     factor, unit = axis(layers.sum(0).max(), "F")
     with plt.rc_context(STYLE):
@@ -43,8 +43,8 @@ def parts(run: Run, data: xr.Dataset, path: FilePath) -> None:
 
 
 def field(run: Run, fields: xr.Dataset, voltage: float, path: FilePath) -> None:
-    """Draw the largest field in the films around the ring under a `voltage` (V) over a `run` to the
-    PNG `path`, `fields` of `whole_capacitance.fields`. Raises `RunError` when it cannot be
+    """Draw the largest field during a `run` in the films around the ring, under a `voltage` (V), to
+    the PNG `path`; `fields` is from `whole_capacitance.fields`. Raises `RunError` if it cannot be
     written."""
     place = run.balls["from_load_line"].sel(time=fields["time"]).transpose("time", "ball")
     edges = np.linspace(-np.pi, np.pi, BINS + 1)

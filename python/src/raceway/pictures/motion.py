@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Motion of the inner ring: orbit, displacement, tilt, and moment against its spin; force on the
-cage, and the orbit and pockets of a cage ring."""
+"""Motion of the inner ring: orbit, displacement, tilt, and moment opposing its spin. Also the force
+on the cage, and the orbit and pockets of a one-piece cage."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -18,8 +18,8 @@ from raceway.units import axis, prefixed
 
 def motion(tables: RunTables, path: FilePath) -> None:
     """Draw the motion of the inner ring of the run `tables` to the PNG `path`: orbit of its centre,
-    displacement, tilt, the moment against its spin and the largest force on the cage over time;
-    of a cage ring also its orbit and the force of balls on their pockets over azimuth.
+    displacement, tilt, the moment opposing its spin and the largest force on the cage over time;
+    for a one-piece cage also its orbit and the force of balls on their pockets over azimuth.
 
     Quantities that were not recorded, or did not change, have no panel. Raises `RunError` if the
     run's files are broken, have no ring, or the picture cannot be written.
@@ -106,15 +106,15 @@ def _tilt(axes, tables):
 
 
 def _torque(axes, tables):
-    # its mean, the friction torque, is far below the ripple, so the summary derives it from the
-    # losses
+    # the mean of this moment, the friction torque, is far below its ripple, so the summary derives
+    # it from the losses
     torque = -tables.rings["mz"] * np.sign(tables.motion.shaft)
     _lines(axes, tables, {"balls on the inner ring": torque}, "N m")
     axes.set_title("Moment against the spin", pad=10)
 
 
 def _cage(axes, tables):
-    # contacts of the cage are short, and recorded at the ends of the host's steps only
+    # cage contacts are short and recorded only at the ends of host steps
     force = tables.totals["cage_force"].dropna()
     factor, unit = axis(force.max() or 1.0, "N")
     time = tables.passes(force.index.to_numpy())

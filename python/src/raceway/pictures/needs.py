@@ -12,7 +12,7 @@ from raceway.pictures.style import INK, MAP, PALETTE, SOFT, STYLE, save
 from raceway.sweeps.needs import Needs
 from raceway.sweeps.needs_shown import percent
 
-LEAST, MOST = 1e-4, 1.0  # relative effects, limits of the scale
+LEAST, MOST = 1e-4, 1.0  # limits of the scale of relative effects
 
 
 def picture(found: Needs, path: FilePath) -> None:
@@ -20,7 +20,7 @@ def picture(found: Needs, path: FilePath) -> None:
     fails."""
     words = list(found.figures)
     rows = [(one.picked[0].label, one) for one in found.single]
-    rows.append(("cheapest set that keeps what is wanted", found.best))
+    rows.append(("cheapest set with the required accuracy", found.best))
     with plt.rc_context(STYLE):
         figure, (effect, cost) = plt.subplots(
             1,

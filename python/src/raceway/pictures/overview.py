@@ -15,7 +15,7 @@ from raceway.runs.tables import RunTables
 from raceway.theory.bearing import INNER, OUTER
 from raceway.units import axis, prefixed
 
-PARTS = 3  # of the friction torque with a colour of their own: as many as the legend has room for
+PARTS = 3  # parts of the friction torque with their own colour: as many as fit in the legend
 
 
 def overview(tables: RunTables, path: FilePath) -> None:
@@ -88,7 +88,7 @@ def _torque(axes, tables, scale):
     those below a hundredth of the total are drawn as one."""
     samples = np.arange(len(tables.totals))
     lost = {name: tables.totals[key] for name, key in LOSSES.items() if key in tables.totals}
-    # the cage's is known at the ends of steps only
+    # the cage's is known only at the ends of steps
     full = {name: values.interpolate(limit_direction="both") for name, values in lost.items()}
     lost = {name: scale * values.to_numpy(float) for name, values in full.items()}
     whole = sum(lost.values())
@@ -115,7 +115,7 @@ def _pressures(axes, tables):
     factor, unit = axis(largest, "Pa")
     for side in (OUTER, INNER):
         for psi, pressure in tracks(tables, side, "pressure"):
-            # back by one turn, without a line across the panel
+            # no line across the panel where the angle jumps back by one turn
             turn = 2 * np.pi * np.round(psi / (2 * np.pi))
             breaks = np.flatnonzero(np.diff(turn) != 0) + 1
             axes.plot(

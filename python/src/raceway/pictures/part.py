@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The drawn part of a run, and the tracks of its balls around the ring.
 
-Every ball is drawn as it passes the sampled positions, so a curve around the ring overlays all
-balls; the width of the band shows the influence of the positions of the other balls.
+A curve around the ring overlays the tracks of all balls; the width of the band shows the influence
+of the positions of the other balls.
 """
 
 import warnings
@@ -20,8 +20,8 @@ LARGE, PASSES = (200 << 20, 20)
 
 
 def shown(tables: RunTables, note: str = "") -> RunTables:
-    """The drawn part of the run `tables`: all, unless there are too many curves for memory or
-    paper. Then a warning is issued, and `note` is set."""
+    """The part of the run `tables` to draw: all of it, unless there would be too many curves for
+    memory or paper. In that case it warns, with `note` at the end of the text."""
     path = tables.record.path
     if tables.stop is not None or path.stat().st_size < LARGE:
         return tables

@@ -63,8 +63,8 @@ def polar(tables: RunTables, path: FilePath) -> None:
 
 def theory(tables: RunTables) -> dict[int, dict[str, Floats]]:
     """{side: {"psi": rad, "load": N, "h_min": m, "h_c": m}} of the loaded contacts at `PHASES`
-    positions of the balls; no films when dry. Empty if the load is unknown to theory: contacts
-    at an angle, or no equilibrium.
+    positions of the balls; no films when dry. Empty if theory does not apply: contacts at an
+    angle, or no equilibrium.
     """
     if "angle" in tables.contacts and np.abs(tables.contacts["angle"]).max() > STRAIGHT:
         return {}

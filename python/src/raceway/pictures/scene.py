@@ -23,7 +23,7 @@ COLOURS = {
     "film": ("h_min", "thinner film of a ball", "m"),
     "capacitance": ("capacitance", "capacitance of a ball", "F"),
 }
-VISIBLE = 0.12  # largest drawn motion over a ball's radius
+VISIBLE = 0.12  # largest drawn motion as a fraction of a ball's radius
 
 
 @dataclass(frozen=True)
@@ -34,13 +34,13 @@ class Scene:
     factor: float  # exaggeration
     balls: Floats  # (n, Z, 3)
     cage: Floats  # (n, C, 3)
-    pockets: Floats  # (n, P, 3), centres of the pockets of a cage that is one ring
+    pockets: Floats  # (n, P, 3), centres of the pockets of a one-piece cage
     pocket_play: float  # along the pitch circle
     ring: Floats  # (n, 3), displacement of the inner ring
     half_clearance: float
     turned: Floats  # (n, Z), of the balls about z since the first sample
     ring_turned: Floats  # (n,), of the inner ring
-    values: Floats  # (n, Z), what balls are coloured by, NaN where a ball has none
+    values: Floats  # (n, Z), values for the colours of balls, NaN where a ball has none
     load: Floats  # (n, Z), values for the colours of balls, NaN where a ball has none
 
 
@@ -48,8 +48,8 @@ def scene(
     tables: RunTables, samples: Integers, colour: str = "load", factor: float | None = None
 ) -> Scene:
     """`Scene` of the run `tables` at `samples`, an array of numbers of its samples in ascending
-    order; balls have the values of `colour`, a key of `COLOURS`. `factor` None: `nice` of the
-    largest motion.
+    order; balls have the values of `colour`, a key of `COLOURS`. If `factor` is None, it is the
+    `nice` factor for the largest motion.
 
     Raises `RunError` if the run's files are broken or lack the columns for `colour`.
     """
@@ -102,7 +102,7 @@ def scene(
 
 
 def nice(seen: float, largest: float) -> float:
-    """The largest of 1, 2, 5, 10, 20 ... that keeps `largest` at or below `seen`, at least 1.
+    """The largest of 1, 2, 5, 10, 20 ... whose product with `largest` is at most `seen`, or 1.
 
     >>> nice(0.75e-3, 34.8e-6), nice(0.75e-3, 2e-3), nice(0.75e-3, 0.0)
     (20.0, 1.0, 1.0)

@@ -11,7 +11,7 @@ from raceway.shaft_file import Case
 from raceway.theory.shaft import Rest
 from raceway.units import axis, prefixed
 
-POINTS = 20  # a piece, of its cubic
+POINTS = 20  # points per cubic segment
 
 
 def line(z: np.ndarray, moved: np.ndarray, slope: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -17,7 +17,7 @@ from raceway.runs.spectrum import COMPLIANCE, NAMES, OUTER_RING, SHAFT, Line
 from raceway.units import axis
 
 COLOUR = dict(zip((*NAMES.values(), SHAFT, OUTER_RING, COMPLIANCE), cycle(PALETTE)))
-WIDE, NARROW = 0.075, 0.014  # fractions of the axis: a label across, a label along its line
+WIDE, NARROW = 0.075, 0.014  # widths of a horizontal and of a vertical label, fractions of the axis
 PAPER = {"facecolor": "white", "edgecolor": "none", "pad": 1.5, "alpha": 0.85}
 DECADES = 6  # range shown below the strongest line
 ROOM = 9.0  # position on the axis of amplitudes of a row of labels

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Picture of a signal over time and frequency, or order, with the kinematic lines named at its side
-and the shaft's speed above."""
+"""Picture of a signal over time and frequency or order, with the names of the kinematic lines at
+the side and the shaft's speed above."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -60,7 +60,7 @@ def picture(run: Source, found: xr.DataArray, path: FilePath) -> None:
         above.set(ylabel="shaft (rpm)", ylim=(0, 1.15 * speed.max()))
         above.grid(True)
         above.tick_params(labelbottom=False)
-        # below: the names of the lines are on the right
+        # at the bottom, because the names of the lines are on the right
         bar = figure.colorbar(mesh, ax=main, location="bottom", shrink=0.4, aspect=40, pad=0.01)
         bar.set_label(f"amplitude ({unit})" if unit else "amplitude")
         bar.outline.set_edgecolor(FAINT)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Capacitance over azimuth and time: one band for each ball, next to it the bearing's total, above
-it one ball's path around the ring."""
+"""Capacitance over azimuth and time: one band for each ball, with the bearing's total beside it and
+one ball's path around the ring above it."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -18,7 +18,7 @@ from raceway.runs.tables import RunTables
 from raceway.units import axis
 
 WIDTH = 0.5  # width of a band, in ball pitches
-ROWS = 600  # if there are more samples than a page has dots, some are skipped
+ROWS = 600  # samples drawn; of more than a page has dots for, some are skipped
 IDLE = "#ececec"  # a ball that is not loaded on both raceways
 
 
@@ -84,7 +84,7 @@ def waterfall(tables: RunTables, path: FilePath) -> None:
             beside = figure.add_subplot(grid[1, 1], sharey=main)
             factor, unit_all = axis(total.max(), "F")
             beside.plot(total * factor, times, color=INK, lw=1.8)
-            # a ripple of a per cent is visible but small
+            # a ripple of one per cent is visible but small
             half = max(0.6 * np.ptp(total), 0.025 * total.max()) * factor or 1
             beside.set(
                 xlabel=f"bearing ({unit_all})",

@@ -58,8 +58,8 @@ def compare(
     harmonics: int = 3,
 ) -> Comparison:
     """`Comparison` of a column of a `ring` of `run` with a `channel` of a `recording` of the same
-    bearing. The run is resampled at the rate of the recording (`sensor.decimated`) if it is
-    faster; the envelopes of both use one `band` (Hz, Hz), by default the recording's most
+    bearing. A run with a higher sampling rate than the recording is resampled to that rate
+    (`sensor.decimated`). Both envelopes use one `band` (Hz, Hz), by default the recording's most
     impulsive one. Raises `RunError` as `envelope.of_run` does, and for a band outside the range of
     the run's signal."""
     heard = recording.signal(channel)

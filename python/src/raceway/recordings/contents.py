@@ -34,8 +34,8 @@ class Contents(NamedTuple):
 
 
 def channel(path: FilePath, name: str, values: ArrayLike, rate: float, **words: Any) -> Channel:
-    """`Channel` of `values`, a row or a column; `scale` into SI `units`, and the `meaning`. Raises
-    `RunError` for values that are not finite numbers, and for another shape."""
+    """`Channel` of `values`, a row or a column; `words` are the `scale` into SI `units` and the
+    `meaning`. Raises `RunError` for values that are not finite numbers and for other shapes."""
     try:
         row = np.ravel(np.asarray(values, float)) * words.get("scale", 1.0)
     except (TypeError, ValueError):

@@ -2,9 +2,9 @@
 """State of a bearing from readings: clearance, loads, oil temperature, cooling, each with its
 uncertainty, and the combinations that the readings cannot separate.
 
-Least squares over statics, friction and films within the ranges of the unknowns. A range is treated
-as the only prior knowledge of an unknown. Where readings leave one direction open, as one line does
-for clearance and thrust, the valley is traced and shown: all its points explain the readings.
+Statics, friction and films are fitted by least squares within the ranges of the unknowns. A range
+is the only prior knowledge of an unknown. If the readings leave one direction open, as a single
+line does for clearance and thrust, the valley is traced: all its points explain the readings.
 """
 
 import math
@@ -24,9 +24,9 @@ TRIED = 8  # starting points for each unknown; the best are refined until one ex
 REFINED = 4
 STEP = 1e-4  # share of a range, for derivatives
 UNIFORM = 1 / math.sqrt(12)  # standard deviation of a range of 1
-OPEN = 0.35  # share of it above which an unknown or direction counts as not determined
+OPEN = 0.35  # fraction of UNIFORM above which an unknown or direction counts as not determined
 VALLEY = 7  # points traced
-CHI = 3.84  # rise of the sum of squares at 95 %, one unknown
+CHI = 3.84  # increase of the sum of squares at the 95 % limit of one unknown
 TWO_SIDED = 1.96
 FAR = 1e3  # residual of a state that cannot carry the load
 WIDE = 10.0  # ratio of its ends above which a range is searched logarithmically
@@ -51,15 +51,15 @@ class Found(NamedTuple):
     # states that explain the readings equally well; empty: one point
     valley: list[dict[str, float]]
     idle: int  # largest number of unloaded balls at any point
-    # rad, contact angle at the first reading for which statics is solved, mean of the contacts by
-    # load; None if only temperatures of the oil were read
+    # rad, mean contact angle weighted by load, at the first reading for which statics is solved;
+    # None if only temperatures of the oil were read
     angle: Value | None
-    # share by which the cage is slower there than by that angle; None without a line of it
+    # cage slip there relative to rolling at that angle; None without a line of the cage
     slip: Value | None
 
     @property
     def chi(self) -> float:
-        """Sum of the squares of the residuals: about the number of readings minus that of
+        """Sum of the squared residuals: roughly the number of readings minus the number of
         determined unknowns, unless a reading or the model is wrong."""
         return float(self.residuals @ self.residuals)
 
@@ -69,7 +69,7 @@ def identify(readings: Readings) -> Found:
     loads."""
     search = _Search(readings)
     best = search.best()
-    if search.idle(best).any():  # the play of the pockets matters there
+    if search.idle(best).any():  # the pocket play matters there
         search.slip = search.lag(best)
         best = search.refine(best)
     names = list(readings.unknown)
@@ -100,8 +100,8 @@ def identify(readings: Readings) -> Found:
 
 
 def _along(names, variances, weak):
-    """Number of the unknown along which the valley is traced: the most uncertain one, and one of
-    clearance and thrust before any other."""
+    """Number of the unknown along which the valley is traced: the more uncertain of clearance and
+    thrust if there is one, otherwise the most uncertain unknown."""
     first = [k for k, name in enumerate(names) if weak[k] and name in ("clearance", "axial")]
     return max(first or range(len(names)), key=lambda k: variances[k])
 
@@ -213,7 +213,7 @@ class _Search:
         tried = qmc.Sobol(size, scramble=False).random(1 << math.ceil(math.log2(TRIED * size)))
         costs = [float((self.residuals(one) ** 2).sum()) for one in tried]
         if min(costs) >= FAR**2:
-            self.predicted(tried[int(np.argmin(costs))])  # says what is wrong
+            self.predicted(tried[int(np.argmin(costs))])  # raises with the reason
         found, least = tried[0], math.inf
         for k in np.argsort(costs)[:REFINED]:
             place = self.refine(tried[k])
@@ -225,7 +225,7 @@ class _Search:
         return found
 
     def refine(self, start, fixed=None):
-        """Least squares from `start`, with the unknown of the number `fixed` held."""
+        """Least-squares fit from `start`, with unknown number `fixed` held."""
         free = np.array([k != fixed for k in range(len(start))])
 
         def rest(x):
@@ -250,7 +250,7 @@ class _Search:
         return float(kinematics.frequencies(self.model.bearing, self.angle(place)).cage)
 
     def cage(self, reading):
-        """The reading of a line of the cage as its FTF; None for another."""
+        """FTF from the reading of a line of the cage; None for other readings."""
         balls = self.model.bearing.balls
         order = {
             "FTF": reading.value,
@@ -267,16 +267,16 @@ class _Search:
         return np.transpose(_gradient(self.residuals, place))
 
     def covariance(self, place, weakest=True):
-        """(unknowns, unknowns), of the place, with the ranges as prior knowledge; with or without
-        the `weakest` direction."""
+        """Covariance (unknowns, unknowns) at `place`, with the ranges as prior knowledge; with or
+        without the `weakest` direction."""
         slopes = self.slopes(place)
         values, vectors = np.linalg.eigh(slopes.T @ slopes + np.eye(len(place)) / UNIFORM**2)
         kept = vectors[:, 0 if weakest else 1 :] / np.sqrt(values[0 if weakest else 1 :])
         return kept @ kept.T
 
     def valley(self, best, along):
-        """States that explain the readings as well as the best one, along the unknown with the
-        number `along`."""
+        """States that explain the readings as well as the best one, along unknown number
+        `along`."""
         limit = float((self.residuals(best) ** 2).sum()) + CHI
         side, places = np.linspace(0, 1, VALLEY), []
         near = int(np.argmin(np.abs(side - best[along])))

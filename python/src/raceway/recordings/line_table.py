@@ -15,7 +15,7 @@ from raceway.theory.models import STATICS
 LINES = {"bpfo_Hz": "BPFO", "bpfi_Hz": "BPFI", "bsf_Hz": "BSF", "ftf_Hz": "FTF"}
 KNOWN = {"load_N": "load", "temperature_C": "temperature"}
 COLUMNS = ("speed_Hz", *LINES, *KNOWN)
-LIGHT, HEAVY = 1e-4, 0.1  # range of an unknown load, shares of the basic static load
+LIGHT, HEAVY = 1e-4, 0.1  # range of an unknown load, as fractions of the static load rating
 OIL = (20.0, 100.0)  # C, range of an unknown oil temperature
 
 
@@ -34,8 +34,8 @@ def read(
     `bpfo_Hz`, `bpfi_Hz`, `bsf_Hz` (rotations of a ball relative to the cage) and `ftf_Hz`, and
     optionally the radial load `load_N` and the oil's `temperature_C`. Empty cells are skipped.
 
-    `within` is the standard deviation of a line, relative. Unknown are thrust, clearance unless the
-    bearing has a contact angle, and load (N) and oil temperature (C) unless they are given.
+    `within` is the relative standard deviation of a line. The unknowns are thrust, clearance unless
+    the bearing has a contact angle, and load (N) and oil temperature (C) unless they are given.
     Raises `RacewayError`.
     """
     if models not in STATICS:
@@ -101,7 +101,7 @@ def _ranges(path: Path):
 
 def _clearances(path):
     """From an interference as large as the greatest normal clearance to the greatest clearance of
-    all classes, m; by the ball where the classes do not reach."""
+    all classes, m; for bores outside the classes, in proportion to the ball."""
     try:
         classes = clearance_classes.of_bore(inputs.numbers(path, "bore_diameter")["bore_diameter"])
     except (ValueError, InputError):

@@ -85,7 +85,7 @@ def _mfpt(path, data: Mapping[str, Any]):
 
 
 def _paderborn(path, data: Mapping[str, Any]):
-    """Channels by name; the rate of each from the time base of its raster, or from its length."""
+    """Channels by name; their rates follow from the time base of the raster, or the length."""
     bases = [one for one in _list(data["X"]) if _has(one, "Data")]
     found: dict[str, Channel] = {}
     for one in _list(data["Y"]):

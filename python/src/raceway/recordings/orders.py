@@ -46,7 +46,7 @@ def of_recording(
 
 def of_spectrum(recording: Recording, found_in: xr.DataArray) -> dict[str, Order]:
     """`Order` of each line of `LINES` with its harmonics in a spectrum (`spectrum.spectrum`) of a
-    signal of the `recording`. Harmonics that disagree with the strongest do not count."""
+    signal of the `recording`. Harmonics that disagree with the strongest one are ignored."""
     shaft, resolution = recording.rpm / 60, found_in.attrs["resolution"]
     relative = recording.speed.uncertainty / shaft if recording.speed else 0.0
     found: dict[str, Order] = {}
@@ -68,8 +68,8 @@ def of_spectrum(recording: Recording, found_in: xr.DataArray) -> dict[str, Order
 
 
 def angle(bearing: Bearing, name: str, order: float, uncertainty: float = 0.0) -> Angle:
-    """`Angle` that gives the line `name` of `LINES` an `order`, outer ring at rest. Raises
-    `ValueError` for another name or an order that no angle gives.
+    """`Angle` at which the line `name` of `LINES` has this `order`, with the outer ring at rest.
+    Raises `ValueError` for another name or an order that no angle gives.
 
     >>> b = Bearing(9, 7.94e-3, 15.55e-3, 23.49e-3, 4.0891e-3, 4.1685e-3)
     >>> lines = ("BPFO", 3.5972), ("BPFI", 5.4018)

@@ -20,7 +20,7 @@ FEMTO_RATE = {"acc": 25600.0, "temp": 10.0}  # Hz, as published
 NPZ = re.compile(r"(\d{4})_.*?(?:_(DE12|DE48|FE))?\.npz")
 NPZ_RATE = {"DE12": 12e3, "DE48": 48e3, "FE": 12e3}
 TIMES = ("time", "time_s", "t", "t_s", "seconds")
-EVEN = 1e-3  # relative to the mean: largest variation of the steps in a column of times
+EVEN = 1e-3  # largest variation of the steps in a column of times, relative to their mean
 
 
 def read_csv(path: Path) -> Contents:
@@ -86,7 +86,7 @@ def _table(path, header):
 
 
 def _separator(path):
-    """That of the first line with data: a semicolon, a comma, a tab or blanks."""
+    """Separator of the first line with data: a semicolon, a comma, a tab or blanks."""
     with path.open(encoding="utf-8") as lines:
         first = next((line for line in lines if line.partition("#")[0].strip()), "")
     return next((mark for mark in (";", ",", "\t") if mark in first), r"\s+")
@@ -102,7 +102,7 @@ def _rate(path, time):
     try:
         step = np.diff(np.asarray(time, float))
     except ValueError:
-        raise RunError(f"{path}: its times are no numbers") from None
+        raise RunError(f"{path}: its times are not numbers") from None
     if len(step) < 2 or not step.mean() > 0 or np.ptp(step) > EVEN * len(step) * step.mean():
         raise RunError(f"{path}: its times do not rise in even steps")
     return 1 / step.mean()

@@ -22,9 +22,9 @@ class Predicted(NamedTuple):
 
     value: float
     error: float  # standard deviation of the model, in the unit of the reading
-    lag: tuple[float, float]  # least and largest slip by pocket play, share of the cage's speed
+    lag: tuple[float, float]  # least and largest slip by pocket play, fractions of the cage's speed
     idle: int  # unloaded balls
-    angle: float  # rad, contact angle, mean of the contacts by load; NaN where it is not needed
+    angle: float  # rad, mean contact angle weighted by load; NaN where it is not needed
 
 
 class Model:
@@ -33,7 +33,7 @@ class Model:
     def __init__(self, readings: Readings) -> None:
         self.readings = readings
         path, oil = readings.bearing, readings.lubricant
-        self.bearing = inputs.bearing(path, one_groove="its lines are those of one groove a ring")
+        self.bearing = inputs.bearing(path, one_groove="its lines are those of one groove per ring")
         self._boundary, self._density = inputs.boundary(path), inputs.ball_density(path)
         self._size = inputs.size(path)
         self._near: dict[Point, Equilibrium | None] = {}  # of the last state
@@ -116,8 +116,8 @@ def _contact_angle(state):
 
 def residuals(readings: Readings, found: list[Predicted], slip: Floats) -> Floats:
     """(predicted - read)/uncertainty of each reading (N,), including the model's error in the
-    uncertainty; `slip` (N, 2) is the least and the largest lag of the cage for each: their mean is
-    subtracted, and their range counts as error."""
+    uncertainty. `slip` (N, 2) is the least and the largest lag of the cage for each reading: their
+    mean is subtracted, and their range counts as error."""
     rest = []
     for one, own, (least, most) in zip(readings.readings, found, slip):
         slope = {"BPFI": -1.0}.get(one.quantity, 1.0)

@@ -95,7 +95,7 @@ def _readings(data: Any, folder: Path, shelf: FilePath | None) -> Readings:
     known = _state(given.get("known") or {}, "known")
     unknown = _ranges(given.get("unknown") or {})
     if both := sorted(set(known) & set(unknown)):
-        raise ValueError(f"{both[0]} is known and unknown")
+        raise ValueError(f"{both[0]} is under both known and unknown")
     rows = given["readings"]
     if not isinstance(rows, list):
         raise ValueError("readings must be a list")
@@ -120,7 +120,7 @@ def _readings(data: Any, folder: Path, shelf: FilePath | None) -> Readings:
 def _complete(of: Readings) -> None:
     """Raise `ValueError` for readings that cannot be predicted."""
     if not of.unknown:
-        raise ValueError("unknown is empty: name what to look for, with a range")
+        raise ValueError("unknown is empty: give at least one unknown, with a range")
     state = {*of.known, *of.unknown}
     for k, one in enumerate(of.readings):
         if "temperature" not in state and one.point.at is None and one.quantity != "temperature":
@@ -224,9 +224,9 @@ def _ranges(given):
 
 
 def series(path: FilePath, inputs_folder: FilePath | None = None) -> Series:
-    """The file of a series at `path`: as in `read`, with `series`, a csv file in the same folder,
-    instead of `readings`; `within`, the standard deviation of each quantity; and `drift`, that of
-    each unknown after an hour. Raises `RacewayError`."""
+    """The file of a series at `path`: like that of `read`, but with `series`, a csv file in the
+    same folder, instead of `readings`; `within`, the standard deviation of each quantity; and
+    `drift`, that of each unknown after an hour. Raises `RacewayError`."""
     data = yaml_file.read(path, ReadingsError)
     try:
         own = {name: data.pop(name, None) for name in ("series", "within", "drift")}

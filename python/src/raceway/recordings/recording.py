@@ -30,8 +30,8 @@ READERS: dict[str, Callable[[Path], Contents]] = {
 
 
 def contents(path: FilePath) -> Contents:
-    """`Contents` of the file `path`, by the ending of its name. Raises `RunError` for a missing or
-    damaged file and for an unknown type."""
+    """`Contents` of the file `path`, whose type follows from its name's ending. Raises `RunError`
+    for a missing or damaged file and for an unknown type."""
     path = Path(path)
     if not path.is_file():
         raise RunError(f"there is no file {path}")
@@ -45,9 +45,10 @@ class Recording:
     """Signals in the file `path` from a `bearing` with its outer ring at rest.
 
     `rpm` or `nominal` speed of the inner ring and `rate` in Hz take precedence over the file;
-    `nominal_angle` is the contact angle in rad without load. Near a nominal speed the true one is
-    searched in the first channel (`shaft_speed.find`); a given `rpm` is used as it is. Raises
-    `RunError` for a file that cannot be read, and if neither file nor argument has speed or rate.
+    `nominal_angle` is the contact angle in rad without load. The true speed is searched for near
+    the nominal one, in the first channel (`shaft_speed.find`); a given `rpm` is used as it is.
+    Raises `RunError` for a file that cannot be read, and if neither file nor argument has speed or
+    rate.
 
     `load` (N, NaN if unknown) is the file's; `speed` the `shaft_speed.Speed` found, or None;
     `channels` maps names to `contents.Channel`.
@@ -80,8 +81,8 @@ class Recording:
         self.nominal_rpm = found.rpm if given is None else given
         if not self.nominal_rpm > 0:
             raise RunError(
-                f"{path} does not state the speed of the shaft: give --nominal R, near which it is"
-                " searched, or the true speed, --rpm R"
+                f"{path} does not state the speed of the shaft: give --rpm R, the true speed, or"
+                " --nominal R, near which it is searched for"
             )
 
     @cached_property
@@ -94,7 +95,7 @@ class Recording:
 
     @property
     def rpm(self) -> float:
-        """Speed of the shaft: as given, as found, or else from the file."""
+        """Speed of the shaft: the given one, the one found, or that of the file."""
         return 60 * self.speed.hertz if self.speed else self.nominal_rpm
 
     @property

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Speed of the shaft from the harmonics that it leaves in a signal and in its envelope.
+"""Speed of the shaft from its harmonics in a signal and in the envelope.
 
 The nominal speed of a motor under load is wrong by up to 1 %, which is ten times the slip of a
 cage. Unbalance, misalignment and a flaw of the inner raceway give lines at whole multiples of the
@@ -16,8 +16,8 @@ from raceway.arrays import Floats
 from raceway.runs import envelope, spectrum
 
 HARMONICS = 6
-AGREE = 0.04  # in units of the resolution, at the line itself: two lines of one shaft
-FINE = 0.02  # in units of the resolution: a line in noise, for the uncertainty
+AGREE = 0.04  # largest difference of two lines of one shaft, in units of the resolution
+FINE = 0.02  # uncertainty of a line in noise, in units of the resolution
 
 
 class Speed(NamedTuple):
@@ -64,7 +64,7 @@ def _lines(values, sample_s, nominal, within) -> tuple[Floats, Floats]:
         held = envelope.of_values(values, sample_s, band.low, band.high)
         spectra.append(spectrum.spectrum(held, sample_s))
     except ValueError:
-        pass  # too slow a signal for an envelope
+        pass  # the sampling rate is too low for an envelope
     places, widths = [], []
     for one in spectra:
         for n in range(1, HARMONICS + 1):

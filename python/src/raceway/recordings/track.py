@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """State of a bearing over hours: an unscented Kalman filter over a series of readings.
 
-The unknowns drift as random walks, and each row of readings corrects them through the steady model
-of `prediction`. Sigma points that represent mean and covariance are propagated through it, so it
-needs no derivatives (Julier and Uhlmann, Proc. IEEE 92 (2004) 401).
+The unknowns drift as random walks, and each row of readings corrects them with the steady-state
+model of `prediction`. Sigma points that represent mean and covariance are propagated through the
+model, so no derivatives are needed (Julier and Uhlmann, Proc. IEEE 92 (2004) 401).
 """
 
 import math
@@ -19,8 +19,8 @@ from raceway.recordings.prediction import Model
 from raceway.recordings.readings import Reading, Readings
 
 HOUR = 3600.0  # s
-KAPPA = 3.0  # n + kappa of the points: 3 fits the fourth moment of a normal distribution
-EDGE = 1e-3  # share of a range by which points stay inside it
+KAPPA = 3.0  # n + kappa of the sigma points; 3 fits the fourth moment of a normal distribution
+EDGE = 1e-3  # margin that points keep from the ends of a range, as a fraction of the range
 
 
 class Row(NamedTuple):
@@ -46,14 +46,14 @@ def track(of: Readings, rows: Sequence[Row], drift: Mapping[str, float]) -> Trac
 
     `drift` is the standard deviation of each unknown after an hour, in its unit, 0 unless given. At
     the start an unknown may be anywhere in its range. Raises `ValueError` for times that do not
-    rise and a drift of something that is not an unknown; `NoEquilibrium` if no state near the start
-    carries the loads.
+    rise and for a drift that does not belong to an unknown; `NoEquilibrium` if no state near the
+    start carries the loads.
     """
     if strange := sorted(set(drift) - set(of.unknown)):
         raise ValueError(f"drift: {strange[0]} is not an unknown")
     times = np.array([row.time for row in rows])
     if not len(rows) or not (np.diff(times) > 0).all():
-        raise ValueError("a series needs rows whose times rise")
+        raise ValueError("the rows of a series must have rising times")
     names, model = list(of.unknown), Model(of)
     mean, covariance = np.full(len(names), 0.5), np.eye(len(names)) * UNIFORM**2
     found = []
@@ -101,7 +101,7 @@ def unscented(
 
 
 def _correct(of, model, row, names, mean, covariance):
-    """`unscented` with the readings of a row, points kept inside the ranges."""
+    """`unscented` with the readings of a row and the points kept inside the ranges."""
     centre = model.predict(_state(of, names, mean), row.readings)
     noise = np.array(
         [math.hypot(one.within, own.error) ** 2 for one, own in zip(row.readings, centre)]
@@ -111,7 +111,7 @@ def _correct(of, model, row, names, mean, covariance):
     def see(place):
         try:
             shown = model.predict(_state(of, names, place), row.readings)
-        except NoEquilibrium:  # same as in the middle, so such a point adds no information
+        except NoEquilibrium:  # use the value of the middle, so that the point adds no information
             shown = centre
         return np.array([one.value for one in shown]) / scale
 

@@ -51,7 +51,7 @@ def _warnings(page, figures):
     for text in figures["warnings"]:
         page.text(text, "warning")
     if not figures["warnings"]:
-        page.text("No figure is beyond the validity of its formula.")
+        page.text("All figures are within the range of validity of their formulas.")
 
 
 def _figures(page, figures):
@@ -66,7 +66,7 @@ def _figures(page, figures):
     head = ("", "", "numerical error", "range of the model", "")
     page.table(rows, ("", "number", "number", "number", "source"), head)
     if ranges:
-        page.text("Ranges of the model, as far as they are known:")
+        page.text("Known uncertainty of the model:")
     for text in reasons(figures):
         page.text(text)
     if "numerical_errors" not in figures:

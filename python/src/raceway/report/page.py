@@ -54,7 +54,7 @@ class Page:
         """A chart of `charts.js`. Values that are not finite numbers become gaps."""
         self._charts += 1
         name = f"chart{self._charts}"
-        # no text may end the script element
+        # no text may close the script element
         data = json.dumps(_plain(chart), ensure_ascii=False, allow_nan=False).replace(
             "<", "\\u003c"
         )
@@ -65,7 +65,7 @@ class Page:
         )
 
     def picture(self, png: bytes, meaning: str) -> None:
-        """A PNG, inside the page."""
+        """A PNG, embedded in the page."""
         from base64 import b64encode
 
         source = "data:image/png;base64," + b64encode(png).decode()

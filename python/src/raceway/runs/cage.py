@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A cage that is one rigid ring (fix bearing/cage/ring) in a run: its slip and the causes of it,
-orbit, whirl and pocket forces."""
+"""A one-piece cage (fix bearing/cage/ring) in a run: its slip and the causes of the slip, orbit,
+whirl and pocket forces."""
 
 import math
 from collections.abc import Mapping
@@ -20,14 +20,14 @@ if TYPE_CHECKING:
 
     from raceway.runs.tables import RunTables
 
-TURNS = 2  # of the cage, least for a whirl
-ROUNDING = 1e-12  # of a slip
-WHIRLS = 0.02  # of the play: a smaller orbit is a cage at rest in its place
-NEAR = 0.1  # of the cage's speed: a whirl as fast as a part of the bearing turns with it
+TURNS = 2  # fewest cage revolutions for a whirl
+ROUNDING = 1e-12  # rounding error of a slip
+WHIRLS = 0.02  # fraction of the play: with a smaller orbit the cage does not whirl
+NEAR = 0.1  # fraction of the cage's speed within which a whirl turns with a part of the bearing
 
 
 class CageFigures(NamedTuple):
-    """Figures of a cage that is one rigid ring (`cage_figures`)."""
+    """Figures of a one-piece cage (`cage_figures`)."""
 
     cage_slip: float
     cage_slip_angle: float
@@ -44,14 +44,14 @@ class CageFigures(NamedTuple):
 def cage_figures(tables: "RunTables") -> CageFigures | None:
     """`CageFigures` of a run, None without such a cage.
 
-    `cage_slip`: 1 less the cage's speed over that of rolling at contact angle 0, both against the
-    outer ring, means of the measured passes. It is the sum of `cage_slip_angle` (rolling at the
-    contact angles of the run), `cage_slip_groove` (balls roll on a circle of their ellipses, not at
-    its bottom) and `cage_slip_play` (the rest: play of the pockets, which idle balls lose, and
-    creep under drag); these are missing where the record has no contacts. `cage_orbit_m`: largest
-    distance of the cage's centre from its mean place (m). `cage_whirl`, `cage_whirl_order`:
-    `whirl`. `pocket_play_m`: along the pitch circle (m). `pocket_force_max_N`, `..._mean_N`:
-    largest and mean force of a ball on its pocket (N), at the ends of steps.
+    `cage_slip`: 1 minus the cage's speed over that of rolling at contact angle 0, both relative to
+    the outer ring, means of the measured passes. It is the sum of `cage_slip_angle` (rolling at the
+    contact angles of the run), `cage_slip_groove` (balls roll on a circle of their contact ellipse,
+    not at the bottom of the groove) and `cage_slip_play` (the rest: pocket play, which idle balls
+    lose, and creep under drag); these are missing if the record has no contacts. `cage_orbit_m`:
+    largest distance of the cage's centre from its mean position (m). `cage_whirl`,
+    `cage_whirl_order`: `whirl`. `pocket_play_m`: along the pitch circle (m). `pocket_force_max_N`,
+    `..._mean_N`: largest and mean force of a ball on its pocket (N), at the ends of steps.
     """
     record = tables.record
     side = record.fixed("ring_raceway").tolist()
@@ -90,9 +90,9 @@ def cage_figures(tables: "RunTables") -> CageFigures | None:
 
 
 def whirl(order: float | None, known: dict[str, float]) -> str | None:
-    """Name of a whirl with `order` times the speed of the cage (`whirl_order`): none, irregular,
-    the part it turns with, of those `known` by their speed over the cage's, or forward (the way
-    the cage turns) or backward.
+    """Name of a whirl at `order` times the speed of the cage (`whirl_order`): none, irregular, the
+    part that it turns with, forward (the way the cage turns) or backward. `known` has the parts
+    with their speeds over the cage's.
 
     >>> whirl(0.52, {"cage": 1.0, "inner ring": 2.5}), whirl(-3.0, {})
     ('half the speed of the cage', 'backward')
@@ -109,15 +109,15 @@ def whirl(order: float | None, known: dict[str, float]) -> str | None:
 
 
 def whirl_order(place: np.ndarray, turn: float, play: float) -> float | None:
-    """Speed of the whirl of `place` (complex, m) over that of the cage, which turns by `turn` rad a
+    """Whirl speed of `place` (complex, m) over the speed of the cage, which turns by `turn` rad per
     sample; 0 for a cage that stays within `WHIRLS` of its `play` (m). None if the run is too short,
-    NaN if no line of the spectrum has half the power: an irregular motion."""
+    NaN if the motion is irregular, that is, no line of the spectrum has half the power."""
     count = len(place)
     if not abs(turn) * count > TURNS * 2 * math.pi:
         return None
     if np.abs(place).max() < WHIRLS * play:
         return 0.0
-    # a window, and zeros, so that a line lies between bins
+    # window and zero padding, so that a line may lie between bins
     wide = 8 * count
     power = np.abs(np.fft.fft(place * np.hanning(count), wide)) ** 2
     speed = np.fft.fftfreq(wide) * 2 * math.pi / turn
@@ -159,12 +159,12 @@ def _rolling_slip(tables, start, stop):
 def cage_ranges(
     tables: "RunTables", figures: Mapping[str, Any]
 ) -> dict[str, tuple[float, float, str]]:
-    """(low, high, why) by key of the cage's `figures` that pocket play and guidance leave open.
+    """{key: (low, high, why)} of the cage's `figures` that depend on unknown play and guidance.
 
-    Play: `cage_speed.PLAYS` of the ball's diameter where the run estimated it. Slip by play over
-    the loaded arc: `cage_speed.slips_of_play`, wherever the cage lies. Largest force: idle balls
-    fall through the play under a steady drag, and an impact's force is as their speed, so it goes
-    with the root of the play.
+    Play: `cage_speed.PLAYS` of the ball's diameter if the run estimated it. Slip by play over the
+    loaded arc: `cage_speed.slips_of_play`, for any position of the cage. Largest force: idle balls
+    fall through the play under a steady drag, and the force of an impact is proportional to their
+    speed, hence to the square root of the play.
     """
     play, balls = figures.get("pocket_play_m"), tables.geometry.balls
     slip, shares = figures.get("cage_slip_play"), (1.0, 1.0)
@@ -192,7 +192,7 @@ def cage_ranges(
 
 
 class Pockets(NamedTuple):
-    """The pockets of a cage that is one ring in s samples."""
+    """The pockets of a one-piece cage in s samples."""
 
     centre: Floats  # (s, pockets, 3), m
     turned: Floats  # (s,), rad, azimuth of the first pocket
@@ -200,8 +200,8 @@ class Pockets(NamedTuple):
 
 
 def pockets(tables: "RunTables", start: int, stop: int) -> Pockets | None:
-    """`Pockets` in the samples from `start` to `stop`, without tilts of the cage. None without such
-    a cage, or if the record is of an earlier version."""
+    """`Pockets` in the samples from `start` to `stop`, without tilts of the cage. None if there is
+    no such cage or the record is from an earlier version."""
     record = tables.record
     side = record.fixed("ring_raceway").tolist()
     if CAGE_RING not in side or "ring_pocket_phase" not in record.variables:
@@ -220,7 +220,7 @@ def pockets(tables: "RunTables", start: int, stop: int) -> Pockets | None:
 
 
 def pockets_around(tables: "RunTables", bins: int = 72) -> "xr.Dataset":
-    """Force of balls on the pockets of a cage ring by azimuth: Dataset (from_load_line) with `mean`
+    """Force of balls on the pockets of a cage by azimuth: Dataset (from_load_line) with `mean`
     and `largest` (N) and `samples`, the number of known forces, in each of `bins` equal sectors.
 
     `from_load_line` is the middle of a sector, in rad from the centre of the loaded zone. Sectors
@@ -232,7 +232,7 @@ def pockets_around(tables: "RunTables", bins: int = 72) -> "xr.Dataset":
     record = tables.record
     needed = {"ball_pocket_force", "ball_x", "ball_y"}
     if missing := sorted(needed - set(record.variables)):
-        raise RunError(f"{record.path} has no {', '.join(missing)}: forces by pocket need them")
+        raise RunError(f"{record.path} has no {', '.join(missing)}: pocket forces need them")
     most, total, count = np.zeros(bins), np.zeros(bins), np.zeros(bins, dtype=int)
     stop = len(record) if tables.stop is None else tables.stop
     for first, last in record.blocks(tables.first, stop):
@@ -248,7 +248,7 @@ def pockets_around(tables: "RunTables", bins: int = 72) -> "xr.Dataset":
     mean = np.divide(total, count, out=np.full(bins, np.nan), where=some)
     middle = (np.arange(bins) + 0.5) / bins * 2 * np.pi - np.pi
     at = "from_load_line"
-    import xarray as xr  # takes longer to load than a summary to compute
+    import xarray as xr  # loading it takes longer than computing a summary
 
     return xr.Dataset(
         {

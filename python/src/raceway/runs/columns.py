@@ -40,10 +40,10 @@ RING = {
         name: column._replace(meaning=column.meaning.replace("the ring", "the inner ring"))
         for name, column in _RING.items()
     },
-    # in no file: computed here
+    # not in a file, but computed here
     "shift": Column("displacement of the inner ring along the load", "m"),
 }
-HEAT = _table(_TABLES["fix_heat"])  # of fix bearing/heat and its file
+HEAT = _table(_TABLES["fix_heat"])  # columns of fix bearing/heat and its file
 BEARING = {
     **_table(_TABLES["total"]),
     **_table(_TABLES["bearing"]),

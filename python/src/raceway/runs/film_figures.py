@@ -38,8 +38,8 @@ def over_time(run: Run, whole: xr.Dataset, ask: Ask = NOTHING) -> xr.Dataset:
     `whole_capacitance.over_time` for the `run`.
 
     Plates, around and unloaded add up to the bearing. In `ask`, a voltage adds the fields, a
-    resistivity the leak, a frequency the impedance, and a motor the ratio; the motor's capacitances
-    count in the energy.
+    resistivity the leak, a frequency the impedance, and a motor the ratio; the energy then includes
+    the motor's capacitances.
     """
     total, paths, load, plates = (
         _films(whole, name) for name in ("total", "paths", "load", "plates")

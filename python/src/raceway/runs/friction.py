@@ -26,12 +26,12 @@ def friction(tables: RunTables) -> dict[str, Any]:
     """Means over the window, SI units; None where the run has no value.
 
     - `friction_torque_N_m`: power loss divided by the relative speed of the rings, as in
-      statics; below `STILL` None, with a warning of the summary
+      statics; None below `STILL`, with a warning in the summary
     - `power_loss_W`, `losses_W`: power lost in all contacts, and by kind of loss
       (`columns.LOSSES`)
     - `asperity_share`: share of the load on asperities, at the largest inner load
     - `torque_skf_N_m`, `torque_palmgren_N_m`: the makers' figures at the measured forces, for
-      bearings and lubricants whose files are at hand and have their data
+      bearings and lubricants whose files are available and have the required data
     """
     totals, rings = tables.totals, tables.rings
     rings = rings[rings["sample"] > 0]

@@ -19,8 +19,8 @@ def losses(run: Run) -> xr.Dataset:
     - the power lost (W), by kind of loss: `friction_power`, `damping_power`, ... if the
       contact law of the run has them (`columns.LOSSES`)
 
-    Power in and power lost differ at any moment by the change of elastic and kinetic energy, and
-    on average over whole ball passes by the energy error of the integrator. The torque is the
+    At any moment, power in and power lost differ by the change of elastic and kinetic energy; on
+    average over whole ball passes, by the energy error of the integrator. The torque is the
     moment about the bearing's axis, so the tilt of the ring must be small. Raises `RunError` if the
     run did not record its losses.
     """

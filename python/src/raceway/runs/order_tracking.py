@@ -15,7 +15,7 @@ from raceway.errors import RunError
 from raceway.runs.source import Signal, Source
 from raceway.runs.turning import changes
 
-MOST = 50  # multiple of the number of samples of the signal
+MOST = 50  # largest number of resampled values per sample of the signal
 
 
 def at_even_angles(values: ArrayLike, angle: ArrayLike) -> tuple[Floats, float]:

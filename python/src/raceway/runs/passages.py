@@ -21,22 +21,22 @@ from raceway.runs.source import Source
 from raceway.theory import kinematics
 
 QUIET = 0.25  # fraction of the time before an impact, at its start, that contains no entry
-# factor on the sharpest bend of that quiet time, from which an impact begins
+# multiple of the sharpest bend in that quiet time above which an impact begins
 SHARP, ABOVE = 4.0, 1.5
 ONSET = 0.2  # fraction of the sharpest bend of a passage: its first impact
-STRONG = 0.7  # fraction of the deepest dip of all: passages under the load
-# fractions of the largest value before the impact, and of the bend: no longer at rest
+STRONG = 0.7  # fraction of the deepest dip above which a passage is under the load
+# fractions of the largest value before the impact and of the bend, above which it is not at rest
 LEAST, FAINT = 0.02, 0.02
 CALM = (0.3, 0.6)  # fraction of the time from entry to the strong bends that contains no impact
-SMOOTH = 0.5  # bend of that time relative to its magnitude: below, it is ringing and not noise
-# factor on the largest jump of the quiet time, and fraction of all: an impact begins
+SMOOTH = 0.5  # bend of that time over its magnitude, below which it is ringing and not noise
+# multiple of the largest jump in the quiet time, and fraction of all, at which an impact begins
 JUMP, FAINTEST = 3.0, 0.12
 RESTLESS = 0.04  # fraction of the dip above which entries may be lost
-REACH = 6.0  # factor on the time from the first sign to there: range of the search for the entry
+REACH = 6.0  # range of the search for the entry over the time from its first sign to there
 FOLDS = 4  # samples in a bin of the folded record
 FEWEST = 32  # samples around an impact
-# Hz, of a signal behind the filter of its sensor: in runs of a 6206 under 800 N spalls of 1 to
-# 2.5 mm read up to 6 % too short at 64 kHz, and all about 1 mm at 48 kHz
+# Hz, rate of a signal behind its sensor's filter: in runs of a 6206 under 800 N, spalls of 1 to
+# 2.5 mm read up to 6 % too short at 64 kHz, and all read about 1 mm at 48 kHz
 SLOWEST = 60e3
 
 
@@ -135,7 +135,7 @@ def _passage(values, turn, share):
         return None
     blow = int(np.argmax(bend > max(ONSET * bend.max(), ABOVE * floor)))
     left = np.abs(away[quiet]).max()
-    # the square's own bend is constant: it is visible next to ringing that is larger than the dip
+    # the quadratic term bends uniformly, so it is visible even if ringing exceeds the dip
     notices = [(bend, FAINT * bend.max())]
     if floor > SMOOTH * left or left < LEAST * np.abs(away[: blow + 1]).max():
         notices.append((np.abs(away), LEAST * np.abs(away[: blow + 1]).max()))
@@ -220,8 +220,8 @@ def of_run(
 ) -> Passages:
     """`find` in a column of a `ring` of `run`, or in a channel of a recording, for a spall of the
     "inner" or "outer" `raceway` of a length up to `longest` in m; earlier ringing must have decayed
-    by that distance before an impact. The period follows from the run's own cage speed, that of a
-    recording from kinematics.
+    by that distance before an impact. The period follows from the run's own cage speed, or from
+    kinematics for a recording.
 
     Warns if the rate is below 60 kHz: the filter of a sensor then hides entry and impact. Warns if
     the signal before the entries varies by more than 4 % of their dips. Of 31 lengths in
@@ -254,7 +254,7 @@ def of_run(
     unrest = np.median(found.strong.unrest) if len(found.entry) else 0.0
     if unrest > RESTLESS:
         warnings.warn(
-            f"{run.where}: before a ball enters the spall the signal moves by {unrest:.0%} of the"
+            f"{run.where}: before a ball enters the spall, the signal varies by {unrest:.0%} of the"
             f" entry's dip (more than {RESTLESS:.0%}): lengths can be wrong by half or more",
             stacklevel=2,
         )

@@ -18,8 +18,8 @@ ROWS = (
 
 
 def rating(tables: RunTables) -> dict[str, float | None]:
-    """Figures by the keys of `ROWS`, all None where the inner ring does not turn against a steady
-    load, or the record has no loads of contacts; the life also without a rating of the bearing.
+    """Figures by the keys of `ROWS`. All are None if the inner ring does not turn against a steady
+    load or the record has no contact loads; the life also if the bearing has no rating.
 
     The equivalent load does not depend on the rating. Grooves of a ring count as rows."""
     result: dict[str, float | None] = dict.fromkeys(row.key for row in ROWS)
@@ -28,7 +28,7 @@ def rating(tables: RunTables) -> dict[str, float | None]:
         return result
     angle, rated = _of_file(tables)
     per_ring = np.split(means, 2)
-    unit = life.of_means(tables.geometry, 1.0, *per_ring, angle)  # of a rating of 1 N
+    unit = life.of_means(tables.geometry, 1.0, *per_ring, angle)  # for a rating of 1 N
     result["equivalent_load_N"] = unit ** (-1 / 3)
     if rated is not None:
         turns = rated**3 * unit
@@ -66,6 +66,6 @@ def _of_file(tables):
         return angle, None
     if four_point is not None:
         angle = four_point
-    # ratings of a file are not those of a bearing that the deck gives more grooves
+    # the ratings of a file do not apply to a bearing to which the deck adds grooves
     same = (four_point is not None) == tables.record.two_grooves
     return angle, rated.dynamic if rated and same else None

@@ -42,11 +42,11 @@ class Record:
     """The record in `folder`: all its bearings, or the one with the number `bearing` (from 1).
 
     Vectors are along the axes of the bearings' frame (`runs.frame`), with z along their axis.
-    Positions are relative to the seat of the chosen bearing; of all, to the origin of the host's
-    box.
+    Positions are relative to the seat of the chosen bearing or, for all bearings, to the origin of
+    the host's box.
 
     Arrays are read on demand, from sample `start` to `stop`. Every sample that is read is verified
-    by its checksum. `checked` is False for a record of a version without checksums. Raises
+    by its checksum. `checked` is False for a record from a version without checksums. Raises
     `RunError` for a folder without record, a file that is broken or of another kind, and an unknown
     bearing number.
     """
@@ -165,7 +165,7 @@ class Record:
         """{name: array} of variables with time, native byte order, for the bearing.
 
         The file is read once. Variables with one number per sample and bearing or ring are read
-        together and cached until other samples are requested: a summary needs them one by one.
+        together and cached until other samples are requested (a summary needs them one by one).
         """
         first, last, _ = slice(start, stop).indices(len(self))
         numbers = [n for n, dims in self.variables.items() if dims in NUMBERS]
@@ -274,8 +274,8 @@ class Record:
         """Raise `RunError` if the record has no contact columns."""
         if not self.contact_columns:
             raise RunError(
-                f"{self.path} holds no contacts: record them with -var record all, in a deck of"
-                " one's own with 'contacts usual' of fix bearing/record"
+                f"{self.path} holds no contacts: record them with -var record all, or in your own"
+                " deck with 'contacts usual' of fix bearing/record"
             )
 
 
@@ -289,7 +289,7 @@ def _without_record(folder):
             " record all, or read its dumps with raceway of commit a7b5052"
         )
     return (
-        f"has no {NAME}: its run recorded nothing, or it is gone; -var record all or fix"
+        f"has no {NAME}: its run recorded nothing, or it was removed; -var record all or fix"
         " bearing/record makes one"
     )
 
@@ -310,8 +310,8 @@ def _check_header(path):
 
 
 def _sums(content, samples, first=None):
-    """Checksums of a header, or of samples of which the first has the number `first`: the last of
-    their numbers is their own checksum."""
+    """Checksums of a header, or of samples that start at number `first` and end with their own
+    checksum."""
     numbers, sums = np.frombuffer(content, np.int32), np.empty(samples, np.int32)
     width = len(numbers) // max(samples, 1)
     library().call(

@@ -18,8 +18,8 @@ MOTION = list(ATOM)[2:]  # place, velocity and spin
 
 
 def contacts(record: Record, start: int, stop: int) -> pd.DataFrame:
-    """One row for each live contact and sample; with `groove` for rings of two grooves. `attrs`:
-    `first` and the number of `samples`. Raises `RunError` if the record has no loads."""
+    """One row for each active contact and sample, with `groove` for rings with two grooves.
+    `attrs`: `first` and the number of `samples`. Raises `RunError` if the record has no loads."""
     record.need_contacts()
     if "load" not in record.contact_columns:
         raise RunError(f"{record.path} has no column load: record it with the other contacts")

@@ -48,7 +48,7 @@ class Recorded:
 
     def __init__(self, tables: RunTables) -> None:
         self.tables, self.record = tables, tables.record
-        # the file may be growing: all datasets of a run have the samples of the first read
+        # the file may be growing, so all datasets of a run have the samples of the first read
         self._window = slice(tables.first, tables.last if len(self.record) else 0)
 
     @cached_property

@@ -42,5 +42,5 @@ def need_film(run: Run, column: str) -> None:
     if not run.tables.lubricated or column not in run.tables.record.contact_columns:
         raise RunError(
             f"{run.tables.folder}: a run without lubricant or without the column {column} has no"
-            " film to look at"
+            " film"
         )

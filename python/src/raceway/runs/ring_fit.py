@@ -33,7 +33,7 @@ class Fit(NamedTuple):
 
     stiffness: Floats  # (n, n)
     damping: Floats  # (n, n)
-    stiffness_error: Floats  # (n, n), standard errors for residuals that are noise
+    stiffness_error: Floats  # (n, n), standard errors if the residuals are noise
     damping_error: Floats  # (n, n), likewise
     left: Floats  # (n,), rms residual of each force divided by the rms of its variation
 
@@ -66,7 +66,7 @@ def fitted(
         raise ValueError(f"motion {int(np.argmin(size))} of {columns} does not move")
     left, singular, right = np.linalg.svd(known / size, full_matrices=False)
     if singular[-1] < APART * singular[0]:
-        raise ValueError("the motions are not independent: move each with a frequency of its own")
+        raise ValueError("the motions are not independent: excite each at its own frequency")
     found = right.T @ ((left.T @ free) / singular[:, None]) / size[:, None]
     remains = free - known @ found
     noise = np.sqrt((remains**2).sum(0) / (samples - columns - 1))
@@ -93,7 +93,7 @@ def of_run(
     """`Fit` of the inner ring of `run` in `freedoms` (some of x, y, z, rx, ry), from the time
     `since` on and before `until` (s), in the bearing's frame.
 
-    `lines` in rad/s are frequencies of the force that do not come from the motion, such as the
+    `lines` in rad/s are frequencies of the force that are not due to the motion, such as the
     ball pass of a bearing under radial load. Velocities are derivatives of splines through the
     displacements, so samples must be evenly spaced, ten or more per period. Raises `ValueError` as
     `fitted` does, and `RunError` for an unknown degree of freedom or uneven samples.

@@ -55,7 +55,7 @@ class Run:
     ones (film, angle ...) NaN.
 
     `samples`, a slice without step, selects some samples. The memory for `blocks` and `bearing`
-    does not grow with the run, that for the other datasets does.
+    does not grow with the length of the run; that for the other datasets does.
 
     Raises `RunError` if the record is missing, broken, or of another run than `run.yaml`. An
     unfinished run can be read up to its latest sample.
@@ -198,6 +198,6 @@ class Run:
 
     def universe(self) -> "Universe":
         """The run for MDAnalysis: `raceway.runs.universe`."""
-        from raceway.runs.universe import universe  # MDAnalysis takes a second to import
+        from raceway.runs.universe import universe  # importing MDAnalysis takes a second
 
         return universe(self.tables)

@@ -25,8 +25,8 @@ def need_same_run(record: Record, said: Mapping[str, Any]) -> None:
             _refuse(record, key, *(_without(*two) for two in ((own, other), (other, own))))
         if isinstance(own, float) and not _close(own, said[key]):
             _refuse(record, key, f"{own:g}", said[key])
-    # until the run ends, its record may be longer than in the run.yaml of an earlier run of the
-    # deck
+    # before the run ends, its record may already be longer than stated in the run.yaml of an
+    # earlier run of the deck
     if "simulated_s" in said and record.fixed("finished") and len(record):
         last, known = float(record.pick("time", (len(record) - 1,))), float(said["simulated_s"])
         if abs(last - known) > 0.5 * record.attrs["sample_s"]:

@@ -18,18 +18,18 @@ from raceway.errors import RunError
 from raceway.runs.run import Run
 
 PASSED = 0.4  # pass band relative to the new rate: no change of the signal, within STOPPED
-STOPPED = 80.0  # dB, attenuation from half the new rate on
-LARGEST = 1000  # bound on the whole numbers in the ratio of the two rates
+STOPPED = 80.0  # dB, attenuation above half the new rate
+LARGEST = 1000  # largest integer in the ratio of the two rates
 
 
 def decimated(values: ArrayLike, sample_s: float, rate: float) -> Floats:
     """Evenly sampled `values` (N,), `sample_s` apart, resampled at `rate` in Hz: (M,), in the same
     unit, starting at the same time.
 
-    A Kaiser-windowed FIR filter without delay is applied first: flat to 0.4 of the rate, 80 dB
-    down from half of it on. Its end effects extend over about 25 values at either end.
-    Raises `ValueError` for a rate above that of the values, and for a ratio of the rates that is
-    not one of whole numbers below 1000.
+    A Kaiser-windowed FIR filter without delay is applied first: flat up to 0.4 of the rate, 80 dB
+    down above half of it. Its end effects extend over about 25 values at either end.
+    Raises `ValueError` for a rate above that of the values, and if the rates do not have a ratio of
+    integers below 1000.
 
     >>> time = np.arange(19200) / 192e3
     >>> kept = decimated(np.sin(2 * np.pi * 5e3 * time), 1 / 192e3, 48e3)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Settings of a run by the names of `run.yaml`: from the record, and those written at its end from
-`run.yaml` in the same folder.
+"""Settings of a run by the names of `run.yaml`: from the record and, for those written at the end
+of the run, from `run.yaml` in the same folder.
 
-Load, speed and length are measured as means over the record if the deck did not note them.
+Load, speed and length are measured as means over the record if the deck did not record them.
 """
 
 from collections.abc import Callable, Mapping
@@ -18,20 +18,20 @@ from raceway.runs.same_run import need_same_run
 
 # written last; missing in an unfinished run
 AT_THE_END = ("step_s", "simulated_s", "wall_s")
-COST = ("processor_s", "evaluations")  # in addition, in runs that note it
+COST = ("processor_s", "evaluations")  # also written by runs that record their cost
 LUBRICANT = ("viscosity_Pa_s", "pressure_viscosity_per_Pa", "permittivity", "roughness_m")
 NO_LUBRICANT = ("dry", "none")
 MEASURED = ("load_N", "load_azimuth_rad", "rpm", "samples_per_pass", "passes")
 OF_ALL = ("pair_commands", "named_bearings", "bearing_names")  # of all bearings of a record
 TEXT = ("bearing", "lubricant")
 RAD_S = np.pi / 30  # rad/s per revolution a minute
-NO_LOAD = 1e-9  # radial load over the forces on rings, below which its direction is rounding
+NO_LOAD = 1e-9  # radial load over the forces on rings, below which its direction is rounding error
 
 
 class Settings(dict[str, Any]):
     """`values` by name: text, or numbers in the units that end their names. A key may be missing
-    because it needs the choice of one bearing or a measurement; each of `needed` raises `RunError`
-    for its reason."""
+    because it needs the choice of one bearing or a measurement; accessing one of the `needed` keys
+    raises `RunError` with the reason."""
 
     def __init__(self, values: Mapping[str, Any], needed: tuple[Callable[[], None], ...]) -> None:
         super().__init__(values)
@@ -74,7 +74,7 @@ BODY = {"balls": 1e6, "ball_young": 1e15, **dict.fromkeys(SIZES, 100.0)}  # larg
 
 
 def _named(record):
-    """Data that the deck's commands give the chosen bearing, in a record of several names."""
+    """Data of the chosen bearing from the deck's commands, in a record with several names."""
     lines = str(record.attrs.get("named_bearings", "")).splitlines()
     numbers = str(record.attrs.get("bearing_names", "")).split()
     if record.bearing is None or len(numbers) != len(record.bearings):
@@ -137,7 +137,7 @@ def _measured(record, told):
     # the load is opposite to the force of the balls on the inner ring
     x, y = (-float(inner[name].mean()) for name in ("ring_fx", "ring_fy"))
     along = (x, y)
-    if np.hypot(x, y) <= NO_LOAD * force:  # the direction of the displacement then
+    if np.hypot(x, y) <= NO_LOAD * force:  # then use the direction of the displacement
         along = (float(inner["ring_x"].mean()), float(inner["ring_y"].mean()))
     cage = float(record.read(["bearing_cage_speed"])["bearing_cage_speed"].mean())
     sample_s = told["sample_s"]
@@ -161,7 +161,7 @@ def _said(path: Path) -> dict[str, Any]:
 
 
 def _the_end(path: Path, said: Mapping[str, Any]) -> dict[str, float]:
-    """Entries of `run.yaml` (`said`) on the end of a run, as far as present."""
+    """Entries of `run.yaml` (`said`) about the end of a run, if present."""
     found = {}
     for key in (key for key in (*AT_THE_END, *COST) if key in said):
         try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Settling of a run: remaining change of its means from one ball pass to the next."""
+"""Settling of a run: the remaining change of its means from one ball pass to the next."""
 
 import math
 
@@ -21,9 +21,9 @@ KEYS = {
 
 def settling(tables: RunTables) -> dict[str, float | None]:
     """Changes between the last two ball passes of the window, or between its halves if it has
-    fewer than two: mean friction torque, largest load on either raceway and cage speed, relative;
-    `settled_spin_axis_rad`, the angle of the balls' mean spin axis, weighted by load. None if
-    the run has not recorded a quantity, or if the speed of the rings changes.
+    fewer than two: relative changes of mean friction torque, largest load on either raceway and
+    cage speed; `settled_spin_axis_rad`, the angle between the balls' mean spin axes, weighted by
+    load. None if the run has not recorded a quantity, or if the speed of the rings changes.
 
     Formulas: `src-package/core/figures/settling.h`."""
     result: dict[str, float | None] = dict.fromkeys(KEYS.values())

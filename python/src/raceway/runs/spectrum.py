@@ -35,7 +35,7 @@ STANDS_OUT = 10.0  # minimum prominence of a line, in multiples of the median ar
 FAINT = 1e-4  # minimum amplitude relative to the strongest; side lobes of the window are at 2.5e-5
 NAMES = {"cage": "FTF", "spin": "BSF", "outer": "BPFO", "inner": "BPFI"}
 SHAFT = "shaft"  # the inner ring: unbalance
-# where the outer ring rotates: its rotation, and the balls that pass the load
+# if the outer ring rotates: its rotation, and the rate at which balls pass the load
 OUTER_RING, COMPLIANCE = "outer ring", "VC"
 
 
@@ -100,7 +100,7 @@ def of_run(
 
 
 def of_signal(of: Source, signal: Signal, orders: bool | None = None) -> xr.DataArray:
-    """`spectrum` of a `signal` of a run or recording `of`; otherwise as `of_run`."""
+    """`spectrum` of a `signal` of a run or recording `of`; otherwise like `of_run`."""
     values, spacing, tracked = order_tracking.tracked(of, signal, orders)
     result = spectrum(values, spacing)
     if tracked:
@@ -128,8 +128,8 @@ def expected(
     spin: float | None = None,
 ) -> dict[tuple[str, int], tuple[float, float]]:
     """{(name, harmonic): (order, frequency in Hz)} for rings at the speeds `inner` and `outer` in
-    Hz, from the kinematics of rolling balls. With the speed `cage` in Hz, FTF, BPFO and BPFI follow
-    from it; with that of the balls relative to the cage, `spin`, BSF.
+    Hz, from the kinematics of rolling balls. If the speed `cage` in Hz is given, FTF, BPFO and BPFI
+    follow from it; if `spin`, the speed of the balls relative to the cage, is given, so does BSF.
 
     `sidebands` adds the sidebands of a flaw modulated by load or cage: BPFI with the shaft, BPFO
     with a rotating outer ring, and the even harmonics of BSF, the impact rate of a ball flaw,
@@ -159,9 +159,8 @@ def expected(
 
 
 def contact_angle(of: Source) -> float:
-    """Contact angle of a run or recording in rad: that of its contacts; without contacts in its
-    record, that at which balls roll at the speed of the cage if the bearing has no nominal angle,
-    and the nominal one otherwise."""
+    """Contact angle of a run or recording in rad: that of its contacts. If it has none, the nominal
+    angle of the bearing or, without one, the angle at which balls roll at the cage's speed."""
     motion, nominal = of.motion, of.nominal_angle
     if math.isfinite(motion.angle):
         return motion.angle
@@ -178,7 +177,7 @@ def places(
     sidebands: bool = False,
     own: bool = True,
 ) -> dict[tuple[str, int], tuple[float, float]]:
-    """`expected` of `run` by its measured speeds: of its `own` cage and balls, or of balls that
+    """`expected` at the measured speeds of `run`: for its `own` cage and balls, or for balls that
     roll at a contact `angle` in rad, by default `contact_angle`."""
     motion = run.motion
     hertz = {name: value / (2 * math.pi) for name, value in motion._asdict().items()}
@@ -201,17 +200,17 @@ def lines(
     """The kinematic lines of `run` (from `raceway.open`, or a recording) in its spectrum
     `found_in`: a list of `Line`.
 
-    A line is found if a peak lies no further than `within` (relative to the frequency; or a tenth
-    of the resolution) from the line of the run's own cage and balls, exceeds the median around it
-    by a factor of ten, is not 80 dB below the strongest, and is nearer to this than to another
-    line. The kinematics use the run's speeds and the contact `angle` in rad of `places`, without
-    clearance. `sidebands` as in `expected`.
+    A line is found if a peak is at most `within` (relative to the frequency; or a tenth of the
+    resolution) from the line of the run's own cage and balls, exceeds the median around it by a
+    factor of ten, is not 80 dB below the strongest peak, and is closer to this line than to any
+    other. The kinematics use the run's speeds and the contact `angle` in rad as in `places`,
+    without clearance. `sidebands` as in `expected`.
     """
     which = 0 if "order" in found_in.dims else 1
     rolling = places(run, angle, harmonics, sidebands, own=False)
     own_places = places(run, angle, harmonics, sidebands)
     here = {key: both[which] for key, both in own_places.items()}
-    # the found peak may also be a harmonic of balls and raceways beyond the requested ones
+    # the peak may also be a higher harmonic of balls or raceways than those requested
     others = here | {
         key: both[which]
         for key, both in places(run, angle, 2 * harmonics).items()

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of statics for the operating point of a run, to stand beside those of the run.
+"""Figures of statics for the operating point of a run, for comparison with those of the run.
 
 Statics has the loads, speed, clearance, oil, temperature and models of the run. Its figures are
-means, or largest values, over `PLACES` places of the balls in a ball pass. A deck that does not
-note its variables has the measured axial displacement and tilts of its inner ring held.
+means, or largest values, over `PLACES` ball positions within a ball pass. For a deck that does not
+record its variables, the inner ring is held at the measured axial displacement and tilts.
 """
 
 import math
@@ -23,7 +23,7 @@ from raceway.theory import models
 from raceway.theory.bearing import INNER, OUTER
 
 PLACES = 4
-# figures by how they follow from the values at all places
+# figures by the way they follow from the values at all positions
 MEANS = ("shift_z_m", "load_parameter", "capacitance_F", "friction_torque_N_m", "power_loss_W")
 LARGEST = (
     *("q_max_N", "q_inner_max_N", "q_outer_max_N", "p_max_inner_Pa", "p_max_outer_Pa"),
@@ -33,12 +33,12 @@ AT_LARGEST_LOAD = ("h_min_m", "h_c_m", "lambda", "asperity_share")
 RENAMED = {"ring_shift_m": "shift_x_m", "cage_speed_rad_s": "orbital_speed_rad_s"}  # means
 PLACE = ("shift_z_m", "tilt_x_rad", "tilt_y_rad")
 FRICTION = ("friction_torque_N_m", "power_loss_W", "asperity_share")
-# given data that its figures do not depend on
+# data on which the figures do not depend
 UNUSED = {
     *("none", "inner_shoulder_diameter", "outer_shoulder_diameter", "cage_ball_diameter"),
     *("pocket_play", "inner_mass", "inner_inertia", "inner_inertia_t"),
 }
-SAME = 1e-6  # relative difference within which data of run and file are the same
+SAME = 1e-6  # relative difference below which data of run and file count as equal
 
 
 class NoStatics(Exception):
@@ -87,7 +87,8 @@ def _mean(found, key):
 
 
 def _turned(found, tables):
-    """Mean tilts in rad about the axes of the run, from those about the load line of statics."""
+    """Mean tilts in rad about the axes of the run, from those of statics in the axes of the load
+    line."""
     azimuth = tables.settings["load_azimuth_rad"]
     x, y = (_mean(found, key) for key in ("tilt_x_rad", "tilt_y_rad"))
     return (
@@ -116,13 +117,13 @@ def _applies(tables, run):
 
 
 def _point(tables, run):
-    """(keyword arguments of `operating_point.figures`, axial place in m of the inner ring at which
-    a run begins to count: where its balls meet both raceways; None where the place is not found by
-    statics)"""
+    """(keyword arguments of `operating_point.figures`, axial position in m of the inner ring from
+    which a run measures displacement, where its balls touch both raceways; None if statics does not
+    find the position)"""
     settings, deck = tables.settings, deck_words(tables.settings)
     given = str(settings.get("given_data", "none")).split(",")
     if own := [word for word in given if word.partition("=")[0] not in UNUSED]:
-        raise NoStatics(f"the run has data of its own: {', '.join(own)}")
+        raise NoStatics(f"the run has its own data: {', '.join(own)}")
     for name, usual in (("without", "none"), ("gap_film", "power"), ("inlet_shear", "murch")):
         if deck.get(name, usual) != usual:
             raise NoStatics(f"statics has no equivalent of -var {name} {deck[name]}")
@@ -149,7 +150,7 @@ def _point(tables, run):
 
         words["supply"] = Supply(deck["lubrication"], float(deck["oil_level"]))
     start = body.seat(angle)
-    if not deck:  # a deck of the user's own: which freedoms are held is not noted
+    if not deck:  # decks other than the main deck do not record what is held
         z, *tilt = _place(tables)
         held = {"z": z + math.copysign(start, loading(tables).axial)}
         held.update(zip(("rx", "ry"), _about_load_line(*tilt, azimuth)))
@@ -163,7 +164,7 @@ def _point(tables, run):
 
 
 def _place(tables):
-    """Mean axial displacement (m) and tilts (rad) of the inner against the outer ring."""
+    """Mean axial displacement (m) and tilts (rad) of the inner relative to the outer ring."""
     first = max(tables.first, 1)
     inner, outer = (
         np.array(ring_place(tables.record, side, first, tables.last)[2:]).mean(axis=1)
@@ -173,7 +174,7 @@ def _place(tables):
 
 
 def _about_load_line(x, y, azimuth):
-    """Components along and across the load line of those along the axes of the run."""
+    """Components along and across the load line, from those along the axes of the run."""
     return (
         x * math.cos(azimuth) + y * math.sin(azimuth),
         y * math.cos(azimuth) - x * math.sin(azimuth),
@@ -181,12 +182,12 @@ def _about_load_line(x, y, azimuth):
 
 
 def _four_point(tables, deck, path):
-    """Angle in rad of two grooves a ring, None of one groove."""
+    """Angle in rad of two grooves per ring, None for one groove."""
     if not tables.record.two_grooves:
         return None
     angle = float(deck.get("four_point", 0)) or math.degrees(inputs.four_point_angle(path) or 0)
     if not angle:
-        raise NoStatics("the record has two grooves a ring and no contact angle of them")
+        raise NoStatics("the record has two grooves per ring but not their contact angle")
     return math.radians(angle)
 
 

@@ -135,9 +135,9 @@ TOPICS = {
 # fractions of the largest of them
 SHOWN = dict.fromkeys(("force_x_N", "force_y_N", "force_z_N"), 1e-2)
 STILL = dict.fromkeys(("shift_z_m", "tilt_x_rad", "tilt_y_rad"), 1e-9)  # m, rad
-STEADY = 1e-3  # fraction of the speed
+STEADY = 1e-3  # fraction of the speed by which a steady speed may vary
 LOOKS = 1000  # samples checked for contact patches that extend beyond the shoulder
-CHECK = "check.json"  # in the run's folder, by `raceway check`
+CHECK = "check.json"  # in the run's folder, written by `raceway check`
 
 
 def summary(tables: RunTables) -> dict[str, Any]:
@@ -207,7 +207,7 @@ def _need_window(tables):
     if not (tables.rings["sample"] > 0).any():
         raise RunError(
             f"{tables.record.path} holds {count} sample{'s' * (count != 1)}: figures are means"
-            " over the samples after the start, and there is none"
+            " over the samples after the start, but there are none"
         )
 
 
@@ -269,7 +269,7 @@ def _warnings(tables, figures):
 
 
 def _held(tables, figures):
-    """The warning of a ring held along its axis, of runs that note the axial load."""
+    """The warning about a ring held along its axis, for runs that record the axial load."""
     load, axial = loading(tables), tables.settings.get("axial_N")
     if load is None or axial is None:
         return []
@@ -279,9 +279,7 @@ def _held(tables, figures):
 def _still(figures):
     if figures["power_loss_W"] is None or figures["friction_torque_N_m"] is not None:
         return []
-    return [
-        f"no friction torque: the rings turn at no more than {RESTING:g} rad/s against each other"
-    ]
+    return [f"no friction torque: the relative speed of the rings is at most {RESTING:g} rad/s"]
 
 
 def _left_out(absent):
@@ -365,7 +363,7 @@ def _plain(value):
 
 def table(figures: Mapping[str, Any]) -> str:
     """The mapping of `summary` as text, one block per topic, without missing and negligible
-    figures; with a column of those of `statics.statics` if `figures` has them, too. Warnings come
+    figures; if `figures` also has those of `statics.statics`, they have a column. Warnings come
     last."""
     ranges = figures.get("model_ranges") or {}
     text = lines(
@@ -376,7 +374,7 @@ def table(figures: Mapping[str, Any]) -> str:
         ("statics", figures["statics"]) if figures.get("statics") else None,
     )
     if why := figures.get("statics_absent"):
-        text += ["", "Statics", f"  none beside this run: {why}"]
+        text += ["", "Statics", f"  not available for this run: {why}"]
     if assumed := figures.get("assumed_data"):
         text += variable_table.block(assumed)
     if ranges:

@@ -65,12 +65,12 @@ class RunTables:
 
     @property
     def lubricated(self) -> bool:
-        """The run had a lubricant."""
+        """True if the run had a lubricant."""
         return self.settings["lubricant"] not in NO_LUBRICANT
 
     @property
     def finished(self) -> bool:
-        """True if the run came to its end; until then `settings` has no `step_s`, `simulated_s` and
+        """True if the run has finished; before that, `settings` has no `step_s`, `simulated_s` and
         `wall_s`."""
         return all(key in self.settings for key in AT_THE_END)
 
@@ -79,7 +79,7 @@ class RunTables:
         self.record.need_one()
         path = self.folder / "run.yaml"
         if not path.exists():
-            raise RunError(f"{path} is missing, which states whether the run has finished")
+            raise RunError(f"{path}, which states whether the run has finished, is missing")
         if missing := [key for key in AT_THE_END if key not in self.settings]:
             raise RunError(f"run has not finished: {path} has no {' and no '.join(missing)}")
 
@@ -112,7 +112,7 @@ class RunTables:
 
     @cached_property
     def contacts(self) -> pd.DataFrame:
-        """One row for each sample and live contact of a ball with a raceway."""
+        """One row for each sample and active contact of a ball with a raceway."""
         return record_tables.contacts(self.record, self.first, self.last)
 
     @cached_property
@@ -138,7 +138,7 @@ class RunTables:
 
     @property
     def bearing_capacitance(self) -> Floats:
-        """Capacitance of the bearing in F, one value a sample (eq 12)."""
+        """Capacitance of the bearing in F, one value per sample (eq 12)."""
         return self.record.known(self.totals)["capacitance"].to_numpy()
 
     @cached_property

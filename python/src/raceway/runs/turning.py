@@ -88,7 +88,7 @@ class Turning:
         """`Motion` between the samples `start` and `stop`. Raises `RunError` for fewer than two."""
         count = stop - start
         if count < 2:
-            raise RunError(f"{self.record.path}: speeds need two samples, there is {count}")
+            raise RunError(f"{self.record.path}: speeds need two samples, not {count}")
         time = (count - 1) * self.record.attrs["sample_s"]
         cage = self.cage(start, stop)
         return Motion(
@@ -125,7 +125,7 @@ class Turning:
 
 
 def _sum(speed, step):
-    """Angle (N,) by trapezoids of the speeds (N,), from 0."""
+    """Angle (N,), from 0, by trapezoidal integration of the speeds (N,)."""
     return step * np.concatenate([[0.0], np.cumsum((speed[1:] + speed[:-1]) / 2)])
 
 

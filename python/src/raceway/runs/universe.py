@@ -2,17 +2,17 @@
 """A run for MDAnalysis (optional: `pip install raceway[mdanalysis]`).
 
 MDAnalysis stores positions and velocities in single precision. For a 6208 the resolution is 2 nm,
-the overlap of an unloaded ball and one per cent of a film, so they serve only for pictures and
-neighbour searches. Double-precision values come with every frame, in `trajectory.ts.data`:
+as large as the overlap of an unloaded ball or one per cent of a film, so they are good only for
+pictures and neighbour searches. Every frame has double-precision values in `trajectory.ts.data`:
 
 - `position`, `velocity` (m, m/s), `spin` (rad/s): (atoms, 3)
 - every column of the contacts for the inner and the outer raceway, `load_inner`, `h_min_outer` ...,
-  with two grooves a ring `load_inner_0` ... (SI): (atoms,), with 0 or NaN where an atom has no such
-  contact, as in `Run.contacts`
+  with two grooves per ring `load_inner_0` ... (SI): (atoms,), with 0 or NaN where an atom has no
+  such contact, as in `Run.contacts`
 - `step`, `time` (s), `sample`
 
-Lengths are metres and times seconds, whatever MDAnalysis calls them; there is no box, and positions
-are those of the run.
+Lengths are in metres and times in seconds, whatever MDAnalysis calls them; there is no box, and
+positions are those of the run.
 """
 
 from typing import Any
@@ -34,7 +34,7 @@ except ImportError:
 NAMES = {1: "ball", 2: "cage", 3: "inner", 4: "outer"}  # by atom type
 # atoms of consecutive frames read together, since an analysis usually continues with the next frame
 ROWS = 5000
-FEW = 8  # a single frame takes about as long as this fraction of a block
+FEW = 8  # reading a single frame takes about 1/FEW of the time for a block
 
 
 class RunReader(ReaderBase):

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 FILE = "heat.txt"  # in the run's folder
 PARTS = ("inner", "balls", "outer", "housing", "oil")
 ROWS = (
-    Row("thermal_time_s", "thermal time", "s", "gone forward in jumps"),
+    Row("thermal_time_s", "thermal time", "s", "covered in jumps"),
     Row("thermal_speed", "thermal time over time of the run", ""),
     Row("temperature_inner_C", "inner ring", "°C", "mean of the measured passes"),
     Row("temperature_balls_C", "balls", "°C"),
@@ -38,7 +38,7 @@ ROWS = (
 def transient(folder: FilePath) -> "xr.Dataset":
     """Temperatures of the run in `folder` from jump to jump: a dataset over `thermal_time` in s,
     with units and meanings in `attrs`. Raises `RunError` if the run has none."""
-    import xarray as xr  # takes longer to import than a summary to compute
+    import xarray as xr  # importing it takes longer than computing a summary
 
     path = Path(folder) / FILE
     try:
@@ -72,8 +72,8 @@ def heated(tables: RunTables) -> bool:
 
 
 def warm_clearance(tables: RunTables) -> float:
-    """Mean diametral clearance of the run in m: that of the warm parts, otherwise the one that was
-    set."""
+    """Mean diametral clearance of the run in m: that of the warm parts, otherwise the clearance
+    that was set."""
     cold = tables.settings["clearance_m"]
     if not heated(tables):
         return cold

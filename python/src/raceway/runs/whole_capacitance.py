@@ -43,7 +43,7 @@ MEANING = {
     "plates": ("F", "capacitance of the contact ellipse"),
     "outside": ("F", "capacitance of the gap around the contact ellipse"),
     "paths": ("m", "resistivity of the oil over the resistance of the gap"),
-    "total": ("F", "capacitance of the gap with everything that carries it"),
+    "total": ("F", "total capacitance of the gap"),
     "one_ball": ("F", "capacitance of one ball, inner and outer in series"),
     "bearing": ("F", "capacitance of the bearing"),
     "play": ("m", "gap between ball and raceway, negative where they overlap"),
@@ -85,11 +85,11 @@ def over_time(run: Run, filling: Filling | None = None, density: float = 7800.0)
     `paths`, `total` (time, raceway, ball), `one_ball` (time, ball), `bearing` (time); SI units.
 
     A contact has the film of the run. Below the load Q_u = m r omega_c^2 (balls of `density` in
-    kg/m^3), a contact has the film of Q_u, extrapolated from the largest load of its raceway at
-    that time with the load exponent of eq 9. A gap without load is at least the distance between
-    ball and raceway, from the positions of ball and ring. `filling` is by default that of the run;
-    then separations and capacitances come from its record if present (attribute `source`). Those
-    of two grooves of a ring come from the record alone, as one: in parallel, with the thinner film
+    kg/m^3), it has the film of Q_u, extrapolated from the largest load of its raceway at that time
+    with the load exponent of eq 9. A gap without load is at least the distance between ball and
+    raceway, from the positions of ball and ring. `filling` is by default that of the run; then
+    separations and capacitances come from its record if present (attribute `source`). The two
+    grooves of a ring always come from the record and are merged: in parallel, with the thinner film
     and the larger load, without `play`. All samples must fit into memory. Raises `RunError` for a
     run without film, balls or rings, and for two grooves with a `filling` or without a record of
     their capacitances.
@@ -100,8 +100,8 @@ def over_time(run: Run, filling: Filling | None = None, density: float = 7800.0)
     if two := run.tables.record.two_grooves:
         if not recorded:
             raise RunError(
-                f"{run.tables.folder} has rings of two grooves for a ball: their whole capacitance"
-                " is that of a run with -var surroundings, in its own filling"
+                f"{run.tables.folder} has rings with two grooves per ball: their total capacitance"
+                " must be recorded with -var surroundings, for the filling of the run"
             )
         gaps = contacts["load"].transpose("time", "raceway", "ball")
     else:
@@ -157,7 +157,7 @@ def over_time(run: Run, filling: Filling | None = None, density: float = 7800.0)
 
 
 def _by_ring(values):
-    """Grooves (inner 0, inner 1, outer 0, outer 1) as one raceway a ring."""
+    """Grooves (inner 0, inner 1, outer 0, outer 1) merged into one raceway per ring."""
     join = {"load": "max", "separation": "min"}.get(values.name, "sum")
     pairs = [getattr(values.isel(raceway=slice(k, k + 2)), join)("raceway") for k in (0, 2)]
     joined = xr.concat(pairs, xr.Variable("raceway", list(SIDES)))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The numerical error of a run: the same run with a finer integration, with more samples, and
-settled longer.
+"""The numerical error of a run, from repeats with finer integration, with more samples, and with
+longer settling.
 
 The repeats are points as in a sweep, in the folder `check` of the run; they can be stopped and
 resumed. `check.json` holds the results.
@@ -24,7 +24,7 @@ from raceway.sweeps.point_run import FAILED, FINISHED, run_point
 
 FINER = 0.1  # factor on the tolerance; for velocity Verlet, half the step
 MORE = 2  # factor on the number of samples
-LONGER = 100  # ball passes added to those of settling: slow drifts of light balls take as many
+LONGER = 100  # additional ball passes of settling; slow drifts of light balls take that many
 IMPLICIT = ("implicit", "damping", "vibration")  # integrators with a tolerance
 TOLERANCES = ("tolerance", "relative_tolerance", "cage_tolerance")
 OF_IMPLICIT = (*TOLERANCES, "step_error", "step_control")
@@ -36,7 +36,7 @@ LEFT_OUT = (
     *("permittivity", "roughness_m"),
     *KEYS.values(),
 )
-# a repeat with other settings is another run: some -var value was not recorded by the run
+# a repeat with different settings is another run: the run did not record some -var value
 SAME = (
     *("load_N", "rpm", "load_azimuth_rad", "axial_N", "moment_x_N_m", "moment_y_N_m"),
     *("unbalance_kg_m", "clearance_m", "balls", "ball_diameter_m", "inner_radius_m"),
@@ -121,8 +121,8 @@ def check(folder: FilePath, command: Sequence[str], more: Mapping[str, str]) -> 
             before, now = (one.settings.get(key) for one in (tables, again))
             if before != now:
                 raise RacewayError(
-                    f"{place} has {key} {now}, {folder} has {before}: give --var for what the run"
-                    " was given"
+                    f"{place} has {key} {now}, {folder} has {before}: give --var for data that"
+                    " were given to the run"
                 )
         for key, value in summary(again).items():
             if key in LEFT_OUT or not _number(value) or not _number(figures.get(key)):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A deck with other values of its variables, as a user would edit it."""
+"""A deck with changed values of its variables, as if edited by a user."""
 
 import os
 import re
@@ -14,8 +14,7 @@ from raceway.sweeps.points import deck_variables
 SPECIAL = re.compile(r"[\"'$&#\x00-\x1f\x7f]")
 LINE = r"^(\s*variable\s+{}\s+index\s+)(\"[^\"]*\"|\S+)([^\S\n]*)"
 FIRST = re.compile(r"^\s*variable\s", re.MULTILINE)
-# names of files: a path is relative to the folder of the caller, the decks' are relative to that of
-# the inputs
+# names of files; a path is relative to the caller's folder, those in decks to the inputs folder
 FILES = ("bearing", "lubricant")
 
 
@@ -38,13 +37,13 @@ def values(deck: FilePath, given: Mapping[str, object]) -> dict[str, str]:
 
 def _text(name, value):
     if hasattr(value, "item") and not getattr(value, "shape", ()):
-        value = value.item()  # a number of numpy
+        value = value.item()  # a NumPy scalar
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, Integral):
         return str(int(value))
     if isinstance(value, Real):
-        return repr(float(value)).removesuffix(".0")  # 2000 and 2000.0 are one folder
+        return repr(float(value)).removesuffix(".0")  # 2000 and 2000.0 have the same folder
     if not isinstance(value, str | os.PathLike):
         raise RacewayError(f"{name} is {value!r}, must be a number, a text, True or False")
     text = os.fspath(value)
@@ -57,7 +56,7 @@ def _text(name, value):
 
 def text(deck: FilePath, own: Mapping[str, str], heading: str) -> str:
     """The deck at path `deck` with the values of `own` (text by variable) and a `heading`, a
-    comment line. A variable that the deck leaves to its data files gets a line above the first of
+    comment line. A variable that the deck takes from its data files gets a line before the first of
     the deck's own variables."""
     with open(deck, encoding="utf-8") as file:
         found = file.read()

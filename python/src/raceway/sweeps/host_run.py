@@ -24,11 +24,11 @@ def execute(
     """Run the program `words` with its output in the file `log`; return its exit code.
 
     The run ends early, with None, when the file descriptor `stop` becomes readable, and with the
-    exception if one is raised here (Ctrl-C): it gets SIGTERM and time to write its restart file.
-    The process inherits the descriptors `keep`; `watch` is called a few times a second.
+    exception if one is raised here (Ctrl-C): the program gets SIGTERM and time to write its restart
+    file. It inherits the descriptors `keep`; `watch` is called a few times per second.
     """
     with open(log, "wb") as output:
-        # a session of its own, otherwise Ctrl-C would end it before it is asked to stop
+        # its own session, otherwise Ctrl-C would end it before it is asked to stop
         process = subprocess.Popen(
             words,
             stdin=subprocess.DEVNULL,

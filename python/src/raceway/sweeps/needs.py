@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The cheapest set of model parts and numerics that meets the wanted accuracy of a scene's figures.
+"""The cheapest set of model parts and numerics with the required accuracy of a scene's figures.
 
-The scene runs with the full model and a fine integration. Then each part is omitted and
-each setting coarsened alone. To find sets worth a run, the effects of a set are estimated as
-the sum of the single effects and its cost as the product of the single costs. The run of the set
-itself decides.
+The scene runs with the full model and a fine integration. Then each part is omitted and each
+setting coarsened, one at a time. To find sets worth running, the effects of a set are estimated as
+the sum of the individual effects, and its cost as the product of the individual costs. The run of
+the set decides.
 
 All runs are points as in a sweep, in folders named after their variables; finished ones are not
 repeated.
@@ -118,7 +118,7 @@ def needs(
 def _rounds(lab, single, wanted):
     """Outcomes of the sets with the lowest estimated cost, round by round; each round adds the
     error of the last estimate to the margin."""
-    # a choice that fails alone also fails in a set: effects add up
+    # a choice that fails alone also fails in a set, because effects add up
     good = {one.picked[0].name: one for one in single if one.pays and one.keeps(wanted)}
     candidates = []
     for picked in sets([one.picked[0] for one in good.values()]):
@@ -196,7 +196,7 @@ class _Lab:
         )
 
     def repeat(self, words):
-        """Processor times of `REPEATS` runs of each, in turn: {name: s}."""
+        """Processor times of `REPEATS` runs of each of `words`, run in turn: {name: s}."""
         points, every = {name: [] for name in words}, {}
         for turn in range(REPEATS):
             for name, asked in words.items():

@@ -12,7 +12,7 @@ from raceway.sweeps.needs import Needs, Outcome
 from raceway.sweeps.scene_parts import REFERENCE
 
 NOTHING = 1e-12  # smaller relative effects are rounding errors
-SURE = 0.5  # largest uncertainty of a usable reference, fraction of the wanted error
+SURE = 0.5  # largest uncertainty of a usable reference, as a fraction of the allowed error
 
 
 def table(found: Needs) -> str:
@@ -20,7 +20,7 @@ def table(found: Needs) -> str:
     words = list(found.figures)
     head = f"  {'dropped or coarsened':<50}" + "".join(f"{word[:12]:>13}" for word in words)
     lines = [
-        "Effect on the figures, relative, each alone against every part and a fine integration",
+        "Relative effect of each change alone; reference: every part and a fine integration",
         f"{head}{'cost':>8}{'evaluations':>13}",
         *(_line(one.picked[0].label, one, words) for one in found.single),
         "",
@@ -28,10 +28,10 @@ def table(found: Needs) -> str:
         _row("wanted", found.wanted, words),
         *_doubts(found),
         "",
-        f"Cheapest set that keeps what is wanted, of {len(found.tried)} that were run",
-        _line("all of it together", found.best, words),
+        f"Cheapest set with the required accuracy, of {len(found.tried)} that were run",
+        _line("all of these together", found.best, words),
         *(f"    {choice.label}" for choice in found.best.picked),
-        *([] if found.best.picked else ["    nothing dropped, nothing coarsened"]),
+        *([] if found.best.picked else ["    nothing omitted, nothing coarsened"]),
         "",
         "Processor time of the measured passes: " + _spread(found),
         *warning_lines(found.warnings),
@@ -42,7 +42,7 @@ def table(found: Needs) -> str:
 
 
 def command(found: Needs) -> str:
-    """The words for the deck: of the scene and of the cheapest set."""
+    """The -var words of the scene and of the cheapest set for the deck."""
     return " ".join(
         f"-var {name} {shlex.quote(value)}"
         for name, value in {**found.scene, **found.words}.items()
@@ -80,7 +80,7 @@ def _finite(values: Mapping[str, float]) -> dict[str, float | None]:
 
 
 def percent(value: float) -> str:
-    """A relative value for people: 12 %, 0.03 %."""
+    """A relative value as text: 12 %, 0.03 %."""
     if not math.isfinite(value):
         return "-"
     if NOTHING <= value < 1e-5:
@@ -103,7 +103,7 @@ def _row(label, values, words):
 
 def _doubts(found):
     return [
-        f"  {word}: the reference itself is uncertain by more than half of what is wanted"
+        f"  {word}: the uncertainty of the reference exceeds half of the allowed error"
         for word, most in found.wanted.items()
         if found.uncertain[word] > SURE * most
     ]

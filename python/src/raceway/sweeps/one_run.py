@@ -19,7 +19,7 @@ from raceway.sweeps import deck_text, host_program
 from raceway.sweeps.host_run import complaint, execute, stopped
 from raceway.sweeps.points import deck_variables, folder_name
 
-if TYPE_CHECKING:  # xarray takes longer to import than a run to start
+if TYPE_CHECKING:  # importing xarray takes longer than starting a run
     from raceway.runs.run import Run
 
 MAIN = "in.6208"
@@ -57,7 +57,7 @@ def simulate(
 
     Raises `RacewayError`: with the message of the host if it ends with an error, and before
     anything runs for an unknown variable. On Ctrl-C the run is stopped so that it can be resumed,
-    and `KeyboardInterrupt` raised again. Warnings of the bearing styles are `RunWarning`.
+    and `KeyboardInterrupt` is raised again. Warnings of the bearing styles are `RunWarning`.
     """
     source = Path(catalogue.folder() / MAIN if deck is None else deck)
     own = deck_text.values(source, {"bearing": bearing, **variables})
@@ -93,7 +93,7 @@ def _default(source, own):
 
 
 def _inputs(known, source):
-    """The folder of data files, if the deck's default does not lead to it."""
+    """The folder of data files, if the deck's default does not exist."""
     if "inputs" not in known or Path(known["inputs"]).is_dir():
         return {}
     return {"inputs": source.resolve().parent}
@@ -101,7 +101,7 @@ def _inputs(known, source):
 
 def _run(words, log, progress, main):
     """Run the program to its end. Raises `RacewayError`, for the `main` deck without the hint that
-    one of its variables may have another meaning."""
+    one of its variables may have a different meaning."""
     shown = _watched() if progress is None else progress
     with tqdm(total=100.0, unit="%", disable=not shown, bar_format=BAR) as bar:
         code = execute(words, log, watch=_follower(log, bar) if shown else None)

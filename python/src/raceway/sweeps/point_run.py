@@ -7,7 +7,7 @@ A folder holds the output of the deck, `log.txt`, and
     summary.json   the figures, written last: the point is then finished
     failed.json    the message of a run that ended with an error
 
-Each is written under another name first and then renamed, so it is never incomplete.
+Each file is first written under another name and then renamed, so it is never incomplete.
 """
 
 import fcntl
@@ -66,8 +66,8 @@ def run_point(
     """Run one point unless it is finished (or failed, without `retry`); return (status, message).
 
     `command` is a list: program, its own options and, last, the deck; `stop` is a file descriptor
-    that ends the run when it becomes readable. `BUSY` if another process works on the point, even a
-    run left over from a killed sweep.
+    that ends the run when it becomes readable. The status is `BUSY` if another process works on the
+    point, including a run left over from a killed sweep.
     """
     folder = Path(folder)
     try:
@@ -96,7 +96,7 @@ def run_point(
             except RacewayError as error:
                 return _fail(folder, str(error))
             if wrong := _differs(run.settings, variables):
-                return _fail(folder, f"the run is not what was asked for: {wrong}")
+                return _fail(folder, f"the run has other settings than requested: {wrong}")
             _write(
                 folder / "summary.json",
                 json.dumps(figures, indent=2, ensure_ascii=False, allow_nan=False),
@@ -124,7 +124,7 @@ def _locked(folder):
 
 def _execute(folder, variables, command, lock, stop):
     """Exit code of the run; None if it was ended because `stop` became readable."""
-    resumes = "resume" in deck_variables(command[-1])  # other decks start a stopped point anew
+    resumes = "resume" in deck_variables(command[-1])  # other decks restart a stopped point
     given = {"out": str(folder), **({"resume": "yes"} if resumes else {}), **variables}
     words = [*command, "-log", "none"]
     for name, value in given.items():
@@ -133,7 +133,7 @@ def _execute(folder, variables, command, lock, stop):
 
 
 def _figures(run):
-    """Figures of a run; a run of several bearings has a list of those of each, `bearings`."""
+    """Figures of a run; for a run with several bearings, `bearings` is a list of their figures."""
     numbers = run.record.bearings
     if len(numbers) == 1:
         return summary(run)

@@ -16,23 +16,23 @@ from raceway.files import FilePath
 from raceway.sweeps import variable_table
 
 INDEX = re.compile(r"^\s*variable\s+(\w+)\s+index\s+(\S+)", re.MULTILINE)
-# variables that a command takes if they exist; the command that reads a bearing's data; a deck
-# in the folder of this one
+# variables that a command uses if they exist; the command that reads a bearing's data; a deck
+# in the same folder
 VARS = re.compile(r"^(?!\s*#)(?:[^#\n]|&\n)*?\bvars ((?:\w+[ \t]*)+)", re.MULTILINE)
 BEARING = re.compile(r"^bearing\s", re.MULTILINE)
 DECK = re.compile(r"^include \S*?/(in\.\S+)", re.MULTILINE)
-# characters of a value, also of a file's path: none of those that are special in a deck or a shell
+# characters allowed in values and paths: none that are special in a deck or a shell
 WORD = re.compile(r"[A-Za-z0-9_.+/-]+")
 OURS = {
     "out": "the sweep gives every point its folder",
     "resume": "the sweep resumes points by itself",
     "overwrite": "the sweep skips finished points by itself",
-    "inputs": "it is the folder of the deck's data files; start where they are found",
+    "inputs": "it is the folder of the deck's data files; start from a folder where it is found",
 }
-SHARE = "share"  # column of the table that is not a variable: share of the time, for load spectra
-LONGEST = 160  # characters of a folder's name, well below the 255 of file systems
-SHOWN = 20  # complaints in one message
-LISTED = 20  # variables in one
+SHARE = "share"  # column that is not a variable: the time share, for load spectra
+LONGEST = 160  # characters in a folder's name, well below the limit of 255 of file systems
+SHOWN = 20  # most errors in one message
+LISTED = 20  # most variables in one message
 
 
 class TableError(RacewayError):
@@ -41,7 +41,7 @@ class TableError(RacewayError):
 
 class Point(NamedTuple):
     """One point: its folder's name and the deck's variables, in the deck's order, as written in the
-    table; its share of the time in a load spectrum, "" where the table has none."""
+    table; its time share in a load spectrum, or "" if the table has none."""
 
     name: str
     variables: dict[str, str]
@@ -64,7 +64,7 @@ def deck_variables(deck: FilePath) -> dict[str, str]:
 
 
 def _add_variables(found, path):
-    """Adds the variables of a file to `found`."""
+    """Add the variables of a file to `found`."""
     try:
         text = path.read_text()
     except (OSError, UnicodeDecodeError) as error:
@@ -105,7 +105,7 @@ def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
         elif name not in variables and name != SHARE:
             wrong.append(f"column '{name}' is not a variable of the deck{near(name, variables)}")
         if columns.count(name) > 1:
-            wrong.append(f"column '{name}' is there {columns.count(name)} times")
+            wrong.append(f"column '{name}' occurs {columns.count(name)} times")
     if wrong:
         names = [name for name in variables if name not in OURS]
         some = names if len(names) <= LISTED else [*names[:LISTED], f"{len(names)} in all"]
@@ -160,8 +160,8 @@ def _some(wrong):
 
 
 def folder_name(variables: Mapping[str, str]) -> str:
-    """A readable name that depends only on the variables: load=5000_rpm=477.5. Long ones, and those
-    with the last word of a path, end with a digest."""
+    """A readable name that depends only on the variables: load=5000_rpm=477.5. Long names, and
+    those that shorten a path to its last word, end with a digest."""
     name = "_".join(f"{key}={value}" for key, value in variables.items())
     short = "_".join(f"{key}={value.rsplit('/', 1)[-1]}" for key, value in variables.items())
     if len(name) <= LONGEST and name == short:
@@ -187,7 +187,7 @@ def _lines(table):
 
 
 def _has_unit(text, unit):
-    """Whether `text` is a number with a unit in place of one in `unit`."""
+    """True if `text` is a number with a unit instead of a plain number in `unit`."""
     try:
         units.read(text, unit)
     except ValueError:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Choices of `raceway needs` to omit or coarsen: `scene_parts.yaml` as tuples, and sets of choices
-as variables of a deck."""
+"""What `raceway needs` may omit or coarsen: the choices of `scene_parts.yaml` as tuples, and sets
+of choices as variables of a deck."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from importlib.resources import files
@@ -30,13 +30,13 @@ class Choice(NamedTuple):
     name: str
     label: str
     group: str  # a set has at most one choice of a group
-    without: tuple[tuple[str, str], ...]  # variables of `JOINED` and a part of theirs
+    without: tuple[tuple[str, str], ...]  # (variable of `JOINED`, part in it)
     settings: tuple[tuple[str, str], ...]
     parts: tuple[str, ...] | None  # parts of these models; None: those of the reference
 
 
 def figures(summary: Mapping[str, Any]) -> dict[str, float]:
-    """The figures that a run's `summary` has, by word of --want, SI units."""
+    """The figures in a run's `summary`, by word of --want, SI units."""
     found = {
         word: next((summary[key] for key in keys if summary.get(key)), None)
         for word, keys in FIGURES.items()
@@ -53,7 +53,7 @@ def choices(
     scene: Mapping[str, str], lubricated: bool, defaults: Mapping[str, str] | None = None
 ) -> list[Choice]:
     """The choices for contacts with a film, or for dry ones, except those already made by the
-    deck's variables `scene`, and those of parts that it does not have; `defaults` are the deck's
+    deck's variables `scene` and those for parts that the scene lacks; `defaults` are the deck's
     own values."""
     return [
         choice
@@ -99,7 +99,7 @@ def variables(picked: Iterable[Choice]) -> dict[str, str]:
 
 
 def sets(available: Sequence[Choice]) -> list[tuple[Choice, ...]]:
-    """All sets of choices that a deck can run: at most one of a group, and no part that the
+    """All sets of choices that a deck can run: at most one choice per group, and no part that the
     models of the set lack."""
     groups: dict[str, list[Choice | None]] = {}
     for choice in available:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run the points of a sweep on the cores of one machine."""
+"""Runs the points of a sweep on the cores of one machine."""
 
 import os
 import select
@@ -48,7 +48,7 @@ def sweep(
         else:
             todo.append(point)
     before = counts[FINISHED]
-    # only this process holds `writing`, so the workers notice any end of it
+    # only this process holds `writing`, so the workers notice if it ends for any reason
     reading, writing = os.pipe()
     pool = ProcessPoolExecutor(
         min(jobs, len(todo)) or 1, get_context("fork"), _Worker.begin, (reading, writing)
@@ -111,7 +111,7 @@ class _Worker:
 
     @classmethod
     def leave_with_parent(cls):
-        """End a worker whose sweep was killed; it would wait for work forever."""
+        """End a worker whose sweep was killed; otherwise it would wait for work forever."""
         select.select([cls.stop], [], [])
         while os.getppid() == cls.parent:
             time.sleep(0.2)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The variables that decks take from the command line, as the C++ table has them."""
+"""The variables that decks take from the command line, from the C++ table."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -18,7 +18,7 @@ def rows() -> list[dict[str, Any]]:
 
 
 def default(name: str) -> str:
-    """Default as text; empty for that of the command, or of the data."""
+    """Default as text; empty if the command or the data files define it."""
     return next((row["default"] for row in rows() if row["name"] == name), "")
 
 
@@ -28,7 +28,7 @@ def oil() -> dict[str, dict[str, Any]]:
 
 
 def block(values: Mapping[str, float]) -> list[str]:
-    """Lines on `values`, constants of an oil that its file does not have: name, default, meaning
+    """Lines about `values`, constants of an oil that its file lacks: name, default, meaning
     and effect of each."""
     table = oil()
     return ["", "Defaults of constants that the lubricant's file does not have"] + [

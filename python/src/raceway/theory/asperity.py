@@ -11,7 +11,7 @@ from scipy.special import pbdv
 from raceway.arrays import Numbers
 from raceway.core import laws
 
-# composite roughness in m: B, C of Zhou and Hoeprich, for roller bearings
+# {composite roughness in m: (B, C)} of Zhou and Hoeprich, for roller bearings
 ZHOU_HOEPRICH = {1.0e-7: (2.1, 0.85), 1.6e-7: (2.32, 0.97), 2.4e-7: (1.90, 0.99)}
 CONDUCTS = 0.01  # share above which a contact conducts and is not a capacitor
 

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Rotation of balls that roll on both raceways, under Coulomb's law with its gyroscopic moment.
+"""Rotation of balls that roll on both raceways, under Coulomb's law and the gyroscopic moment.
 
 In the plane of the bearing's axis e and a ball's radius u, rolling on both raceways leaves one free
 speed: the radial part x of the ball's rotation, in which its orbit Omega and both spins are linear.
-A ball of inertia J that orbits needs the moment J Omega x about the direction t of its path. Only
-friction across the raceways gives it, for which the ball turns about t and slides at s across both:
+An orbiting ball of inertia J needs the moment J Omega x about the direction t of its path. Only
+friction across the raceways can supply it, so the ball turns about t and slides at s across both:
 
     J Omega x = R_b sum of mu Q s/sqrt(s^2 + v^2),    v = s_e/3.80,
 
-the law of slip across the groove of a run (docs/tribology, Slip in a time step). This turn needs in
-turn the moment J Omega s/R_b about u, which spin gives:
+as in the simulation's law of slip across the groove (docs/tribology, Slip in a time step). This
+rotation in turn needs the moment J Omega s/R_b about u, which spin supplies:
 
     sum of M_k domega_k/dx + J Omega s/R_b = 0,    M_k = spin.closed_moment beside s.
 
@@ -25,18 +25,18 @@ from raceway.core import laws
 from raceway.theory import sliding
 from raceway.theory.bearing import INNER, OUTER, Bearing
 
-HALVINGS = 120  # of slides that differ by 1e20 between a ball that holds and one that slides
-ROUNDS = 5  # of the orbit
+HALVINGS = 120  # bisections; sliding speeds span a factor of 1e20 from sticking to sliding balls
+ROUNDS = 5  # iterations of the orbital speed
 
 
 class Attitude(NamedTuple):
-    """Of Z balls with two contacts each, inner ones first."""
+    """Motion of Z balls with two contacts each, inner contacts first."""
 
     orbit: Floats  # (Z,), rad/s
-    spin: Floats  # (2, Z), rad/s, of ball less ring about the normal
-    moment: Floats  # (2, Z), N m, against it
+    spin: Floats  # (2, Z), rad/s, of the ball relative to the ring about the normal
+    moment: Floats  # (2, Z), N m, opposing the spin
     across: Floats  # (Z,), m/s, sliding across both raceways, not negative
-    force: Floats  # (2, Z), N, against it
+    force: Floats  # (2, Z), N, opposing the sliding
 
     __repr__ = short
 
@@ -54,8 +54,8 @@ def balanced(
     """`Attitude` of balls at contact angles (2, Z) in rad, the inner ring at `ring` rad/s, not 0.
 
     Contacts (2, Z) have the friction `limit` mu Q (N), the semi-axis `a` (m), the moment `pure` of
-    pure spin (N m) and the slip `edge` s_e of differential slip (m/s); `density` of the balls in
-    kg/m^3, above 0.
+    pure spin (N m) and the sliding speed `edge` s_e of differential slip (m/s); `density` of the
+    balls in kg/m^3, above 0.
     """
     none, turn = rolling(bearing, angle, ring)
     radius, edge = bearing.ball_radius, np.maximum(edge, sliding.LEAST)
@@ -69,15 +69,15 @@ def balanced(
 
 
 def _at(slide, none, turn, radius, limit, a, edge, momentum):
-    """(orbit and spins (3, Z), shares of pure spin's couple (2, Z), forces across (2, Z)) of balls
-    that slide at `slide` (Z,) m/s, with the sign of x; `momentum` is J Omega."""
+    """(orbit and spins (3, Z), fractions of the moment of pure spin (2, Z), forces across (2, Z))
+    of balls that slide at `slide` (Z,) m/s, with the sign of x; `momentum` is J Omega."""
     force = limit * slide / np.hypot(slide, edge / sliding.LEAN)
     motion = none + turn * radius * force.sum(0) / momentum
     return motion, laws.spin_shares(np.abs(motion[1:]) * a, edge, np.abs(slide)).spin, force
 
 
 def _slide(none, turn, radius, limit, a, pure, edge, momentum):
-    """The slide of `_at` at which the moments about u balance: their sum rises with it."""
+    """The `slide` of `_at` at which the moments about u balance; their sum increases with it."""
     high = radius * (pure * np.abs(turn[1:])).sum(0) / momentum
     low = -high
     for _ in range(HALVINGS):
@@ -90,8 +90,8 @@ def _slide(none, turn, radius, limit, a, pure, edge, momentum):
 
 
 def rolling(bearing: Bearing, angle: Floats, ring: float) -> tuple[Floats, Floats]:
-    """(orbit and both spins (3, Z) in rad/s of balls that roll on both raceways without a radial
-    part of their rotation, their change with 1 rad/s of it); angles (2, Z) and `ring` as those of
+    """(orbit and both spins (3, Z) in rad/s of balls that roll on both raceways without radial
+    rotation, their change per rad/s of radial rotation); angles (2, Z) and `ring` as in
     `balanced`."""
     sizes = angle[INNER], angle[OUTER], ring, bearing.ball_radius, bearing.pitch_radius
     none, one = (laws.rolling_on_both(*sizes, radial) for radial in (0.0, 1.0))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Equilibrium of the inner ring: energy of a bearing in the ring's five degrees of freedom, with
-the balls in equilibrium, and its minimum.
+"""Equilibrium of the inner ring: the energy of a bearing as a function of the ring's five degrees
+of freedom, with the balls in equilibrium, and its minimum.
 
 Internally, tilts are multiplied by a length and moments divided by it, so that all five are in
 metres and newtons.
@@ -25,7 +25,7 @@ class Here(NamedTuple):
     """The bearing for a given position of the ring, with the balls in equilibrium."""
 
     energy: float  # J, up to a constant
-    gradient: Floats  # (5,), in the ring's place
+    gradient: Floats  # (5,), with respect to the ring's position
     touch: seat.Touch
 
     def hessian(self, metres: Floats) -> Floats:
@@ -50,12 +50,12 @@ class Balance:
         film: FilmInGap | None = None,
     ) -> None:
         """`force` (3,) N, `moment` (2,) N m; `held` (5,) imposed displacements in m and rad, NaN
-        where the ring is free; `azimuth` (Z,) rad and `centrifugal` (Z,) N of all balls, row after
+        where the ring is free; `azimuth` (Z,) rad and `centrifugal` (Z,) N of all balls, row by
         row."""
         self.bearing, self.clearance, self.azimuth = bearing, clearance, azimuth
         self.centrifugal = np.broadcast_to(np.asarray(centrifugal, float), azimuth.shape)
         self.moment, self.finite_shift = np.asarray(moment, float), finite_shift
-        # per unit of place
+        # per unit of position
         self.metres = np.array([1.0, 1.0, 1.0, bearing.pitch_radius, bearing.pitch_radius])
         self.free, self.held = np.isnan(held), np.nan_to_num(held) * self.metres
         self.loads = np.concatenate([force, self.moment]) / self.metres
@@ -112,12 +112,12 @@ class Balance:
                 np.abs(self.loads - loads) <= 1e-12 * np.abs(loads).max(initial=0)
             ):
                 break
-            # tilts can be so soft that rounding keeps the stiffness from repeating to the last
-            # digits
+            # tilts can be so soft that rounding changes the last digits of the stiffness in every
+            # iteration
             if np.all(np.abs(place - was) <= self.digits):
                 break
         else:
-            raise NoEquilibrium("contact angles and contact stiffness do not settle")
+            raise NoEquilibrium("contact angles and contact stiffness do not converge")
         found = self.at(place)
         if self.free.any() and not found.touch.carried.any():
             raise NoEquilibrium("no ball carries load: the position of the ring is indeterminate")
@@ -148,14 +148,14 @@ class Balance:
             was, (place, here) = place, self._moved(place, here, step)
             if np.array_equal(was, place):
                 if size <= 1e-8 * scale:
-                    return place  # below the rounding of the energy
+                    return place  # below the rounding error of the energy
                 break
             if not np.linalg.norm(place[free]) < self.bearing.ball_radius:
                 break
         said = " and moment ({:g}, {:g}) N m".format(*self.moment) if free[3:].any() else ""
         raise NoEquilibrium(
-            f"no place of the ring balances radial and axial load {np.hypot(*self.loads[:2]):g} N, "
-            f"{self.loads[2]:g} N{said} with clearance {self.clearance:g} m"
+            f"no position of the ring balances radial and axial load {np.hypot(*self.loads[:2]):g}"
+            f" N, {self.loads[2]:g} N{said} with clearance {self.clearance:g} m"
         )
 
     def grooves(self, place: Floats) -> seat.Grooves:
@@ -206,8 +206,8 @@ class Balance:
         )
 
     def _renew(self, place):
-        """Contact stiffness at the present angles; the moment's component along the tilts of the
-        present axis."""
+        """Update the contact stiffness at the present angles, and the moment's component along the
+        tilts of the present axis."""
         self._bend(self.angles(self.at(place).touch))
         if self.finite_shift:
             tilt = (place / self.metres)[3:]
@@ -219,7 +219,7 @@ class Balance:
         return result
 
     def _moved(self, place, here, step):
-        """(position, `Here`) after the part of a step that reduces the energy or the residual
+        """(position, `Here`) after a fraction of `step` that reduces the energy or the residual
         force; unchanged if there is none."""
         slope, part = here.gradient[self.free] @ step, 1.0
         size = np.linalg.norm(here.gradient[self.free])

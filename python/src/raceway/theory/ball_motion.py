@@ -22,8 +22,8 @@ def rates(
     bearing: Bearing, raceways: Floats, angle: Floats, ring: float
 ) -> tuple[Floats, Floats, Floats]:
     """(lines (2 C, 3), goal (2 C,), ring speeds (C,)) of the C contacts of a ball on `raceways` at
-    contact angles (rad): `lines` times its motion minus `goal` is its speed relative to the ring
-    at each contact in m/s, then its spin on each in rad/s.
+    contact angles (rad): `lines` times its motion minus `goal` is its speed relative to the ring at
+    each contact in m/s, followed by its spin at each in rad/s.
 
     The motion is the rotation (radial, axial) in rad/s and the speed of the centre in m/s; the
     inner ring turns at `ring` rad/s, with surface speeds in m/s.
@@ -42,9 +42,9 @@ def gyroscopic(
     bearing: Bearing, state: Equilibrium, ring: float, orbit: float | Floats, density: float
 ) -> Floats:
     """(Z,) coefficient of friction that holds each ball against its gyroscopic moment J w_c w_r,
-    w_c its orbital speed and w_r the radial part of its rotation; 0 for a ball that only one ring
-    loads. The ball rolls on its heavier contact with each ring and spins equally on both. Speeds in
-    rad/s, density in kg/m^3."""
+    where w_c is its orbital speed and w_r the radial part of its rotation; 0 for a ball that is
+    loaded by only one ring. The ball rolls on its more heavily loaded contact with each ring and
+    spins equally on both. Speeds in rad/s, density in kg/m^3."""
     contacts = [
         [np.atleast_2d(getattr(side, name)) for name in ("load", "angle")]
         for side in (state.inner, state.outer)
@@ -81,8 +81,8 @@ def speeds(bearing: Bearing, ring: float, state: Equilibrium) -> tuple[Floats, F
     not. The first is half the sum of both surfaces' speeds, the second R_x times the rotation of
     the ball relative to the ring about the rolling axis: the two are equal without sliding.
 
-    They are those of rolling at each contact's own angle, and for a ring with several grooves
-    those of the motion of each ball that both rings hold, with a common coefficient of friction.
+    They follow from rolling at each contact's own angle or, for rings with several grooves, from
+    the motion of each ball held by both rings, with a common coefficient of friction.
     """
     angle = np.vstack([state.inner.angle, state.outer.angle])
     speed = kinematics.entrainment(bearing, ring, angle)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Stiffness of a round shaft of straight sections: Timoshenko's beam along z.
 
-A node has five degrees of freedom, like a ring: x, y, z and the tilts rx, ry. A tilt of the
-cross-section is that of the ring on it, so dx/dz = ry and dy/dz = -rx without shear.
+A node has five degrees of freedom, like a ring: x, y, z and the tilts rx, ry. The cross-section
+tilts with the ring on it, so dx/dz = ry and dy/dz = -rx without shear.
 """
 
 from collections.abc import Sequence
@@ -96,7 +96,7 @@ def element(section: Section, steel: Steel = STEEL) -> Floats:
 
 
 def divided(sections: Sequence[Section], places: Sequence[float]) -> tuple[Floats, list[Section]]:
-    """(nodes' z in m, elements between them): the ends of the sections and `places` (m) are nodes.
+    """(z of the nodes in m, elements between them); nodes are the sections' ends and `places` (m).
     Raises `ValueError` for a place off the shaft."""
     ends = np.concatenate([[0.0], np.cumsum([one.length for one in sections])])
     if off := [place for place in places if not 0 <= place <= ends[-1] * (1 + 1e-12)]:

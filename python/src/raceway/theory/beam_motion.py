@@ -4,7 +4,7 @@
 Mass and gyroscopic matrices are consistent with Timoshenko's element: Przemieniecki, Theory of
 Matrix Structural Analysis, 1968, ch. 11; Friswell et al., Dynamics of Rotating Machines, 2010,
 ch. 5. The reduction is that of Craig and Bampton (AIAA J. 6 (1968) 1313): some nodes are kept,
-and the others move with them and in their own modes while the kept nodes are held.
+and the others move with them and in the modes of the shaft with the kept nodes held.
 """
 
 from collections.abc import Sequence
@@ -39,13 +39,13 @@ class Rigid(NamedTuple):
     """A rigid shaft."""
 
     mass: float  # kg
-    centre: float  # m, of mass, along the shaft
+    centre: float  # m, position of the centre of mass along the shaft
     axial: float  # kg m^2
-    transverse: float  # kg m^2, through the centre
+    transverse: float  # kg m^2, about an axis through the centre
 
 
 def _planes(section: Section, steel: Steel) -> tuple[Floats, Floats]:
-    """((4, 4) mass matrix of displacements, (4, 4) of tilts, for rotation through a diameter) of an
+    """((4, 4) mass matrix of displacements, (4, 4) of tilts, for rotation about a diameter) of an
     element in one plane."""
     length, soft = section.length, beam.softness(section, steel)
     one = steel.density * beam.area(section) * length / (1 + soft) ** 2
@@ -77,7 +77,7 @@ def _element(section: Section, steel: Steel) -> tuple[Floats, Floats]:
         mass += pick.T @ (moved + tilted) @ pick
     axial = steel.density * beam.area(section) * section.length / 6
     mass[np.ix_([2, 7], [2, 7])] += axial * np.array([[2, 1], [1, 2]])
-    # twice as much about the axis as about a diameter; rx is minus the tilt of its plane
+    # polar inertia is twice the diametral one; rx is minus the tilt of its plane
     across = -2 * picks[1].T @ tilted @ picks[0]
     return mass, across - across.T
 

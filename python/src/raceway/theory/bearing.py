@@ -3,8 +3,8 @@
 
 A raceway is a torus groove. The centres of curvature of its cross-sections lie on a circle about
 the ring's axis, of radius R_i + r_ci for the inner ring and R_e - r_co (+ P_d/2 with a diametral
-clearance) for the outer. A `Layout` gives each ring several grooves, for one row of balls or more:
-four-point contact and double row bearings.
+clearance) for the outer. A `Layout` gives each ring several grooves, for one or more rows of balls:
+four-point contact and double-row bearings.
 """
 
 import warnings
@@ -25,7 +25,7 @@ ARRANGEMENTS = {"back_to_back": 1.0, "face_to_face": -1.0}
 class DoubleRow(NamedTuple):
     """Two adjacent rows of a bearing; loads act midway between them."""
 
-    spacing: float  # m, of the balls' planes
+    spacing: float  # m, between the balls' planes
     # m, distance by which each row is pushed along the axis after first contact
     preload: float = 0.0
     arrangement: str = "back_to_back"  # one of `ARRANGEMENTS`
@@ -33,8 +33,8 @@ class DoubleRow(NamedTuple):
 
 @dataclass(frozen=True)
 class Layout:
-    """Positions of rows and grooves along the axis, m, from the point where loads act; one row with
-    one groove a ring by default."""
+    """Positions of rows and grooves along the axis, m, from the point where loads act; by default
+    one row with one groove per ring."""
 
     rows: tuple[float, ...] = (0.0,)  # planes of the balls, those of the outer ring
     # centres of curvature, by row and groove
@@ -43,19 +43,19 @@ class Layout:
 
     @property
     def tracks(self) -> int:
-        """Grooves of the inner ring, of all rows."""
+        """Number of grooves of the inner ring, over all rows."""
         return len(self.rows) * len(self.inner[0])
 
     def centres(self, raceway: int, balls: int) -> Floats:
-        """(grooves, rows x balls), m: by groove and ball, row after row."""
+        """(grooves, rows x balls), m: by groove and ball, row by row."""
         by_row = np.array(self.inner if raceway == INNER else self.outer, float)
         return np.repeat(by_row.T, balls, axis=1)
 
 
 @dataclass(frozen=True)
 class Bearing:
-    """Ball bearing; lengths in m, `young` in Pa. `balls` are those of a row. `outer_radius` is the
-    value before clearance.
+    """Ball bearing; lengths in m, `young` in Pa. `balls` is their number per row. `outer_radius` is
+    the value before clearance.
 
     Raises `ValueError` for a size that is not positive or a groove no wider than its ball, and
     warns about a size in millimetres.
@@ -110,9 +110,9 @@ class Bearing:
             raise ValueError(f"missing bearing data: {', '.join(missing)}") from None
 
     def four_point(self, angle: float) -> "Bearing":
-        """The four-point contact bearing with these balls, pitch and groove radii: two grooves a
-        ring, the one at -z first, which balls in the middle touch at `angle` (rad). Clearance is
-        then that of such a ball.
+        """The four-point contact bearing with these balls, pitch and groove radii: two grooves per
+        ring, the one at -z first, which centred balls touch at `angle` (rad). Clearance is then
+        that of a centred ball.
 
         Raises `ValueError` for an angle that is not between 0 and a right angle, and for a
         bearing that already has several grooves.
@@ -124,7 +124,7 @@ class Bearing:
         if not 0 < angle < np.pi / 2:
             raise ValueError(f"angle {angle:g} rad must lie between 0 and pi/2")
         if self.layout != Layout():
-            raise ValueError("four points need a bearing of one row with one groove a ring")
+            raise ValueError("four points need a bearing of one row with one groove per ring")
         gap = [self.groove_gap(side) for side in (INNER, OUTER)]
         inside = self.pitch_radius + gap[INNER] * np.cos(angle) - self.inner_groove
         outside = self.pitch_radius - gap[OUTER] * np.cos(angle) + self.outer_groove
@@ -137,8 +137,8 @@ class Bearing:
         )
 
     def double_row(self, rows: DoubleRow, angle: float = 0.0) -> "Bearing":
-        """`rows` of this bearing, which touch at its free contact `angle` (rad), 0 for deep
-        grooves.
+        """The bearing with `rows` of these balls, which touch at the free contact `angle` (rad), 0
+        for deep grooves.
 
         Raises `ValueError` for an arrangement that is not in `ARRANGEMENTS`, rows that overlap,
         and a bearing that already has two rows.
@@ -190,7 +190,7 @@ class Bearing:
 
     @property
     def pitch_radius(self) -> float:
-        """Half-way between the raceways before clearance, m."""
+        """Radius half-way between the raceways before clearance, m."""
         return (self.inner_radius + self.outer_radius) / 2
 
     @property
@@ -203,8 +203,8 @@ class Bearing:
         return self.inner_groove if raceway == INNER else self.outer_groove
 
     def groove_gap(self, raceway: int) -> float:
-        """r_c - R_b, m: distance of a just-touching ball's centre from the groove's centre of
-        curvature."""
+        """r_c - R_b, m: distance between the centre of a ball that just touches and the groove's
+        centre of curvature."""
         return self.groove(raceway) - self.ball_radius
 
     def arch(self, raceway: int) -> float:

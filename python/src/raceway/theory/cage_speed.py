@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Speed of a cage by statics, accurate enough for comparison with a measured line: 1e-4 of it.
+"""Speed of a cage by statics, accurate enough (1e-4) for comparison with a measured line.
 
 `kinematics.frequencies` has one contact angle. Three effects are added: the angles at both
 raceways differ because of the centrifugal load; the axis about which a ball rotates then matters;
@@ -19,29 +19,30 @@ from raceway.theory.models import STATICS
 from raceway.theory.static import Equilibrium
 
 # Relative to the order, one standard deviation: rolling resistance and drag retard the balls by up
-# to 1e-4 where all of them are loaded (tests/hosts/test_identify.py has runs against it)
+# to 1e-4 if all of them are loaded (tests/hosts/test_identify.py compares runs)
 ERROR = 1e-4
-# Play of a pocket along the pitch circle, of the ball's diameter (docs/cage)
+# Play of a pocket along the pitch circle, as a fraction of the ball's diameter (docs/cage)
 PLAYS = (0.01, 0.04)
 PLAY = PLAYS[1]
-# Slip of a cage with a play j, relative to j/(length of the loaded arc): of one whose weight hangs
-# toward the load, and of one that its driving ball lifts off; 1 in the middle (docs/cage)
+# Slip of a cage with play j, relative to j/(length of the loaded arc): if its weight makes it hang
+# towards the load, and if its driving ball lifts it off; 1 if it is centred (docs/cage)
 SLIPS = (-1.1, 2.2)
 
 
 def order(bearing: Bearing, state: Equilibrium, models: str = "full") -> float:
     """Speed of the cage relative to that of the inner ring at an equilibrium `state`, outer ring at
-    rest: the mean of all balls, weighted with their loads. Raises `ValueError` for other models.
+    rest: the mean over all balls, weighted by load. Raises `ValueError` for other models.
 
     Each ball rolls at both contacts (Harris, Rolling Bearing Analysis, ch. 10)::
 
         w_c/w = A/(A + B),  A = (1 - g cos a_i)(cos a_o + tan b sin a_o),
                             B = (1 + g cos a_o)(cos a_i + tan b sin a_i)
 
-    with g ball over pitch diameter. The angle b of its axis is 0 with models paper, where nothing
-    tilts the axis out of that of the bearing; otherwise it is half the sum of both contact angles,
-    where pivoting costs the same at both. Differential slip then adds (1 - w_c/w)(e_i - e_o) of it,
-    e = 0.1206 a^2/(2 R_d R_x), a the semi-axis of the ellipse across the groove.
+    where g is the ball diameter over the pitch diameter. The angle b of the ball's axis is 0 with
+    models paper, where nothing tilts that axis relative to the bearing's; otherwise it is half the
+    sum of both contact angles, where spin dissipates equally at both. Differential slip then adds a
+    fraction (1 - w_c/w)(e_i - e_o), with e = 0.1206 a^2/(2 R_d R_x) and a the semi-axis of the
+    ellipse across the groove.
 
     >>> from raceway.theory import static
     >>> b = Bearing(9, 7.94e-3, 15.55e-3, 23.49e-3, 4.0891e-3, 4.1685e-3)
@@ -53,12 +54,12 @@ def order(bearing: Bearing, state: Equilibrium, models: str = "full") -> float:
 
 
 def ball_order(bearing: Bearing, state: Equilibrium, models: str = "full") -> float:
-    """Rotation of a ball relative to the cage (BSF), otherwise as `order`.
+    """Rotation of a ball relative to the cage (BSF), otherwise like `order`.
 
     A ball rolls on the outer raceway about its axis at the angle b, half the sum of both contact
-    angles: w_b/w_c = (1 + g cos a_o)/(g cos(b - a_o)). Models paper, which leave the axis of a ball
-    where it starts, have no value of their own and take this one. Differential slip adds
-    (1 - w_c/w) e_i + w_c/w e_o of it: both rings are slower than the surface of the ball.
+    angles: w_b/w_c = (1 + g cos a_o)/(g cos(b - a_o)). Models paper, in which a ball's axis does
+    not tilt, have no value of their own and use this one. Differential slip adds a fraction
+    (1 - w_c/w) e_i + w_c/w e_o: both rings are slower than the surface of the ball.
 
     >>> from raceway.theory import static
     >>> b = Bearing(9, 7.94e-3, 15.55e-3, 23.49e-3, 4.0891e-3, 4.1685e-3)
@@ -70,7 +71,7 @@ def ball_order(bearing: Bearing, state: Equilibrium, models: str = "full") -> fl
 
 
 def _mean(bearing, state, models, of):
-    """Mean of `of` over all balls, weighted with their loads."""
+    """Mean of `of` over all balls, weighted by load."""
     if models not in STATICS:
         raise ValueError(f"models '{models}' is none of {', '.join(STATICS)}")
     inner, outer = (Rolling(side.load, side.angle, side.a) for side in (state.inner, state.outer))
@@ -113,8 +114,8 @@ def rolling(bearing: Bearing, inner: Rolling, outer: Rolling, *, tilted: bool) -
 
 
 def slips(bearing: Bearing, inner: Rolling, outer: Rolling) -> list[Floats]:
-    """e_i, e_o of `order` for each ball: how much slower the rings are than the ball's surface in
-    free rolling, relative to it."""
+    """e_i, e_o of `order` for each ball: by what fraction the rings are slower than the ball's
+    surface in free rolling."""
     found = []
     for side, one in ((INNER, inner), (OUTER, outer)):
         r_x, _ = bearing.effective_radii(side, one.angle)
@@ -134,11 +135,11 @@ def _along(angle: Floats, tilt: Floats | float) -> Floats:
 
 
 def lags(bearing: Bearing, state: Equilibrium) -> tuple[float, float]:
-    """Least and largest slip of a cage due to the play of its pockets (`slips_of_play`), as a share
-    of its speed; 0 if all balls are loaded.
+    """Least and largest slip of a cage due to pocket play (`slips_of_play`), as a fraction of its
+    speed; 0 if all balls are loaded.
 
-    The arc is that of the loaded balls, the play `PLAY` of a ball's diameter, for which makers
-    seldom give values.
+    The arc is that of the loaded balls. The play is `PLAY` of a ball's diameter, because makers
+    seldom state it.
     """
     loaded = int(np.count_nonzero(np.atleast_2d(state.inner.load > 0).any(0)))
     if loaded >= len(state.azimuth) or not loaded:
@@ -148,8 +149,8 @@ def lags(bearing: Bearing, state: Equilibrium) -> tuple[float, float]:
 
 
 def slips_of_play(play: float, arc: float) -> tuple[float, float]:
-    """Least and largest slip of a rigid cage, wherever it lies: `play` of its pockets along the
-    pitch circle (m), length `arc` of that circle on which balls are loaded (m).
+    """Least and largest slip of a rigid cage in any position: `play` is that of its pockets along
+    the pitch circle (m), `arc` the length of that circle on which balls are loaded (m).
 
     Unloaded balls fall back to the rear of their pockets and loaded ones run ahead to the front.
     """

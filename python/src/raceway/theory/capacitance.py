@@ -33,19 +33,19 @@ def permittivity(ambient: Numbers, pressure: Numbers) -> Numbers:
 
 def mean_permittivity(ambient: Numbers, pressure: Numbers) -> Numbers:
     """Mean of `permittivity` over the area of a Hertz ellipse whose largest pressure is `pressure`
-    in Pa; raises `ValueError` like that function.
+    in Pa. Raises `ValueError` like `permittivity`.
 
     >>> print(f"{mean_permittivity(2.2, 1.5e9):.3f}, at its largest {permittivity(2.2, 1.5e9):.3f}")
     2.578, at its largest 2.654
     """
-    permittivity(ambient, pressure)  # raises
+    permittivity(ambient, pressure)  # raises `ValueError`
     return laws.mean_permittivity(ambient, pressure)
 
 
 def film_permittivity(ambient: Numbers, pressure: Numbers, at: str = "maximum") -> Numbers:
-    """Relative permittivity of a film by the largest `pressure` of its ellipse in Pa: "maximum" at
-    that pressure (the paper), "two_thirds" at two thirds of it, "mean" the area's mean. Raises
-    `ValueError` for another word."""
+    """Relative permittivity of a film from the largest `pressure` of its ellipse in Pa: "maximum"
+    at that pressure (as in the paper), "two_thirds" at two thirds of it, "mean" the mean over the
+    area. Raises `ValueError` for another word."""
     if at not in PERMITTIVITY_AT:
         raise ValueError(f"permittivity_at '{at}' is none of {', '.join(PERMITTIVITY_AT)}")
     if at == "mean":
@@ -59,7 +59,7 @@ def contact(ambient: Numbers, pressure: Numbers, a: Numbers, b: Numbers, h_c: Nu
 
 
 def ball(inner: ArrayLike, outer: ArrayLike) -> Numbers:
-    """Inner and outer contact in series, F; zero if either is (eq 12). Arrays of one shape.
+    """Inner and outer contact in series, F; zero if either is zero (eq 12). Arrays of one shape.
 
     >>> ball([3e-10, 3e-10], [6e-10, 0.0]).tolist()
     [2e-10, 0.0]

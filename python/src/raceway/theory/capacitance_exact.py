@@ -19,8 +19,8 @@ from raceway.theory.bearing import INNER, Bearing
 from raceway.theory.groove_width import shoulder_angle
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(10)
-# e-folds of the distance from an edge: where the steps along x end and how wide they are; depth
-# and width of the panels along y
+# in e-folds of the distance from an edge: ends and width of the steps along x; depth and width of
+# the panels along y
 NEAR, FAR, STEP = -22.0, 22.0, 0.4
 DEEP, PANEL = 25.0, 2.5
 
@@ -80,8 +80,8 @@ def _gap(one, x, y, beyond):
 def parabola(
     r_x: float, r_y: float, modulus: float, load: float, separation: ArrayLike, width: float
 ) -> Numbers:
-    """I in m around the ellipse, with the groove as a parabola to y = ± `width` (m); the shape of
-    `separation` h (m); all share one gap, which is computed once.
+    """I in m around the ellipse, with the groove as a parabola up to y = ± `width` (m); it has the
+    shape of `separation` h (m). All share one gap, which is computed once.
 
     Raises `ValueError` for a load that is not positive.
 
@@ -106,11 +106,11 @@ def arc(
     angle: float = 0.0,
 ) -> Numbers:
     """I in m around the ellipse in a circular groove with a depth of `depth` (m) at a contact angle
-    (rad); the shape of `separation` (m).
+    (rad), with the shape of `separation` (m).
 
-    Within the ellipse's width as in `parabola`; beyond, the difference of the arc's and the
-    parabola's gap is added to it, and the radius along rolling follows the raceway. Raises
-    `ValueError` for a load that is not positive.
+    Within the ellipse's width as in `parabola`. Beyond it, the difference between the gaps of arc
+    and parabola is added, and the radius along rolling follows the raceway. Raises `ValueError` for
+    a load that is not positive.
     """
     r_x, r_y = (float(value) for value in bearing.effective_radii(raceway, angle))
     one = contact(r_x, r_y, bearing.effective_modulus, load)
@@ -200,7 +200,7 @@ def _strips(one, y, weight, separation, bend=0.0, turned=0.0):
 
 
 def _panels(length, last):
-    """Nodes and weights over distances from `length` down, in e-folds, at least `last` of them."""
+    """Nodes and weights over distances from `length` down, in at least `last` e-folds."""
     count = int(np.ceil(last / PANEL))
     width = last / count
     start = width * np.arange(count)[:, None]

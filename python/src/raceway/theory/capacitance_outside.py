@@ -75,10 +75,10 @@ def rigid(
     that is not positive.
 
     4 pi sqrt(R_x R) asinh(S/sqrt(2 R g_0)), the mean of both sides. R = kappa^2 E R/(ln 4 kappa -
-    1), within 1 % of R_y, makes it the limit of `loaded` for zero load. It is divided by 1 -
-    play/(r_c - R_b), because the centres of ball and groove come closer with the `play` (m). That
-    equals the separation by default; a film may separate surfaces with less play. Beyond concentric
-    circles the inverse sine applies.
+    1), within 1 % of R_y, makes it the limit of `loaded` for zero load. R is divided by 1 -
+    play/(r_c - R_b), because the centres of ball and groove approach each other with the `play`
+    (m). By default the play equals the separation; a film may separate surfaces with less play.
+    Beyond concentric circles asinh becomes asin.
 
     >>> one, width = hertz.exact(4.990476e-3, 163.8e-3), HalfWidths(5.85e-3, 5.85e-3)
     >>> round(1e3 * float(rigid(one, 4.990476e-3, 6.3e-3, 6.552e-3, 12e-6, width)), 1)  # mm

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Both gaps of every ball as capacitors: contact patch and surroundings of a loaded contact, rigid
-gap of an unloaded one. Arrays with one value per ball, SI units. Derived on docs/electric.
+gap of an unloaded one. Arrays with one value per ball, SI units. Derivation: docs/electric.
 
 A ball between the rings always has both capacitors. An unloaded one lies on the outer raceway
 under its centrifugal load Q_u, and its play is the gap to the inner one.
@@ -39,7 +39,7 @@ class Filling(NamedTuple):
     kind: str = "flooded"  # one of `capacitance_outside.FILLS`
     outlet: float = 1.0  # relative permittivity in the outlet if "cavitated"
     permittivity_at: str = "maximum"  # one of `capacitance.PERMITTIVITY_AT`
-    roughness: str = "none"  # one of `ROUGHNESS`: the factor of a rough film on the patch
+    roughness: str = "none"  # one of `ROUGHNESS`: factor for a rough film on the patch
     shoulders: Shoulders = Shoulders()
 
 
@@ -63,7 +63,7 @@ class Capacitors(NamedTuple):
 
     @property
     def of_balls(self) -> "Capacitors":
-        """The same of grooves (grooves, Z) as one capacitor a ball (Z,): in parallel, with the
+        """Grooves (grooves, Z) merged into one capacitor per ball (Z,): in parallel, with the
         largest load and the thinnest film."""
         if self.load.ndim == 1:
             return self
@@ -89,14 +89,14 @@ class BearingCapacitors(NamedTuple):
 
     @property
     def plates(self) -> float:
-        """F, of the ellipses alone: a ball that is unloaded on either raceway adds nothing (eq
+        """F, of the ellipses alone; a ball that is unloaded on either raceway adds nothing (eq
         12)."""
         loaded = self.inner.load > 0
         return float(np.sum(self.of_plates[loaded]))
 
     @property
     def of_plates(self) -> Floats:
-        """(Z,), F: the ellipses alone in series."""
+        """(Z,), F: the two ellipses alone, in series."""
         return capacitance.ball(self.inner.plates, self.outer.plates)
 
     @property
@@ -106,8 +106,8 @@ class BearingCapacitors(NamedTuple):
 
 
 def quiet_load(bearing: Bearing, orbit: Numbers, density: float = 7850.0) -> Numbers:
-    """Q_u = m r omega^2 in N of a ball without other load, at least 0.1; `orbit` the cage speed in
-    rad/s, `density` in kg/m^3."""
+    """Q_u = m r omega^2 in N of a ball without other load, at least 0.1; `orbit` is the cage speed
+    in rad/s, `density` in kg/m^3."""
     mass = 4 / 3 * np.pi * bearing.ball_radius**3 * density
     return np.maximum(LEAST, mass * bearing.pitch_radius * np.square(orbit))[()]
 
@@ -193,10 +193,10 @@ def of_raceway(
 def separation(
     thickness: Callable[[Floats], Floats], load: ArrayLike, play: ArrayLike, quiet: float
 ) -> Floats:
-    """The common separation of a gap through loss and return of contact, m: h_c of the larger of
-    load and `quiet` Q_u (N), and at least the `play` (m; negative or zero under load).
+    """Separation of a gap in m, continuous through loss and return of contact: h_c for the larger
+    of load and `quiet` Q_u (N), and at least the `play` (m; negative or zero under load).
 
-    `thickness` gives h_c in m by the contact loads in N. Arrays of one shape.
+    `thickness` gives h_c in m from the contact loads in N. Arrays of one shape.
     """
     load = np.asarray(load, float)
     film_there = thickness(np.maximum(load, quiet))
@@ -217,9 +217,9 @@ def of_statics(
 ) -> BearingCapacitors:
     """`BearingCapacitors` of an `Equilibrium` with rotating balls, the inner ring at `speed` rad/s.
 
-    `quiet` is `quiet_load` in N, which the outer film carries at least; two grooves share it.
-    `clearance` and `factor` as `lubrication.lubricate`'s; `scale` multiplies every film. Raises
-    `ValueError` without speed: then there is no film.
+    `quiet` is `quiet_load` in N, the least load of the outer film; two grooves share it.
+    `clearance` and `factor` as in `lubrication.lubricate`; `scale` multiplies every film. Raises
+    `ValueError` without speed, because there is no film then.
     """
     if not speed:
         raise ValueError("speed = 0 rad/s: balls that do not turn have no film")

@@ -2,11 +2,11 @@
 """Distances of balls from the circles of an inner ring's groove centres, and their derivatives.
 
 The ring's position is (x, y, z, t_x, t_y): displacement of its centre in m and tilt about the two
-axes across in rad. Tilt rotates the ring's axis to e = (sin t_y, -sin t_x, ...), so t_x and t_y are
+transverse axes in rad. Tilt rotates the ring's axis to e = (sin t_y, -sin t_x, ...), so they are
 the values reported by `fix bearing/ring`. A ball's position is (radial, axial) in m in the plane
 through the outer ring's axis at the ball's azimuth. Derivatives are with respect to these seven:
-ball first, then ring. Arrays have the shape ... of `azimuth` and of the circles' `height`,
-broadcast.
+ball first, then ring. Arrays have the broadcast shape ... of `azimuth` and the circles'
+`height`.
 """
 
 from collections.abc import Callable
@@ -35,7 +35,7 @@ def straight(
 ) -> Reach:
     """`Reach` after Jones and Harris: the circle's point at `azimuth` moves by the components of
     the ring's displacement and tilt in the ball's plane (Harris, ch. 7), as if the circle were
-    straight over the shift. `height` in m is that of the circle above the ring's centre.
+    locally straight. `height` in m is that of the circle above the ring's centre.
     """
     c, s, h = np.broadcast_arrays(np.cos(azimuth), np.sin(azimuth), height)
     both = np.zeros((*h.shape, 2, 7))
@@ -66,8 +66,8 @@ def straight(
 def exact(
     ball: Floats, place: Floats, azimuth: Floats, radius: float, height: Numbers = 0.0
 ) -> Reach:
-    """`Reach` of a circle that remains a circle, shifted and tilted, to its nearest point in space;
-    `height` as in `straight`."""
+    """`Reach` to the nearest point in space of a circle that is shifted and tilted but remains a
+    circle; `height` as in `straight`."""
     c, s, over = np.broadcast_arrays(np.cos(azimuth), np.sin(azimuth), height)
     axis, turn, bend = _axis(*place[3:])
     at = np.broadcast_to(ball, (*c.shape, 2))
@@ -106,8 +106,8 @@ def exact(
 
 def conjugate(moment: ArrayLike, tilt: Floats) -> Floats:
     """The part (2,) of a moment (2,) or (3,) in N m, fixed in space, that does work on the tilts
-    (2,), rad. Its component along the ring's axis does none, since the drive of the ring takes
-    it."""
+    (2,), rad. Its component along the ring's axis does none, since the ring's drive takes it
+    up."""
     axis, turn, _ = _axis(*tilt)
     return np.append(moment, 0.0)[:3] @ np.cross(axis, turn.T).T
 

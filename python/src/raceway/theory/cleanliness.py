@@ -16,7 +16,7 @@ CLEANLINESS: Mapping[str, tuple[tuple[float, float], tuple[float, float]]] = {
 
 
 def contamination(cleanliness: str, pitch_diameter: float) -> float:
-    """e_C, the middle of the range of a word of `CLEANLINESS`; `pitch_diameter` in m. Raises
+    """e_C, the middle of the range for a word of `CLEANLINESS`; `pitch_diameter` in m. Raises
     `ValueError` for another word."""
     if cleanliness not in CLEANLINESS:
         raise ValueError(f"cleanliness '{cleanliness}' is none of {', '.join(CLEANLINESS)}")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Stribeck-Harris distribution of a radial load over the balls (eq A.1), contact angle zero.
 
-The balls are treated as evenly distributed: a real bearing varies about these values as the balls
-pass.
+The load is treated as distributed continuously; a real bearing varies about these values as the
+balls pass.
 """
 
 import numpy as np

@@ -34,11 +34,11 @@ class Point(NamedTuple):
     state: Equilibrium
     films: Lubrication
     speed: float  # rad/s
-    quiet: float | Floats  # Q_u, N, of several rows by ball
+    quiet: float | Floats  # Q_u, N; for several rows by ball
     clearance: float  # m
     film: FilmInGap | None
     filling: Filling
-    four_point: float | None  # rad, contact angle of two grooves a ring
+    four_point: float | None  # rad, contact angle of two grooves per ring
 
     __repr__ = short
 
@@ -58,8 +58,7 @@ class Point(NamedTuple):
 
 
 class Ask(NamedTuple):
-    """Requested quantities of a point in addition to its capacitance; None for quantities that are
-    not"""
+    """Requested quantities of a point in addition to its capacitance; None if not requested."""
 
     strength: float = film_voltage.STRENGTH  # of a film, V/m
     voltage: float | None = None  # V, between the rings
@@ -92,7 +91,7 @@ def solve(
     in N, `rpm` of the inner ring, diametral `clearance` in m, `temperature` in degrees C, `phase`
     of the first ball in rad.
 
-    Shoulders that `filling` does not have are those of the bearing's file. `models` is one of
+    Shoulders missing in `filling` are taken from the bearing's file. `models` is one of
     `models.CAPACITANCE`; "full" has the film in the gap and inlet shear. `four_point` (rad) and
     `double_row` as in `inputs.bearing`. Raises `RacewayError`; `ValueError` without speed and for
     unknown words.
@@ -152,7 +151,7 @@ def solve(
 def figures(point: Point, ask: Ask = NOTHING) -> dict[str, Any]:
     """Figures by name in SI units, angles in degrees; None for quantities that were not requested.
     `balls` is a list with one mapping for each ball. Raises `ValueError` for a measured capacitance
-    that no film of the model gives."""
+    that no film of the model produces."""
     found, films, oil = point.capacitors(), point.films, point.oil
     top = int(np.argmax(found.inner.load))
     loaded = found.inner.load > 0

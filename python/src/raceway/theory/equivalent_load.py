@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Dynamic equivalent load P = X F_r + Y F_a of single-row ball bearings (ISO 281, table 3).
 
-The factors are quoted from memory: no copy of the standard was at hand. `life.of_loads` does not
-need them: its equivalent load follows from the loads of the balls, with clearance, tilts and rows.
+The factors are quoted from memory, without a copy of the standard. `life.of_loads` does not need
+them: its equivalent load follows from the loads of the balls, with clearance, tilts and rows.
 """
 
 import math
@@ -26,9 +26,9 @@ ANGULAR = (
 def equivalent(
     radial: float, axial: float, *, angle: float, balls: int, ball_diameter: float
 ) -> float | None:
-    """P in N under loads in N, `angle` the nominal contact angle in rad and the diameter in m. None
-    under an axial load at angles outside the table: below 20 degrees except 0, and
-    above 45. Without an axial load P is the radial load, at any angle.
+    """P in N for loads in N; `angle` is the nominal contact angle in rad, the diameter is in m.
+    None for an axial load at angles outside the table, that is, below 20 degrees except 0, and
+    above 45. Without an axial load, P is the radial load at any angle.
 
     >>> point = dict(angle=0.0, balls=9, ball_diameter=12.6e-3)
     >>> equivalent(2000.0, 0.0, **point), round(equivalent(2000.0, 1000.0, **point))

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Balls that run ahead of and behind their cage.
+"""Balls that run ahead of their cage and lag behind it.
 
 Under a moment or a combined load the contact angles differ from ball to ball, and with them the
-speeds at which the balls roll about the bearing. A ball then moves against a cage that turns
-uniformly (circumferential ball advance, as makers of bearing software call it). A pocket with less
-play holds it back: it slides on both raceways, and they press it against the pocket.
+speeds at which the balls roll around the bearing. A ball then moves relative to a cage that turns
+uniformly (called circumferential ball advance in bearing software). A pocket with less play
+restrains the ball, which then slides on both raceways and is pressed against the pocket by them.
 """
 
 import math
@@ -20,20 +20,20 @@ from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.static import Equilibrium
 from raceway.units import prefixed
 
-POINTS = 720  # of the path of a ball around the bearing
+POINTS = 720  # points on the path of a ball around the bearing
 
 
 class Excursion(NamedTuple):
-    """Balls against a cage that turns uniformly."""
+    """Motion of balls relative to a cage that turns uniformly."""
 
     ahead: float  # m, largest distance ahead of the mean
-    behind: float  # m, and behind it, below 0
-    play: float  # m, of the pockets along the pitch circle
-    force: float | None  # N, largest on a pocket, estimated; None without friction coefficients
+    behind: float  # m, largest distance behind the mean, negative
+    play: float  # m, of the pockets, along the pitch circle
+    force: float | None  # N, estimated largest pocket force; None without friction coefficients
 
     @property
     def whole(self) -> float:
-        """From the rear to the front, m."""
+        """From the rearmost to the foremost position, m."""
         return self.ahead - self.behind
 
 
@@ -44,13 +44,13 @@ def excursion(
     friction: Floats | None = None,
     play: float | None = None,
 ) -> Excursion | None:
-    """`Excursion` at the equilibrium `state` of a bearing of one row and one groove a ring, whose
-    inner ring turns at `speed` (rad/s) and whose outer ring rests; None for others.
+    """`Excursion` at the equilibrium `state` of a bearing with one row and one groove per ring,
+    whose inner ring turns at `speed` (rad/s) and whose outer ring is at rest; None for others.
 
     Each ball rolls at its own contact angles (`cage_speed.rolling`), balls without load at the mean
-    speed. The way of a ball ahead is R times the integral of 1 - w_c/w over the azimuth, with the
-    harmonic mean w_c of the balls' speeds w, which makes it the same after a turn. Where it exceeds
-    `play` (m; the estimate of a run by default), a ball is held back by
+    speed. The advance of a ball is R times the integral of 1 - w_c/w over the azimuth; with the
+    harmonic mean w_c of the balls' speeds w, it is periodic over a turn. If it exceeds `play` (m;
+    by default the estimate that runs use), a ball is restrained by
     (1 - play/excursion) (w - w_c) R at both raceways. The traction of that slip by Heathcote's law
     with the coefficients `friction` (2, Z) presses the ball against its pocket; the cage's speed is
     the one at which these forces balance.
@@ -92,7 +92,7 @@ def excursion(
 
 
 def _traction(bearing, side, slip, one, friction, orbit):
-    """N, along rolling, of a ball that is pushed at `slip` (m/s) against free rolling."""
+    """N, traction along rolling on a ball that moves at `slip` (m/s) relative to free rolling."""
     r_x, _ = bearing.effective_radii(side, one.angle)
     r_d = sliding.deformed_radius(bearing.groove(side), bearing.ball_radius)
     u = orbit * bearing.pitch_radius
@@ -112,7 +112,7 @@ def _integral(values):
 
 
 def warning(found: Excursion) -> str | None:
-    """Text where the balls' excursion exceeds the play of the pockets."""
+    """Text if the balls' excursion exceeds the pocket play, otherwise None."""
     if found.whole <= found.play:
         return None
     text = (

@@ -4,8 +4,7 @@ units. The formulas are those of src-package/core/laws/film.h.
 
 Every formula is R_x f(U, G, W, kappa) with U = eta U_r/(E' R_x), G = xi E' and W = Q/(E' R_x^2),
 where U_r is the entrainment speed, half the sum of both surface speeds. At zero speed there is no
-film; zero load is an error, because the film of an unloaded contact is not an elastohydrodynamic
-one.
+film; zero load is an error, because the film of an unloaded contact is not elastohydrodynamic.
 """
 
 from typing import NamedTuple

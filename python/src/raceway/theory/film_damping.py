@@ -25,7 +25,7 @@ def branch(k: Numbers, h_c: Numbers, elastic: Numbers, b: Numbers, speed: Number
     """`Branch` of a contact with slope k = 1.5 Q/delta_H in N/m; h_c, `elastic` = delta_H and the
     semi-axis b along rolling in m, u in m/s.
 
-    h_c/delta_H is limited to 1, since the fit is for thin films.
+    h_c/delta_H is limited to 1, since the fit applies to thin films.
     """
     stiffness, rate = laws.film_branch(k, h_c, elastic, b, np.abs(speed))
     with np.errstate(divide="ignore"):
@@ -35,8 +35,8 @@ def branch(k: Numbers, h_c: Numbers, elastic: Numbers, b: Numbers, speed: Number
 def advance(
     force: Numbers, branch: Branch, approach: Numbers, step: Numbers
 ) -> tuple[Numbers, Numbers]:
-    """(f in N after `step` in s at a constant `approach` d(delta)/dt in m/s, its slope over the
-    approach in N s/m), exact."""
+    """(f in N after `step` in s at a constant `approach` d(delta)/dt in m/s, its derivative with
+    respect to the approach in N s/m), exact."""
     left, slope = laws.film_branch_step(branch.stiffness, 1 / branch.time, step, False)
     return left * force + slope * approach, slope
 

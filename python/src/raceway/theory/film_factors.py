@@ -10,7 +10,7 @@ from raceway.core import laws
 
 MURCH_WILSON, WILSON = 1, 2
 
-GUPTA_MOST = 0.9  # largest 13.2 P L^0.42; a run limits it to this value
+GUPTA_MOST = 0.9  # largest 13.2 P L^0.42; runs limit it to this value
 
 
 def thermal_loading(
@@ -31,7 +31,7 @@ def gupta_parts(
     loading: Numbers, pressure: Numbers, slide_roll: Numbers = 0.0
 ) -> tuple[Numbers, Numbers]:
     """(1/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), 13.2 P L^0.42) of `gupta`: the factor without
-    pressure and its reduction by the pressure."""
+    pressure, and its relative reduction by pressure."""
     return tuple(laws.gupta_parts(loading, pressure, slide_roll))
 
 

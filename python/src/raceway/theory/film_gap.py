@@ -2,7 +2,7 @@
 """The film in the gap, which adds to the overlap in Hertz's law.
 
 Q = K delta_H^1.5 with delta_H = delta + zeta h_c(Q), delta the overlap of the rigid bodies,
-negative in a gap. The left side grows with Q and h_c falls, so there is one root for any delta.
+negative in a gap. delta_H grows with Q and h_c falls, so there is exactly one root for any delta.
 zeta is 1.04 to 1.09 for a line contact according to a transient EHL solver; 1 is the default.
 """
 
@@ -14,14 +14,14 @@ from numpy.typing import ArrayLike
 from raceway.arrays import Numbers
 from raceway.core import laws
 
-CUT = 1.0  # N: default load below which a power law keeps its thickness
+CUT = 1.0  # N: default load below which the thickness by a power law is constant
 
 
 class Squeeze(NamedTuple):
     """A contact with its film, arrays of one shape."""
 
     load: Numbers  # Q, N
-    h_c: Numbers  # m; below the load of the cut, the thickness at the cut
+    h_c: Numbers  # m; below the cut, the thickness at the cut
     elastic: Numbers  # delta_H, m; zero without load
     slope: Numbers  # dQ/d(delta), N/m
 
@@ -61,7 +61,7 @@ def power_law(
     cut: float = CUT,
 ) -> Law:
     """`Law` of Masjedi and Khonsari (`film.h_c`) times `factor`; below the load `cut` in N the
-    thickness is that at `cut`. 0 leaves the power law uncut, which grows without bound."""
+    thickness is that at `cut`. With 0 the power law is not cut and grows without bound."""
     return Law(False, viscosity, pressure_viscosity, modulus, r_x, kappa, speed, factor, cut=cut)
 
 
@@ -83,11 +83,12 @@ def all_regimes(
 def heated(
     law: Law, loading: Numbers, peak: Numbers, slide_roll: Numbers = 0.0, *, cut: float = CUT
 ) -> Law:
-    """`law` times Gupta's factor (`film_factors.gupta`), which falls with the pressure of the load.
+    """`law` times Gupta's factor (`film_factors.gupta`), which falls with pressure and so with
+    load.
 
-    `loading` is L; `peak` is p_max/E' under 1 N, p_max growing with Q^(1/3). Below the load `cut`
-    in N the factor is that at `cut`. Beyond the range of Gupta's factor the pressure reduces it by
-    `GUPTA_MOST`. Raises `ValueError` if a power law is cut at another load.
+    `loading` is L; `peak` is p_max/E' under 1 N, where p_max grows with Q^(1/3). Below the load
+    `cut` in N the factor is that at `cut`. Beyond the range of Gupta's factor, the reduction by
+    pressure is `GUPTA_MOST`. Raises `ValueError` if a power law is cut at another load.
     """
     if not law.all_regimes and law.cut != cut:
         raise ValueError(f"cut = {cut} N must be that of the power law, {law.cut} N")
@@ -97,8 +98,8 @@ def heated(
 def solve(overlap: ArrayLike, stiffness: Numbers, law: Law, share: float = 1.0) -> Squeeze:
     """`Squeeze` of contacts with K in N/m^1.5 at an `overlap` in m of any sign; `share` is zeta.
 
-    dQ/d(delta) = 1.5 Q/(delta_H + 1.5 m zeta h_c). There is no load where the gap is wider than a
-    film that is cut.
+    dQ/d(delta) = 1.5 Q/(delta_H + 1.5 m zeta h_c). There is no load if the gap exceeds the
+    thickness of a cut film.
     """
     return Squeeze(*laws.film_in_gap(overlap, stiffness, share, **vars(law)))
 
@@ -110,7 +111,7 @@ def energy(
     cut: float = 0.0,
     edge: Numbers = 0.0,
 ) -> Numbers:
-    """Energy in J of a contact at constant speed, where the film is a power law of the load with m
+    """Energy in J of a contact at constant speed whose film is a power law of the load with m
     = `exponent` above the load `cut` in N, at which its thickness is `edge` (m): 0.4 Q delta_H +
     zeta m/(1 - m) (h_c Q - edge cut)."""
     thinned = laws.thinning_work(share, exponent, squeeze.load, squeeze.h_c, cut, edge)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film thickness read from a bearing's capacitance as if it were plates alone: a curve to correct
-measured film thicknesses."""
+"""Film thickness read from a bearing's capacitance as if it were that of the plates alone: a curve
+for correcting measured film thicknesses."""
 
 from typing import NamedTuple
 
@@ -14,21 +14,21 @@ FACTORS = np.geomspace(0.1, 10.0, 61)
 
 
 class Reading(NamedTuple):
-    """Arrays (N,) with one value for each film: `h_c` of the largest inner load; the other films in
-    proportion."""
+    """Arrays (N,) with one value for each film thickness: `h_c` is that at the largest inner load;
+    the other films are scaled in proportion."""
 
     h_c: Floats  # m
     capacitance: Floats  # F, of the whole bearing
     by_plates: Floats  # m: h_c if the plates were the whole capacitance
-    less_constant: Floats  # m: the same after subtraction of all but the plates at factor one
+    less_constant: Floats  # m: the same after subtracting all but the plates' share at factor one
 
 
 def curve(point: Point, factors: ArrayLike = FACTORS) -> Reading:
     """`Reading` of a bearing at one operating point with its films `factors` times as thick.
 
     The plates are inversely proportional to the film, at constant permittivity. `less_constant` is
-    the reading of a bridge zeroed with the surroundings of the model's film; NaN where nothing
-    remains. Raises `ValueError` if no ball is loaded on both raceways.
+    the reading of a bridge zeroed with the surroundings at the model's film thickness; NaN where
+    nothing remains. Raises `ValueError` if no ball is loaded on both raceways.
     """
     whole = point.capacitors()
     plates = whole.plates

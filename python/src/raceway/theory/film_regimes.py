@@ -42,6 +42,6 @@ def group(
 
 
 def h_c(g: Moes) -> Numbers:
-    """Central thickness in m (the asymptotes checked against the source, the formula that joins
-    them from memory, unchecked)."""
+    """Central thickness in m. The asymptotes were checked against the source; the formula that
+    joins them is from memory, unchecked."""
     return g.scale * laws.film_all_regimes(g.load, g.material, g.ratio)

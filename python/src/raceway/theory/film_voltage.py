@@ -14,8 +14,8 @@ import numpy as np
 from raceway.arrays import Floats, Numbers
 from raceway.theory.asperity import CONDUCTS
 
-STRENGTH = 15e6  # V/m, the lower end of smooth thin films (from memory, unchecked)
-PEAKS = 3.0  # standard deviations of the roughness by which a film is locally thinner
+STRENGTH = 15e6  # V/m, lower end of the range for smooth thin films (from memory, unchecked)
+PEAKS = 3.0  # local reduction of a film, in standard deviations of the roughness
 # A/m^2 of peak current over Hertz area (from memory, unchecked)
 HARMLESS, HARMFUL = 0.1e6, 0.7e6
 HARDNESS = 7.5e9  # Pa, of bearing steel: 7 to 8 GPa (from memory, unchecked)
@@ -23,7 +23,7 @@ STATES = ("capacitive", "leaking", "metallic")
 
 
 class Shares(NamedTuple):
-    """A voltage over a ball, divided."""
+    """A voltage across a ball, divided between its films."""
 
     inner: Numbers  # V
     outer: Numbers
@@ -41,15 +41,15 @@ def divided(voltage: Numbers, inner: Numbers, outer: Numbers) -> Shares:
 
 
 def shares(inner: Numbers, outer: Numbers) -> Shares:
-    """Share of each film in one volt between the rings, by capacitances; zero for two open
-    films."""
+    """Share of each film in one volt between the rings, from the capacitances; zero if both films
+    are open."""
     both = np.asarray(inner + outer, float)
     over = np.divide(1.0, both, out=np.zeros_like(both), where=both != 0)
     return Shares((outer * over)[()], (inner * over)[()])
 
 
 def local_gap(separation: Numbers, roughness: float = 0.0, floor: float = 0.0) -> Numbers:
-    """h - 3 sigma in m, `floor` (m) where the peaks touch."""
+    """h - 3 sigma in m, or `floor` (m) where asperities touch."""
     return np.maximum(separation - PEAKS * roughness, floor)
 
 
@@ -75,7 +75,7 @@ class Threshold(NamedTuple):
     bearing: float  # V, of the weakest ball
     ball: Numbers  # (Z,), V
     weakest: int  # index of that ball
-    first: Numbers  # (Z,), 0 for inner or 1 for outer film: which fails first; the other follows
+    first: Numbers  # (Z,), film that fails first, 0 inner or 1 outer; the other follows
 
 
 def threshold(
@@ -87,8 +87,8 @@ def threshold(
     """`Threshold` of a bearing from gaps (m) and capacitances (F) of inner and outer films, arrays
     (Z,); a film fails when its field over the local gap reaches `strength` (V/m).
 
-    The smaller of E h_i (C_i + C_o)/C_o and E h_o (C_i + C_o)/C_i, then of all balls. Raises
-    `ValueError` for a capacitance or strength that is not positive.
+    The smaller of E h_i (C_i + C_o)/C_o and E h_o (C_i + C_o)/C_i, then the minimum over all balls.
+    Raises `ValueError` for a capacitance or strength that is not positive.
 
     >>> found = threshold(([1e-7], [2e-7]), ([2e-10], [1e-10]), 15e6)
     >>> round(found.bearing, 3), found.first.tolist()
@@ -103,14 +103,14 @@ def threshold(
 
 
 def stored_energy(capacitance: Numbers, voltage: Numbers) -> Numbers:
-    """C V^2/2 in J, all of which a discharge may take: of the bearing and the capacitances parallel
-    to it."""
+    """C V^2/2 in J, which a discharge may dissipate completely; C includes the capacitances in
+    parallel with the bearing."""
     return capacitance * np.square(voltage) / 2
 
 
 def apparent_current_density(current: Numbers, area: Numbers) -> Numbers:
     """Peak `current` (A) over the Hertz area (m^2) of all contacts through which it may flow,
-    A/m^2. Up to 0.1 A/mm^2 is called harmless, from 0.7 harmful (from memory, unchecked)."""
+    A/m^2. Up to 0.1 A/mm^2 counts as harmless, above 0.7 as harmful (from memory, unchecked)."""
     return current / _positive("area", area)
 
 
@@ -127,7 +127,7 @@ def states(asperity_share: Numbers, loss: Numbers = 0.0) -> Numbers:
 
 
 def real_area(asperity_share: Numbers, load: Numbers, hardness: float = HARDNESS) -> Numbers:
-    """A_r = L_a Q/H_m in m^2 of touching metal under the share L_a of a load in N."""
+    """A_r = L_a Q/H_m in m^2, area of metal contact under the share L_a of a load in N."""
     return asperity_share * load / _positive("hardness", hardness)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Reduction of the clearance of a bearing by interference fits (Lame's thick tubes).
+"""Reduction of a bearing's clearance by interference fits (Lamé's thick-walled tubes).
 
 A ring is treated as a tube that ends at the bottom of its groove, without shoulders. Shaft and
 housing are tubes as long as the ring. `heat.clearance_change` gives the effect of temperature.

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Friction torque of a bearing in static equilibrium: the power that each contact loses while its
-balls roll freely, by part, divided by the speed of the ring.
+"""Friction torque of a bearing in static equilibrium: the power loss of all contacts of freely
+rolling balls, by part, divided by the speed of the ring.
 
 rolling
     hydrodynamic, 2 f times the rolling speed and the factors of inlet shear and starvation
@@ -10,8 +10,8 @@ slip
     that of Eyring's stress with its limit (`traction`), asperities carry their share of the load
     with the boundary coefficient (`sliding`); slip across the grooves under the gyroscopic moment
 spin
-    about the contact normals, where the moments on the ball balance (`attitude`): in closed form,
-    as in a run, or, with `spin_law` "slices", together with slip
+    about the contact normals, at the rotation where the moments on the ball balance (`attitude`):
+    in closed form, as in a run, or, with `spin_law` "slices", together with slip
 hysteresis
     of the steel (`rolling`)
 drag
@@ -61,13 +61,13 @@ class Surfaces:
     film: float | None = 0.05  # mu of the film; None for Eyring's stress with its limit
     loss: float = 0.016  # alpha of hysteresis, 0.005 to 0.05
     oil_share: float = 0.05  # oil fraction of the space around the balls
-    inlet: float = 0.0  # of rolling contacts, in semi-axes b; 0: flooded
+    inlet: float = 0.0  # inlet length of rolling contacts, in semi-axes b; 0: flooded
     starvation: float = 1.0  # factor on the hydrodynamic couple
 
 
 class Losses(NamedTuple):
-    """W, of contacts (C, Z), inner ones first, and of balls (Z,); shares and coefficients of the
-    contacts (C, Z)."""
+    """Losses in W of contacts (C, Z), inner ones first, and of balls (Z,); shares and coefficients
+    of the contacts (C, Z)."""
 
     rolling: Floats
     slip: Floats
@@ -101,7 +101,7 @@ class _Pressed(NamedTuple):
     friction: Floats
     r_x: Floats
     r_d: Floats
-    spin_moment: Floats  # N m, Coulomb's of pure spin
+    spin_moment: Floats  # N m, Coulomb's moment of pure spin
     h_c: Floats
     share: Floats  # L_a
 
@@ -119,11 +119,11 @@ def losses(
     spin_law: str = "closed",
     ball_density: float = 7800.0,
 ) -> Losses:
-    """`Losses` of an `Equilibrium` with its `Lubrication` and the `Fluid` of it; inner ring at
-    `ring` and balls around it at `orbit` rad/s, one number or (Z,), clearance in m, `ball_density`
-    in kg/m^3. `spin_law` "closed" has fits of how spin and differential slip lessen one another and
-    the gyroscopic moment, "slices" takes slip and spin together over the contact ellipse.
-    ValueError for another law."""
+    """`Losses` of an `Equilibrium` with its `Lubrication` and `Fluid`. The inner ring turns at
+    `ring` rad/s and the balls orbit at `orbit` rad/s, one number or (Z,); clearance in m,
+    `ball_density` in kg/m^3. `spin_law` "closed" fits how spin and differential slip reduce each
+    other, and includes the gyroscopic moment; "slices" combines slip and spin over the contact
+    ellipse. Raises `ValueError` for another law."""
     if spin_law not in SPIN_LAWS:
         raise ValueError(f"spin law '{spin_law}' is none of {', '.join(SPIN_LAWS)}")
     surfaces = surfaces or Surfaces()
@@ -208,8 +208,8 @@ def _free(pressed):
 
 
 def _sheared(pressed, along, rate, fluid, surfaces):
-    """`_Pressed` with the friction of its film at a slip (m/s) and a spin (rad/s), which shear a
-    film more than differential slip alone."""
+    """`_Pressed` with the film friction at a slip (m/s) and a spin (rad/s), which shear a film more
+    than differential slip alone."""
     if surfaces.film is not None:
         return pressed
     curve = pressed.speed / (2 * pressed.r_d * pressed.r_x)
@@ -227,8 +227,8 @@ def surfaces(
     models: str = "full",
     supply: oil_supply.Supply = oil_supply.BATH,
 ) -> Surfaces:
-    """`Surfaces` for the `models` of a run, full or eyring, with the inlet, the share of oil and
-    SKF's starvation factor of a `supply`, the inner ring at `ring` rad/s; this factor is omitted
+    """`Surfaces` for the `models` of a run, full or eyring, with the inlet, the oil share and SKF's
+    starvation factor of a `supply`, for an inner ring at `ring` rad/s. The factor is omitted
     without the `size` of the bearing."""
     found = oil_supply.numbers(supply, bearing, fluid.density)
     starved = 1.0
@@ -276,7 +276,7 @@ def _one(bearing, side, contact, film, fluid, clearance, surfaces, alone):
     friction = traction.mixed(share, surfaces.boundary, smooth)
     rolled = resistance(speed) * turns
     slid = sliding.free_power(load, friction, speed, a, r_d, r_x)
-    part = np.ones(load.shape)  # of the rotation of rolling
+    part = np.ones(load.shape)  # rotation as a fraction of that of rolling
     past, since, until, frequency = (one[live] for one in alone)
     if np.any((past > 0) & (rolled > friction * load * past)):
         flat = np.cos(contact.angle[live]) * bearing.pitch_radius
@@ -291,7 +291,7 @@ def _one(bearing, side, contact, film, fluid, clearance, surfaces, alone):
         part, at_last = (skidding.rotation(slowing, rate, time) for time in (since, until))
         rolled = slowed(part) * turns * part
         slid = np.where(part < 1, friction * load * past * (1 - part), slid)
-        slid += 0.2 * load * flat * (1 - at_last) ** 2 * frequency  # spun up again
+        slid += 0.2 * load * flat * (1 - at_last) ** 2 * frequency  # balls that are spun up again
     values[:, live] = (
         rolled,
         slid,
@@ -303,8 +303,8 @@ def _one(bearing, side, contact, film, fluid, clearance, surfaces, alone):
 
 
 def _together(both, rates, ball):
-    """(slip, spin) powers of one ball at both raceways: the rotation with the least total
-    loss is that at which their moments balance. Slip along rolling leaves no force."""
+    """(slip, spin) powers of one ball at both raceways, at the rotation with the least total
+    loss, where the moments balance. Slip along rolling is such that no force remains."""
     at, turn = (one[:, ball] for one in rates)
     bounds = -at / turn  # rotations without spin at one raceway
     tried = np.linspace(*bounds, 17)
@@ -329,8 +329,8 @@ def _together(both, rates, ball):
 
 
 def _several(bearing, one, sides, ring, spin_law, fluid, surfaces):
-    """(slip, spin) powers of one ball with more than two contacts (C,), at each contact, with the
-    motion from `ball_motion`; with slices, where the forces and moments of both together
+    """(slip, spin) powers (C,) of one ball with more than two contacts, with the motion from
+    `ball_motion`; with slices, with the motion at which forces and moments of slip and spin
     balance."""
     lines, goal, _ = ball_motion.rates(bearing, sides, one.angle, ring)
 

@@ -22,8 +22,9 @@ class HalfWidths(NamedTuple):
 def depth(
     bearing: Bearing, raceway: int, shoulder: float = np.nan, clearance: float = 0.0
 ) -> float:
-    """t in m: from the groove's bottom to its shoulder of diameter `shoulder` (m), 0.18 of the
-    ball's diameter if that is NaN. The diametral `clearance` (m) is assigned to the outer groove.
+    """t in m: height from the groove's bottom to its shoulder of diameter `shoulder` (m); 0.18 of
+    the ball's diameter if that is NaN. The diametral `clearance` (m) is assigned to the outer
+    groove.
 
     Raises `ValueError` for a shoulder that is not between the bottom and the centre of the groove.
     """
@@ -66,14 +67,14 @@ def half_widths(
 
     S = R_b (4 tan(t/4) ± 0.09 gamma) with t = theta_b -/+ angle, + inner, - outer: for the parabola
     that has the capacitance of the arc (derived here: docs/electric). Zero beyond the shoulder.
-    Within the ellipse the groove is the parabola already, so the excess of the arc there is
-    subtracted, 4 R_b q_a - a of the first term and (q_a/q)^2 of the second, with q = tan(t/4), q_a
+    Within the ellipse the groove already is the parabola, so the excess of the arc is subtracted
+    there: 4 R_b q_a - a from the first term and (q_a/q)^2 from the second, with q = tan(t/4), q_a
     = tan(a/(4 R_b)).
 
-    A groove of four points ends in the middle plane, where the other one of its ring begins: far
-    from its shoulder t is the contact angle, and without the term of 0.09. At `offset` G of its
-    centre, and the angle alpha_0 of a ball in the middle, tan(theta_b) = (r_c sin(theta) - G)/(R_b
-    - t + (r_c - R_b)(1 - cos(alpha_0))).
+    A groove of a four-point bearing ends in the middle plane, where the other groove of its ring
+    begins: on the side away from its shoulder t is the contact angle, without the term with 0.09.
+    With the `offset` G of its centre and the contact angle alpha_0 of a centred ball, tan(theta_b)
+    = (r_c sin(theta) - G)/(R_b - t + (r_c - R_b)(1 - cos(alpha_0))).
 
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     >>> [round(1e3 * float(half_widths(b, side, 2.3e-3).near), 3) for side in (0, 1)]  # mm

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Temperatures of a bearing: cooling, heat balance with one node or with ring, balls and ring,
+"""Temperatures of a bearing: cooling, heat balance with one node or with nodes for rings and balls,
 clearance as a function of temperature, flash temperature. SI units, temperatures in degrees C.
 """
 
@@ -38,7 +38,7 @@ def balance(
     """Temperature in degrees C, to `tolerance`, where `power`(T) in W equals `conductance` in W/K
     times T - T_a.
 
-    Raises `ValueError` if the bearing is still heating at `hottest`. For a power that falls with
+    Raises `ValueError` if the bearing is still warming up at `hottest`. For a power that falls with
     temperature, as with every oil, there is exactly one such temperature.
     """
 
@@ -47,8 +47,8 @@ def balance(
 
     if surplus(hottest) > 0:
         raise ValueError(
-            f"power loss {power(hottest):g} W at {hottest:g} C exceeds what {conductance:g} W/K "
-            f"carries away to {ambient:g} C"
+            f"power loss {power(hottest):g} W at {hottest:g} C exceeds the cooling by "
+            f"{conductance:g} W/K to {ambient:g} C"
         )
     return float(brentq(surplus, ambient, hottest, xtol=tolerance))
 
@@ -73,7 +73,7 @@ def network(
     """The heat network of a bearing, for `steady` and `advance`: `capacity` in J/K of inner ring,
     balls, outer ring and housing (0: no housing). Conductances in W/K: `contacts` from the
     inner and the outer ring to all balls, `shaft` from inner ring to ambient, `seat` from outer
-    ring to housing (0: perfect), `housing` from there to ambient; `ambient` in degrees C."""
+    ring to housing (0: perfect), `housing` from housing to ambient; `ambient` in degrees C."""
     inner, outer = contacts
     return dict(
         capacity=capacity,
@@ -93,9 +93,9 @@ def advance(
     time: float,
     end: ArrayLike | None = None,
 ) -> tuple[float, Floats]:
-    """Heat in J carried to ambient and temperatures in degrees C (4) after `time` seconds from the
-    temperatures `start`, with `heat` in W into the nodes (4) of a `network` that is constant or
-    varies linearly to `end`; exact."""
+    """(heat in J released to ambient, temperatures in degrees C (4)) after `time` seconds from the
+    temperatures `start`, with a `heat` input in W into the nodes (4) of a `network` that is
+    constant or varies linearly to `end`; exact."""
     return library().call(
         "heat_advance",
         net=of,
@@ -107,14 +107,14 @@ def advance(
 
 
 def steady(of: Mapping[str, Any], heat: ArrayLike) -> tuple[float, Floats]:
-    """The slowest time constant in s, and the steady temperatures in degrees C (4) of a `network`
-    with `heat` in W into its nodes."""
+    """(slowest time constant in s, steady temperatures in degrees C (4)) of a `network` with `heat`
+    in W into its nodes."""
     return library().call("heat_steady", net=of, heat=heat)
 
 
 def conductances(state: Equilibrium, films: Lubrication) -> tuple[float, float]:
-    """Conductances in W/K from the inner and from the outer ring to all balls through their moving
-    contacts: for each 0.874 2a sqrt(2 k rho c b u/pi)."""
+    """Conductances in W/K from the inner and from the outer ring to all balls through the moving
+    contacts: 0.874 2a sqrt(2 k rho c b u/pi) per contact."""
     sides = ((state.inner, films.inner), (state.outer, films.outer))
     return tuple(
         float(laws.contact_conductance(at.a, at.b, film.entrainment)[at.load > 0].sum())
@@ -123,8 +123,8 @@ def conductances(state: Equilibrium, films: Lubrication) -> tuple[float, float]:
 
 
 def into_nodes(inner: float, outer: float) -> list[float]:
-    """Heat in W into the nodes of a `network` from the powers lost at both raceways: half of each
-    into the ring, half into the balls."""
+    """Heat in W into the nodes of a `network` from the power losses at both raceways: half of each
+    loss into the ring, half into the balls."""
     return [inner / 2, (inner + outer) / 2, outer / 2, 0.0]
 
 
@@ -137,8 +137,8 @@ def three_nodes(
     contact: float | tuple[float, float],
     ambient: float = 20.0,
 ) -> Nodes:
-    """`Nodes` in steady state, with the powers in W lost at the `inner` and the `outer` raceway,
-    half of each going into the balls.
+    """`Nodes` in steady state, for power losses in W at the `inner` and the `outer` raceway, half
+    of which go into the balls.
 
     Conductances in W/K: `shaft` from inner ring to ambient, `housing` from outer ring to ambient,
     `contact` from a ring to all balls, or those of the inner and the outer ring.
@@ -156,7 +156,7 @@ def clearance_change(bearing: Bearing, inner: Numbers, balls: Numbers, outer: Nu
 
 
 def flash(flux: Numbers, b: Numbers, speed: Numbers) -> Numbers:
-    """Temperature rise in K of a surface for a `flux` in W/m^2 into it: 1.128 q sqrt(2b/(k rho c
+    """Temperature rise in K of a surface under a heat `flux` in W/m^2: 1.128 q sqrt(2b/(k rho c
     u)), b the semi-axis along rolling in m, `speed` u in m/s (Blok, Jaeger)."""
     steel = laws.steel_of_bearings()
     conductor = float(steel.conductivity * steel.density * steel.heat)
@@ -164,8 +164,8 @@ def flash(flux: Numbers, b: Numbers, speed: Numbers) -> Numbers:
 
 
 def film_rise(flux: Numbers, thickness: Numbers, conductivity: Numbers) -> Numbers:
-    """Temperature rise in K of the film's middle above the surfaces: q_total h/(8 k_f), q_total in
-    W/m^2 generated in the film."""
+    """Temperature rise in K of the middle of the film above the surfaces: q_total h/(8 k_f), with
+    the heat q_total in W/m^2 generated in the film."""
     return flux * thickness / (8 * conductivity)
 
 
@@ -175,14 +175,14 @@ def greatest_flux(friction: Numbers, pressure: Numbers, edge: Numbers) -> Number
     p = p_max sqrt(1 - t^2) and |s| = s_e |t^2 - 0.120615|; `pressure` is p_max in Pa, `edge` is s_e
     in m/s.
     """
-    # d/d(t^2): sqrt(1 - x) (x - x0) is largest at x = (2 + x0)/3
+    # with x = t^2, sqrt(1 - x) (x - x0) is largest at x = (2 + x0)/3
     place = (2 + FREE**2) / 3
     return np.sqrt(1 - place) * (place - FREE**2) * friction * pressure * edge
 
 
 def reference_speed(boundary: makers.Boundary, level: float = 0.0) -> float:
-    """Thermal reference speed in rpm: SKF's friction at ISO 15312's conditions, F_r = 0.05 C0, 12
-    mm^2/s, equals the cooling at 50 K.
+    """Thermal reference speed in rpm, at which SKF's friction under ISO 15312's conditions (F_r =
+    0.05 C0, 12 mm^2/s) equals the cooling at 50 K.
 
     `level` of an oil bath in mm, 0 for none. ISO 15312 assumes oil up to the middle of the lowest
     ball (from memory, unchecked). Raises `ValueError` if there is no such speed.

@@ -27,7 +27,7 @@ class Ellipse(NamedTuple):
 
 
 def ellipticity(ratio: ArrayLike) -> Numbers:
-    """kappa = a/b for R_y/R_x = `ratio` (any positive number or array), to rounding.
+    """kappa = a/b for R_y/R_x = `ratio` (any positive number or array), to rounding error.
 
     The root of R_y/R_x = (kappa^2 E - F)/(F - E). Raises `ValueError` if a ratio is not positive.
     """
@@ -86,5 +86,6 @@ def pressure(ellipse: Ellipse, modulus: float, load: Numbers) -> Numbers:
 def sphere_stiffness(modulus: float, radius: float) -> float:
     """K = 4/3 E* sqrt(R*) of two spheres, N/m^1.5; E* in Pa with 1/E* = sum((1 - nu^2)/E), R* in m.
 
-    Equation 3 prints an additional factor 1/(1 - nu), which Hertz does not have."""
+    Equation 3 as printed has an additional factor 1/(1 - nu), which Hertz's theory does not
+    have."""
     return laws.sphere_stiffness(2 * radius, 2 * radius, 2 * modulus)

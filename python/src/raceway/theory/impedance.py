@@ -16,12 +16,12 @@ from raceway.core import laws
 from raceway.theory.capacitance import VACUUM
 from raceway.theory.capacitors import BearingCapacitors
 
-THINNEST, THICKEST = 1e-3, 1e3  # factors on a guessed film, search range of `film_scale`
+THINNEST, THICKEST = 1e-3, 1e3  # search range of `film_scale`, factors on the model's films
 
 
 def leak(resistivity: Numbers, paths: Numbers) -> Numbers:
-    """R in ohm of oil of `resistivity` (ohm m) between surfaces whose `paths` are pi a b/h + I of
-    the oil-filled part, m. For one uniform filling R C = rho eps_0 eps in any geometry."""
+    """R in ohm of oil of `resistivity` (ohm m) between surfaces whose `paths` are pi a b/h + I over
+    the oil-filled part, m. With a uniform filling, R C = rho eps_0 eps for any geometry."""
     return resistivity / paths
 
 
@@ -110,7 +110,7 @@ def _admittance(capacitances, paths, resistivity, frequency):
 
 
 def plates_thickness(capacitance: Numbers, area: Numbers, permittivity: Numbers) -> Numbers:
-    """h in m from C interpreted as plates alone: eps_0 eps A/C, A = pi a b in m^2. Too small if C
+    """h in m if C is that of the plates alone: eps_0 eps A/C, A = pi a b in m^2. Too small if C
     includes other capacitance."""
     return VACUUM * permittivity * area / capacitance
 

@@ -12,7 +12,7 @@ from raceway.theory.bearing import Bearing
 
 
 class Frequencies(NamedTuple):
-    """In the unit of the rings' speeds."""
+    """Frequencies in the unit of the rings' speeds."""
 
     cage: Numbers  # FTF, positive where the inner ring's speed is
     outer: Numbers  # BPFO, ball passes over a point of the outer ring
@@ -65,7 +65,7 @@ def spall_length(
     """Length in m of a spall along rolling, from the `seconds` between a ball's entry and its
     impact; the inner ring turns at `spin` rad/s.
 
-    The impact comes when the ball is half-way (Sawalha and Randall, Mech. Syst. Signal Process. 25
+    The impact occurs when the ball is half-way (Sawalha and Randall, Mech. Syst. Signal Process. 25
     (2011) 846). A ball that loses its load over the spall hits late, and the length is
     overestimated; `spall.length` accounts for its flight.
 

@@ -22,10 +22,10 @@ PERMITTED = 4.2e9  # Pa, for the most loaded contact under the static load ratin
 # kappa up to which a row applies, and its two constants (ISO 281:2007, eqs 31 to 33); the constants
 # of the second row make a_ISO continuous at 0.4 and 1
 _FACTOR = ((0.4, 2.2649, 0.054381), (1.0, 1.9987, 0.19087), (4.0, 1.9987, 0.071739))
-# of the loads whose means count: of the ring that turns against the load, and of the other one
+# exponents of the mean loads: for the ring that turns relative to the load, and for the other
 # (ISO/TS 16281, eqs 20 and 21)
 POWERS = (3.0, 10 / 3)
-# groove over ball diameter, inner and outer, up to which ISO 281 rates a bearing
+# largest ratio of groove radius to ball diameter, inner and outer, for the ratings of ISO 281
 CONFORMITY = (0.52, 0.53)
 
 
@@ -49,8 +49,8 @@ class Life(NamedTuple):
 
 def ratings(dynamic: float, static: float, pitch_diameter: float) -> Ratings:
     """`Ratings` with the fatigue load limit estimated: C_0/22, above a `pitch_diameter` of 0.1 m
-    times (0.1/D_pw)^0.5 (the simple estimate of ISO 281, annex B, as commonly quoted; its page was
-    not at hand). Loads in N, diameters in m."""
+    times (0.1/D_pw)^0.5 (the simple estimate of ISO 281, annex B, as commonly quoted; not checked
+    against the standard). Loads in N, diameters in m."""
     large = max(pitch_diameter / 0.1, 1.0)
     return Ratings(dynamic, static, static / 22 / large**0.5)
 
@@ -68,8 +68,8 @@ def basic(dynamic: float, load: ArrayLike) -> np.ndarray:
 
 def wide_grooves(bearing: Bearing) -> np.ndarray:
     """(2,) factors on the ball ratings for grooves wider than `CONFORMITY`, 1 for others: (2 f/(2 f
-    - 1))^0.41 over its value there, f the ratio of groove radius to ball diameter (Lundberg and
-    Palmgren 1947). ISO 281 rates narrower grooves no higher."""
+    - 1))^0.41 over its value at `CONFORMITY`, where f is groove radius over ball diameter (Lundberg
+    and Palmgren 1947). ISO 281 does not give narrower grooves a higher rating."""
     groove, limit = (
         np.array([bearing.inner_groove, bearing.outer_groove]) / bearing.ball_diameter,
         np.array(CONFORMITY),
@@ -108,9 +108,9 @@ def reference(
     """L_10r in 1e6 revolutions, from the loads (N) of the `inner` and `outer` contacts (..., Z) of
     one or many positions of the balls; the inner ring rotates (ISO/TS 16281, eqs 20 to 22).
 
-    Loads of several rows and grooves are those of `static.Equilibrium`. Two grooves a ring count as
-    two rows: `dynamic` is that of all, and raceways of all rows add up. Makers rate four-point
-    contact bearings in this way.
+    Loads of several rows and grooves are those of `static.Equilibrium`. Two grooves per ring count
+    as two rows: `dynamic` is that of all rows, and raceways of all rows add up. Makers rate
+    four-point contact bearings in this way.
 
     Raises `ValueError` for a load below 0 or none at all.
 
@@ -132,8 +132,8 @@ def reference(
 def of_means(
     bearing: Bearing, dynamic: float, inner: ArrayLike, outer: ArrayLike, angle: float = 0.0
 ) -> float:
-    """`reference` from the means (T,) over balls and positions of the `POWERS` of the loads (N) on
-    the T grooves of the `inner` and the `outer` ring, all rows together."""
+    """`reference` from power means: `inner` and `outer` are the means (T,), over balls and
+    positions, of the `POWERS` of the loads (N) on the T grooves of each ring, all rows together."""
     means = np.atleast_1d(np.asarray(inner, float)), np.atleast_1d(np.asarray(outer, float))
     rated = ball_ratings(bearing, dynamic / len(means[0]) ** 0.7, angle)
     risks = [
@@ -187,9 +187,9 @@ def factor(viscosity_ratio: float, contamination: float) -> float:
 
 
 def static_safety(pressure: float) -> float:
-    """s_0: factor on the load at which the most loaded contact has `PERMITTED`; a
-    pressure (Pa) grows with the cube root of the load (ISO 76:2006, clause 4, for the actual loads
-    of the balls)."""
+    """s_0: factor on the load at which the pressure (Pa) of the most heavily loaded contact reaches
+    `PERMITTED`; it grows with the cube root of the load (ISO 76:2006, clause 4, for the actual
+    loads of the balls)."""
     return (PERMITTED / pressure) ** 3
 
 
@@ -197,9 +197,9 @@ def minimum_load(factor: float, viscosity: float, rpm: float, mean_diameter: flo
     """F_rm in N, the radial load below which balls of a deep groove bearing may slide instead of
     roll: 1000 k_r (nu n/1000)^(2/3) (d_m/100)^2 with nu in mm2/s and d_m in mm.
 
-    `factor` is k_r of the maker's product table, `viscosity` nu in mm2/s, `mean_diameter` that of
-    bore and outside in m. The symbols are those of SKF's pages on loads of deep groove bearings.
-    The formula itself is quoted from memory and serves as information.
+    `factor` is k_r of the maker's product table, `viscosity` nu in mm2/s, `mean_diameter` the mean
+    of bore and outside diameter in m. The symbols are those of SKF's pages on loads of deep groove
+    bearings. The formula is quoted from memory and is for information only.
 
     >>> round(minimum_load(0.025, 46.0, 1500.0, 0.060), 1)
     151.4
@@ -219,7 +219,7 @@ def of_loads(
     cleanliness: str = "normal",
 ) -> Life:
     """`Life` under loads (..., Z) of the balls in N at `rpm` with an oil of kinematic `viscosity`
-    in mm2/s, None for no a_ISO. Raises `ValueError` as `reference` and `contamination` do."""
+    in mm2/s; None omits a_ISO. Raises `ValueError` as `reference` and `contamination` do."""
     life = reference(bearing, rated.dynamic, inner, outer, angle)
     load = rated.dynamic / life ** (1 / 3)
     if viscosity is None or not rpm:

@@ -3,7 +3,7 @@
 given ratings.
 
 The tables of f_c and f_0 hold for grooves no wider than 0.52 (inner) and 0.53 (outer) of the ball
-diameter. They are taken from public calculators; the pages of the standards were not at hand. One
+diameter. They are taken from public calculators and were not checked against the standards. One
 calculator has f_0 = 15.7 at 0.06, where interpolation between its neighbours gives 15.9.
 """
 
@@ -29,8 +29,8 @@ _FC = (
 )
 _STEP = 0.01
 MATERIAL = 1.3  # b_m of ISO 281 for ball bearings of modern steel
-LARGE = 25.4  # mm: above this C grows with another power of the ball diameter (from memory)
-FULLEST = 0.95  # largest share of the pitch circle for balls; the rest is for the cage
+LARGE = 25.4  # mm, above which C has a different power of the ball diameter (from memory)
+FULLEST = 0.95  # largest share of the pitch circle that balls take up; the cage needs the rest
 # mm: balls are made in steps of 1/64 in; if none is close enough, in steps of 0.5 mm
 INCH_STEP, METRIC_STEP, NEAR = 25.4 / 64, 0.5, 0.015
 
@@ -60,16 +60,16 @@ def static_factor(ball: float, pitch: float, angle: float = 0.0) -> float:
 
 
 def static(number: int, ball: float, pitch: float, angle: float = 0.0, *, rows: int = 1) -> float:
-    """C_0 in N, the radial load rating (ISO 76:2006, eq 1); arguments as `dynamic`."""
+    """C_0 in N, the radial load rating (ISO 76:2006, eq 1); arguments as in `dynamic`."""
     factor = static_factor(ball, pitch, angle)
     return rows * factor * number * (1e3 * ball) ** 2 * math.cos(angle)
 
 
 def dynamic(number: int, ball: float, pitch: float, angle: float = 0.0, *, rows: int = 1) -> float:
     """C in N, the radial load rating of `rows` (ISO 281:2007, eqs 1 and 2) of `number` balls each
-    on a `pitch` circle; diameters in m, nominal contact `angle` in rad. Four points count as two
-    rows, as in the makers' factors for their equivalent load. Raises `ValueError` outside the table
-    of f_c.
+    on a `pitch` circle; diameters in m, nominal contact `angle` in rad. A four-point bearing counts
+    as two rows, as in the makers' factors for its equivalent load. Raises `ValueError` outside the
+    table of f_c.
 
     CWRU's 6205:
 
@@ -118,7 +118,7 @@ def balls(
     found = {}
     for count in range(4, 60):
         largest = pitch * math.sin(FULLEST * math.pi / count)
-        # above the smallest of the tables; a ball larger than 0.4 of the pitch is in no table
+        # starts above the smallest ratio of the tables, which also end at 0.4 of the pitch diameter
         low, high = 0.011 * pitch / math.cos(angle), min(largest, 0.39 * pitch / math.cos(angle))
 
         def excess(ball, count=count):

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Life and equivalent load under a spectrum of loads: points with shares of the time.
+"""Life and equivalent load under a spectrum of loads: points with time shares.
 
 Damage adds up by revolutions (Palmgren-Miner, as in ISO 281 and ISO/TS 16281): 1/L is the sum of
-u_i/L_i, u_i the share of the revolutions at point i. The equivalent load is the steady one of that
-life, (sum q_i n_i P_i^p/sum q_i n_i)^(1/p) with the shares q_i of the time, the speeds n_i and
-p = 3 of ball bearings (makers' catalogues: NSK, average of fluctuating load; SEED guide, 4.4).
+u_i/L_i, u_i the share of the revolutions at point i. The equivalent load is the steady load that
+gives that life, (sum q_i n_i P_i^p/sum q_i n_i)^(1/p) with time shares q_i, speeds n_i and p = 3
+for ball bearings (makers' catalogues: NSK, average of fluctuating load; SEED guide, 4.4).
 """
 
 import csv
@@ -27,7 +27,7 @@ COLUMNS = {
 }
 LIFE = "life_reference_Mrev"
 KEYS = ("equivalent_load_N", LIFE, "dynamic_rating_N")
-# figures of a run that stand for columns of its sweep's table
+# figures of a run by the columns of a sweep's table that they replace
 OF_RUN = {"load": "load_N", "rpm": "rpm"}
 
 
@@ -74,13 +74,13 @@ def _run(path, number, point):
     if point["status"] != "finished":
         why = f": {point['message']}" if point.get("message") else ""
         raise InputError(
-            f"{where} is {point['status']}{why}. `raceway sweep --retry` runs it; once its folder"
-            " is removed, `raceway gather` leaves it out"
+            f"{where} is {point['status']}{why}. `raceway sweep --retry` runs it; if its folder"
+            " is removed, `raceway gather` omits it"
         )
     if not point.get(KEYS[0]):
         raise InputError(
             f"{where} has no {KEYS[0]}, which needs a record with contacts, an inner ring that"
-            " turns and a steady load; a table of load, axial, rpm and share does without runs"
+            " turns and a steady load; a table of load, axial, rpm and share needs no runs"
         )
     return {key: float(point[key]) for key in KEYS if point.get(key)}
 
@@ -105,9 +105,9 @@ def _duty(path, number, point):
 def of_sweep(
     duties: Sequence[Duty], runs: Sequence[Mapping[str, float]], dynamic: float | None = None
 ) -> dict[str, Any]:
-    """As `of_points` for the points of a sweep with the figures of their `runs`, by the loads that
-    the balls had there. `dynamic` is C in N of all rows, that of the runs unless given. Raises
-    `InputError` without a rating or with several."""
+    """Like `of_points`, for the points of a sweep with the figures of their `runs`, which follow
+    from the ball loads in the runs. `dynamic` is C in N of all rows, by default that of the runs.
+    Raises `InputError` without a rating or with several."""
     known = {one["dynamic_rating_N"] for one in runs if "dynamic_rating_N" in one}
     rated = known if dynamic is None else {dynamic}
     if len(rated) != 1:
@@ -126,7 +126,7 @@ def of_sweep(
 def of_points(
     duties: Sequence[Duty], figures: Callable[[Duty], Mapping[str, Any]]
 ) -> dict[str, Any]:
-    """Figures by name for the spectrum `duties`, SI units; `points` has those of each.
+    """Figures by name for the spectrum `duties`, SI units; `points` has those of each point.
 
     `figures` gives those of a point (`operating_point.figures`). Raises `InputError` if they
     have no life because the bearing has no rating.

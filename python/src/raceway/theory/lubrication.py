@@ -2,9 +2,9 @@
 """Film and capacitance of a bearing in static equilibrium, rolling without slip: statics,
 kinematics and film together.
 
-Each contact has the entrainment speed of pure rolling at its own contact angle, or of the motion of
-its ball on several grooves (`ball_motion`), the film of its elastic load after Masjedi and Khonsari
-(eqs 6, 7, 9) and the capacitance of eqs 8, 10-12.
+Each contact has the entrainment speed of pure rolling at its own contact angle, or that of the
+motion of its ball on several grooves (`ball_motion`), the film for its elastic load after Masjedi
+and Khonsari (eqs 6, 7, 9) and the capacitance of eqs 8, 10-12.
 """
 
 from collections.abc import Callable
@@ -54,7 +54,8 @@ def lubricate(
     factor: Callable[[Floats], Floats] | None = None,
 ) -> Lubrication:
     """`Lubrication` of an `Equilibrium` with an `inputs.Oil`, the inner ring at `speed` rad/s;
-    `clearance` as there, m; `factor` on the thickness at an entrainment speed in m/s, by default 1.
+    `clearance` of the equilibrium in m; `factor` maps an entrainment speed in m/s to a factor on
+    the thickness, by default 1.
 
     >>> from raceway.theory.bearing import Bearing
     >>> from raceway.inputs import Oil
@@ -104,12 +105,12 @@ def _film(bearing, side, contact, speeds, oil, clearance, factor):
 
 def orbit(bearing: Bearing, state: Equilibrium, speed: float) -> float | Floats:
     """Orbital speed of the balls in rad/s for an inner ring at `speed` rad/s: rolling at the mean
-    contact angle, weighted with the loads of both raceways, since one cage carries all balls of a
-    row (Harris, ch. 10). For several rows one speed for each ball (Z,). Raises `NoEquilibrium` if
-    no ball carries load."""
+    contact angle, weighted by the loads on both raceways, since one cage carries all balls of a row
+    (Harris, ch. 10). For several rows, one speed for each ball (Z,). Raises `NoEquilibrium` if no
+    ball carries load."""
     load = np.vstack([state.inner.load, state.outer.load])
     if not load.any():
-        raise NoEquilibrium("no ball carries: the ring is held where it touches none")
+        raise NoEquilibrium("no ball carries load: the ring is held where it touches no ball")
     cosine = np.cos(np.vstack([state.inner.angle, state.outer.angle]))
     if len(bearing.layout.rows) == 1:
         mean = np.average(cosine, weights=load)
@@ -125,8 +126,8 @@ def turning(
 ) -> tuple[Equilibrium, float | Floats]:
     """(`Equilibrium`, `orbit` in rad/s) with the centrifugal load of balls that roll at `speed`
     rad/s of the inner ring; loads and options as in `static.equilibrium`. The contact angles
-    determine the speed and the speed the angles. The same applies to the film in the gap of several
-    grooves.
+    determine the speed, and the speed the angles, so both are iterated. The same applies to the
+    film in the gap of several grooves.
     """
     orbital, film = speed * kinematics.frequencies(bearing).cage, options.get("film")
     for _ in range(30):

@@ -5,19 +5,19 @@ each model omits."""
 from collections.abc import Iterable
 
 PAPER, DEFAULT = "paper", "full"
-STATICS = ("paper", "full", "eyring")  # runs also have film: full's film, paper's friction
+STATICS = ("paper", "full", "eyring")  # runs also have "film": film of full, friction of paper
 CAPACITANCE = ("paper", "full")  # eyring has the films of full
 # The publication's friction between balls and raceways keeps the balls rolling. Its torque has no
 # rolling resistance, no slip within a contact patch and no drag: 29 uN m where the makers' formulas
 # give 146 mN m (main deck).
 WITHOUT_LOSSES = ("paper", "film")
 LOSSES = ("friction_torque_N_m", "power_loss_W", "losses_W", "asperity_share")
-HEADLINES = ("friction_torque_N_m",)  # a table shows the reason instead of these
+HEADLINES = ("friction_torque_N_m",)  # if absent, a table shows the reason instead
 
 
 def absent(models: str | None, keys: Iterable[str]) -> dict[str, str]:
-    """Why `models` have no value for the figures `keys`, by key; empty if they have all of them,
-    and for a user's own models (None or another name).
+    """{key: reason} for those of the figures `keys` that `models` do not have; empty if they have
+    all of them, and for a user's own models (None or another name).
 
     >>> absent("paper", ["friction_torque_N_m", "q_max_N"])
     {'friction_torque_N_m': 'not in models paper'}

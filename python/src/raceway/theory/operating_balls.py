@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of single balls at an operating point, SI."""
+"""Figures of individual balls at an operating point, SI units."""
 
 from typing import Any
 

@@ -74,11 +74,11 @@ def figures(
     one of `models.STATICS`: "full" has the film in the gap, inlet shear and the friction torque,
     with the `spin_law` of `friction_torque.losses`; "eyring" also has Eyring's stress with its
     limit in the film. `temperature` of the lubricant is in degrees C, by default that of its file.
-    `cleanliness` is a word of `cleanliness.CLEANLINESS`. `four_point` in rad makes it a four-point
-    contact bearing with that angle, as its file may do. Each of `balls` then has a list of
-    `contacts`. `double_row` gives it two rows, whose `balls` follow one another. `dynamic` is C in
-    N of a row, replacing the file's. `supply` is the kind of lubrication. `absent` has the reason
-    by key for figures that the models omit.
+    `cleanliness` is a word of `cleanliness.CLEANLINESS`. `four_point` in rad makes the bearing a
+    four-point contact bearing with that angle, as its file may also do. Each of `balls` then has a
+    list of `contacts`. `double_row` gives the bearing two rows; `balls` has them one after the
+    other. `dynamic` is C in N of a row and replaces the file's. `supply` is the kind of
+    lubrication. `absent` has the reason by key for figures that the models omit.
 
     As in a deck, the ring is held along z if there is no axial load (`inputs.held`).
 
@@ -110,7 +110,7 @@ def figures(
         finite_shift=exact_circle,
         film=film,
     )
-    orbit = float(np.mean(orbits))  # of all rows
+    orbit = float(np.mean(orbits))  # mean over all rows
     result = dict(
         bearing=path.name,
         lubricant=None if oil is None else str(lubricant),
@@ -139,13 +139,12 @@ def figures(
     if double_row is not None:
         result.update(zip(("row_spacing_m", "row_preload_m", "arrangement"), double_row))
     result.update(_ring(state, load, axial, moment, held, clearance, body.pitch_radius))
-    if nominal:  # the load zone depends on the axial load, too
+    if nominal:  # the load zone also depends on the axial load
         result["load_parameter"] = None
     result.update(_loads(state))
     pressure = max(result["p_max_inner_Pa"], result["p_max_outer_Pa"])
     result.update(static_safety=life.static_safety(pressure))
-    # the file's ratings are those of a deep groove bearing, not of one to which an option adds
-    # grooves
+    # the file's ratings do not apply to a deep groove bearing to which an option adds grooves
     if four_point == stated or dynamic is not None:
         angle = nominal if four_point is None else four_point
         result.update(_life(path, body, state, rpm, fluid, cleanliness, angle, dynamic))
@@ -217,7 +216,7 @@ def figures(
 
 
 def _wide(body):
-    """The warning of a life with ratings for narrower grooves."""
+    """The warning about a life whose rating is for narrower grooves."""
     if min(wide := life.wide_grooves(body)) >= 1 - 1e-9:
         return []
     return [
@@ -260,14 +259,14 @@ def _complete(fluid, models):
         del known["eyring_stress"], known["limiting_traction"]
     if missing := [name for name, value in known.items() if math.isnan(value)]:
         raise inputs.InputError(
-            f"models {models} need {', '.join(missing)} of the lubricant, and its file has none"
+            f"models {models} need {', '.join(missing)} of the lubricant, which its file lacks"
         )
     return fluid
 
 
 def _makers(body, boundary, load, axial, rpm, viscosity):
-    """Torque of the makers' formulas, which apply to one groove a ring, if the file has their
-    data."""
+    """Torque by the makers' formulas, which apply to one groove per ring, if the file has the
+    required data."""
     if boundary is None or body.layout != Layout():
         return dict(torque_skf_N_m=None, torque_palmgren_N_m=None)
     level = 500 * body.ball_diameter  # mm above the lowest raceway: the middle of a ball
@@ -308,7 +307,7 @@ def _life(path, body, state, rpm, fluid, cleanliness, angle, dynamic):
         rated = life.Ratings(dynamic, math.nan, math.nan)
     elif dynamic is not None:
         rated = rated._replace(dynamic=dynamic)
-    # for all rows, from those of one
+    # for all rows, from the ratings of one
     rated = life.Ratings(rated.dynamic * rows**0.7, rated.static * rows, rated.fatigue * rows)
     known = fluid is not None and not math.isnan(fluid.kinematic + rated.fatigue)
     viscosity = fluid.kinematic if known else None

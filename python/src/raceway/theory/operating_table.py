@@ -21,7 +21,7 @@ TOPICS = {
         Row("moment_x_N_m", "moment about x", "N m"),
         Row("moment_y_N_m", "moment about y", "N m"),
         row("clearance_m"),
-        Row("four_point_rad", "contact angle of four points", "°", "of balls in the middle"),
+        Row("four_point_rad", "contact angle of four points", "°", "of centred balls"),
         Row("row_spacing_m", "distance of the rows", "m"),
         Row("row_preload_m", "preload of each row", "m"),
         Row("arrangement", "arrangement of the rows", None),
@@ -33,7 +33,7 @@ TOPICS = {
             "m",
             "free, from contact angles",
         ),
-        Row("pocket_force_N", "largest pocket force, about", "N", "traction of balls held back"),
+        Row("pocket_force_N", "largest pocket force, about", "N", "traction of restrained balls"),
         Row("centrifugal_N", "centrifugal load of a ball", "N", "m r omega^2"),
     ),
     "Inner ring": (
@@ -133,7 +133,7 @@ COLUMNS = (  # of the table of balls: key, heading, SI unit
     ("lambda_outer", "lambda out.", ""),
     ("capacitance_F", "C", "F"),
 )
-CONTACT_COLUMNS = (  # of the table of contacts with several grooves a ring
+CONTACT_COLUMNS = (  # of the table of contacts with several grooves per ring
     ("azimuth_rad", "azimuth, °", "deg"),
     ("raceway", "contact", None),
     ("q_N", "Q", "N"),
@@ -167,7 +167,7 @@ def table(result: Mapping[str, Any]) -> str:
 
 
 def _table_of_balls(balls):
-    """One row for each ball; with several grooves a ring, one row for each loaded contact."""
+    """One row for each ball; with several grooves per ring, one row for each loaded contact."""
     if "contacts" in balls[0]:
         columns = CONTACT_COLUMNS
         found = [

@@ -2,8 +2,8 @@
 """Stiffness and damping of a bearing's ring from statics and films: at one position of the balls,
 and their mean and spread over a ball pass.
 
-Damping comes from the films and the contacts' steel alone. Seats, housing, grease and friction are
-omitted.
+Damping comes only from the films and the steel of the contacts. Seats, housing, grease and friction
+are omitted.
 """
 
 import math
@@ -57,11 +57,11 @@ def dampers(
     clearance: float = 0.0,
     frequency: float = 0.0,
 ) -> Dampers:
-    """`Dampers` of the contacts of an equilibrium and its films. `models` is a key of `LAWS`, and
-    they are those of the simulation with these models. `clearance` is in m, as for `state`.
+    """`Dampers` of the contacts of an equilibrium with its films, the same as in the simulation
+    with these `models`, a key of `LAWS`. `clearance` is in m, as for `state`.
 
-    The film branch becomes softer with faster motion, so it needs the `frequency` of the motion in
-    rad/s. Raises `ValueError` for other models.
+    The film branch depends on the `frequency` of the motion, in rad/s. Raises `ValueError` for
+    other models.
     """
     if models not in LAWS:
         raise ValueError(f"models '{models}' is none of {', '.join(LAWS)}")
@@ -128,8 +128,8 @@ def turning_ring(
     """`OverPass` under a radial load along x and an axial one, N, the inner ring at `speed` rad/s.
 
     Without an `oil` there is no damping. "full" `models` also need the `fluid`. `frequency` of the
-    motion is in rad/s, 0 for slow. `options` are those of `static.equilibrium`: clearance, moment,
-    held and others. Raises `NoEquilibrium`.
+    motion is in rad/s, 0 for slow motion. `options` are those of `static.equilibrium`: clearance,
+    moment, held and others. Raises `NoEquilibrium`.
     """
     film = None
     if oil is not None and speed and models == "full":
@@ -137,7 +137,7 @@ def turning_ring(
             raise ValueError("models full need the fluid")
         film = FilmInGap(fluid, speed)
     clearance = options.get("clearance", 0.0)
-    # a film hardly affects the contact angles, and takes long to solve
+    # a film hardly affects the contact angles but takes long to solve for
     _, orbit = turning(bearing, speed, load, axial, **options)
 
     def at(phase):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Resistance to rolling: hydrodynamic, in the inlet of the film, and from hysteresis of the steel.
+"""Rolling resistance: hydrodynamic, in the inlet of the film, and from hysteresis of the steel.
 
 Both are couples about the axis of the relative rolling velocity w, opposing it, equal and opposite
 on ball and ring. Numbers or arrays of one shape, SI units; fully flooded and isothermal.

@@ -16,12 +16,12 @@ from raceway.arrays import Floats
 from raceway.theory import beam_motion, shaft_bending
 from raceway.theory.beam import FREEDOMS
 
-# positions in our order, by number of degrees of freedom of a node
+# indices of our degrees of freedom, by number of degrees of freedom per node
 OURS = {4: (0, 1, 3, 4), 6: (0, 1, 2, 3, 4)}
 THEIRS = {4: (0, 1, 2, 3), 6: (0, 1, 2, 3, 4)}
 SMALL = 1e-9  # rounding tolerance, fraction of the largest number
 NEAR = 1e-6  # m, tolerance of a node's position
-PROPER = 1e-6  # limit of modal coupling by damping, fraction of the diagonal
+PROPER = 1e-6  # largest coupling of modes by damping, as a fraction of the diagonal
 
 
 class Rotor(NamedTuple):
@@ -56,7 +56,7 @@ def rotor(
     """
     z = np.asarray(z, float)
     if z.ndim != 1 or len(z) < 2 or not np.all(np.isfinite(z)) or not np.all(np.diff(z) > 0):
-        raise ValueError("places of the nodes must be two or more, finite and rising")
+        raise ValueError("positions of the nodes must be two or more, finite and rising")
     given = dict(M=mass, K=stiffness, G=gyroscopic)
     if damping is not None:
         given["C"] = damping
@@ -86,7 +86,7 @@ def bending(
     """
     nodes = sorted({node(of, place) for place in kept})
     if not nodes:
-        raise ValueError("needs places to keep: those of the bearings")
+        raise ValueError("needs positions to keep: those of the bearings")
     everywhere = range(len(of.z))
     found = shaft_bending.bending(of.z, of.whole, nodes, modes, everywhere, damping)
     stations = [*of.z[nodes], found.body.centre, *places]
@@ -134,7 +134,7 @@ def _ours(name, matrix, nodes):
 
 
 def _check(of):
-    # in one unit, so that one number defines what is small: tilts as lengths over an element
+    # tilts as lengths over an element, so that one tolerance applies to all entries
     length = np.diff(of.z).mean()
     unit = np.tile([1.0, 1.0, 1.0, 1 / length, 1 / length], len(of.z))
     one, other = shaft_bending.planes(len(of.z))
@@ -157,16 +157,16 @@ def _faults(name, matrix, one, other, rigid):
     own, both = one.T @ matrix @ one, one.T @ matrix @ other
     if name == "G":
         yield "is not antisymmetric", matrix + matrix.T
-        yield "is not alike in the planes of x and y", both - both.T
+        yield "differs between the planes of x and y", both - both.T
         return
     yield "is not symmetric", matrix - matrix.T
-    if name != "M":  # before the planes are compared, since bearings often differ in them
+    if name != "M":  # before the planes are compared, because bearings often differ between them
         yield (
             "holds the rotor: a motion as a rigid body must be free. Leave bearings, seals and"
             " axial forces out; ROSS has M0, K0, C0 and G0 without bearings",
             own @ rigid / np.abs(rigid).max(),
         )
-    yield "is not alike in the planes of x and y", own - other.T @ matrix @ other
+    yield "differs between the planes of x and y", own - other.T @ matrix @ other
     yield "couples the planes of x and y", both
 
 
@@ -218,7 +218,7 @@ def _modal_damping(of, found):
     apart = np.abs(whole - np.diag(np.diag(whole)))
     if np.any(apart > PROPER * size + SMALL * np.sqrt(found.mass * found.stiffness).min()):
         raise ValueError(
-            "C couples elastic modes, and the file has one damping for each. Stiffness times a"
-            " number does not couple them. Or leave C out and give a damping ratio"
+            "C couples elastic modes, but the file has one damping value for each. A C proportional"
+            " to K does not couple them. Otherwise leave C out and give a damping ratio"
         )
     return own

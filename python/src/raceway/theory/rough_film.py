@@ -2,7 +2,7 @@
 """Mean of 1/gap of a rough film relative to a smooth one, as a function of L = h/sigma: h the mean
 gap, sigma the rms composite roughness. Numbers or arrays of one shape.
 
-A profilometer's sigma is an upper bound: under pressure long waves are flattened.
+The sigma of a profilometer is an upper bound, because long waves are flattened under pressure.
 """
 
 from typing import NamedTuple
@@ -14,7 +14,7 @@ from raceway.arrays import Numbers
 from raceway.core import laws
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(200)
-HIGHEST = 8.0  # number of sigmas above the mean that are included
+HIGHEST = 8.0  # upper end of the integral, in sigmas above the mean
 
 
 class Clipped(NamedTuple):
@@ -25,8 +25,8 @@ class Clipped(NamedTuple):
 
 
 def factor(ratio: Numbers) -> Numbers:
-    """L^2/(L^2 - 1) for a gamma-distributed film, constant below L = 2.5: thinner
-    films are partly closed and not capacitors there (`clipped`).
+    """L^2/(L^2 - 1) for a gamma-distributed film, constant below L = 2.5, where films are partly
+    closed and not capacitors there (`clipped`).
 
     >>> [round(float(factor(L)), 4) for L in (3.0, 10.0)]
     [1.125, 1.0101]
@@ -35,8 +35,8 @@ def factor(ratio: Numbers) -> Numbers:
 
 
 def gauss_cut(ratio: Numbers, cut: float = 3.0) -> Numbers:
-    """The same for a Gaussian height that is cut at `cut` sigmas and renormalised: the reference
-    for the gamma film. Raises `ValueError` unless L > `cut`: uncut, the mean is infinite.
+    """The same for a Gaussian height that is cut at `cut` sigmas and renormalised, as a reference
+    for the gamma film. Raises `ValueError` unless L > `cut`; without the cut the mean is infinite.
 
     >>> [round(float(gauss_cut(L)), 4) for L in (4.0, 5.0, 6.0, 10.0)]
     [1.0755, 1.0441, 1.0294, 1.01]
@@ -56,7 +56,7 @@ def clipped(ratio: Numbers, boundary: Numbers) -> Clipped:
     ratio, boundary = np.broadcast_arrays(np.asarray(ratio, float), np.asarray(boundary, float))
     if not np.all(boundary > 0):
         raise ValueError(f"boundary = {boundary} must be positive")
-    # the gap as a variable grows exponentially with the step, which makes 1/gap smooth
+    # the gap grows exponentially from step to step, which makes 1/gap smooth
     low, high = np.log(boundary), np.log(np.maximum(ratio + HIGHEST, 2 * boundary))
     middle, half = (low + high) / 2, (high - low) / 2
     gap = np.exp(middle[..., None] + half[..., None] * NODES)

@@ -3,9 +3,9 @@
 through the bearing's axis (Jones 1960).
 
 Coordinates are (radial, axial) in m. Each of Z balls has C contacts, one for each groove, inner
-grooves first. Each contact is a spring with its `contact_law` whose energy is convex in the ball's
-position, and so is their sum with the centrifugal load. A ball therefore moves from groove to
-groove without a jump.
+grooves first. Each contact is a spring with its `contact_law`. Its energy is convex in the ball's
+position, and so is the total energy with the centrifugal load. A ball therefore moves from groove
+to groove without a jump.
 """
 
 from collections.abc import Callable
@@ -23,7 +23,8 @@ from raceway.theory.small_motion import Linear
 class Grooves(NamedTuple):
     """Surroundings of the balls: grooves, stiffness and centrifugal load."""
 
-    # balls (Z, 2) -> circles of the inner grooves' centres, arrays (inner grooves, Z)
+    # balls (Z, 2) -> `Reach` to the circles of the inner grooves' centres, arrays (inner grooves,
+    # Z)
     inner: Callable[[Floats], circle.Reach]
     outer: Floats  # (outer grooves, Z, 2), m: centres of curvature of the outer grooves
     gap: Floats  # (C, 1), m: r_c - R_b
@@ -103,9 +104,9 @@ def _springs(along, line, load, curve):
 
 
 def nearest(grooves: Grooves) -> tuple[Floats, ...]:
-    """Inner and outer groove that compress each ball most, or leave it the least play: (compression
-    (Z,) m, negative with play, unit vector (Z, 2) from the outer centre to the inner one, their
-    distance (Z,), outer centre (Z, 2), contacts (2, Z) by index)."""
+    """The inner and outer groove that compress each ball most, or leave it the least play:
+    (compression (Z,) in m, negative with play; unit vector (Z, 2) from the outer to the inner
+    centre; their distance (Z,); outer centre (Z, 2); contacts (2, Z) by index)."""
     pairs, inner = [], None
     for k, outer in enumerate(grooves.outer):
         inner = grooves.inner(outer)
@@ -131,7 +132,7 @@ def settle(grooves: Grooves) -> Floats:
     squeeze, play = np.maximum(tight, 0), np.minimum(tight, 0)
     soft, hard = stiffness[pair, balls]
     gap = grooves.gap[pair, 0]
-    # for the inner contact: equal and opposite loads on one line; a ball with play is in the middle
+    # equal and opposite loads on one line; a ball with play is in the middle
     share = squeeze / (1 + (soft / hard) ** (2 / 3)) + play / 2
     between = outer + line * (1 - (gap[0] + share) / distance)[:, None]
     thrown = outer.copy()
@@ -139,22 +140,22 @@ def settle(grooves: Grooves) -> Floats:
     ball = np.where(((squeeze > 0) | (centrifugal == 0))[:, None], between, thrown)
     scale = centrifugal + hertz.load(hard, squeeze)
     longest = 0.25 * gap[:, 0].sum()  # longest step, small compared with the groove
-    # keeps a ball movable that has lost one or both grooves
+    # keeps the matrix regular for a ball that has lost one or both grooves
     floor = (1e-9 * scale.max() + 1e-30) / longest * np.eye(2)
     digits = 8 * np.spacing(outer[:, 0])
     now = touch(grooves, ball)
     for _ in range(200):
         slope = gradient(grooves, now)
         size = np.linalg.norm(slope, axis=-1)
-        # distances have errors of a few last digits of the circle's radius, also where a contact
-        # has just closed
+        # distances have errors in the last digits of the circle's radius, even where a contact has
+        # just closed
         rounding = 1.5 * (stiffness * np.sqrt(now.elastic + digits)).sum(0) * digits
         left = size > 1e-12 * scale + rounding
         if not left.any():
             break
         step = -np.linalg.solve(hessian(now) + floor, slope[..., None])[..., 0]
         step *= np.minimum(1, longest / np.maximum(np.linalg.norm(step, axis=-1), 1e-300))[:, None]
-        step[~left] = 0.0  # rounding would delay the others
+        step[~left] = 0.0  # these have converged; their rounding errors would delay the others
         before, (ball, now) = ball, _moved(grooves, ball, step, slope, now)
         if np.array_equal(before, ball):
             break

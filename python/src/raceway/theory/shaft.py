@@ -22,7 +22,7 @@ from raceway.theory.beam import FREEDOMS, Disc, Section, Steel
 from raceway.theory.bearing import Bearing
 
 HELP = (1e8, 1e6, 1e4, 0.0)  # N/m, stiffnesses of the soft springs, in turn
-STEPS = 60  # largest number of Newton iterations for each
+STEPS = 60  # largest number of Newton iterations per stiffness
 EXACT = 1e-9  # largest residual of the balance relative to the loads
 
 
@@ -56,7 +56,7 @@ class Load:
 
 @dataclass(frozen=True)
 class Shaft:
-    """Sections from z = 0 on, their material, gravity, and rigid bodies on the shaft."""
+    """Sections starting at z = 0, their material, gravity, and rigid bodies on the shaft."""
 
     sections: Sequence[Section]
     steel: Steel = field(default_factory=Steel)
@@ -164,7 +164,7 @@ class _Holder:
         except NoEquilibrium:
             if not self.seat.floating or self.seat.spring:
                 raise
-            return np.zeros(FREEDOMS), np.zeros((FREEDOMS, FREEDOMS))  # nothing carries
+            return np.zeros(FREEDOMS), np.zeros((FREEDOMS, FREEDOMS))  # no ball carries load
         force = np.array([*state.force, *state.moment[:2]])
         stiffness = state.stiffness
         if self.seat.slides:
@@ -190,7 +190,7 @@ class _Holder:
 def _newton(stiffness, given, holders, place, soft):
     """(position, residual of the balance relative to the loads) with springs `soft` (N/m) to the
     ground."""
-    lengths = np.tile([1.0, 1.0, 1.0, 0.1, 0.1], len(given) // FREEDOMS)  # m a unit of a coordinate
+    lengths = np.tile([1.0, 1.0, 1.0, 0.1, 0.1], len(given) // FREEDOMS)  # m per unit coordinate
     size = max(np.abs(given / lengths).max(), *(abs(one.seat.spring) for one in holders), 0.0)
 
     def balance(at):

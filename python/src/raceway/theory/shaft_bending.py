@@ -3,8 +3,8 @@
 
 The reduction is that of Craig and Bampton (AIAA J. 6 (1968) 1313) in one plane: displacement and
 tilt of kept nodes, and modes of the rest while these are held. Natural modes of the free reduced
-shaft are its two motions as a rigid body and the elastic modes. These are orthogonal to the rigid
-body in mass. A round shaft has the same modes in both planes.
+shaft are its two rigid-body motions and the elastic modes, which are mass-orthogonal to them. A
+round shaft has the same modes in both planes.
 """
 
 from collections.abc import Sequence

@@ -16,7 +16,7 @@ from raceway.theory.shaft_motion import nodes, springs
 
 FREE = 1e-5  # fraction of the median frequency below which a motion is free
 ROUND = 0.1  # circularity of an orbit below which it is called planar
-BENT = 0.5  # share of the shaft in the strain energy of a mode above which it is called bending
+BENT = 0.5  # share of a mode's strain energy in the shaft above which it is called bending
 
 
 class Mode(NamedTuple):
@@ -45,7 +45,7 @@ def modes(shaft: Shaft, rest: Rest, speed: float) -> list[Mode]:
     z, whole = nodes(shaft, rest)
     bearings = springs(z, rest)
     stiffness = whole.stiffness + bearings
-    if speed == 0:  # real shapes: the pairs of equal frequency of a still shaft are planar
+    if speed == 0:  # real shapes, because pairs of equal frequency of a shaft at rest are planar
         squares, real = scipy.linalg.eigh(stiffness, whole.mass)
         speeds = np.sqrt(np.maximum(squares, 0.0))
         return _named(z, whole, bearings, list(zip(speeds, real.T, strict=True)))
@@ -127,7 +127,7 @@ def _quadratic(shape, matrix):
 
 
 def _whirl(shape):
-    """From the sense in which the nodes orbit, relative to the spin about +z."""
+    """Whirl from the sense in which the nodes orbit, relative to the spin about +z."""
     x, y = shape.reshape(-1, FREEDOMS)[:, :2].T
     turn = -2 * np.imag(np.conj(x) * y).sum() / (np.abs(x) ** 2 + np.abs(y) ** 2).sum()
     return "planar" if abs(turn) < ROUND else "forward" if turn > 0 else "backward"

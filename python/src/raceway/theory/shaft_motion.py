@@ -31,7 +31,7 @@ def nodes(
 
 
 def rigid(shaft: Shaft, rest: Rest) -> beam_motion.Rigid:
-    """The shaft as a rigid body, as `fix bearing/shaft` takes it."""
+    """The shaft as a rigid body, as input for `fix bearing/shaft`."""
     return beam_motion.rigid(*nodes(shaft, rest))
 
 
@@ -48,7 +48,7 @@ def bending(
     """Bending modes of `shaft`; its bearings, the positions of transverse `loads`, and `kept` (m)
     are kept.
 
-    `modes` in a plane and the `damping` ratio are those of `shaft_bending.bending`. Stations are
+    `modes` per plane and the `damping` ratio are as in `shaft_bending.bending`. Stations are
     the nodes of `rest`, the centre of mass, `kept` and `places` (m). Raises `ValueError` for a
     position off the shaft and for too many modes.
     """

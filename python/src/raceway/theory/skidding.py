@@ -11,7 +11,7 @@ import numpy as np
 from raceway.arrays import Floats
 
 STEPS = 100
-MEMORY = 100.0  # in units of 1/rate of `rotation`, after which the initial rotation has decayed
+MEMORY = 100.0  # time after which the initial rotation has decayed, in units of 1/`rate`
 
 
 class Unloaded(NamedTuple):
@@ -20,7 +20,7 @@ class Unloaded(NamedTuple):
     speed: Floats  # m/s, of the ball's centre
     since: Floats  # s, since the ball lost its load
     until: Floats  # s, unloaded time of the ball that regains its load next; 0 for others
-    frequency: Floats  # 1/s, of balls that regain it at this place
+    frequency: Floats  # 1/s, at which balls regain their load at this place
 
 
 def unloaded(
@@ -50,10 +50,10 @@ def unloaded(
 
 
 def rotation(slowing: Callable[[Floats], Floats], rate: Floats, time: Floats) -> Floats:
-    """Rotation x of balls relative to that of rolling, (n,), `time` (s) after x = 1, by Heun's
-    method: dx/dt = -`rate` `slowing(x)`, with `rate` in 1/s; `slowing` is the resistance minus the
-    traction, both over the load. A ball rolls as long as traction suffices. An infinite time gives
-    the steady rotation."""
+    """Rotation x (n,) of balls relative to that of rolling, `time` (s) after x = 1, by Heun's
+    method: dx/dt = -`rate` `slowing(x)`, with `rate` in 1/s. `slowing` is the resistance minus the
+    traction, both divided by the load. A ball rolls as long as traction suffices. An infinite time
+    gives the steady-state rotation."""
 
     def change(x):
         excess = slowing(x)

@@ -53,8 +53,8 @@ def heathcote(
     """`Slip` with Coulomb's law.
 
     F/(mu Q) = 3 t0 - t0^3 - 1, C/(mu Q a^2/(2 R_d)) = t0^3 - 0.6 t0^5 - 0.2, power F s - C u/R_x.
-    Above t0 = 1 they are 1 and 0.2, below slip 0 they are -1 and -0.2. For u > 0. The groove's
-    share of the slip is kept above `LEAST`.
+    For u > 0. Above t0 = 1 they are 1 and 0.2, below slip 0 they are -1 and -0.2. s_e is at least
+    `LEAST`.
     """
     law = laws.differential_slip(_off(slip, speed, a, r_d, r_x))
     limit = friction * load
@@ -96,8 +96,7 @@ def secant(
     r_d: Numbers,
     r_x: Numbers,
 ) -> Numbers:
-    """F over the difference of the slip from free rolling, N s/m; in the limit of free rolling, the
-    slope."""
+    """F over the deviation of the slip from free rolling, N s/m; at free rolling, the slope."""
     law = laws.differential_slip(_off(slip, speed, a, r_d, r_x))
     return friction * load * law.secant / np.maximum(edge_slip(speed, a, r_d, r_x), LEAST)
 
@@ -108,8 +107,8 @@ def in_series(
     """(force in N after `step` in s, its slope k_t tau (1 - e^(-step/tau)) in N s/m).
 
     The slip law with the tangential spring k_t in N/m in series: tau = c/k_t, c = `secant` in N
-    s/m; `distance` from free rolling in m/s, constant over the step. It is the slip law for long
-    steps, a spring for short ones, sticking at rest.
+    s/m; `distance` from free rolling in m/s, constant over the step. The result tends to the slip
+    law for long steps and to a spring for short ones, and sticks at rest.
     """
     tau = secant / spring
     gone = -np.expm1(-step / tau)

@@ -18,12 +18,12 @@ SLOW = 1e-9  # rad/s: a motion so slow that damping is the derivative of the res
 
 
 class Linear(NamedTuple):
-    """Balls of a ring in equilibrium. Derivatives are with respect to the seven of `circle`, the
-    ball first."""
+    """Balls of a ring in equilibrium. Derivatives are with respect to the seven coordinates of
+    `circle`, the ball first."""
 
     stiffness: Floats  # (Z, 7, 7), second derivatives of the energy, N/m and so on
     approach: Floats  # (C, Z, 7), of the overlaps of a ball's contacts, inner ones first
-    along: Floats  # (C, Z), N/m: of the contacts along their lines, 1.5 Q over the compression
+    along: Floats  # (C, Z), N/m: stiffness of the contacts along their lines of action
     loaded: Floats  # (Z,), bool: balls with an inner contact; the others do not hold a ring
 
     __repr__ = short
@@ -39,7 +39,7 @@ class Response(NamedTuple):
 
 
 def condensed(whole: Floats) -> Floats:
-    """(5, 5) of the ring, with balls (Z, 7, 7) that follow it, real or complex."""
+    """(5, 5) stiffness of the ring with balls (Z, 7, 7) that follow it, real or complex."""
     own, mixed = whole[:, 2:, 2:], whole[:, :2, 2:]
     follow = np.linalg.solve(whole[:, :2, :2], mixed)
     return (own - mixed.transpose(0, 2, 1) @ follow).sum(0)

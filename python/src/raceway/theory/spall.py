@@ -40,10 +40,10 @@ def seconds_to_blow(
     `OUTER`): (N,).
 
     `speed` of the inner ring in rad/s; radial `load` in N; `ring_mass` in kg of the inner ring and
-    the parts that turn with it, which the load pushes after the ball; diametral `clearance` in m;
-    `ball_density` in kg/m^3. `heard` is the raceway whose ring has the sensor, by default that of
-    the spall; the ball must fly back to the other one. `edge` is the radius of the spall's edges in
-    m: a ball that keeps its load begins to rise that distance before the middle. Raises
+    the parts that turn with it, which the load accelerates towards the ball; diametral `clearance`
+    in m; `ball_density` in kg/m^3. `heard` is the raceway whose ring has the sensor, by default
+    that of the spall; the ball must fly back to the other one. `edge` is the radius of the spall's
+    edges in m: a ball that keeps its load begins to rise that distance before the middle. Raises
     `ValueError` for a length or mass that is not positive, an edge above half a length, and for
     lengths above 0.4 of the spacing of two balls, `NoEquilibrium` if the bearing cannot carry the
     load without that ball.
@@ -66,7 +66,7 @@ def seconds_to_blow(
     if w.max() > longest(bearing, raceway):
         raise ValueError(
             f"length {w.max():g} m must be at most {longest(bearing, raceway):g} m, {LONGEST} of"
-            " the distance of two balls"
+            " the spacing of two balls"
         )
     entrained = float(kinematics.entrainment(bearing, speed))
     orbit = speed * float(kinematics.frequencies(bearing).cage)

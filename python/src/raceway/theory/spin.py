@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Spin of a contact about its normal: Coulomb's moment in closed form, spin with slip in slices of
-the contact ellipse."""
+"""Spin of a contact about its normal: Coulomb's moment in closed form, and spin combined with slip
+in slices of the contact ellipse."""
 
 from typing import NamedTuple
 
@@ -16,19 +16,19 @@ class Spin(NamedTuple):
 
     along: Numbers  # N, opposing the slip along rolling
     across: Numbers  # N, opposing the slip across
-    moment: Numbers  # N m, against the spin
+    moment: Numbers  # N m, opposing the spin
     power: Numbers  # W, lost
 
 
 def moment(load: Numbers, friction: Numbers, a: Numbers, second: Numbers) -> Numbers:
-    """(3/8) mu Q a E in N m: pure spin under Coulomb's law. a the semi-axis across the groove in m,
-    `second` the ellipse's complete integral E (`hertz.Ellipse`)."""
+    """(3/8) mu Q a E in N m: moment of pure spin under Coulomb's law. a is the semi-axis across the
+    groove in m, `second` the complete elliptic integral E (`hertz.Ellipse`)."""
     return laws.pure_spin_couple(friction * load, a, second)
 
 
 def closed_moment(pure: Numbers, speed: Numbers, edge: Numbers) -> Numbers:
-    """Moment in N m against spin in the presence of differential slip, a fit: `pure` of pure spin
-    (N m), reduced if the `speed` omega a is small compared with `edge` s_e, both in m/s
+    """Moment in N m against spin in the presence of differential slip, a fit: the moment `pure` of
+    pure spin (N m), reduced if the `speed` omega a is small compared with `edge` s_e, both in m/s
     (`sliding.edge_slip`)."""
     width = np.maximum(edge, sliding.LEAST)
     return pure * laws.spin_shares(np.abs(speed), width, 0.0).spin
@@ -70,8 +70,9 @@ def with_slip(
 def free_slip(
     load: Numbers, friction: Numbers, a: Numbers, b: Numbers, spin: Floats, curve: Numbers
 ) -> Spin:
-    """`with_slip` of contacts that spin at `spin` rad/s, (n,), and slide along rolling as far as
-    leaves no force there, between the slip of differential slip alone and none. Halved 20 times."""
+    """`with_slip` of contacts that spin at `spin` rad/s, (n,), and slide along rolling so that no
+    force remains in that direction. The slip, between 0 and that of differential slip alone, is
+    found by 20 bisections."""
     low, high = np.zeros_like(spin), np.full_like(spin, curve * a**2)
     for _ in range(20):
         middle = (low + high) / 2

@@ -13,10 +13,10 @@ converges from any start. Contact stiffness depends weakly on the contact angle 
 outside that minimisation.
 
 The theory moves each inner groove by the components of shift and tilt in the ball's plane (Harris,
-ch. 7), as if its circle were straight over the shift. With `finite_shift` the circle remains a
-circle, shifted and tilted, as in a simulation: at 5 kN that reduces the load of a 6208's
-ball at 80 degrees from the load line by 0.4 % and increases it by 0.07 % on the line. A ring
-resting on one ball is then unstable and rolls sideways.
+ch. 7), as if its circle were locally straight. With `finite_shift` the circle is shifted and tilted
+but remains a circle, as in a simulation: at 5 kN this reduces the load of a 6208's ball at 80
+degrees from the load line by 0.4 % and increases it by 0.07 % on the line. A ring resting on one
+ball is then unstable and rolls sideways.
 
 A bearing may have several rows of balls, and several grooves for each ball (`bearing.Layout`): a
 ball then presses on each groove that it reaches, and moves from one to another without a jump.
@@ -49,8 +49,8 @@ class Contacts(NamedTuple):
     raceway with several grooves (grooves, Z), in the order of its `bearing.Layout`; zero load if
     there is no contact."""
 
-    # m, of the rigid bodies: negative where a film bridges a gap, and minus the play for a ball
-    # that its centrifugal load holds on the outer raceway; zero for a ball that nothing holds
+    # m, overlap of the rigid bodies: negative where a film bridges a gap, minus the play for a ball
+    # held on the outer raceway by its centrifugal load, zero for a ball that is not held
     overlap: Floats
     load: Floats  # N
     angle: Floats  # rad, positive where the inner ring is pushed to +z
@@ -62,8 +62,8 @@ class Contacts(NamedTuple):
 
     @property
     def heavy(self) -> Floats:
-        """Contacts of a load above `LIGHT`, bool. The others may be balls that their centrifugal
-        load wedges between the outer groove and the edge of the inner one, at any angle."""
+        """True for contacts with a load above `LIGHT`. The others may be balls wedged by their
+        centrifugal load between the outer groove and the edge of the inner one, at any angle."""
         return self.load > LIGHT * self.load.max()
 
 
@@ -71,7 +71,7 @@ class Contacts(NamedTuple):
 class Equilibrium:
     """Equilibrium of the bearing."""
 
-    shift: Floats  # (3,), m: inner ring against outer
+    shift: Floats  # (3,), m: inner ring relative to outer ring
     azimuth: Floats  # (Z,), rad
     inner: Contacts
     outer: Contacts
@@ -110,13 +110,13 @@ def equilibrium(
 
     `moment` is (M_x, M_y) in N m on the inner ring; `held` maps degrees of freedom (x, y, z in m,
     rx, ry in rad) to the values at which they are held; the others are free. Without `held` the
-    ring is held straight (rx = ry = 0), or free to tilt if a `moment`, even zero, is given.
+    ring is held untilted (rx = ry = 0), or free to tilt if a `moment`, even zero, is given.
     `clearance` is diametral, m; `phase` the azimuth of the first ball of each row, rad, or of every
     ball if they are not evenly spaced (Z,); `orbital_speed` of all balls or of each (Z,), rad/s,
     gives them the centrifugal load m r omega^2 with m from `ball_density` in kg/m^3; `finite_shift`
-    see above; `film` puts the film in the gap; the search begins at an equilibrium `near` this one,
-    if there is one. Raises `NoEquilibrium` if the ring is free to move
-    or the balls are forced out of their grooves, `ValueError` for an unknown degree of freedom.
+    see above; `film` puts the film in the gap; if a nearby equilibrium `near` is given, the search
+    starts there. Raises `NoEquilibrium` if the ring is free to move or the balls are forced out of
+    their grooves, `ValueError` for an unknown degree of freedom.
 
     >>> from raceway.theory.bearing import Bearing
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)

@@ -3,8 +3,8 @@
 balances the friction heat.
 
 One node: the whole bearing and its oil at one temperature. Three nodes: inner ring, balls and outer
-ring at separate temperatures, the oil at their mean, and the clearance of the warm parts in the
-statics.
+ring at separate temperatures, the oil at their mean, and statics with the clearance of the warm
+parts.
 """
 
 import math
@@ -30,7 +30,7 @@ from raceway.theory.oil_supply import BATH, Supply
 from raceway.theory.static import STRAIGHT, Equilibrium
 from raceway.theory.validity import of_statics
 
-ENOUGH = 0.01  # K
+ENOUGH = 0.01  # K, tolerance
 TOPICS = {
     "Operating point": (
         Row("bearing", "bearing", None),
@@ -45,7 +45,7 @@ TOPICS = {
     "Runs": (
         Row("runs", "runs", ""),
         Row("run_temperature_C", "temperature of the last run", "°C"),
-        Row("run_power_W", "power loss of it", "W"),
+        Row("run_power_W", "power loss of the last run", "W"),
         Row("run_over_statics", "its power loss over that of statics", ""),
     ),
     "Steady state": (
@@ -127,7 +127,7 @@ class Scene:
         self.spin_law, self.models, self.held = spin_law, models, held
         self.size, self.supply = size, supply
         self.share = 1.0  # factor on the friction of the laws, set by `by_runs`
-        self.near: Equilibrium | None = None  # the last one, at which the next search begins
+        self.near: Equilibrium | None = None  # the last one, where the next search begins
 
     def rest(self, temperature: float, clearance: float) -> Rest:
         """Equilibrium and films with the oil at a temperature in degrees C and a clearance in m."""
@@ -157,7 +157,7 @@ class Scene:
         return self.figures(self.rest(temperature, clearance), clearance)
 
     def figures(self, rest: Rest, clearance: float) -> dict[str, Any]:
-        """`at`, from its `rest`."""
+        """Like `at`, from a given `rest`."""
         state, orbit, films, fluid = rest
         ring = self.ring
         losses = friction_torque.losses(
@@ -316,7 +316,7 @@ class Case:
         return heat.cooling(*(1e3 * size for size in inputs.numbers(path, *names).values()))
 
     def steady(self, scene: Scene) -> dict[str, Any]:
-        """Steady figures of its `Scene`. Raises `NoEquilibrium`."""
+        """Steady figures of the `Scene`. Raises `NoEquilibrium`."""
         if self.nodes is not None:
             nodes = self.nodes
             if nodes.housing is None:

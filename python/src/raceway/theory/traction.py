@@ -53,10 +53,10 @@ def combined(
     spin: Floats,
     curve: Floats,
 ) -> Floats:
-    """Friction coefficient for which Coulomb's law gives the power loss of `eyring` with its limit
-    in contacts (...) with a `load` (N) and semi-axes (m) that slide at (slip + spin z - curve z^2,
-    -spin x), as in `spin.with_slip`; slip in m/s, spin in rad/s, curve in 1/(m s), thickness in
-    m."""
+    """Friction coefficient with which Coulomb's law has the same power loss as `eyring` with its
+    limit, in contacts (...) with a `load` (N) and semi-axes (m) that slide at (slip + spin z -
+    curve z^2, -spin x), as in `spin.with_slip`; slip in m/s, spin in rad/s, curve in 1/(m s),
+    thickness in m."""
     node, weight = np.polynomial.legendre.leggauss(12)
     # r = sin(t) removes the square root of the pressure
     t, turn = (node[:, None] + 1) * np.pi / 4, (np.arange(24) + 0.5) * np.pi / 12

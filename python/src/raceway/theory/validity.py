@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from raceway.theory.lubrication import Lubrication
     from raceway.theory.static import Equilibrium
 
-COUNTS = 0.19  # of the radial load; smaller axial loads do not count in ISO 281 (its smallest e)
+COUNTS = 0.19  # fraction of the radial load below which ISO 281 ignores axial loads (smallest e)
 
 
 class Rule(NamedTuple):
@@ -94,7 +94,7 @@ def of_statics(
 
 def held(push: float, radial: float, largest: float) -> list[str]:
     """A text if the balls push the inner ring along its axis with a force `push` (N) that no load
-    balances and that counts beside the `radial` load and the `largest` of a contact."""
+    balances and that is significant beside the `radial` load and the `largest` contact load."""
     if abs(push) <= COUNTS * max(radial, largest):
         return []
     return [
@@ -149,7 +149,7 @@ def past_middle(
     semi_axis: tuple[np.ndarray, np.ndarray],
 ) -> list[str]:
     """Like `past_shoulder`, for the edge between the two grooves of a ring of a four-point contact
-    bearing: `free` is the contact angle (rad) of a ball in the middle. The edge lies at the angle
+    bearing: `free` is the contact angle (rad) of a centred ball. The edge lies at the angle
     asin((r_c - R_b) sin(free)/r_c) up the groove."""
     texts = []
     for side, (alpha, a) in enumerate(zip(angle, semi_axis)):

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The numbers by which the paper's statements are judged.
 
-Every module's `measure(book, printed)` returns {name: `Quantity`}. With `printed` it returns those
-that eqs 2, 3 and 9 change, from the formulas as printed; the others do not depend on it.
-`measure_whole` returns those that the total capacitance changes, and those that only it has.
+Every module's `measure(book, printed)` returns {name: `Quantity`}. With `printed`, the quantities
+affected by eqs 2, 3 and 9 follow from the formulas as printed; the others do not depend on it.
+`measure_whole` returns those that change with the total capacitance or exist only with it.
 """
 
 from raceway.paper.book import Book
@@ -22,6 +22,6 @@ def measure(book: Book, printed: bool = False) -> dict[str, Quantity]:
 
 
 def measure_whole(book: Book) -> dict[str, Quantity]:
-    """{name: `Quantity`} that involve more of the capacitance than the plates; corrected
+    """{name: `Quantity`} that involve more capacitance than that of the plates, from the corrected
     formulas."""
     return whole.measure(book)

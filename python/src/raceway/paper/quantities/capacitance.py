@@ -129,7 +129,7 @@ def _same(book, curve):
             * area
         )
     )
-    # all balls in one pass form each azimuth's curve; mirror images come from different balls
+    # the curve over azimuth is formed by all balls in one pass, its mirror image by other balls
     mirrored = np.abs(around - around[::-1]).max() / around.max()
     other = {
         load: runs.one("measured_bearing", load=load).top_capacitance() for load in (1000, 5000)
