@@ -47,7 +47,7 @@ def test_table_from_a_file(tmp_path):
         (lambda: Breakdown(0.0), "strength = 0 V/m must be positive"),
         (lambda: Breakdown(1e6, "wavy"), "surfaces = 'wavy' must be rough or smooth"),
         (lambda: Leak(-1.0), "resistivity = -1 ohm m must be positive"),
-        (lambda: Leak(share=1.0), "share = 1 must lie from 0 to 1"),
+        (lambda: Leak(share=1.0), "share = 1 must be at least 0 and below 1"),
         (lambda: circuit.run(turning(), Floating(), points=0), "points = 0 must be a whole"),
         (lambda: circuit.run(turning(), Source(Constant(1.0)), WEAK), "give it a resistance"),
         (

@@ -277,7 +277,7 @@ def test_mistakes(npz, tmp_path, capsys, words, says):
         (b"no file of numpy", "numpy.savez(FILE, M=r.M0"),
         (dict(M=np.eye(8), K=np.eye(8), z=Z[:2]), "has no G; numpy.savez"),
         (dict(M=np.eye(8), Kst=np.eye(8)), "unknown 'Kst'; known: M, K, G, z, C"),
-        (dict(M=np.eye(8) * 1j, K=np.eye(8), G=np.eye(8), z=Z[:2]), "'M' is of complex128"),
+        (dict(M=np.eye(8) * 1j, K=np.eye(8), G=np.eye(8), z=Z[:2]), "'M' has type complex128"),
     ],
 )
 def test_files_refused(tmp_path, capsys, data, says):

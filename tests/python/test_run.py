@@ -108,7 +108,7 @@ def test_geometry(folder):
     "made, said",
     [
         (None, "is not a folder: a run makes one"),
-        ("run.yaml", "has no record.nc: its run recorded nothing, or it is gone"),
+        ("run.yaml", "has no record.nc: its run recorded nothing, or it was removed"),
         ("contacts.dump", "has text dumps and no record.nc: raceway reads records; run the deck"),
     ],
 )

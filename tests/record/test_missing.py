@@ -125,7 +125,7 @@ def test_nothing_was_recorded(words, tmp_path, capsys):
     for command in (["summary"], ["plot", "--kind", "motion"], ["animate"], ["report"]):
         assert main([command[0], str(folder), *command[1:]]) == 1
         said = capsys.readouterr().err
-        assert "has no record.nc: its run recorded nothing, or it is gone" in said
+        assert "has no record.nc: its run recorded nothing, or it was removed" in said
         assert "-var record all or fix bearing/record makes one" in said and "column" not in said
 
 
@@ -134,7 +134,7 @@ def test_run_yaml_is_gone(sums, tmp_path, capsys):
     (folder / "run.yaml").unlink()
     for command in ("summary", "report"):
         assert main([command, str(folder)]) == 1
-        assert f"{folder}/run.yaml is missing" in capsys.readouterr().err
+        assert f"{folder}/run.yaml, which states whether" in capsys.readouterr().err
     assert raceway.open(folder).rings.sizes["time"] == 41
 
 
