@@ -92,12 +92,13 @@ interfaces: setup
 
 # Downloads run beside the tree, which needs none of them, the pages beside everything else that is
 # compiled, in one make, so that no core waits for the last object of a program.
-# pytest starts with the folders whose files take longest, so that no core idles at the end
+# pytest starts with the folders whose files take longest, so that no core idles at the end, and has one
+# process more than cores, since tests with several ranks wait
 test: setup
 	@$(MAKE) --no-print-directory -j2 tree packages_of_tests lint
 	@$(MAKE) --no-print-directory -s -j2 docs $(PROGRAMS) $(INTERFACES)
 	@rm -rf docs/notebooks/run
-	.venv/bin/python -m pytest --nbmake tests/recipes docs/notebooks tests/docs tests/hosts tests -n $(shell nproc) --dist loadfile --no-loadscope-reorder
+	.venv/bin/python -m pytest --nbmake tests/recipes docs/notebooks tests/docs tests/hosts tests -n $$(($$(nproc) + 1)) --dist loadfile --no-loadscope-reorder
 
 packages_of_tests:
 	@$(MAKE) --no-print-directory setup PACKAGES="$(PACKAGES)"
