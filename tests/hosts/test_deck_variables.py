@@ -35,7 +35,6 @@ def test_unknown(tmp_path, host, ranks, name, nearest):
 
 DECKS = [
     "in.axial",
-    "in.cage_ring",
     "in.dry",
     "in.many",
     "in.nocage",

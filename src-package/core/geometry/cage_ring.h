@@ -20,8 +20,9 @@
 
 namespace raceway {
 
-// Estimate of the play along the circle, of the ball's diameter (docs/cage)
-constexpr double usual_play = 0.025;
+// Estimates of the play along the circle (docs/cage), of the height of a pocket's band of oil, and
+// of how far a cage reaches beyond the pitch circle, of the ball's diameter
+constexpr double usual_play = 0.025, usual_band = 0.35, usual_reach = 0.3;
 
 struct CageRing {
   enum Guide { by_balls, by_inner, by_outer };
