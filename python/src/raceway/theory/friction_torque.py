@@ -16,6 +16,8 @@ hysteresis
     of the steel (`rolling`)
 drag
     of the balls in oil and air (`drag`)
+cage
+    oil in its pockets and at its land, churning (`cage_drag`)
 
 A ball with more than two contacts cannot roll on all of them (`ball_motion`). A ball that only the
 outer ring touches loses rotation to rolling resistance and slides (`skidding`).
@@ -33,6 +35,7 @@ from raceway.theory import (
     asperity,
     attitude,
     ball_motion,
+    cage_drag,
     drag,
     film_factors,
     hertz,
@@ -49,7 +52,7 @@ from raceway.theory.lubrication import Lubrication
 from raceway.theory.makers import Size
 from raceway.theory.static import Equilibrium
 
-PARTS = ("rolling", "slip", "spin", "hysteresis", "drag")
+PARTS = ("rolling", "slip", "spin", "hysteresis", "drag", "cage")
 SPIN_LAWS = ("closed", "slices")
 
 
@@ -66,14 +69,15 @@ class Surfaces:
 
 
 class Losses(NamedTuple):
-    """W, of contacts (C, Z), inner ones first, and of balls (Z,); shares and coefficients of the
-    contacts (C, Z)."""
+    """W, of contacts (C, Z), inner ones first, of balls (Z,) and of the cage; shares and
+    coefficients of the contacts (C, Z)."""
 
     rolling: Floats
     slip: Floats
     spin: Floats
     hysteresis: Floats
     drag: Floats
+    cage: float
     asperity_share: Floats  # L_a
     friction: Floats  # mu
 
@@ -118,12 +122,13 @@ def losses(
     surfaces: Surfaces | None = None,
     spin_law: str = "closed",
     ball_density: float = 7800.0,
+    cage: cage_drag.CageRing | None = None,
 ) -> Losses:
     """`Losses` of an `Equilibrium` with its `Lubrication` and the `Fluid` of it; inner ring at
     `ring` and balls around it at `orbit` rad/s, one number or (Z,), clearance in m, `ball_density`
-    in kg/m^3. `spin_law` "closed" has fits of how spin and differential slip lessen one another and
-    the gyroscopic moment, "slices" takes slip and spin together over the contact ellipse.
-    ValueError for another law."""
+    in kg/m^3, a `cage` or none. `spin_law` "closed" has fits of how spin and differential slip
+    lessen one another and the gyroscopic moment, "slices" takes slip and spin together over the
+    contact ellipse. ValueError for another law."""
     if spin_law not in SPIN_LAWS:
         raise ValueError(f"spin law '{spin_law}' is none of {', '.join(SPIN_LAWS)}")
     surfaces = surfaces or Surfaces()
@@ -179,7 +184,13 @@ def losses(
             found = _several(bearing, one, sides, ring, spin_law, fluid, surfaces)
             slid[live, ball], turned[live, ball] = found
     balls = np.broadcast_to(against * speed, len(bearing.row)) + 0.0
-    return Losses(rolled, slid, turned, hysteresis, balls, share, friction)
+    lost = 0.0
+    if cage is not None:
+        angles = np.abs([one.angle for one in contacts])[loaded]
+        angle = float(angles.mean()) if len(angles) else 0.0
+        about = surfaces.oil_share, ring, float(np.mean(orbit)), angle
+        lost = cage_drag.power(bearing, cage, fluid, *about)
+    return Losses(rolled, slid, turned, hysteresis, balls, lost, share, friction)
 
 
 def _by_groove(side):

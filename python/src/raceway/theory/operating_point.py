@@ -16,6 +16,7 @@ from raceway import catalogue, inputs
 from raceway.files import FilePath
 from raceway.theory import (
     ball_motion,
+    cage_drag,
     clearance,
     equivalent_load,
     excursion,
@@ -64,6 +65,7 @@ def figures(
     four_point: float | None = None,
     double_row: DoubleRow | None = None,
     supply: Supply = BATH,
+    cage: cage_drag.CageRing | None = cage_drag.RING,
 ) -> dict[str, Any]:
     """Figures by name in SI units, text, numbers or None; `balls` is a list with one mapping for
     each ball.
@@ -77,8 +79,9 @@ def figures(
     `cleanliness` is a word of `cleanliness.CLEANLINESS`. `four_point` in rad makes it a four-point
     contact bearing with that angle, as its file may do. Each of `balls` then has a list of
     `contacts`. `double_row` gives it two rows, whose `balls` follow one another. `dynamic` is C in
-    N of a row, replacing the file's. `supply` is the kind of lubrication. `absent` has the reason
-    by key for figures that the models omit.
+    N of a row, replacing the file's. `supply` is the kind of lubrication, `cage` the ring whose
+    losses count in the friction torque, None for a chain of balls or no cage. `absent` has the
+    reason by key for figures that the models omit.
 
     As in a deck, the ring is held along z if there is no axial load (`inputs.held`).
 
@@ -182,6 +185,7 @@ def figures(
             surfaces=friction_torque.surfaces(body, inputs.size(path), fluid, spin, models, supply),
             spin_law=spin_law,
             ball_density=density,
+            cage=cage,
         )
         inner = lost.asperity_share[: body.raceways.count(INNER)]
         result.update(
@@ -197,7 +201,7 @@ def figures(
         friction = lost.friction
     ahead = None
     if body.layout == Layout():
-        ahead = excursion.excursion(body, state, spin, friction)
+        ahead = excursion.excursion(body, state, spin, friction, cage and cage.play or None)
     if ahead is not None:
         result.update(ball_excursion_m=ahead.whole, pocket_force_N=ahead.force or None)
     result = {key: _plain(value) for key, value in result.items()}
