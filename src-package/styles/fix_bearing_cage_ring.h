@@ -26,6 +26,7 @@ class FixBearingCageRing : public FixBearingRing {
   double compute_vector(int) override;
 
   const bearing::CagePockets &pockets() const { return all_; }
+  const bearing::CageSettings &settings() const { return cage_; }    // also before a run
 
  private:
   raceway::CageMotion motion(int i) const;
