@@ -114,3 +114,14 @@ def test_first_balls_of_many_bearings(tmp_path):
         figures = whole.select(number).tables.record
         force = figures.read(["ball_pocket_force"])["ball_pocket_force"]
         assert np.nan_to_num(force).max() < 20.0
+
+
+def test_a_first_ball_elsewhere_goes_on(tmp_path):
+    """A continued run has its pockets where they were."""
+    words = {**SHORT, "models": "full", "phase": 0.3, "resume": "yes"}
+    for folder, passes in (("whole", (2,)), ("parts", (1, 2))):
+        for number in passes:
+            succeed("inputs/in.6208", out=tmp_path / folder, **{**words, "passes": number})
+    one, other = (Run(tmp_path / name).tables.record for name in ("whole", "parts"))
+    for name in ("ring_angle", "ring_x", "ball_x", "ball_pocket_force"):
+        np.testing.assert_array_equal(one.read([name])[name], other.read([name])[name])
