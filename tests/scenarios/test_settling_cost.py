@@ -52,8 +52,7 @@ def evaluations(number, folder, **changes):
     """(of the run, of a7b5052 with the settings of the reference)"""
     words = dict(zip(HEAD, SCENES[number].split(), strict=True))
     before = float(words.pop("before"))
-    # the cage that a7b5052 had
-    own = {"passes": "1", "settle": "auto", "surroundings": "flooded", "cage": "chain"}
+    own = {"passes": "1", "settle": "auto", "surroundings": "flooded"}
     scene = {**words, **own, **REFERENCE, **changes}
     succeed("inputs/in.6208", out=folder, **scene)
     cost = raceway.open(folder).settings
