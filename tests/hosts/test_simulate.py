@@ -20,7 +20,7 @@ from raceway.errors import RacewayError, RunError
 POINT = {"bearing": "6306", "load": 1234.5678901234567, "rpm": 1000, "models": "paper"}
 POINT |= {"passes": 1, "settle": 0.5}
 OIL = {"lubricant": "vg46", "viscosity": 0.05}
-LONG = {"load": 3000, "rpm": 2000, "passes": 120, "keep": 25, "models": "full"}
+LONG = {"load": 3000, "rpm": 2000, "passes": 60, "keep": 25, "models": "full"}
 
 
 @pytest.fixture(autouse=True)

@@ -294,9 +294,6 @@ def test_only_dampers_implicit_keeps_a_swing(tmp_path):
 
 
 FIGURES = ("q_max_N", "h_c_m", "cage_speed_rad_s", "friction_torque_N_m", "capacitance_F")
-# Balls strike a cage ring irregularly, so means of a few ball passes scatter by more than the
-# errors of steps that are compared here.
-CHAIN = {"models": "full", "cage": "chain"}
 
 
 def test_cage_balls_may_be_farther_off(tmp_path):
@@ -305,7 +302,9 @@ def test_cage_balls_may_be_farther_off(tmp_path):
     by less than 0.1 %."""
     found = []
     for cage in (1e-9, 1e-6):
-        succeed("inputs/in.6208", out=tmp_path / str(cage), passes=1, cage_tolerance=cage, **CHAIN)
+        succeed(
+            "inputs/in.6208", out=tmp_path / str(cage), models="full", passes=1, cage_tolerance=cage
+        )
         found.append(summary(RunTables(tmp_path / str(cage))))
     fine, coarse = found
     assert coarse["step_s"] > 2 * fine["step_s"]
@@ -321,7 +320,7 @@ def test_coarse_cage_balls_leave_unloaded_balls_at_rest(tmp_path):
     found = {}
     for cage, more in ((1e-7, {}), (1e-6, {}), (1e-10, dict(tolerance=1e-10))):
         out = tmp_path / str(cage)
-        words = dict(**CHAIN, settle=1, rpm=47.75, step_control="bound", **more)
+        words = dict(models="full", settle=1, rpm=47.75, step_control="bound", **more)
         succeed("inputs/in.6208", out=out, cage_tolerance=cage, **words)
         found[cage] = summary(RunTables(out))
     assert found[1e-6]["evaluations"] < found[1e-7]["evaluations"]
@@ -336,7 +335,7 @@ def test_an_error_may_be_larger_than_corrections(tmp_path):
     found = []
     for share in (1, 2.5):
         out = tmp_path / str(share)
-        succeed("inputs/in.6208", out=out, rpm=9549, step_error=share, **CHAIN)
+        succeed("inputs/in.6208", out=out, models="full", rpm=9549, step_error=share)
         found.append(summary(RunTables(out)))
     fine, coarse = found
     assert coarse["evaluations"] < 5 / 6 * fine["evaluations"]
@@ -355,7 +354,7 @@ def test_estimated_errors_need_fewer_evaluations(tmp_path, rpm):
         ("bound", dict(tolerance=1e-10, cage_tolerance=1e-10)),
     ):
         out = tmp_path / f"{control}{len(more)}"
-        words = dict(**CHAIN, settle=1, rpm=rpm, step_control=control, **more)
+        words = dict(models="full", settle=1, rpm=rpm, step_control=control, **more)
         succeed("inputs/in.6208", out=out, **words)
         found[control, len(more)] = summary(RunTables(out))
     ours, bounds, truth = found.values()

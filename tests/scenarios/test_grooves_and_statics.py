@@ -59,9 +59,8 @@ def test_four_points(tmp_path, name):
 def test_unloaded_balls(tmp_path, rpm):
     """Unloaded balls skid: if they rolled, the rolling loss would be some 5 % higher."""
     point = {"load": 5000.0, "rpm": rpm, "lubricant": "mineral"}
-    # the chain hardly brakes balls, as statics has them; a cage ring slips more
-    succeed("inputs/in.6208", out=tmp_path, models="full", cage="chain", passes=1, **point)
-    run, (torque, parts) = summary(RunTables(tmp_path)), over_a_pass(**point, cage=None)
+    succeed("inputs/in.6208", out=tmp_path, models="full", passes=1, **point)
+    run, (torque, parts) = summary(RunTables(tmp_path)), over_a_pass(**point)
     assert run["friction_torque_N_m"] == pytest.approx(torque, rel=5e-3)
     for part in ("rolling", "slip", "hysteresis", "drag"):
         assert run["losses_W"][part] == pytest.approx(parts[part], rel=1e-2), part
@@ -190,7 +189,7 @@ def test_double_row(tmp_path):
 def test_heat_of_a_double_row(tmp_path):
     """At the steady temperature a run generates the heat that the cooling removes."""
     cooling = {"conductance": 0.2, "ambient": 20.0}
-    point = {"load": 400.0, "axial": 300.0, "rpm": 600.0, "double_row": ROWS, "cage": None}
+    point = {"load": 400.0, "axial": 300.0, "rpm": 600.0, "double_row": ROWS}
     steady = steady_heat.figures("7208", "vg46", ROOT / "inputs", **point, **cooling, **LAWS)
     warm = steady["temperature_C"]
     path = catalogue.find("lubricants", "vg46")

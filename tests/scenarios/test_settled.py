@@ -18,8 +18,7 @@ SCENES = {
     "7208": dict(bearing="7208", load=0.1, axial=-500, rpm=6000),
     "tilted": dict(bearing="6208", load=3000, axial=2000, moment_x=20, rpm=3000),
 }
-# the spin axes settle; a cage ring moves over all its play where all balls are loaded
-OIL = dict(models="full", lubricant="vg46", temperature=70, cage="chain")
+OIL = dict(models="full", lubricant="vg46", temperature=70)
 
 
 @pytest.fixture(scope="module", params=SCENES)

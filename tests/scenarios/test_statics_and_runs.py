@@ -15,7 +15,6 @@ from raceway import inputs
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
 from raceway.theory import friction_torque, static
-from raceway.theory.cage_drag import RING
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubrication import lubricate, turning
 
@@ -50,8 +49,7 @@ def test_loads_and_place(tmp_path, name, load, axial, moment, rpm, models):
     displacement within 1 %."""
     words = dict(zip(("moment_x", "moment_y"), moment or ()))
     words |= dict(bearing=name, load=load, axial=axial, rpm=rpm, models=models, lubricant="vg46")
-    # a cage ring strikes idle balls, whose loads at one instant are then not those of rest
-    words |= dict(cage="chain", load_azimuth=0, settle=30, passes=1, samples=20, overwrite="yes")
+    words |= dict(load_azimuth=0, settle=30, passes=1, samples=20, overwrite="yes")
     words["models"] = little_friction(tmp_path, models, moment)
     succeed("inputs/in.6208", out=tmp_path / "run", **words)
     with xarray.open_dataset(tmp_path / "run/record.nc") as data:
@@ -101,31 +99,15 @@ def test_a_run_whose_ring_is_held_along_its_axis(tmp_path):
 def test_torque(tmp_path, name, load, axial, rpm):
     """The friction torque of settled runs with the models full agrees within 1 %, with spin, and
     with the starvation of a bearing whose file has diameters but no series."""
-    run = torque_of_run(tmp_path, name, load, axial, rpm, cage="chain")
+    words = dict(bearing=name, load=load, axial=axial, rpm=rpm, models="full", lubricant="vg46")
+    succeed("inputs/in.6208", out=tmp_path, settle=60, passes=1, samples=20, **words)
+    with xarray.open_dataset(tmp_path / "record.nc") as data:
+        run = -float(data["ring_torque"].isel(ring=0).mean())
     lost = losses(name, load, axial, rpm)
     assert abs(run) == pytest.approx(lost.power / (rpm * np.pi / 30), rel=0.01)
 
 
-@pytest.mark.parametrize(
-    ("name", "load", "axial", "rpm"), [("6208", 4304, 4087, 376), ("6210", 1671, 1067, 2800)]
-)
-def test_torque_with_a_cage_ring(tmp_path, name, load, axial, rpm):
-    """The same with its oil, 3 % of the torque of the 6210. Statics leaves out the friction of
-    balls on their pockets."""
-    run = torque_of_run(tmp_path, name, load, axial, rpm, cage_without="friction")
-    lost = losses(name, load, axial, rpm, cage=RING)
-    assert abs(run) == pytest.approx(lost.power / (rpm * np.pi / 30), rel=0.01)
-
-
-def torque_of_run(folder, name, load, axial, rpm, **words):
-    """N m, of a settled run."""
-    words |= dict(bearing=name, load=load, axial=axial, rpm=rpm, models="full", lubricant="vg46")
-    succeed("inputs/in.6208", out=folder, settle=60, passes=1, samples=20, **words)
-    with xarray.open_dataset(folder / "record.nc") as data:
-        return -float(data["ring_torque"].isel(ring=0).mean())
-
-
-def losses(name, load, axial, rpm, temperature=40.0, cage=None):
+def losses(name, load, axial, rpm, temperature=40.0):
     oil = ROOT / "inputs/lubricants/vg46"
     fluid = inputs.fluid(oil, temperature)
     path, ring = ROOT / "inputs/bearings" / name, rpm * np.pi / 30
@@ -133,8 +115,7 @@ def losses(name, load, axial, rpm, temperature=40.0, cage=None):
     rest, orbit = turning(body, ring, load, axial, finite_shift=True, film=film)
     films = lubricate(body, rest, inputs.oil(oil, temperature), ring, factor=film.factor)
     surfaces = friction_torque.surfaces(body, inputs.size(path), fluid, ring)
-    more = dict(surfaces=surfaces, cage=cage)
-    return friction_torque.losses(body, rest, films, fluid, ring, orbit, **more)
+    return friction_torque.losses(body, rest, films, fluid, ring, orbit, surfaces=surfaces)
 
 
 def test_balls_that_slide_under_their_gyroscopic_moment(tmp_path):
