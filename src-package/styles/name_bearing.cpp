@@ -33,20 +33,15 @@ void NameBearing::command(int narg, char **arg)
       inputs = args.value_of("inputs");
     } else if (args.take("cage")) {
       cage = args.value_of("cage");
-    } else if (args.take("models")) {
-      b.models = args.word("models of the pair style");
     } else {
       bool known = false;
       for (const char *key : {"clearance", "contact_angle", "four_point"})
         if (!known && (known = args.take(key))) own[key] = args.value_of(key);
-      if (!known)
-        args.unknown("types, clearance, contact_angle, four_point, cage, models, inputs, vars");
+      if (!known) args.unknown("types, clearance, contact_angle, four_point, cage, inputs, vars");
     }
   }
   if (!b.balls) args.fail("'types BALLS CAGE INNER OUTER' is missing");
-  // the cage of the models; decks that do not name them here have that of the paper
-  if (cage == "yes") cage = b.models.empty() || b.models == "paper" ? "chain" : "ring";
-  b.has_cage = cage == "chain";
+  b.has_cage = cage == "yes" || cage == "chain";
   b.has_cage_ring = cage == "ring";
   const int types[] = {b.balls, b.cage, b.inner, b.outer};
   for (int i = 0; i < 4; ++i)

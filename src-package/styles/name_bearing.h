@@ -17,9 +17,9 @@ struct NamedBearing;
 namespace LAMMPS_NS {
 
 // bearing NAME FILE|ROW types B C I O [clearance X] [contact_angle A] [four_point A]
-// [cage yes|no|ring|chain] [models M] [inputs FOLDER] [vars K ...]: read a bearing's data for later
-// commands that refer to it by name, and set variables NAME_... of the host. Stops if -var sets a
-// variable that neither the deck nor the data define.
+// [cage yes|no|ring|chain] [inputs FOLDER] [vars K ...]: read a bearing's data for later commands
+// that refer to it by name, and set variables NAME_... of the host. Stops if -var sets a variable
+// that neither the deck nor the data define.
 class NameBearing : public bearing::CommandBase {
  public:
   explicit NameBearing(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}

@@ -11,7 +11,6 @@ struct NamedBearing {
   std::string name;
   int balls = 0, cage = 0, inner = 0, outer = 0;    // atom types
   bool has_cage = true, has_cage_ring = false;      // chain on rails, one-piece, or none
-  std::string models;                               // as the command has them; may be empty
   // Complete data in SI units as text, with clearance (m, diametral), contact_angle and four_point
   // (degrees), b_inner_raceway, b_outer_raceway (m) and b_inner_arch, b_outer_arch (words of
   // pair_coeff).

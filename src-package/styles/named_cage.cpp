@@ -47,8 +47,7 @@ std::vector<std::string> cage_words(LAMMPS *lmp, Arguments &args, const NamedBea
     words[key] = args.value_of(key.c_str());
   }
   if (!b.has_cage_ring)
-    args.fail("the cage of bearing " + b.name +
-              " is not a ring: give it 'cage ring', or its models");
+    args.fail("the cage of bearing " + b.name + " is not a ring: give it 'cage ring'");
   const std::set<std::string> out = left_out(args, words["cage_without"]);
   // rounded as a deck's formulas
   const auto or_estimate = [&](const char *key, double estimate) {

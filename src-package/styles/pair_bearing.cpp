@@ -138,9 +138,6 @@ void PairBearing::coeff(int narg, char **arg)
     if (type > atom->ntypes)
       args.fail("bearing " + b.name + " has atom type " + std::to_string(type) + ", the box has " +
                 std::to_string(atom->ntypes));
-  if (!b.models.empty() && b.models != choice_.models)
-    args.fail("bearing " + b.name + " has models " + b.models + ", pair_style bearing has " +
-              choice_.models);
   b.in_use = true;
   Coeff own;
   own.bearing = b.name;

@@ -66,7 +66,6 @@ def losses():
         0.0,
         RPM,
         size=inputs.size(path),
-        cage=None,  # unknown
     )
     found = [scene.at(oil, 0.0) for oil in OILS]
     return Losses(

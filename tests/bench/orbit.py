@@ -37,7 +37,7 @@ class Scene(NamedTuple):
 
 ORBITS = {
     "preload, 2 kN, 1500 rpm": Scene({**TIGHT, "load": 2000, "rpm": 1500}),
-    "the same, cage of balls": Scene({**TIGHT, "load": 2000, "rpm": 1500, "cage": "chain"}),
+    "the same, cage of one ring": Scene({**TIGHT, "load": 2000, "rpm": 1500, "cage": "ring"}),
     "the same, no cage": Scene({**TIGHT, "load": 2000, "rpm": 1500, "cage": "no"}),
     "preload, 1 kN, 200 rpm": Scene({**TIGHT, "load": 1000, "rpm": 200}),
     "preload, 3 kN, 9549 rpm": Scene({**TIGHT, "load": 3000, "rpm": 9549}),
@@ -53,7 +53,7 @@ ORBITS = {
 }
 WITHOUT = {
     "no clearance, 5 kN, 477.5 rpm": {"load": 5000, "rpm": 477.5},
-    "light load, cage of balls, 6000 rpm": {"load": 300, "rpm": 6000, "cage": "chain"},
+    "light load, cage of one ring, 6000 rpm": {"load": 300, "rpm": 6000, "cage": "ring"},
     "clearance 20 um, 1 kN, 1500 rpm": {"clearance": "20e-6", "load": 1000, "rpm": 1500},
     "unbalance": {**TIGHT, "load": 2000, "rpm": 1500, "unbalance": "1e-4"},
 }

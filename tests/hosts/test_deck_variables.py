@@ -35,6 +35,7 @@ def test_unknown(tmp_path, host, ranks, name, nearest):
 
 DECKS = [
     "in.axial",
+    "in.cage_ring",
     "in.dry",
     "in.many",
     "in.nocage",

@@ -16,8 +16,7 @@ from host import BOX, frames, liggghts, succeed
 from scipy.io import netcdf_file
 
 DECK = "tests/hosts/in.many_bits"
-# Atoms of a bearing before its inner ring, and in all; cage of the models: of balls, or a ring
-ATOMS = {"paper": (18, 20), "full": (9, 12)}
+ATOMS = 20  # of a bearing
 SCENES = {
     "implicit": {"integrator": "implicit", "time": 4e-3, "sample": 1e-3, "step": 2.5e-4},
     "verlet": {
@@ -56,17 +55,16 @@ def variables(folder):
         return {name: one.data.tobytes() for name, one in file.variables.items()}
 
 
-def atoms(folder, ring, models="full"):
+def atoms(folder, ring):
     """The last state of the atoms of the bearing with that inner ring, in their order."""
-    before, count = ATOMS[models]
-    first = ring - before
+    last = (ring + 1 - ATOMS, ring + 1)
     (rows,) = frames(folder / "last.dump").values()
     mine = sorted(
         (int(row.split()[0]), row.split()[1:])
         for row in rows
-        if first <= int(row.split()[0]) < first + count
+        if last[0] < int(row.split()[0]) <= last[1]
     )
-    assert len(mine) == count
+    assert len(mine) == ATOMS
     return [values for _, values in mine]
 
 
@@ -123,8 +121,7 @@ def test_alone(scene, number, ranks, tmp_path):
     ring, *case = fleet(folder)[number]
     assert list(alone[1:]) == case
     assert table(tmp_path, alone[0]) == table(folder, ring)
-    models = variables.get("models", "full")
-    assert atoms(tmp_path, alone[0], models) == atoms(folder, ring, models)
+    assert atoms(tmp_path, alone[0]) == atoms(folder, ring)
 
 
 def test_table_against_the_contacts(tmp_path):

@@ -68,7 +68,7 @@ def test_picked_set_keeps_what_is_wanted(answered, tmp_path):
     assert found["wanted"] == WANTED
     finer = {**REFERENCE, "tolerance": "1e-11", "samples": 500}
     whole = found["scene"]
-    assert whole == {"surroundings": "flooded", "cage": "ring", **own}
+    assert whole == {"surroundings": "flooded", **own}
     succeed("inputs/in.6208", out=tmp_path / "exact", **{**whole, **finer})
     succeed("inputs/in.6208", out=tmp_path / "picked", **{**whole, **found["words"]})
     exact, picked = figures(tmp_path / "exact"), figures(tmp_path / "picked")
@@ -97,7 +97,7 @@ def reference(answered):
     own, _, folder = answered
     for point in folder.glob("*/summary.json"):
         asked = (point.parent / "run.yaml").read_text()
-        words = ("tolerance=1e-10", "samples=400", "without=none", "cage=ring", "cage_without=none")
+        words = ("tolerance=1e-10", "samples=400", "without=none", "cage=yes")
         if all(word in asked for word in (*words, "surroundings=flooded")):
             found = json.loads(point.read_text())
             if found["models"] == "full" and found["integrator"] == "implicit":
@@ -182,14 +182,6 @@ def test_sets():
     gone = {one.name for one in known} - {one.name for one in choices(chosen, True)}
     assert gone == {"cage", "surroundings"}
     assert scene_parts.whole_scene(chosen, True) == chosen
-
-
-def test_the_cage_of_a_scene_is_that_of_its_reference():
-    """Also where the models of the paper are tried, which have another one by default."""
-    for given, cage in (({}, "ring"), ({"cage": "yes"}, "ring"), ({"cage": "chain"}, "chain")):
-        assert scene_parts.whole_scene(given, False, {"cage": "yes"}).get("cage") == cage
-    assert "cage" not in scene_parts.whole_scene({}, False, {"cage": "no"})
-    assert "cage" not in scene_parts.whole_scene({}, False)
 
 
 def test_parts_of_a_cage_ring_are_choices():

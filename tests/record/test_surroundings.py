@@ -143,8 +143,7 @@ def test_t6_light_and_fast(tmp_path):
 def test_t7_loss_and_return_of_contact(tmp_path, rpm, models):
     """Clearance 12 um. A quarter of the sampling interval has about a quarter of the largest change
     of a contact's capacitance over a sample in which contact is lost or regained: it is continuous
-    there. The mean does not change. The cage is a chain of balls, for whose motion these
-    intervals are short enough."""
+    there. The mean does not change."""
     steps, means = [], []
     for samples in (200, 800):
         data, live = main(
@@ -154,7 +153,6 @@ def test_t7_loss_and_return_of_contact(tmp_path, rpm, models):
             samples=samples,
             surroundings="flooded",
             models=models,
-            cage="chain",
         )
         total = data["capacitance_total"].values
         change = live[1:] != live[:-1]

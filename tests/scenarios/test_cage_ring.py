@@ -16,8 +16,6 @@ from raceway.runs.run import Run
 from raceway.theory.operating_point import figures as statics
 
 DECK = "tests/scenarios/in.cage_ring"
-MAIN = "inputs/in.6208"
-LIGHT = dict(models="full", load=1000, rpm=1500, settle=9, passes=9)
 VERLET = dict(integrator="verlet", dt=2e-7)
 BOTH = {"implicit": {}, "verlet": VERLET}
 MASS, AXIAL = 0.03, 2.8e-5  # kg, kg m^2, of the cage
@@ -173,8 +171,8 @@ def test_a_cage_on_balls_slips_more_than_one_on_its_land(tmp_path):
 
 
 def test_a_run_tells_slip_orbit_and_pocket_forces(tmp_path):
-    """The main deck: its figures agree with the samples of the record."""
-    succeed(MAIN, out=tmp_path, **{**LIGHT, "settle": 4, "passes": 4}, cage_play=2e-4)
+    """The deck of inputs: its figures agree with the samples of the record."""
+    succeed("inputs/in.cage_ring", out=tmp_path, settle=4, passes=4, cage_play=2e-4)
     run = Run(tmp_path)
     record = run.tables.record
     side, spin = record.fixed("ring_raceway").tolist(), record.read(["ring_spin"])["ring_spin"]
@@ -224,7 +222,7 @@ def test_pockets_are_drawn_around_their_balls(tmp_path):
     """In the samples of a run: each ball is within the play of its own spherical pocket, and
     touches its wall where it has a force. ParaView and pictures show the same pockets."""
     play, phase = 2e-4, 0.3
-    succeed(MAIN, out=tmp_path, **{**LIGHT, "passes": 2}, cage_play=play, phase=phase)
+    succeed("inputs/in.cage_ring", out=tmp_path, passes=2, cage_play=play, phase=phase)
     run = Run(tmp_path).tables
     samples = len(run.record)
     found = pockets(run, 0, samples)
@@ -278,11 +276,12 @@ def test_parts_of_a_cage_can_be_left_out(tmp_path, part):
     out = sorted({"friction", "shear", "land", "churning"} - {part})
     land = dict(cage_guide="outer", cage_land=34e-3, cage_clearance=2e-4, cage_width=2e-3)
     succeed(
-        MAIN,
+        "inputs/in.cage_ring",
         out=tmp_path,
-        **{**LIGHT, "settle": 0, "passes": 1},
         cage_without="+".join(out),
         cage_play=3e-4,
+        settle=0,
+        passes=1,
         samples=20,
         oil_level=1,
         **land,
@@ -318,7 +317,7 @@ def test_a_cage_under_moments_bears_what_statics_estimates(tmp_path):
     has the impacts, too. The load of the run is along -y, that of statics along x."""
     point = dict(load=3500.0, axial=5000.0, rpm=1500.0)
     found = dict(bearing="7208B", moment_x=25, moment_y=15, settle=1, passes=2)
-    succeed(MAIN, out=tmp_path, **{**LIGHT, **found, **point})
+    succeed("inputs/in.cage_ring", out=tmp_path, **found, **point)
     figures = Run(tmp_path).summary()
     estimate = statics("7208B", "mineral", moment=(-15.0, 25.0), **point)
     assert estimate["ball_excursion_m"] > 10 * figures["pocket_play_m"]
@@ -327,7 +326,7 @@ def test_a_cage_under_moments_bears_what_statics_estimates(tmp_path):
 
 
 def test_an_unknown_part_of_a_cage_is_refused(tmp_path):
-    outcome = liggghts(MAIN, out=tmp_path, cage_without="oil", **LIGHT)
+    outcome = liggghts("inputs/in.cage_ring", out=tmp_path, cage_without="oil")
     assert "there is no part 'oil'; there is: friction, shear, land, churning" in outcome.error
 
 

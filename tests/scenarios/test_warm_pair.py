@@ -20,7 +20,6 @@ def rest(shaft):
     scene = steady_heat.Scene(
         inputs.bearing(path), None, inputs.lubricant(oil), inputs.oil(oil).roughness, 0.0, 0.0,
         RPM, inputs.ball_density(path), held=held, size=inputs.size(path),
-        cage=None,  # the deck has a chain of cage balls
     )  # fmt: skip
     nodes = steady_heat.Nodes(shaft=shaft, housing=COOLING)
     return scene, steady_heat.three_nodes(scene, nodes, 20.0, 0.0)

@@ -55,8 +55,8 @@ const std::vector<DeckVariable> &deck_variables()
       {"four_point", "0", "degrees", "5 60 or 0", "bearing",
        "contact angle of a Gothic arch; 0: one groove per ring"},
       {"cage", "yes", "", "one_of yes no ring chain", "bearing",
-       "ring: one rigid ring; chain: small balls on two rails; yes: the chain with models paper, "
-       "else the ring; no: no cage, balls may touch each other"},
+       "yes, chain: small balls on two rails; ring: one rigid ring; no: no cage, balls may touch "
+       "each other"},
       {"cage_play", "0", "m", "1.0e-6 0.1 or 0", "bearing/cage/ring",
        "play of a ball in its pocket along the pitch circle, front to rear; 0: estimated"},
       {"cage_across", "0", "m", "1.0e-6 0.1 or 0", "bearing/cage/ring",
@@ -81,7 +81,7 @@ const std::vector<DeckVariable> &deck_variables()
       {"cage_without", "none", "", "", "bearing/cage/ring",
        "parts to leave out, joined by +: friction, shear, land, churning"},
       {"temperature", "40", "C", "-40 200", "pair_style bearing", "temperature of the lubricant"},
-      {"models", "full", "", "", "pair_style bearing|bearing",
+      {"models", "full", "", "", "pair_style bearing",
        "models of the contacts: full, film, eyring, paper or none, or a file"},
       {"gap_film", "power", "", "one_of power moes", "pair_style bearing",
        "law of the film in the gap"},

@@ -44,16 +44,9 @@ def figures(summary: Mapping[str, Any]) -> dict[str, float]:
     return {word: value for word, value in found.items() if value is not None}
 
 
-def whole_scene(
-    given: Mapping[str, str], lubricated: bool, defaults: Mapping[str, str] | None = None
-) -> dict[str, str]:
-    """The deck's variables of a scene: those `given`, and assumed values for the others; `defaults`
-    are the deck's own. The cage of the models is that of the reference, whichever models are
-    tried."""
-    scene = {**(_DATA["assumed"] if lubricated else {}), **given}
-    if {**(defaults or {}), **given}.get("cage") == "yes":
-        scene["cage"] = "ring"
-    return scene
+def whole_scene(given: Mapping[str, str], lubricated: bool) -> dict[str, str]:
+    """The deck's variables of a scene: those `given`, and assumed values for the others."""
+    return {**(_DATA["assumed"] if lubricated else {}), **given}
 
 
 def choices(
@@ -107,7 +100,7 @@ def variables(picked: Iterable[Choice]) -> dict[str, str]:
 
 def sets(available: Sequence[Choice]) -> list[tuple[Choice, ...]]:
     """All sets of choices that a deck can run: at most one of a group, and no part that the
-    models or the cage of the set lack."""
+    models of the set lack."""
     groups: dict[str, list[Choice | None]] = {}
     for choice in available:
         groups.setdefault(choice.group, [None]).append(choice)
@@ -115,10 +108,7 @@ def sets(available: Sequence[Choice]) -> list[tuple[Choice, ...]]:
     for row in product(*groups.values()):
         picked = tuple(choice for choice in row if choice is not None)
         models = next((choice for choice in picked if choice.parts is not None), None)
-        left = [one for choice in picked for one in choice.without]
-        out = {part for name, part in left if name == "without"}
-        of_ring = any(name == "cage_without" for name, _ in left)
-        other_cage = any(name == "cage" for choice in picked for name, _ in choice.settings)
-        if (models is None or out <= set(models.parts)) and not (of_ring and other_cage):
+        out = [part for choice in picked for name, part in choice.without if name == "without"]
+        if models is None or set(out) <= set(models.parts):
             result.append(picked)
     return result

@@ -25,9 +25,6 @@ class CageRing(NamedTuple):
     without: frozenset[str] = frozenset()  # parts that are left out: shear, land, churning
 
 
-RING = CageRing()
-
-
 def power(
     bearing: Bearing,
     cage: CageRing,

@@ -17,7 +17,7 @@ hysteresis
 drag
     of the balls in oil and air (`drag`)
 cage
-    oil in its pockets and at its land, churning (`cage_drag`)
+    of a cage that is one ring, oil in its pockets and at its land, churning (`cage_drag`)
 
 A ball with more than two contacts cannot roll on all of them (`ball_motion`). A ball that only the
 outer ring touches loses rotation to rolling resistance and slides (`skidding`).
@@ -77,7 +77,7 @@ class Losses(NamedTuple):
     spin: Floats
     hysteresis: Floats
     drag: Floats
-    cage: float
+    cage: float | None  # None: a chain of balls, or no cage
     asperity_share: Floats  # L_a
     friction: Floats  # mu
 
@@ -86,7 +86,8 @@ class Losses(NamedTuple):
     @property
     def parts(self) -> dict[str, float]:
         """Power of each part in W."""
-        return {name: float(np.sum(getattr(self, name))) for name in PARTS}
+        found = {name: getattr(self, name) for name in PARTS}
+        return {name: float(np.sum(of)) for name, of in found.items() if of is not None}
 
     @property
     def power(self) -> float:
@@ -184,7 +185,7 @@ def losses(
             found = _several(bearing, one, sides, ring, spin_law, fluid, surfaces)
             slid[live, ball], turned[live, ball] = found
     balls = np.broadcast_to(against * speed, len(bearing.row)) + 0.0
-    lost = 0.0
+    lost = None
     if cage is not None:
         angles = np.abs([one.angle for one in contacts])[loaded]
         angle = float(angles.mean()) if len(angles) else 0.0

@@ -65,7 +65,7 @@ def figures(
     four_point: float | None = None,
     double_row: DoubleRow | None = None,
     supply: Supply = BATH,
-    cage: cage_drag.CageRing | None = cage_drag.RING,
+    cage: cage_drag.CageRing | None = None,
 ) -> dict[str, Any]:
     """Figures by name in SI units, text, numbers or None; `balls` is a list with one mapping for
     each ball.

@@ -118,7 +118,7 @@ class Scene:
         held: Mapping[str, float] = STRAIGHT,
         size: makers.Size | None = None,
         supply: Supply = BATH,
-        cage: cage_drag.CageRing | None = cage_drag.RING,
+        cage: cage_drag.CageRing | None = None,
     ) -> None:
         """`roughness` is composite, m; `density` of the balls in kg/m^3; `spin_law` and
         `models` and `cage` are those of `operating_point.figures`, `held` that of
@@ -191,7 +191,7 @@ class Scene:
             "power_loss_W": self.share * losses.power,
             "losses_W": {name: self.share * power for name, power in losses.parts.items()},
             "sides": tuple((self.share * (sides + losses.drag.sum() / 2)).tolist()),
-            "cage": self.share * losses.cage,
+            "cage": self.share * (losses.cage or 0.0),
             "contacts": heat.conductances(state, films),
         }
 
@@ -271,7 +271,7 @@ class Case:
     spin_law: str = "closed"  # these two as in `operating_point.figures`
     models: str = DEFAULT
     supply: Supply = BATH
-    cage: cage_drag.CageRing | None = cage_drag.RING
+    cage: cage_drag.CageRing | None = None
 
     def files(self) -> tuple[Path, Path]:
         """Paths of the bearing and of the lubricant. Raises `RacewayError`."""
