@@ -39,7 +39,7 @@ void CreateBearing::command_named(Arguments &args)
               "have 'pair_coeff I J grain' and fix bearing/grains");
   double speed[2] = {0.0, 0.0}, thrust = 0.0;
   bool groups = true;
-  std::string more;
+  std::string more, phase = "0";
   while (args.more()) {
     if (args.take("speed"))
       for (double &w : speed) {
@@ -48,7 +48,7 @@ void CreateBearing::command_named(Arguments &args)
       }
     else if (args.take("thrust")) thrust = args.number("thrust (N)");
     else if (args.take("groups")) groups = args.choice("groups", {"no", "yes"}) == 1;
-    else if (args.take("phase")) more += " phase " + (b.phase = args.value_of("phase"));
+    else if (args.take("phase")) more += " phase " + (phase = args.value_of("phase"));
     else if (args.take("centre"))
       for (int k = 0; k < 3; ++k) more += (k ? " " : " centre ") + args.word("centre (m)");
     else args.unknown("speed, thrust, phase, centre, groups");
@@ -74,6 +74,7 @@ void CreateBearing::command_named(Arguments &args)
   for (std::string word; in >> word;) words.push_back(word);
   Arguments own(lmp, "create_bearing " + b.name, words);
   create(own);
+  if (b.has_cage_ring && !resumed) b.phases[next_tag_ - 1] = std::atof(phase.c_str());
   if (!b.has_cage && groups) input->one(("group cage type " + std::to_string(b.cage)).c_str());
 }
 

@@ -31,10 +31,18 @@ std::string integrator_of(LAMMPS *lmp)
   return fixes.empty() ? "verlet" : std::string(fixes.front()->style).substr(8);
 }
 
+// ring, chain or no, of the first bearing of the deck
+std::string cage_of(LAMMPS *lmp)
+{
+  for (const NamedBearing *b : bearings_of(lmp))
+    if (b->in_use) return b->has_cage_ring ? "ring" : b->has_cage ? "chain" : "no";
+  return "no";
+}
+
 // Values chosen by the run where the deck leaves them open
 Words chosen(LAMMPS *lmp, double within)
 {
-  Words of = {{"within", digits(within)}};
+  Words of = {{"within", digits(within)}, {"cage", cage_of(lmp)}};
   for (const FixBearingImplicit *f : fixes_of<FixBearingImplicit>(lmp)) {
     const FixBearingImplicit::Control control = f->control();
     of["tolerance"] = digits(control.tolerance);
@@ -67,8 +75,7 @@ std::string variables_of(LAMMPS *lmp, double within)
     const bool of_sampling = name == "sampling" || name == "oversampling",
                angle = name == "contact_angle" || name == "four_point";
     const std::optional<std::string> given = host_variable(lmp, name);
-    if (v.taken_by("bearing/cage/ring") && host_variable(lmp, "cage").value_or("") != "ring")
-      continue;
+    if (v.taken_by("bearing/cage/ring") && own.at("cage") != "ring") continue;
     if (cold && v.taken_by("bearing/heat")) continue;
     if (v.of_one_deck() || (v.of_data() && !angle) || (of_sampling && !vibration) ||
         (angle && !given))

@@ -28,6 +28,9 @@ FixBearingCage::FixBearingCage(LAMMPS *lmp, int narg, char **arg) :
   const bearing::NamedBearing *const b =
       args.more() ? bearing::find_bearing(lmp, args.next()) : nullptr;
   if (b) args.word("name of a bearing");
+  if (b && b->has_cage_ring)
+    args.fail("the cage of bearing " + b->name +
+              " is a ring: fix bearing/${NAME_cage_style} takes either, or give it 'cage chain'");
   ring_type_ =
       b ? b->outer : args.integer("type of the ring that carries the rails", 1, atom->ntypes);
   if (!pair_->coefficients().is_ring(ring_type_))

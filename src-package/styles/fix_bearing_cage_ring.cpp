@@ -34,7 +34,8 @@ FixBearingCageRing::FixBearingCageRing(LAMMPS *lmp, int narg, char **arg) :
   Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);
   const bearing::NamedBearing *const b =
       args.more() ? bearing::find_bearing(lmp, args.next()) : nullptr;
-  if (b) args.word("name of a bearing");
+  if (b) bearing_ = args.word("name of a bearing");
+  if (b) only_type_ = b->cage;    // bearings of several names may share a group
   ball_type_ = b ? b->balls : args.integer("ball type", 1, atom->ntypes);
   if (!pair_->coefficients().is_ball(ball_type_))
     args.fail("type " + std::to_string(ball_type_) +
@@ -71,6 +72,20 @@ void FixBearingCageRing::init()
   Arguments args(lmp, me, std::vector<std::string>());
   cage_.prepare(args, ball_radius_, pitch);
   all_.of = cage_.of;
+  turn_to_balls();
+}
+
+// The cages of a named bearing start with a pocket at their first ball; state of a restart file
+// has their angles since.
+void FixBearingCageRing::turn_to_balls()
+{
+  const bearing::NamedBearing *const b = bearing::find_bearing(lmp, bearing_);
+  if (!b) return;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const auto phase = b->phases.find(atom->tag[i]);
+    if (moves(i) && phase != b->phases.end() && state_->angle(i) == 0.0)
+      state_->ring(i).angle = phase->second;
+  }
 }
 
 CageMotion FixBearingCageRing::motion(int i) const
@@ -101,14 +116,23 @@ void FixBearingCageRing::pre_neighbor()
   }
 }
 
-// The atom nearest to atom i within `reach` (m) for which `fits` is true; -1: none. Of two equally
-// near atoms, the one with the lower tag.
-template <class Fits> static int nearest(const Atom &atom, int i, double reach, const Fits &fits)
+// The atoms for which `fits` is true, with ghosts.
+template <class Fits> static std::vector<int> atoms_that(const Atom &atom, const Fits &fits)
+{
+  std::vector<int> found;
+  for (int j = 0; j < atom.nlocal + atom.nghost; ++j)
+    if (fits(j)) found.push_back(j);
+  return found;
+}
+
+// The one of `others` nearest to atom i within `reach` (m); -1: none. Of two equally near atoms,
+// the one with the lower tag.
+static int nearest(const Atom &atom, int i, double reach, const std::vector<int> &others)
 {
   int found = -1;
   double best = reach * reach;
-  for (int j = 0; j < atom.nlocal + atom.nghost; ++j) {
-    if (j == i || !fits(j)) continue;
+  for (const int j : others) {
+    if (j == i) continue;
     const Vec3 d = Vec3::from(atom.x[i]) - Vec3::from(atom.x[j]);
     const double r2 = dot(d, d);
     if (r2 < best || (r2 == best && found >= 0 && atom.tag[j] < atom.tag[found])) {
@@ -122,10 +146,11 @@ template <class Fits> static int nearest(const Atom &atom, int i, double reach, 
 void FixBearingCageRing::find_cells()
 {
   all_.cells.clear();
+  const std::vector<int> cages = atoms_that(*atom, [this](int j) { return moves(j); });
   for (int i = 0; i < atom->nlocal; ++i) {
     if (atom->type[i] != ball_type_) continue;
     // a ball is nearer to the centre of its own bearing than to any other
-    const int cage = nearest(*atom, i, 2.0 * all_.of.pitch, [this](int j) { return moves(j); });
+    const int cage = nearest(*atom, i, 2.0 * all_.of.pitch, cages);
     if (cage < 0)
       BRG_ONE(bearing::name_of(*this) + ": ball " + std::to_string(atom->tag[i]) +
               " has no cage within two pitch radii at step " + std::to_string(update->ntimestep));
@@ -139,10 +164,10 @@ void FixBearingCageRing::find_lands()
 {
   all_.lands.clear();
   const Side side = all_.of.guide == CageRing::by_inner ? Side::inner : Side::outer;
-  const auto guides = [&](int j) {
+  const std::vector<int> guides = atoms_that(*atom, [&](int j) {
     const RacewayPhysics *p = pair_->coefficients().raceway(ball_type_, atom->type[j]);
     return p && p->groove.side == side;
-  };
+  });
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!moves(i)) continue;
     CagePockets::Land l = {i, -1, atom->tag[i], 0, -1, -1};

@@ -26,9 +26,11 @@ class FixBearingCageRing : public FixBearingRing {
   double compute_vector(int) override;
 
   const bearing::CagePockets &pockets() const { return all_; }
+  const bearing::CageSettings &settings() const { return cage_; }    // also before a run
 
  private:
   raceway::CageMotion motion(int i) const;
+  void turn_to_balls();
   void find_cells();
   void find_lands();
   void check_cells() const;
@@ -36,6 +38,7 @@ class FixBearingCageRing : public FixBearingRing {
   void land_forces();
   [[noreturn]] void left_pocket(const bearing::CagePockets::Cell &, int pocket, double) const;
 
+  std::string bearing_;    // name, or empty
   int ball_type_ = 0;
   double ball_radius_ = 0.0;
   bearing::CageSettings cage_;

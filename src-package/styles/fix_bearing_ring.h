@@ -36,7 +36,10 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   void restart(char *) override;
 
   // For fix bearing/implicit, which moves the rings of its group itself.
-  bool moves(int i) const { return atom->mask[i] & groupbit; }
+  bool moves(int i) const
+  {
+    return (atom->mask[i] & groupbit) && (only_type_ == 0 || atom->type[i] == only_type_);
+  }
   bool tilts() const { return settings_.program.tilts(); }
   bool moves_axially() const { return settings_.program.mode[2] != raceway::Freedom::fixed; }
   // rad/s by local atom, at the present time: NAN for others, and where no spin is imposed.
@@ -119,6 +122,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   double reported(int row, int k);
 
   PairBearingHertz *pair_;
+  int only_type_ = 0;    // of the atoms of the group that it moves, 0: all
   FixBearingState *state_ = nullptr;
   raceway::LabAxes axes_;
   bearing::RingSettings settings_;

@@ -31,9 +31,15 @@ void FixBearingRun::init()
   pair_ = PairBearingHertz::find(lmp, "run_bearing");
   const int k = modify->find_compute(id);
   total_ = k < 0 ? nullptr : dynamic_cast<ComputeBearingTotal *>(modify->compute[k]);
-  pockets_ = 0.0;
+  has_pockets_ = pockets() > 0.0;
+}
+
+double FixBearingRun::pockets() const
+{
+  int most = 0;
   for (const FixBearingCageRing *f : bearing::fixes_of<FixBearingCageRing>(lmp))
-    pockets_ = std::max(pockets_, static_cast<double>(f->pockets().of.pockets));
+    most = std::max(most, f->settings().of.pockets);
+  return most;
 }
 
 void FixBearingRun::end_of_step()
@@ -84,7 +90,7 @@ SettlingSample FixBearingRun::sample()
   for (const double power : of.loss) s.torque += power;
   s.torque += of.cage_loss;
   s.cage_speed = of.cage_speed();
-  if (pockets_ > 0.0) s.pocket_force = of.cage_force;
+  if (has_pockets_) s.pocket_force = of.cage_force;
   return s;
 }
 

@@ -51,8 +51,8 @@ class FixBearingRun : public Fix {
   void restart(char *) override;
 
   bool resumed() const { return resumed_; }
-  // Largest number of pockets of a one-piece cage; 0: no such cage
-  double pockets() const { return pockets_; }
+  // Largest number of pockets of a one-piece cage; 0: no such cage. Also before a run.
+  double pockets() const;
   State &now() { return now_; }
   bearing::OrbitSearch &orbit() { return orbit_; }
 
@@ -60,7 +60,7 @@ class FixBearingRun : public Fix {
   std::string words_;    // of the command, except those that may change when a run is continued
   State now_;
   bool resumed_ = false;
-  double pockets_ = 0.0;
+  bool has_pockets_ = false;
   std::vector<bearing::SettlingSample> passes_;    // mean of each
   bearing::OrbitSearch orbit_;
   class PairBearingHertz *pair_ = nullptr;

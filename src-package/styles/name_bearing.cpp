@@ -23,6 +23,7 @@ void NameBearing::command(int narg, char **arg)
     args.fail("the name '" + b.name + "' must be of letters, digits and '_'");
   const std::string data = args.word("bearing of the catalogue, or a file");
   std::string inputs = bearing::find_deck_variable("inputs")->initial;
+  std::string cage = bearing::find_deck_variable("cage")->initial;
   DataValues::Map own;
   while (args.more()) {
     if (args.take("types")) {
@@ -31,9 +32,7 @@ void NameBearing::command(int narg, char **arg)
     } else if (args.take("inputs")) {
       inputs = args.value_of("inputs");
     } else if (args.take("cage")) {
-      const std::string cage = args.value_of("cage");
-      b.has_cage = cage == "yes";
-      b.has_cage_ring = cage == "ring";
+      cage = args.value_of("cage");
     } else {
       bool known = false;
       for (const char *key : {"clearance", "contact_angle", "four_point"})
@@ -42,6 +41,8 @@ void NameBearing::command(int narg, char **arg)
     }
   }
   if (!b.balls) args.fail("'types BALLS CAGE INNER OUTER' is missing");
+  b.has_cage = cage == "yes" || cage == "chain";
+  b.has_cage_ring = cage == "ring";
   const int types[] = {b.balls, b.cage, b.inner, b.outer};
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < i; ++j)
@@ -49,6 +50,7 @@ void NameBearing::command(int narg, char **arg)
   refuse_unknown(args, inputs);
   b.data = bearing::read_data(lmp, args, inputs, "bearings", data);
   b.given = bearing::given_of(b.data, {"bearing data", "usual data"});
+  if (b.has_cage_ring) refuse_chain_data(args, b);
   for (const auto &value : own) b.data.values[value.first] = value.second;
   b.data.values.emplace("bearing", data);
   if (const std::string note = bearing::note_of_deck(b.data); !note.empty())
@@ -98,6 +100,16 @@ void NameBearing::refuse_unknown(const Arguments &args, const std::string &input
   }
   complaint = bearing::agree(complaint, world);
   if (!complaint.empty()) args.fail(complaint);
+}
+
+// A cage that is a ring takes no data of cage balls: error if the user set them.
+void NameBearing::refuse_chain_data(const Arguments &args, const NamedBearing &b)
+{
+  for (const std::string &given : b.given)
+    for (const std::string name : {"cage_ball_diameter", "pocket_play"})
+      if (given.compare(0, name.size() + 1, name + "=") == 0)
+        args.fail(name + " is of a cage of balls, and that of bearing " + b.name +
+                  " is a ring: give it cage_play, or choose 'cage chain'");
 }
 
 // Complete data, and the raceways with their clearance or arches.
@@ -156,4 +168,6 @@ void NameBearing::set_variables(const NamedBearing &b)
   number("skin", 0.4 * b.number("ball_diameter"));
   set("box", b.word("b_box"));
   set("cage_style", b.has_cage_ring ? "cage/ring" : "cage");
+  // of create_bearing: balls, cage balls, both rings, a cage that is a ring
+  number("inner_atom", b.number("balls") * (b.has_cage ? 2.0 : 1.0) + 1.0);
 }

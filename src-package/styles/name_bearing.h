@@ -17,9 +17,9 @@ struct NamedBearing;
 namespace LAMMPS_NS {
 
 // bearing NAME FILE|ROW types B C I O [clearance X] [contact_angle A] [four_point A]
-// [cage yes|no|ring] [inputs FOLDER] [vars K ...]: reads a bearing's data for later commands that
-// refer to it by name, and sets variables NAME_... of the host. Stops if -var sets a variable that
-// neither the deck nor the data define.
+// [cage yes|no|ring|chain] [inputs FOLDER] [vars K ...]: reads a bearing's data for later commands
+// that refer to it by name, and sets variables NAME_... of the host. Stops if -var sets a variable
+// that neither the deck nor the data define.
 class NameBearing : public bearing::CommandBase {
  public:
   explicit NameBearing(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
@@ -27,6 +27,7 @@ class NameBearing : public bearing::CommandBase {
 
  private:
   void refuse_unknown(const bearing::Arguments &, const std::string &inputs);
+  static void refuse_chain_data(const bearing::Arguments &, const bearing::NamedBearing &);
   void derive(const bearing::Arguments &, bearing::NamedBearing &);
   void set_variables(const bearing::NamedBearing &);
 };

@@ -10,15 +10,15 @@ namespace bearing {
 struct NamedBearing {
   std::string name;
   int balls = 0, cage = 0, inner = 0, outer = 0;    // atom types
-  bool has_cage = true, has_cage_ring = false;      // on rails, one-piece, or none
+  bool has_cage = true, has_cage_ring = false;      // chain on rails, one-piece, or none
   // Complete data in SI units as text, with clearance (m, diametral), contact_angle and four_point
   // (degrees), b_inner_raceway, b_outer_raceway (m) and b_inner_arch, b_outer_arch (words of
   // pair_coeff).
   NamedData data;
 
-  std::vector<std::string> given;     // data given by the user, NAME=VALUE
-  mutable bool in_use = false;        // of the present box
-  mutable std::string phase = "0";    // rad, azimuth of the first ball as created
+  std::vector<std::string> given;            // data given by the user, NAME=VALUE
+  mutable bool in_use = false;               // of the present box
+  mutable std::map<tag_t, double> phases;    // rad, of the first ball as created, by cage ring
 
   double number_or(const std::string &key, double missing) const
   {

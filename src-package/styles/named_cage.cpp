@@ -61,11 +61,10 @@ std::vector<std::string> cage_words(LAMMPS *lmp, Arguments &args, const NamedBea
                inertia = written(0.25 * mass * pitch * pitch);
   std::ostringstream line;
   line << "pockets " << b.word("balls") << " play " << digits(play) << " across "
-       << digits(or_estimate("cage_across", play)) << " phase " << b.phase << " mass "
-       << digits(mass) << " inertia " << digits(inertia) << " "
-       << digits(0.5 * inertia + mass * ball * ball / 24.0) << " young " << b.word("ball_young")
-       << " " << words["cage_young"] << " poisson " << b.word("ball_poisson") << " "
-       << words["cage_poisson"] << " friction "
+       << digits(or_estimate("cage_across", play)) << " mass " << digits(mass) << " inertia "
+       << digits(inertia) << " " << digits(0.5 * inertia + mass * ball * ball / 24.0) << " young "
+       << b.word("ball_young") << " " << words["cage_young"] << " poisson "
+       << b.word("ball_poisson") << " " << words["cage_poisson"] << " friction "
        << (out.count("friction") ? "0" : words["cage_friction"]) << " guide "
        << words["cage_guide"];
   if (words["cage_guide"] != "balls")
@@ -81,14 +80,13 @@ std::vector<std::string> cage_words(LAMMPS *lmp, Arguments &args, const NamedBea
   const std::string viscosity = pair ? pair->oil_datum(b.name, "viscosity") : "";
   if (!viscosity.empty())
     line << " oil " << viscosity << " " << words["cage_filled"] << " "
-         << (out.count("shear") ? "0" : digits(0.35 * ball)) << " land_oil "
+         << (out.count("shear") ? "0" : digits(raceway::usual_band * ball)) << " land_oil "
          << (out.count("land") ? "0" : words["cage_filled"]);
-  // the oil that causes drag on the balls; the cage is assumed to extend 0.3 ball diameters beyond
-  // the pitch circle
+  // the oil that causes drag on the balls
   const double churned = pair && !out.count("churning") ? pair->oil_share(b.name) : 0.0;
   if (churned > 0.0)
     line << " churning " << digits(churned) << " " << pair->oil_datum(b.name, "oil_density") << " "
-         << viscosity << " " << digits(written(0.5 * pitch + 0.3 * ball));
+         << viscosity << " " << digits(written(0.5 * pitch + raceway::usual_reach * ball));
   std::istringstream in(line.str());
   return {std::istream_iterator<std::string>(in), {}};
 }

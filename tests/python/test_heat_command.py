@@ -41,7 +41,8 @@ def test_one_node_balances():
     carried = 2.17 * (found["temperature_C"] - 20)
     assert found["power_loss_W"] == pytest.approx(carried, abs=0.05)
     assert sum(found["losses_W"].values()) == pytest.approx(found["power_loss_W"], rel=1e-12)
-    assert sum(found["sides"]) == pytest.approx(found["power_loss_W"], rel=1e-12)
+    parts = sum(found["sides"]) + found["cage"]
+    assert parts == pytest.approx(found["power_loss_W"], rel=1e-12)
 
 
 def test_three_nodes_balance_and_tend_to_one():

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import raceway
 from host import run, succeed
-from raceway import heat, steady_heat
+from raceway import cage_drag, heat, steady_heat
 
 # settled until the drift of the energy stored in balls and cage is below the tolerances here
 POINT = dict(lubricant="vg46", load=5000, rpm=1910, overwrite="yes", settled=1e-4, passes=10,
@@ -32,6 +32,18 @@ def test_steady_state_is_that_of_raceway_heat(warm):
     assert said["temperature_oil_C"] == pytest.approx(found["temperature_C"], abs=0.1)
     assert said["clearance_warm_m"] == pytest.approx(found["clearance_warm_m"], abs=0.2e-6)
     assert said["viscosity_Pa_s"] == pytest.approx(found["viscosity_Pa_s"], rel=5e-3)
+
+
+def test_steady_state_with_a_cage_ring(tmp_path):
+    """Statics has the oil of its pockets and churning, not the friction of balls on the pockets,
+    which adds 0.7 of 32 W here."""
+    words = dict(heat="yes", cage="ring", cage_without="friction")
+    succeed("inputs/in.6208", out=tmp_path, **words, **POINT)
+    case = dict(load=5000.0, rpm=1910.0, nodes=steady_heat.Nodes(), cage=cage_drag.CageRing())
+    found, said = steady_heat.figures("6208", "vg46", **case), raceway.open(tmp_path).summary()
+    for part in PARTS:
+        key = f"temperature_{part}_C"
+        assert said[key] == pytest.approx(found[key], abs=0.1)
 
 
 def test_heat_balances(warm):

@@ -20,8 +20,9 @@
 
 namespace raceway {
 
-// Estimated play along the circle, as a fraction of the ball's diameter (docs/cage)
-constexpr double usual_play = 0.025;
+// Estimates as fractions of the ball's diameter (docs/cage): play along the circle, height of the
+// band of oil in a pocket, extent of a cage beyond the pitch circle
+constexpr double usual_play = 0.025, usual_band = 0.35, usual_reach = 0.3;
 
 struct CageRing {
   enum Guide { by_balls, by_inner, by_outer };

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Hertz contact, the radii of a ball in its groove, the play of a cage pocket.
-#include "../geometry/cage_ring.h"
+// Hertz contact, the radii of a ball in its groove.
 #include "../laws/hertz.h"
 #include "exports.h"
 
@@ -75,6 +74,3 @@ FORMULA(CompleteElliptic, complete_elliptic, (double m1))
   const EllipticIntegrals v = complete_elliptic(m1);
   return {v.K, v.E, v.D};
 }
-
-// ---- cage
-FORMULA(double, usual_play, ()) { return raceway::usual_play; }

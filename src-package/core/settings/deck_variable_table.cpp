@@ -54,8 +54,9 @@ const std::vector<DeckVariable> &deck_variables()
        "nominal contact angle of a bearing by its usual data; it sets the clearance"},
       {"four_point", "0", "degrees", "5 60 or 0", "bearing",
        "contact angle of a Gothic arch; 0: one groove per ring"},
-      {"cage", "yes", "", "one_of yes no ring", "bearing",
-       "no: no cage, balls may touch each other; ring: one rigid ring"},
+      {"cage", "yes", "", "one_of yes no ring chain", "bearing",
+       "yes, chain: small balls on two rails; ring: one rigid ring; no: no cage, balls may touch "
+       "each other"},
       {"cage_play", "0", "m", "1.0e-6 0.1 or 0", "bearing/cage/ring",
        "play of a ball in its pocket along the pitch circle, front to rear; 0: estimated"},
       {"cage_across", "0", "m", "1.0e-6 0.1 or 0", "bearing/cage/ring",

@@ -15,12 +15,14 @@ import numpy as np
 from raceway import catalogue, inputs
 from raceway.errors import InputError, NoEquilibrium
 from raceway.runs.measured import loading
+from raceway.runs.record import CAGE_RING
 from raceway.runs.record_tables import ring_place
 from raceway.runs.settings import deck_words
 from raceway.runs.tables import RunTables
 from raceway.runs.turning import changes
 from raceway.theory import models
 from raceway.theory.bearing import INNER, OUTER
+from raceway.theory.cage_drag import CageRing
 
 PLACES = 4
 # figures by the way they follow from the values at all positions
@@ -142,6 +144,7 @@ def _point(tables, run):
         rpm=abs(float(settings["rpm"])),
         four_point=four_point,
         spin_law=deck.get("spin_law", "closed"),
+        cage=_cage(tables.record, deck),
     )
     if tables.lubricated:
         words["temperature"] = settings.get("temperature_C")
@@ -161,6 +164,24 @@ def _point(tables, run):
     held = {} if any(moment) else {"rx": 0.0, "ry": 0.0}
     moment = _about_load_line(*moment, azimuth)
     return words | dict(load=load, axial=axial, moment=moment, held=held), seat
+
+
+def _cage(record, deck):
+    """The cage of a record that is one ring, with data of the `deck`; None for others."""
+    side = record.fixed("ring_raceway").tolist()
+    if CAGE_RING not in side:
+        return None
+    cage = CageRing(without=frozenset(deck.get("cage_without", "none").split("+")))
+    if "ring_pocket_play" in record.variables:  # records of earlier versions have none
+        cage = cage._replace(play=float(record.fixed("ring_pocket_play")[side.index(CAGE_RING)]))
+    if "cage_filled" in deck:
+        cage = cage._replace(filled=float(deck["cage_filled"]))
+    if (guide := deck.get("cage_guide", "balls")) != "balls":
+        radius, clearance, width = (
+            float(deck[f"cage_{name}"]) for name in ("land", "clearance", "width")
+        )
+        cage = cage._replace(land=(radius, clearance, 2 * width), inner=guide == "inner")
+    return cage
 
 
 def _place(tables):

@@ -16,6 +16,8 @@ hysteresis
     of the steel (`rolling`)
 drag
     of the balls in oil and air (`drag`)
+cage
+    of a cage that is one ring, oil in its pockets and at its land, churning (`cage_drag`)
 
 A ball with more than two contacts cannot roll on all of them (`ball_motion`). A ball that only the
 outer ring touches loses rotation to rolling resistance and slides (`skidding`).
@@ -33,6 +35,7 @@ from raceway.theory import (
     asperity,
     attitude,
     ball_motion,
+    cage_drag,
     drag,
     film_factors,
     hertz,
@@ -49,7 +52,7 @@ from raceway.theory.lubrication import Lubrication
 from raceway.theory.makers import Size
 from raceway.theory.static import Equilibrium
 
-PARTS = ("rolling", "slip", "spin", "hysteresis", "drag")
+PARTS = ("rolling", "slip", "spin", "hysteresis", "drag", "cage")
 SPIN_LAWS = ("closed", "slices")
 
 
@@ -66,14 +69,15 @@ class Surfaces:
 
 
 class Losses(NamedTuple):
-    """Losses in W of contacts (C, Z), inner ones first, and of balls (Z,); shares and coefficients
-    of the contacts (C, Z)."""
+    """Losses in W of contacts (C, Z), inner ones first, of balls (Z,) and of the cage; shares and
+    coefficients of the contacts (C, Z)."""
 
     rolling: Floats
     slip: Floats
     spin: Floats
     hysteresis: Floats
     drag: Floats
+    cage: float | None  # None: a chain of balls, or no cage
     asperity_share: Floats  # L_a
     friction: Floats  # mu
 
@@ -82,7 +86,8 @@ class Losses(NamedTuple):
     @property
     def parts(self) -> dict[str, float]:
         """Power of each part in W."""
-        return {name: float(np.sum(getattr(self, name))) for name in PARTS}
+        found = {name: getattr(self, name) for name in PARTS}
+        return {name: float(np.sum(of)) for name, of in found.items() if of is not None}
 
     @property
     def power(self) -> float:
@@ -118,12 +123,13 @@ def losses(
     surfaces: Surfaces | None = None,
     spin_law: str = "closed",
     ball_density: float = 7800.0,
+    cage: cage_drag.CageRing | None = None,
 ) -> Losses:
     """`Losses` of an `Equilibrium` with its `Lubrication` and `Fluid`. The inner ring turns at
     `ring` rad/s and the balls orbit at `orbit` rad/s, one number or (Z,); clearance in m,
-    `ball_density` in kg/m^3. `spin_law` "closed" fits how spin and differential slip reduce each
-    other, and includes the gyroscopic moment; "slices" combines slip and spin over the contact
-    ellipse. Raises `ValueError` for another law."""
+    `ball_density` in kg/m^3, a `cage` that is one ring or None. `spin_law` "closed" fits how spin
+    and differential slip reduce each other, and includes the gyroscopic moment; "slices" combines
+    slip and spin over the contact ellipse. Raises `ValueError` for another law."""
     if spin_law not in SPIN_LAWS:
         raise ValueError(f"spin law '{spin_law}' is none of {', '.join(SPIN_LAWS)}")
     surfaces = surfaces or Surfaces()
@@ -179,7 +185,13 @@ def losses(
             found = _several(bearing, one, sides, ring, spin_law, fluid, surfaces)
             slid[live, ball], turned[live, ball] = found
     balls = np.broadcast_to(against * speed, len(bearing.row)) + 0.0
-    return Losses(rolled, slid, turned, hysteresis, balls, share, friction)
+    lost = None
+    if cage is not None:
+        angles = np.abs([one.angle for one in contacts])[loaded]
+        angle = float(angles.mean()) if len(angles) else 0.0
+        about = surfaces.oil_share, ring, float(np.mean(orbit)), angle
+        lost = cage_drag.power(bearing, cage, fluid, *about)
+    return Losses(rolled, slid, turned, hysteresis, balls, lost, share, friction)
 
 
 def _by_groove(side):

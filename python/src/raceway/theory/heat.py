@@ -122,10 +122,10 @@ def conductances(state: Equilibrium, films: Lubrication) -> tuple[float, float]:
     )
 
 
-def into_nodes(inner: float, outer: float) -> list[float]:
-    """Heat in W into the nodes of a `network` from the power losses at both raceways: half of each
-    loss into the ring, half into the balls."""
-    return [inner / 2, (inner + outer) / 2, outer / 2, 0.0]
+def into_nodes(inner: float, outer: float, balls: float = 0.0) -> list[float]:
+    """Heat in W into the nodes of a `network` from the power losses at both raceways, half of each
+    loss into the ring, half into the balls, and from those at the `balls` alone."""
+    return [inner / 2, (inner + outer) / 2 + balls, outer / 2, 0.0]
 
 
 def three_nodes(
@@ -136,16 +136,17 @@ def three_nodes(
     housing: float,
     contact: float | tuple[float, float],
     ambient: float = 20.0,
+    balls: float = 0.0,
 ) -> Nodes:
     """`Nodes` in steady state, for power losses in W at the `inner` and the `outer` raceway, half
-    of which go into the balls.
+    of which go into the balls, and at the `balls` alone.
 
     Conductances in W/K: `shaft` from inner ring to ambient, `housing` from outer ring to ambient,
     `contact` from a ring to all balls, or those of the inner and the outer ring.
     """
     contacts = contact if isinstance(contact, tuple) else (contact, contact)
     of = network(contacts=contacts, shaft=shaft, housing=housing, ambient=ambient)
-    return Nodes(*steady(of, into_nodes(inner, outer))[1][:3].tolist())
+    return Nodes(*steady(of, into_nodes(inner, outer, balls))[1][:3].tolist())
 
 
 def clearance_change(bearing: Bearing, inner: Numbers, balls: Numbers, outer: Numbers) -> Numbers:

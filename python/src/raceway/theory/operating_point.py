@@ -16,6 +16,7 @@ from raceway import catalogue, inputs
 from raceway.files import FilePath
 from raceway.theory import (
     ball_motion,
+    cage_drag,
     clearance,
     equivalent_load,
     excursion,
@@ -64,6 +65,7 @@ def figures(
     four_point: float | None = None,
     double_row: DoubleRow | None = None,
     supply: Supply = BATH,
+    cage: cage_drag.CageRing | None = None,
 ) -> dict[str, Any]:
     """Figures by name in SI units, text, numbers or None; `balls` is a list with one mapping for
     each ball.
@@ -78,7 +80,8 @@ def figures(
     four-point contact bearing with that angle, as its file may also do. Each of `balls` then has a
     list of `contacts`. `double_row` gives the bearing two rows; `balls` has them one after the
     other. `dynamic` is C in N of a row and replaces the file's. `supply` is the kind of
-    lubrication. `absent` has the reason by key for figures that the models omit.
+    lubrication, `cage` a cage that is one ring, whose losses count in the friction torque. `absent`
+    has the reason by key for figures that the models omit.
 
     As in a deck, the ring is held along z if there is no axial load (`inputs.held`).
 
@@ -181,6 +184,7 @@ def figures(
             surfaces=friction_torque.surfaces(body, inputs.size(path), fluid, spin, models, supply),
             spin_law=spin_law,
             ball_density=density,
+            cage=cage,
         )
         inner = lost.asperity_share[: body.raceways.count(INNER)]
         result.update(
@@ -196,7 +200,7 @@ def figures(
         friction = lost.friction
     ahead = None
     if body.layout == Layout():
-        ahead = excursion.excursion(body, state, spin, friction)
+        ahead = excursion.excursion(body, state, spin, friction, cage and cage.play or None)
     if ahead is not None:
         result.update(ball_excursion_m=ahead.whole, pocket_force_N=ahead.force or None)
     result = {key: _plain(value) for key, value in result.items()}

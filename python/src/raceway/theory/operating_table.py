@@ -98,6 +98,7 @@ TOPICS = {
         Row("loss_spin_W", "spin", "W"),
         Row("loss_hysteresis_W", "hysteresis", "W"),
         Row("loss_drag_W", "drag of the balls", "W"),
+        Row("loss_cage_W", "cage", "W", "oil in its pockets, churning"),
         Row("gyroscopic_friction", "friction coefficient needed", "", "against gyroscopic sliding"),
     ),
     "Capacitance": (

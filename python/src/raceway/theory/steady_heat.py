@@ -20,7 +20,7 @@ from raceway.arrays import Floats
 from raceway.errors import NoEquilibrium
 from raceway.files import FilePath
 from raceway.rows import Row, lines, several, warning_lines
-from raceway.theory import friction_torque, heat, makers
+from raceway.theory import cage_drag, friction_torque, heat, makers
 from raceway.theory.bearing import INNER, Bearing, DoubleRow
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubricant import Fluid, Lubricant
@@ -31,6 +31,7 @@ from raceway.theory.static import STRAIGHT, Equilibrium
 from raceway.theory.validity import of_statics
 
 ENOUGH = 0.01  # K, tolerance
+OF_NODES = ("sides", "cage", "contacts")  # figures of a `Scene` for its heat balance only
 TOPICS = {
     "Operating point": (
         Row("bearing", "bearing", None),
@@ -117,15 +118,16 @@ class Scene:
         held: Mapping[str, float] = STRAIGHT,
         size: makers.Size | None = None,
         supply: Supply = BATH,
+        cage: cage_drag.CageRing | None = None,
     ) -> None:
         """`roughness` is composite, m; `density` of the balls in kg/m^3; `spin_law` and
-        `models` are those of `operating_point.figures`, `held` that of
+        `models` and `cage` are those of `operating_point.figures`, `held` that of
         `static.equilibrium`, `size` and `supply` those of `friction_torque.surfaces`."""
         self.bearing, self.boundary, self.lubricant = bearing, boundary, lubricant
         self.roughness, self.load, self.axial = roughness, load, axial
         self.ring, self.density = rpm * math.pi / 30, density
         self.spin_law, self.models, self.held = spin_law, models, held
-        self.size, self.supply = size, supply
+        self.size, self.supply, self.cage = size, supply, cage
         self.share = 1.0  # factor on the friction of the laws, set by `by_runs`
         self.near: Equilibrium | None = None  # the last one, where the next search begins
 
@@ -153,7 +155,8 @@ class Scene:
 
     def at(self, temperature: float, clearance: float) -> dict[str, Any]:
         """Figures of the scene at a temperature in degrees C and a clearance in m; `sides` has the
-        power in W at the inner and the outer raceway, half the drag to each."""
+        power in W at the inner and the outer raceway, half the drag to each, `cage` that at the
+        cage."""
         return self.figures(self.rest(temperature, clearance), clearance)
 
     def figures(self, rest: Rest, clearance: float) -> dict[str, Any]:
@@ -173,6 +176,7 @@ class Scene:
             ),
             spin_law=self.spin_law,
             ball_density=self.density,
+            cage=self.cage,
         )
         contacts = losses.rolling + losses.slip + losses.spin + losses.hysteresis
         inner = self.bearing.raceways.count(INNER)
@@ -187,6 +191,7 @@ class Scene:
             "power_loss_W": self.share * losses.power,
             "losses_W": {name: self.share * power for name, power in losses.parts.items()},
             "sides": tuple((self.share * (sides + losses.drag.sum() / 2)).tolist()),
+            "cage": self.share * (losses.cage or 0.0),
             "contacts": heat.conductances(state, films),
         }
 
@@ -223,7 +228,7 @@ def three_nodes(scene: Scene, nodes: Nodes, ambient: float, clearance: float) ->
         found = scene.at(oil, warm)
         inner, outer = found["sides"]
         of = vars(nodes) | {"contact": nodes.contact or found["contacts"]}
-        at = heat.three_nodes(inner, outer, ambient=ambient, **of)
+        at = heat.three_nodes(inner, outer, balls=found["cage"], ambient=ambient, **of)
         rises = (value - ambient for value in at)
         target = clearance + float(heat.clearance_change(scene.bearing, *rises))
         mean = sum(at) / 3
@@ -266,6 +271,7 @@ class Case:
     spin_law: str = "closed"  # these two as in `operating_point.figures`
     models: str = DEFAULT
     supply: Supply = BATH
+    cage: cage_drag.CageRing | None = None
 
     def files(self) -> tuple[Path, Path]:
         """Paths of the bearing and of the lubricant. Raises `RacewayError`."""
@@ -297,6 +303,7 @@ class Case:
             STRAIGHT | inputs.held(path, self.axial, self.clearance, self.double_row),
             inputs.size(path),
             self.supply,
+            self.cage,
         )
 
     def cooling(self) -> float | None:
@@ -340,7 +347,7 @@ class Case:
             clearance_m=self.clearance + play,
             ambient_C=self.ambient,
             conductance_W_K=self.cooling(),
-            **{key: value for key, value in found.items() if key not in ("sides", "contacts")}
+            **{key: value for key, value in found.items() if key not in OF_NODES}
             | {"clearance_warm_m": found["clearance_warm_m"] + play},
             reference_speed_rpm=boundary and heat.reference_speed(boundary, level),
             reference_speed_dry_rpm=boundary and heat.reference_speed(boundary),

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A cage that is one ring: its estimated data, and couples of its oil (cage_drag.h).
+#include "../geometry/cage_ring.h"
+#include "exports.h"
+
+using namespace raceway;
+
+FORMULA(double, usual_play, ()) { return raceway::usual_play; }
+
+// play: m, along the pitch circle
+FORMULA(double, pocket_shear, (double viscosity, double ball_radius, double play, double filled))
+{
+  return raceway::pocket_shear(viscosity, ball_radius, usual_band * 2.0 * ball_radius, 0.5 * play,
+                               filled);
+}
+
+// width: m, of both lands together; centred
+FORMULA(double, land_couple,
+        (double viscosity, double radius, double clearance, double width, double filled))
+{
+  return raceway::land_couple({radius, clearance, width, 1, viscosity, filled}, 0.0);
+}
+
+FORMULA(double, cage_churning,
+        (double share, double density, double viscosity, double pitch, double ball_radius,
+         double speed))
+{
+  return churning_couple(share, density, viscosity, pitch + usual_reach * 2.0 * ball_radius, speed);
+}

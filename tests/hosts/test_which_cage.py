@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Which cage a bearing has: a chain of balls, one rigid ring, or none."""
+
+import numpy as np
+import pytest
+from host import BOX, run, succeed
+from raceway.runs.run import Run
+from raceway.runs.settings import deck_words
+
+SHORT = {"passes": 1, "settle": 1, "samples": 20, "record": "all"}
+# words of the main deck, and the cage of the run
+CAGES = [
+    ({}, "chain"),
+    ({"models": "full"}, "chain"),
+    ({"models": "paper", "cage": "chain"}, "chain"),
+    ({"models": "paper", "cage": "ring"}, "ring"),
+    ({"models": "full", "cage": "ring"}, "ring"),
+    ({"models": "full", "cage": "no"}, "no"),
+]
+
+
+def cage_of(folder):
+    """ring, chain or no, by the bodies of a record."""
+    record = Run(folder).tables.record
+    if 2 in record.fixed("ring_raceway"):
+        return "ring"
+    return "chain" if "cage_x" in record.variables else "no"
+
+
+@pytest.mark.parametrize(
+    "words, cage", CAGES, ids=lambda value: value if isinstance(value, str) else "-".join(value)
+)
+def test_main_deck(tmp_path, words, cage):
+    """The record names the cage of the run, so that a repeat has it."""
+    succeed("inputs/in.6208", out=tmp_path, **{**SHORT, **words})
+    assert cage_of(tmp_path) == cage
+    assert deck_words(Run(tmp_path).settings)["cage"] == cage
+
+
+DECK = "variable bearing index 6208\n{}\nprint 'IS ${{b_cage_style}} ${{b_inner_atom}}'\n"
+LINES = {
+    "bearing b ${bearing} types 1 2 3 4": "cage 19",
+    "bearing b ${bearing} types 1 2 3 4 cage chain": "cage 19",
+    "bearing b ${bearing} types 1 2 3 4 cage ring": "cage/ring 10",
+    "bearing b ${bearing} types 1 2 3 4 cage no": "cage 10",
+}
+
+
+@pytest.mark.parametrize("line", LINES)
+def test_command(tmp_path, line):
+    deck = tmp_path / "in.deck"
+    deck.write_text(DECK.format(line))
+    assert f"IS {LINES[line]}" in succeed(deck).text
+
+
+@pytest.mark.parametrize(
+    "words, says",
+    [
+        (
+            {"cage": "ring", "cage_ball_diameter": 8e-3},
+            "cage_ball_diameter is of a cage of balls",
+        ),
+        (
+            {"cage": "ring", "bearing": "6303", "pocket_play": 1e-4},
+            "pocket_play is of a cage of balls",
+        ),
+        ({"cage": "chain", "cage_play": 1e-4}, "cage_play is of bearing/cage/ring"),
+        ({"models": "paper", "cage_play": 1e-4}, "cage_play is of bearing/cage/ring"),
+        ({"cage": "no", "cage_mass": 0.01}, "cage_mass is of bearing/cage/ring"),
+        ({"cage": "rings"}, "cage is 'rings', must be one of yes, no, ring, chain"),
+    ],
+    ids=lambda value: "" if isinstance(value, str) else "-".join(value),
+)
+def test_data_of_another_cage(tmp_path, words, says):
+    done = run("inputs/in.6208", out=tmp_path / "run", **{**SHORT, "models": "full", **words})
+    assert done.code != 0 and says in done.error, done.text[-500:]
+    assert not (tmp_path / "run" / "record.nc").exists()
+
+
+NAMED = """bearing b 6208 types 1 2 3 4 {}
+{}
+pair_style bearing oil mineral models full
+pair_coeff * * b
+create_bearing b speed 50 0
+fix cage cage bearing/cage b
+"""
+
+
+def test_a_chain_for_a_ring_is_refused(tmp_path):
+    deck = tmp_path / "in.deck"
+    for word, says in (("", None), ("cage ring", "is a ring: fix bearing/${NAME_cage_style}")):
+        deck.write_text(NAMED.format(word, BOX))
+        done = run(deck)
+        assert (says in done.error) if says else done.code == 0, done.text[-500:]
+
+
+def test_first_balls_of_many_bearings(tmp_path):
+    """Each cage of a grid starts with a pocket at its own first ball."""
+    words = {
+        "bearings": 5,
+        "columns": 3,
+        "time": 2e-3,
+        "record": "all",
+        "phase": 0.2,
+        "cage": "ring",
+    }
+    succeed("inputs/in.many", out=tmp_path, **words)
+    whole = Run(tmp_path)
+    for number in whole.bearing_numbers:
+        figures = whole.select(number).tables.record
+        force = figures.read(["ball_pocket_force"])["ball_pocket_force"]
+        assert np.nan_to_num(force).max() < 20.0
+
+
+def test_a_first_ball_elsewhere_goes_on(tmp_path):
+    """A continued run has its pockets where they were."""
+    words = {**SHORT, "models": "full", "cage": "ring", "phase": 0.3, "resume": "yes"}
+    for folder, passes in (("whole", (2,)), ("parts", (1, 2))):
+        for number in passes:
+            succeed("inputs/in.6208", out=tmp_path / folder, **{**words, "passes": number})
+    one, other = (Run(tmp_path / name).tables.record for name in ("whole", "parts"))
+    for name in ("ring_angle", "ring_x", "ball_x", "ball_pocket_force"):
+        np.testing.assert_array_equal(one.read([name])[name], other.read([name])[name])

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Losses of a cage ring in statics: numbers of two independent programs, and parts left out."""
+
+import math
+
+import pytest
+from host import ROOT
+from raceway import inputs
+from raceway.theory import cage_drag, kinematics
+from raceway.theory.lubricant import Fluid
+from raceway.theory.operating_point import figures
+
+# 6205 at 1797 rpm, 0.04 Pa s; play 0.2 mm, 0.1 of oil around the cage
+SPEED, ORBIT = 1797 * math.pi / 30, 74.954
+NOTHING = [math.nan] * len(Fluid._fields)
+FLUID = Fluid(*NOTHING)._replace(viscosity=0.04, density=870.0)
+ALL = frozenset({"shear", "land", "churning"})
+POWERS = {"shear": 0.387, "land": 0.218, "churning": 0.170e-3 * ORBIT}  # W
+
+
+@pytest.fixture
+def bearing():
+    return inputs.bearing(ROOT / "inputs/bearings/6205")
+
+
+def cage(bearing, *parts, inner=False):
+    land = bearing.pitch_radius + (-0.28 if inner else 0.28) * bearing.ball_diameter
+    return cage_drag.CageRing(2e-4, 1.0, (land, 2e-4, 3e-3), inner, ALL - set(parts))
+
+
+def power(bearing, of, angle=0.0):
+    orbit = float(kinematics.frequencies(bearing, angle, SPEED).cage)
+    return cage_drag.power(bearing, of, FLUID, 0.1, SPEED, orbit, angle)
+
+
+@pytest.mark.parametrize("part", POWERS)
+def test_parts(bearing, part):
+    """Three digits are given."""
+    assert power(bearing, cage(bearing, part)) == pytest.approx(POWERS[part], rel=5e-3)
+
+
+def test_land_of_the_inner_ring(bearing):
+    """It turns against the ring, 0.250 W."""
+    assert power(bearing, cage(bearing, "land", inner=True)) == pytest.approx(0.250, rel=5e-3)
+
+
+def test_sum_and_nothing(bearing):
+    parts = [power(bearing, cage(bearing, part)) for part in ALL]
+    assert power(bearing, cage(bearing, *ALL)) == pytest.approx(sum(parts), rel=1e-12)
+    assert power(bearing, cage(bearing)) == 0
+
+
+def test_shear_at_a_contact_angle(bearing):
+    """The spin has a part about the pocket's axis, which resists twice."""
+    angle = 0.5
+    flat, tilted = (power(bearing, cage(bearing, "shear"), a) for a in (0.0, angle))
+    spins = [kinematics.frequencies(bearing, a, SPEED).spin for a in (0.0, angle)]
+    share = (spins[1] / spins[0]) ** 2 * (1 + math.sin(angle) ** 2)
+    assert tilted / flat == pytest.approx(share, rel=1e-12)
+
+
+def test_torque_of_statics_has_the_cage():
+    point = dict(load=5000.0, rpm=1910.0, temperature=40.0)
+    ring = {"cage": cage_drag.CageRing()}
+    whole, bare = (figures("6208", "vg46", **point, **more) for more in (ring, {}))
+    lost = whole["losses_W"].pop("cage")
+    assert whole["losses_W"] == bare["losses_W"]
+    more = (whole["friction_torque_N_m"] - bare["friction_torque_N_m"]) * 1910 * math.pi / 30
+    assert lost == pytest.approx(more, rel=1e-9) and lost > 0.1
