@@ -74,8 +74,8 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
     raceway::TurningWall shape;
     int shaft = -1;    // index in shafts_; -1: at rest
     int first = 0;     // number of its first part
-    // Of the present step, bearing axis third. pose.e, e1, e2: axes of the wall, its own and two that
-    // do not turn about it.
+    // In the present step, bearing axis third. The axes of the wall are pose.e, its own, and e1 and
+    // e2, which do not rotate about it.
     raceway::RingAtom pose;
     Velocity moved;
     raceway::Vec3 e1, e2;
