@@ -3,7 +3,10 @@
 #ifndef BEARING_NAMED_BEARING_H
 #define BEARING_NAMED_BEARING_H
 
+#include "../core/numbers/tag.h"
 #include "../deck/named_data.h"
+
+#include <map>
 
 namespace bearing {
 
