@@ -8,9 +8,7 @@ apt runs with a private configuration under build/source: its own sources, deriv
 the machine, and its own folders; it does not change the user's apt. Existing files are neither
 fetched nor built again. The build is unoptimised, which takes a fraction of the compile time. For
 the host's sources the headers that most of them include are precompiled; for Raceway's they are
-not, so each of these still has to include what it needs. Raceway's are compiled with
-AddressSanitizer and UndefinedBehaviorSanitizer: the program is also the host `sanitized` of the
-tests.
+not, so each of these still has to include what it needs.
 """
 
 import json
@@ -27,9 +25,7 @@ import liggghts_tree  # noqa: E402
 import source_tree  # noqa: E402
 
 CC, HEADER = "mpicxx.openmpi", TREE / "host.h"
-SANITIZE = "-fsanitize=address,undefined"
-HOST = f"-O0 -include {HEADER}"
-OWN = f"-O0 -DRACEWAY_ONE_TARGET {SANITIZE} -fno-sanitize-recover=undefined -fno-omit-frame-pointer"
+HOST, OWN = f"-O0 -include {HEADER}", "-O0 -DRACEWAY_ONE_TARGET"
 # if a macro tested in this text was not set, the compiler rejects the precompiled file: Raceway's
 # sources then read the text, which is empty for them
 COMMON = """#ifndef RACEWAY_ONE_TARGET
@@ -178,7 +174,7 @@ def main():
     if not manifest.exists():
         run(sys.executable, INSTALLER, "install", tree)
     precompile(tree / "src")
-    levels = f"OPTIMISE_HOST={HOST}", f"OPTIMISE={OWN}", f"LINKFLAGS={SANITIZE}"
+    levels = f"OPTIMISE_HOST={HOST}", f"OPTIMISE={OWN}"
     run("make", "-j2", "raceway", f"CC={CC}", *levels, cwd=tree / "src")
     program = TREE / "lmp_raceway"
     program.unlink(missing_ok=True)

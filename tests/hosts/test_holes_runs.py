@@ -246,7 +246,7 @@ run 100
 def test_a_checkpoint_of_nothing_but_the_run(tmp_path, sanitized):
     """Without counters and files, nothing is copied from an empty pointer."""
     if sanitized and not HOSTS["sanitized"][0].exists():
-        pytest.fail("build/tree/lmp_raceway is missing: run make tree", pytrace=False)
+        pytest.fail("build/sanitized/liggghts is missing: run make sanitized", pytrace=False)
     file = tmp_path / "ck"
     end = outcome(
         tmp_path, SMALLEST, f"fix ck all bearing/checkpoint 50 {file} restart 100\nrun 201\n"

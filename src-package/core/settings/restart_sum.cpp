@@ -12,7 +12,7 @@ namespace bearing {
 namespace {
 
 const std::string mark = "bearing/checkpoint sum ";
-constexpr size_t digits = 8;
+constexpr size_t hex_digits = 8;
 
 // The file with zeros instead of the sum, and the position of the sum; npos: none.
 struct Content {
@@ -26,15 +26,15 @@ struct Content {
     bytes.assign(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
     read = in.good() || in.eof();
     const size_t at = bytes.find(mark);
-    if (at == std::string::npos || at + mark.size() + digits > bytes.size()) return;
+    if (at == std::string::npos || at + mark.size() + hex_digits > bytes.size()) return;
     place = at + mark.size();
-    sum = bytes.substr(place, digits);
-    bytes.replace(place, digits, digits, '0');
+    sum = bytes.substr(place, hex_digits);
+    bytes.replace(place, hex_digits, hex_digits, '0');
   }
 
   std::string right_sum() const
   {
-    char text[digits + 1];
+    char text[hex_digits + 1];
     snprintf(text, sizeof text, "%08x",
              static_cast<unsigned>(checksum(bytes.data(), bytes.size())));
     return text;
@@ -43,7 +43,7 @@ struct Content {
 
 }    // namespace
 
-std::string empty_sum() { return mark + std::string(digits, '0'); }
+std::string empty_sum() { return mark + std::string(hex_digits, '0'); }
 
 bool write_sum(const std::string &file)
 {
