@@ -168,9 +168,9 @@ def of_statics(fluid):
             bearing, state, films, fluid, SPIN, orbit, surfaces=surfaces, **LAWS
         )
         places.append([*state.shift[1:], state.tilt[0]])
-        powers.append([lost.parts[part] for part in friction_torque.PARTS])
+        powers.append([*lost.parts.values()])
         stiff.append(1 / np.linalg.inv(state.stiffness)[2, 2])
-    parts = dict(zip(friction_torque.PARTS, np.mean(powers, axis=0)))
+    parts = dict(zip(lost.parts, np.mean(powers, axis=0)))
     return np.mean(places, axis=0), parts, np.mean(stiff)
 
 
