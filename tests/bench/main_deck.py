@@ -26,6 +26,7 @@ REFERENCE = {"implicit": 1e-10, "damping": 1e-9}  # tolerance, m
 HIGH_SPEED = 9549.0  # rpm above which no row has damping, because its steps would be too short
 SAMPLES = 200  # per ball pass
 TIMED, COMPARED = 40, 4  # ball passes
+SETTLE = 4  # ball passes, of a run as of its reference: balls are then in equal places
 LEAST = 0.01  # share of the largest load; contacts below it are left out of the film's error
 HEADS = (
     "models",
@@ -100,6 +101,7 @@ def played(scene, folder, **more):
         models=scene.models,
         rpm=scene.rpm,
         integrator=scene.integrator,
+        settle=SETTLE,
         **more,
     )
     return folder
