@@ -53,8 +53,8 @@ unit_electric = $(filter $(addprefix src-package/styles/fix_bearing_,capacitance
 unit_compute = $(filter $(addprefix src-package/styles/,compute_% contact_% ring_values%),$(STYLES))
 unit_ranks = $(filter $(addprefix src-package/,ranks/% contacts/%),$(STYLES))
 unit_deck = $(filter-out $(foreach unit,$(filter-out deck,$(UNITS)),$(unit_$(unit))),$(STYLES))
-# What reads commands, prepares runs and works once in a step or a sample: optimised less, it compiles
-# in two thirds of the time
+# Units that read commands, prepare runs or work once per step or sample: with -O1 they compile in two
+# thirds of the time
 $(foreach unit,ring electric compute ranks deck,%/units/$(unit).o) build/obj/core/settings/%.o: FLAGS := $(FLAGS:-O3=-O1)
 # the sources of core by folder, for the build with sanitizers
 CORE_UNITS := $(addprefix core_,$(sort $(notdir $(patsubst %/,%,$(dir $(HOSTLESS))))))
@@ -316,7 +316,7 @@ $(eval $(call objects,build/plugin/obj,$$(MPICXX) $$(FLAGS) $$(PLUGIN_FLAGS),own
 
 # ---- LIGGGHTS with sanitizers -----------------------------------------------------------------------------
 # AddressSanitizer and UndefinedBehaviorSanitizer, for the tests. Without optimisation, which halves the
-# compile time, and a folder of core at a time, which takes a fifth of that of its sources one by one.
+# compile time, and a folder of core at a time, which takes some 0.6 of that of its sources one by one.
 sanitized: setup
 	@$(MAKE) --no-print-directory -s -j2 build/sanitized/liggghts
 

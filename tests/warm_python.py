@@ -24,7 +24,9 @@ CONTEXT.set_forkserver_preload(list(PRELOAD))
 
 def split(commands: str) -> list[str]:
     """The commands one by one, or all in one piece if they need a shell."""
-    return [commands] if SHELL.search(commands) else commands.splitlines()
+    if SHELL.search(commands):
+        return [commands]
+    return [line for line in commands.splitlines() if line.strip()]
 
 
 def words(command: str) -> list[str] | None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Which cage a bearing has: a chain of balls, one rigid ring, or none."""
+"""Kinds of cage of a bearing: a chain of balls, one rigid ring, or none."""
 
 import numpy as np
 import pytest
@@ -95,7 +95,8 @@ def test_a_chain_for_a_ring_is_refused(tmp_path):
 
 
 def test_first_balls_of_many_bearings(tmp_path):
-    """Each cage of a grid starts with a pocket at its own first ball."""
+    """Each cage of a grid starts with a pocket at its own first ball. A ball starts in the middle
+    of it and does not cross half the play, 0.16 mm, in 2 ms."""
     words = {
         "bearings": 5,
         "columns": 3,
@@ -109,7 +110,7 @@ def test_first_balls_of_many_bearings(tmp_path):
     for number in whole.bearing_numbers:
         figures = whole.select(number).tables.record
         force = figures.read(["ball_pocket_force"])["ball_pocket_force"]
-        assert np.nan_to_num(force).max() < 20.0
+        assert (force == 0.0).all()
 
 
 def test_a_first_ball_elsewhere_goes_on(tmp_path):
