@@ -3,12 +3,16 @@
 
 import json
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
 from raceway import catalogue, identify, kinematics, line_table, orders, prediction, readings
 from raceway.cli import main
 from raceway.errors import RacewayError
+from raceway.recordings.prediction import Predicted
+from raceway.recordings.readings import Point, Reading
+from raceway.theory import cage_speed
 
 GOOD = """
 bearing: 6205
@@ -85,6 +89,31 @@ def test_a_line_of_a_recording(tmp_path):
     assert abs(one.value - order) < 3 * one.within < 1e-3
     with pytest.raises(RacewayError, match="shows no line BPFI; it shows BPFO"):
         readings.read(write(tmp_path, path.read_text().replace("line: BPFO", "line: BPFI")))
+
+
+def test_an_error_of_the_cage_is_common_to_its_lines():
+    """Two lines of the cage, which both read its speed with the same relative error, are one
+    reading with that error over sqrt(2), besides the model's error and the play of the pockets
+    (Sherman-Morrison formula). A wide range of slip costs as much as it widens the lines."""
+    read, within, more = 0.4, 1e-4, 1e-3
+    points = [Point(1797.0)] * 2
+    rows = [
+        Reading("FTF", read, within, points[0]),
+        Reading("BPFO", 9 * read, 9 * within, points[1]),
+    ]
+    given = readings.Readings(Path(), Path(), "full", {}, {}, rows)
+    error = cage_speed.ERROR * (read + more)
+    own = [Predicted(share * (read + more), share * error, (0.0, 0.0), 0, 0.0) for share in (1, 9)]
+    for play in (0.0, 0.02):
+        lags = np.array([[-play / 2, play / 2]] * 2)
+        one = prediction.misfit(given, own, lags)
+        wide = (read + more) ** 2 * (cage_speed.ERROR**2 + play**2 / 12)
+        assert one.independent @ one.independent == pytest.approx(more**2 / (within**2 / 2 + wide))
+        assert one.width == pytest.approx(np.log1p(2 * wide / within**2))
+        assert one.relative == pytest.approx([more / np.hypot(within, np.sqrt(wide))] * 2)
+    apart = [rows[0], rows[1]._replace(point=Point(3000.0))]
+    two = prediction.misfit(given._replace(readings=apart), own, np.zeros((2, 2)))
+    assert two.independent @ two.independent == pytest.approx((two.relative**2).sum())
 
 
 def lines(tmp_path, text):

@@ -77,6 +77,30 @@ def test_hidden_clearance_of_a_run(tmp_path):
     assert np.interp(axial, thrusts, clearances) == pytest.approx(clearance, abs=2e-6)
 
 
+def test_two_states_with_the_same_lines(tmp_path):
+    """A run whose four lines also belong to a bearing with twice the clearance under a twentieth of
+    the thrust: both states are given, and the intervals contain the run's own. Lines of 2e-4 leave
+    the clearance a standard deviation of 1.8 um."""
+    true = {"clearance": 13.4e-6, "axial": 148.0}
+    known = {"load": 21.0, "temperature": 82.0}
+    cage(tmp_path, models="full", rpm=1797, record="all", **true, **known)
+    motion = raceway.open(tmp_path).motion
+    own, spin = motion.cage / motion.inner, motion.spin / motion.inner
+    lines = {"BPFO": 9 * own, "BPFI": 9 * (1 - own), "BSF": spin, "FTF": own}
+    rows = [Reading(name, at, 2e-4 * at, Point(1797.0)) for name, at in lines.items()]
+    unknown = {"clearance": (-20e-6, 53e-6), "axial": (0.78, 780.0)}
+    found = identify.identify(readings(rows, unknown, **known))
+    for name, one in found.values.items():
+        assert one.low < true[name] < one.high
+    few, many = sorted(found.valley, key=lambda state: state["clearance"])
+    assert few["clearance"] == pytest.approx(true["clearance"], abs=2e-6)
+    assert many["clearance"] > 20e-6 and many["axial"] < 10
+    model = Model(readings(rows, {}))
+    for state in found.valley:
+        predicted = [one.value for one in model.predict(state)]
+        assert predicted == pytest.approx([*lines.values()], rel=3e-4)
+
+
 @pytest.mark.parametrize("name", TRIED)
 def test_a_motor_bearing(tmp_path, name):
     """One clearance, from the line at one speed, gives the lines at the other speeds and the line

@@ -2,9 +2,12 @@
 """State of a bearing from readings: clearance, loads, oil temperature, cooling, each with its
 uncertainty, and the combinations that the readings cannot separate.
 
-Statics, friction and films are fitted by least squares within the ranges of the unknowns. A range
-is the only prior knowledge of an unknown. If the readings leave one direction open, as a single
-line does for clearance and thrust, the valley is traced: all its points explain the readings.
+Statics, friction and films are fitted by least squares within the ranges of the unknowns, from
+several starts. A range is the only prior knowledge of an unknown. Different states can have the
+same lines, such as a small clearance under a large thrust and a large one under a small thrust:
+every least whose likelihood comes within `CHI` of the best is kept, and the intervals contain all
+of them. If the readings leave one direction open, as a single line does for clearance and thrust,
+the valley is traced: all its points explain the readings.
 """
 
 import math
@@ -16,7 +19,7 @@ from scipy.stats import qmc
 
 from raceway.arrays import Floats
 from raceway.errors import NoEquilibrium
-from raceway.recordings.prediction import Model, residuals
+from raceway.recordings.prediction import Misfit, Model, misfit
 from raceway.recordings.readings import Readings
 from raceway.theory import kinematics
 
@@ -26,8 +29,10 @@ STEP = 1e-4  # share of a range, for derivatives
 UNIFORM = 1 / math.sqrt(12)  # standard deviation of a range of 1
 OPEN = 0.35  # fraction of UNIFORM above which an unknown or direction counts as not determined
 VALLEY = 7  # points traced
+SAME = 1e-4  # change of the sum of squares below which a fit ends
 CHI = 3.84  # increase of the sum of squares at the 95 % limit of one unknown
 TWO_SIDED = 1.96
+DETERMINED = 2 * TWO_SIDED * OPEN * UNIFORM  # widest interval of an unknown that is determined
 FAR = 1e3  # residual of a state that cannot carry the load
 WIDE = 10.0  # ratio of its ends above which a range is searched logarithmically
 
@@ -56,46 +61,36 @@ class Found(NamedTuple):
     angle: Value | None
     # cage slip there relative to rolling at that angle; None without a line of the cage
     slip: Value | None
-
-    @property
-    def chi(self) -> float:
-        """Sum of the squared residuals: roughly the number of readings minus the number of
-        determined unknowns, unless a reading or the model is wrong."""
-        return float(self.residuals @ self.residuals)
+    # sum of squares of independent combinations of the residuals: roughly the number of readings
+    # minus the number of determined unknowns, unless a reading or the model is wrong
+    chi: float
 
 
 def identify(readings: Readings) -> Found:
     """`Found` from `readings`. Raises `NoEquilibrium` if no state within the ranges carries the
     loads."""
     search = _Search(readings)
-    best = search.best()
-    if search.idle(best).any():  # the pocket play matters there
-        search.slip = search.lag(best)
-        best = search.refine(best)
-    names = list(readings.unknown)
-    around = search.covariance(best)
-    weak = np.sqrt(np.diag(around)) > OPEN * UNIFORM
-    valley = search.valley(best, _along(names, np.diag(around), weak)) if weak.any() else []
-    # away from the valley the uncertainty is that across it
-    interval = _Interval(
-        best,
-        [(place, search.covariance(place, weakest=False)) for place in valley] or [(best, around)],
-    )
+    modes = search.modes()
+    best, places = modes[0].place, [one for mode in modes for one in mode.places]
+    names, interval, valley = list(readings.unknown), _Interval(best, places), []
+    if len(places) > 1:
+        valley = sorted((place for place, _ in places), key=lambda one: one[modes[0].along])
     values = {}
     for k, name in enumerate(names):
         one = interval.of(lambda place, k=k: float(place[k]))
         span = [search.value(name, min(max(share, 0.0), 1.0)) for share in one]
-        values[name] = Value(*span, one[2] - one[1] <= 2 * TWO_SIDED * OPEN * UNIFORM)
-    predicted = search.predicted(best)
+        values[name] = Value(*span, one[2] - one[1] <= DETERMINED)
+    predicted, rest = search.predicted(best), search.misfit(best)
     return Found(
         values,
         search.state(best),
-        search.residuals(best),
+        rest.relative,
         np.array([one.value for one in predicted]),
         [search.state(one) for one in valley],
         max(one.idle for one in predicted),
         None if search.first is None else Value(*interval.of(search.angle), not valley),
         None if search.first is None else _slip(search, interval, not valley),
+        float(rest.independent @ rest.independent),
     )
 
 
@@ -104,6 +99,23 @@ def _along(names, variances, weak):
     thrust if there is one, otherwise the most uncertain unknown."""
     first = [k for k, name in enumerate(names) if weak[k] and name in ("clearance", "axial")]
     return max(first or range(len(names)), key=lambda k: variances[k])
+
+
+class _Mode(NamedTuple):
+    """A least of the sum of squares, with its valley if the readings leave one direction open."""
+
+    place: Floats
+    along: int  # number of the unknown along which its valley is traced
+    places: list[tuple[Floats, Floats]]  # the place or its valley, each with a covariance
+
+    def adds(self, other: Floats) -> bool:
+        """Whether the place `other` lies outside a 95 % interval of an unknown that is
+        determined."""
+        middles = np.array([place for place, _ in self.places])
+        spans = TWO_SIDED * np.sqrt([np.diag(around) for _, around in self.places])
+        low, high = (middles - spans).min(0), (middles + spans).max(0)
+        outside = (other < low) | (other > high)
+        return bool((outside & (high - low <= DETERMINED)).any())
 
 
 class _Interval(NamedTuple):
@@ -125,14 +137,9 @@ class _Interval(NamedTuple):
 
 
 def _gradient(function, place):
-    """Derivatives of `function`, inside the ranges."""
-    found = []
-    for k in range(len(place)):
-        ends = np.array([place, place])
-        ends[0, k], ends[1, k] = max(place[k] - STEP, 0.0), min(place[k] + STEP, 1.0)
-        low, high = (function(one) for one in ends)
-        found.append((high - low) / (ends[1, k] - ends[0, k]))
-    return np.array(found)
+    """Derivatives of `function`, towards the middle of the ranges."""
+    steps, here = np.where(place > 0.5, -STEP, STEP), function(place)
+    return np.array([(function(place + step) - here) / step.sum() for step in np.diag(steps)])
 
 
 def _slip(search, interval, determined):
@@ -176,7 +183,6 @@ class _Search:
 
     def __init__(self, readings):
         self.readings, self.model = readings, Model(readings)
-        self.slip = np.zeros((len(readings.readings), 2))
         self._predicted = {}
         # number of the first reading that is not just the oil's temperature
         heats = "conductance" in {*readings.known, *readings.unknown}
@@ -196,48 +202,83 @@ class _Search:
             self._predicted[key] = self.model.predict(self.state(place))
         return self._predicted[key]
 
-    def residuals(self, place):
+    def lags(self, place):
+        """(readings, 2), least and largest lag of the cage by the play of the pockets."""
+        return np.array([one.lag for one in self.predicted(place)])
+
+    def misfit(self, place, lags=None) -> Misfit:
+        """`prediction.misfit`, with the lags of the cage there unless others are given."""
+        lags = self.lags(place) if lags is None else lags
+        return misfit(self.readings, self.predicted(place), lags)
+
+    def residuals(self, place, lags):
+        """(readings,), independent; `FAR` where no state carries the load."""
         try:
-            return residuals(self.readings, self.predicted(place), self.slip)
+            return self.misfit(place, lags).independent
         except NoEquilibrium:
             return np.full(len(self.readings.readings), FAR)
 
-    def idle(self, place):
-        return np.array([one.idle for one in self.predicted(place)])
+    def cost(self, place):
+        """Deviance."""
+        try:
+            return self.misfit(place).deviance
+        except NoEquilibrium:
+            return math.inf
 
-    def lag(self, place):
-        return np.array([one.lag for one in self.predicted(place)])
-
-    def best(self):
-        size = len(self.readings.unknown)
+    def modes(self):
+        """`_Mode` of every least that explains the readings as well as the best one, best first."""
+        size, rigid = len(self.readings.unknown), np.zeros((len(self.readings.readings), 2))
         tried = qmc.Sobol(size, scramble=False).random(1 << math.ceil(math.log2(TRIED * size)))
-        costs = [float((self.residuals(one) ** 2).sum()) for one in tried]
-        if min(costs) >= FAR**2:
-            self.predicted(tried[int(np.argmin(costs))])  # raises with the reason
-        found, least = tried[0], math.inf
-        for k in np.argsort(costs)[:REFINED]:
-            place = self.refine(tried[k])
-            cost = float((self.residuals(place) ** 2).sum())
-            if cost < least:
-                found, least = place, cost
-            if least < CHI * len(self.slip):
-                break
-        return found
+        sums = [float((self.residuals(one, rigid) ** 2).sum()) for one in tried]
+        if min(sums) >= FAR**2:
+            self.predicted(tried[int(np.argmin(sums))])  # raises with the reason
+        fits = [self.refine(tried[k], rigid) for k in np.argsort(sums)[:REFINED]]
+        limit = min(map(self.cost, fits)) + CHI
+        fits = sorted((self.renew(one, rigid, limit) for one in fits), key=self.cost)
+        limit, modes = self.cost(fits[0]) + CHI, []
+        for place in fits:
+            if self.cost(place) <= limit and all(one.adds(place) for one in modes):
+                modes.append(self.mode(place, limit))
+        return modes
 
-    def refine(self, start, fixed=None):
-        """Least-squares fit from `start`, with unknown number `fixed` held."""
+    def mode(self, place, limit):
+        """`_Mode` at the least `place`, traced as far as the deviance stays below `limit`."""
+        around = self.covariance(place)
+        weak = np.sqrt(np.diag(around)) > OPEN * UNIFORM
+        along = _along([*self.readings.unknown], np.diag(around), weak)
+        places = [(place, around)]
+        if weak.any():
+            # away from the valley the uncertainty is that across it
+            places = [
+                (one, self.covariance(one, weakest=False))
+                for one in self.valley(place, along, limit)
+            ]
+        return _Mode(place, along, places)
+
+    def renew(self, place, lags, limit, fixed=None):
+        """The fit `place` with the lags of the cage there, if it was made with other `lags` and its
+        deviance can be below `limit`."""
+        own = self.lags(place)
+        if np.array_equal(own, lags) or self.misfit(place).width > limit:
+            return place
+        return self.refine(place, own, fixed)
+
+    def refine(self, start, lags, fixed=None):
+        """Least-squares fit from `start` with given lags of the cage and with unknown number
+        `fixed` held."""
         free = np.array([k != fixed for k in range(len(start))])
 
         def rest(x):
             place = np.array(start)
             place[free] = x
-            return self.residuals(place)
+            # relative to this 1, `ftol` is a change of the sum of squares, not a share of it
+            return np.append(self.residuals(place, lags), 1.0)
 
         place = np.array(start)
         inside = np.clip(place[free], 1e-6, 1 - 1e-6)
         if len(inside):
             place[free] = optimize.least_squares(
-                rest, inside, bounds=(0, 1), diff_step=STEP, xtol=1e-5, ftol=1e-6
+                rest, inside, bounds=(0, 1), diff_step=STEP, xtol=1e-5, ftol=SAME
             ).x
         return place
 
@@ -263,8 +304,9 @@ class _Search:
         return reading._replace(value=order, within=reading.within / share)
 
     def slopes(self, place):
-        """(readings, unknowns) derivatives of the residuals."""
-        return np.transpose(_gradient(self.residuals, place))
+        """(readings, unknowns) derivatives of the independent residuals."""
+        lags = self.lags(place)
+        return np.transpose(_gradient(lambda one: self.residuals(one, lags), place))
 
     def covariance(self, place, weakest=True):
         """Covariance (unknowns, unknowns) at `place`, with the ranges as prior knowledge; with or
@@ -274,17 +316,31 @@ class _Search:
         kept = vectors[:, 0 if weakest else 1 :] / np.sqrt(values[0 if weakest else 1 :])
         return kept @ kept.T
 
-    def valley(self, best, along):
-        """States that explain the readings as well as the best one, along unknown number
-        `along`."""
-        limit = float((self.residuals(best) ** 2).sum()) + CHI
-        side, places = np.linspace(0, 1, VALLEY), []
+    def valley(self, best, along, limit):
+        """Places whose deviance stays below `limit`, along unknown number `along`."""
+        side, places = np.linspace(0, 1, VALLEY), [best]
         near = int(np.argmin(np.abs(side - best[along])))
         for way in (range(near, len(side)), range(near - 1, -1, -1)):
-            place = np.array(best)
+            last = best
             for k in way:
-                place[along] = side[k]
-                place = self.refine(place, along)
-                if float((self.residuals(place) ** 2).sum()) <= limit:
-                    places.append(np.array(place))
-        return sorted([*places, np.array(best)], key=lambda one: one[along])
+                place = self.along(last, along, side[k], limit)
+                if self.cost(place) > limit:
+                    places += self.end(last, place, along, limit)
+                    break
+                places.append(place)
+                last = place
+        return sorted(places, key=lambda one: one[along])
+
+    def along(self, place, along, share, limit):
+        """The best place with unknown number `along` at `share`, near `place`."""
+        start, lags = np.array(place), self.lags(place)
+        start[along] = share
+        return self.renew(self.refine(start, lags, along), lags, limit, along)
+
+    def end(self, inside, outside, along, limit):
+        """[a place between one below and one above the limit, where the deviance reaches it]"""
+        low, high = self.cost(inside), self.cost(outside)
+        if not math.isfinite(high):
+            return []
+        share = inside[along] + (outside - inside)[along] * (limit - low) / (high - low)
+        return [self.along(inside, along, share, limit)]

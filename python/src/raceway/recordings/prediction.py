@@ -114,16 +114,53 @@ def _contact_angle(state):
     return math.acos(np.average(np.cos(angles), weights=load))
 
 
-def residuals(readings: Readings, found: list[Predicted], slip: Floats) -> Floats:
-    """(predicted - read)/uncertainty of each reading (N,), including the model's error in the
-    uncertainty. `slip` (N, 2) is the least and the largest lag of the cage for each reading: their
-    mean is subtracted, and their range counts as error."""
-    rest = []
-    for one, own, (least, most) in zip(readings.readings, found, slip):
-        slope = {"BPFI": -1.0}.get(one.quantity, 1.0)
-        # change of the line per unit relative change of the cage's speed
-        size = own.error / cage_speed.ERROR
-        shift = -slope * size * (least + most) / 2
-        spread = size * (most - least) / math.sqrt(12)
-        rest.append((own.value + shift - one.value) / math.hypot(one.within, own.error, spread))
-    return np.array(rest)
+class Misfit(NamedTuple):
+    """Predicted minus read."""
+
+    off: Floats  # (N,), in the units of the readings
+    covariance: Floats  # (N, N), of readings and model
+    within: Floats  # (N,), standard deviations of the readings alone
+
+    @property
+    def relative(self) -> Floats:
+        """(N,), divided by the standard deviations."""
+        return self.off / np.sqrt(np.diag(self.covariance))
+
+    @property
+    def independent(self) -> Floats:
+        """(N,), combinations that are independent and have a standard deviation of 1."""
+        return np.linalg.solve(np.linalg.cholesky(self.covariance), self.off)
+
+    @property
+    def width(self) -> float:
+        """Deviance of a perfect fit: a state that predicts wide ranges is less likely than one that
+        fits as well with narrow ones."""
+        scaled = self.covariance / np.outer(self.within, self.within)
+        return float(np.linalg.slogdet(scaled)[1])
+
+    @property
+    def deviance(self) -> float:
+        """-2 log of the likelihood, up to a constant."""
+        return float(self.independent @ self.independent) + self.width
+
+
+def misfit(readings: Readings, found: Sequence[Predicted], lags: Floats) -> Misfit:
+    """`Misfit` of predictions. `lags` (N, 2) is the least and the largest lag of the cage for each
+    reading: their mean is subtracted, and their range counts as error. The model's error and the
+    lag are common to all lines of the cage at one point."""
+    rows = readings.readings
+    within = np.array([one.within for one in rows])
+    # change of a line per unit relative change of the cage's speed; 0 for other readings
+    size = np.array([_of_cage(one.quantity) * own.error for one, own in zip(rows, found)])
+    size /= cage_speed.ERROR
+    spread = np.ptp(lags, axis=1) * math.sqrt(1 / 12)
+    common = np.outer(size, size) * (cage_speed.ERROR**2 + np.outer(spread, spread))
+    common *= [[one.point == other.point for one in rows] for other in rows]
+    alone = [0.0 if along else own.error for along, own in zip(size, found)]
+    off = [own.value - one.value for one, own in zip(rows, found)] - size * np.mean(lags, axis=1)
+    return Misfit(off, common + np.diag(within**2 + np.square(alone)), within)
+
+
+def _of_cage(quantity):
+    """Sign of the change of a reading with the cage's speed."""
+    return {"FTF": 1, "BPFO": 1, "BPFI": -1}.get(quantity, 0)

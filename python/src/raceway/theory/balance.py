@@ -75,6 +75,7 @@ class Balance:
         # longest Newton step, m: small compared with the groove
         self.cap = 0.25 * (bearing.groove_gap(INNER) + bearing.groove_gap(OUTER))
         self.film = film
+        self._balls: Floats | None = None  # (Z, 2), of the last position of the ring
         self._bend(np.zeros((len(self.gap), len(azimuth))))
 
     def start(self) -> Floats:
@@ -105,8 +106,8 @@ class Balance:
             self._bend(near[1])
         for _ in range(50):
             before, loads, was = self.stiffness, self.loads.copy(), place
-            place = self.settle(place)
-            self._renew(place)
+            place, here = self.settle(place)
+            self._renew(place, here)
             settled = np.all(np.abs(self.stiffness / before - 1) < 1e-12)
             if settled and np.all(
                 np.abs(self.loads - loads) <= 1e-12 * np.abs(loads).max(initial=0)
@@ -123,12 +124,13 @@ class Balance:
             raise NoEquilibrium("no ball carries load: the position of the ring is indeterminate")
         return place, found
 
-    def settle(self, place: Floats) -> Floats:
-        """Position (5,) of a stable equilibrium for the present stiffness."""
+    def settle(self, place: Floats) -> tuple[Floats, Here]:
+        """Position (5,) of a stable equilibrium for the present stiffness, and the bearing
+        there."""
         nudged, free = 0, self.free
-        if not free.any():
-            return place
         here = self.at(place)
+        if not free.any():
+            return place, here
         for _ in range(300):
             gradient, hessian = here.gradient[free], here.hessian(self.metres)[np.ix_(free, free)]
             size = np.linalg.norm(gradient)
@@ -137,7 +139,7 @@ class Balance:
             # the residual may be as large as the rounding of the distances times the stiffness
             if size <= 1e-11 * scale + self.digits * np.abs(value).max():
                 if value[0] >= -1e-9 * value[-1] or nudged == 5:
-                    return place
+                    return place, here
                 # a ring balanced on one ball: let it roll to one side
                 place, nudged = place + self._whole(0.01 * self.cap * vector[:, 0]), nudged + 1
                 here = self.at(place)
@@ -148,7 +150,7 @@ class Balance:
             was, (place, here) = place, self._moved(place, here, step)
             if np.array_equal(was, place):
                 if size <= 1e-8 * scale:
-                    return place  # below the rounding error of the energy
+                    return place, here  # below the rounding error of the energy
                 break
             if not np.linalg.norm(place[free]) < self.bearing.ball_radius:
                 break
@@ -166,7 +168,7 @@ class Balance:
     def at(self, place: Floats) -> Here:
         """`Here` for a given position of the ring."""
         grooves = self.grooves(place)
-        ball = seat.settle(grooves)
+        ball = self._balls = seat.settle(grooves, self._balls)
         touch = seat.touch(grooves, ball)
         energy = seat.energy(grooves, touch, ball).sum() - self.loads[self.free] @ place[self.free]
         inner = len(touch.reach.distance)
@@ -205,10 +207,10 @@ class Balance:
             else self.film.law(bearing, angle, self.clearance, self.stiffness)
         )
 
-    def _renew(self, place):
+    def _renew(self, place, here):
         """Update the contact stiffness at the present angles, and the moment's component along the
         tilts of the present axis."""
-        self._bend(self.angles(self.at(place).touch))
+        self._bend(self.angles(here.touch))
         if self.finite_shift:
             tilt = (place / self.metres)[3:]
             self.loads[3:] = circle.conjugate(self.moment, tilt) / self.metres[3:]

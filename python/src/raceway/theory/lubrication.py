@@ -129,7 +129,8 @@ def turning(
     determine the speed, and the speed the angles, so both are iterated. The same applies to the
     film in the gap of several grooves.
     """
-    orbital, film = speed * kinematics.frequencies(bearing).cage, options.get("film")
+    near, film = options.get("near"), options.get("film")
+    orbital = orbit(bearing, near, speed) if near else speed * kinematics.frequencies(bearing).cage
     for _ in range(30):
         state = equilibrium(bearing, *loads, orbital_speed=orbital, **options)
         options["near"] = state

@@ -123,9 +123,9 @@ def nearest(grooves: Grooves) -> tuple[Floats, ...]:
     return squeeze, line, distance, centre, number.T
 
 
-def settle(grooves: Grooves) -> Floats:
-    """Positions (Z, 2) where every ball is in equilibrium. Raises `NoEquilibrium` if Newton's
-    method does not find one."""
+def settle(grooves: Grooves, near: Floats | None = None) -> Floats:
+    """Positions (Z, 2) where every ball is in equilibrium. If positions `near` it are given, balls
+    that are held start there. Raises `NoEquilibrium` if Newton's method does not find one."""
     centrifugal, stiffness = grooves.centrifugal, grooves.stiffness
     tight, line, distance, outer, pair = nearest(grooves)
     balls = np.arange(len(outer))
@@ -138,6 +138,8 @@ def settle(grooves: Grooves) -> Floats:
     thrown = outer.copy()
     thrown[:, 0] += gap[1] + (centrifugal / hard) ** (2 / 3)
     ball = np.where(((squeeze > 0) | (centrifugal == 0))[:, None], between, thrown)
+    if near is not None:
+        ball = np.where(((squeeze > 0) | (centrifugal > 0))[:, None], near, ball)
     scale = centrifugal + hertz.load(hard, squeeze)
     longest = 0.25 * gap[:, 0].sum()  # longest step, small compared with the groove
     # keeps the matrix regular for a ball that has lost one or both grooves
