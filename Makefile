@@ -18,7 +18,7 @@ SHELL := /bin/bash
 # as long to start.
 unexport PYTHONDONTWRITEBYTECODE
 .DELETE_ON_ERROR:
-.PHONY: run liggghts lammps build interfaces test bench docs clean setup sanitized tree packages_of_tests dist plugin test-lammps install-tree uninstall-tree lint format
+.PHONY: run liggghts lammps build interfaces test bench docs clean setup sanitized tree packages_of_tests collected dist plugin test-lammps install-tree uninstall-tree lint format
 
 PACKAGES := g++ liggghts libliggghts-dev openmpi-bin libopenmpi-dev python3-venv
 lammps build packages_of_tests: PACKAGES += lammps liblammps-dev
@@ -95,12 +95,13 @@ interfaces: setup
 	@$(MAKE) --no-print-directory -s -j2 $(INTERFACES)
 
 # Downloads run beside the tree, which needs none of them, the pages beside everything else that is
-# compiled, in one make, so that no core waits for the last object of a program.
+# compiled, in one make, so that no core waits for the last object of a program. `collected` writes the
+# bytecode of the tests once, which otherwise every pytest process does for itself.
 # pytest starts with the folders whose files take longest, so that no core idles at the end, and has one
 # process more than cores, since tests with several ranks wait
 test: setup
 	@$(MAKE) --no-print-directory -j2 tree packages_of_tests lint
-	@$(MAKE) --no-print-directory -s -j2 docs $(PROGRAMS) $(INTERFACES) build/sanitized/liggghts
+	@$(MAKE) --no-print-directory -s -j2 docs $(PROGRAMS) $(INTERFACES) build/sanitized/liggghts collected
 	@rm -rf docs/notebooks/run
 	.venv/bin/python -m pytest --nbmake tests/recipes docs/notebooks tests/docs tests/hosts tests -n $$(($$(nproc) + 1)) --dist loadfile --no-loadscope-reorder
 
@@ -373,3 +374,6 @@ $(VENV_STAMP): | $(CORE_LIBRARY)
 
 # our own .d files only: source trees of hosts have some too
 -include $(shell find build \( -path build/own -o -path build/tree -o -path build/source \) -prune -o -name '*.d' -type f -print 2>/dev/null)
+
+collected: $(CORE_LIBRARY)
+	@.venv/bin/python -m pytest --collect-only -q tests > build/collected.txt

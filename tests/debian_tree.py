@@ -40,6 +40,16 @@ COMMON = """#ifndef RACEWAY_ONE_TARGET
 #include <sstream>
 #include <vector>
 #include "pointers.h"
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "fix_property_global.h"
+#include "force.h"
+#include "memory.h"
+#include "modify.h"
+#include "neighbor.h"
+#include "pair_gran.h"
+#include "update.h"
 #endif
 """
 

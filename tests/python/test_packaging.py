@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The Python package as installed by others: its requirements, its contents, and where it works."""
 
+import os
 import re
 import shutil
 import subprocess
@@ -55,11 +56,16 @@ def copy_sources(folder):
 
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory):
-    """The files of a wheel, as setuptools builds them from a copy of the sources."""
+    """The files of a wheel, as setuptools builds them from a copy of the sources; the library is
+    not optimised."""
     folder = tmp_path_factory.mktemp("wheel")
+    compiler = folder / "compiler"
+    compiler.write_text('#!/bin/sh\nexec g++ "$@" -O0\n')
+    compiler.chmod(0o755)
     subprocess.run(
         [sys.executable, "setup.py", "-q", "build", "--build-lib", folder / "site"],
         cwd=copy_sources(folder / "source"),
+        env={**os.environ, "CXX": str(compiler)},
         check=True,
         capture_output=True,
     )
