@@ -360,10 +360,11 @@ build/libsleep.so: tests/sleep.c
 # ---- the laws as a library for Python; python/setup.py builds the same without make -----------
 CORE_LIBRARY := python/src/raceway/core/lib/libraceway_core.so
 $(CORE_LIBRARY): $(patsubst src-package/%.cpp,build/obj-laws/%.o,$(wildcard src-package/core/interface/*.cpp)) \
-                 $(patsubst %.cpp,build/obj/core/%.o,$(shell cat src-package/core/interface/tables.txt))
+                 $(patsubst %.cpp,build/obj/core/%.o,$(shell cat src-package/core/interface/tables.txt)) \
+                 src-package/core/interface/tables.txt
 	@mkdir -p $(@D)
 	@echo "  LINK $@"
-	@g++ -shared $^ -o $@
+	@g++ -shared $(filter %.o,$^) -o $@
 
 build/obj-laws/%.o: src-package/%.cpp src-package/core/interface/compile_flags.txt
 	@mkdir -p $(@D)
@@ -372,8 +373,8 @@ build/obj-laws/%.o: src-package/%.cpp src-package/core/interface/compile_flags.t
 
 $(VENV_STAMP): | $(CORE_LIBRARY)
 
-# our own .d files only: source trees of hosts have some too
--include $(shell find build \( -path build/own -o -path build/tree -o -path build/source \) -prune -o -name '*.d' -type f -print 2>/dev/null)
-
 collected: $(CORE_LIBRARY)
 	@.venv/bin/python -m pytest --collect-only -q tests > build/collected.txt
+
+# our own .d files only: source trees of hosts have some too
+-include $(shell find build \( -path build/own -o -path build/tree -o -path build/source \) -prune -o -name '*.d' -type f -print 2>/dev/null)

@@ -48,7 +48,6 @@ COMMON = """#ifndef RACEWAY_ONE_TARGET
 #include "memory.h"
 #include "modify.h"
 #include "neighbor.h"
-#include "pair_gran.h"
 #include "update.h"
 #endif
 """

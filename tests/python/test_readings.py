@@ -194,6 +194,14 @@ def test_lines_of_hidden_clearance_and_thrust(tmp_path, capsys, monkeypatch):
     assert "--load is for --lines" in capsys.readouterr().err
 
 
+def test_loads_that_no_state_carries_are_left_out(tmp_path):
+    """Within this range of thrust balls are forced out of their grooves; a valley ends there."""
+    text = GOOD.replace("axial: 30, ", "").replace("0 15e-6", "0 15e-6, axial: 10 1e6")
+    text = text.replace("\nknown:", "\nmodels: paper\nknown:")
+    found = identify.identify(readings.read(write(tmp_path, text)))
+    assert found.chi < 1e-2 and found.values["axial"].high < 1e4
+
+
 def test_command(tmp_path, capsys):
     """Prints the settings of a deck; a reading that no clearance explains is reported."""
     path = str(write(tmp_path))

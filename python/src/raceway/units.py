@@ -99,11 +99,11 @@ def _hint(unit):
 def axis(largest: float, unit: str) -> tuple[float, str]:
     """(factor, unit with prefix) of an axis that reaches `largest`.
 
-    >>> axis(2436, "N")
-    (0.001, 'kN')
+    >>> axis(2436, "N"), axis(12.0, "m/s^2")
+    ((0.001, 'kN'), (1.0, 'm/s²'))
     """
     power = _power(abs(largest)) if largest and math.isfinite(largest) else 0
-    return 10.0**-power, PREFIX[power] + unit
+    return 10.0**-power, PREFIX[power] + unit.replace("^2", "²")
 
 
 def _power(value):

@@ -5,9 +5,9 @@ uncertainty, and the combinations that the readings cannot separate.
 Statics, friction and films are fitted by least squares within the ranges of the unknowns, from
 several starts. A range is the only prior knowledge of an unknown. Different states can have the
 same lines, such as a small clearance under a large thrust and a large one under a small thrust:
-every least whose likelihood comes within `CHI` of the best is kept, and the intervals contain all
-of them. If the readings leave one direction open, as a single line does for clearance and thrust,
-the valley is traced: all its points explain the readings.
+every fit whose deviance (-2 log of the likelihood) is within `CHI` of the best is kept, and the
+intervals contain all of them. If the readings leave one direction open, as a single line does for
+clearance and thrust, the valley is traced: all its points explain the readings.
 """
 
 import math
@@ -30,7 +30,7 @@ UNIFORM = 1 / math.sqrt(12)  # standard deviation of a range of 1
 OPEN = 0.35  # fraction of UNIFORM above which an unknown or direction counts as not determined
 VALLEY = 7  # points traced
 SAME = 1e-4  # change of the sum of squares below which a fit ends
-CHI = 3.84  # increase of the sum of squares at the 95 % limit of one unknown
+CHI = 3.84  # increase of the deviance at the 95 % limit of one unknown
 TWO_SIDED = 1.96
 DETERMINED = 2 * TWO_SIDED * OPEN * UNIFORM  # widest interval of an unknown that is determined
 FAR = 1e3  # residual of a state that cannot carry the load
@@ -102,7 +102,7 @@ def _along(names, variances, weak):
 
 
 class _Mode(NamedTuple):
-    """A least of the sum of squares, with its valley if the readings leave one direction open."""
+    """A fit that explains the readings, with its valley if they leave one direction open."""
 
     place: Floats
     along: int  # number of the unknown along which its valley is traced
@@ -226,13 +226,15 @@ class _Search:
             return math.inf
 
     def modes(self):
-        """`_Mode` of every least that explains the readings as well as the best one, best first."""
+        """A `_Mode` for every fit that explains the readings as well as the best one, best
+        first."""
         size, rigid = len(self.readings.unknown), np.zeros((len(self.readings.readings), 2))
         tried = qmc.Sobol(size, scramble=False).random(1 << math.ceil(math.log2(TRIED * size)))
         sums = [float((self.residuals(one, rigid) ** 2).sum()) for one in tried]
-        if min(sums) >= FAR**2:
+        starts = [one for one in tried[np.argsort(sums)[:REFINED]] if math.isfinite(self.cost(one))]
+        if not starts:
             self.predicted(tried[int(np.argmin(sums))])  # raises with the reason
-        fits = [self.refine(tried[k], rigid) for k in np.argsort(sums)[:REFINED]]
+        fits = [self.refine(one, rigid) for one in starts]
         limit = min(map(self.cost, fits)) + CHI
         fits = sorted((self.renew(one, rigid, limit) for one in fits), key=self.cost)
         limit, modes = self.cost(fits[0]) + CHI, []
@@ -242,7 +244,7 @@ class _Search:
         return modes
 
     def mode(self, place, limit):
-        """`_Mode` at the least `place`, traced as far as the deviance stays below `limit`."""
+        """`_Mode` of the fit `place`, traced as far as the deviance stays below `limit`."""
         around = self.covariance(place)
         weak = np.sqrt(np.diag(around)) > OPEN * UNIFORM
         along = _along([*self.readings.unknown], np.diag(around), weak)
@@ -258,6 +260,8 @@ class _Search:
     def renew(self, place, lags, limit, fixed=None):
         """The fit `place` with the lags of the cage there, if it was made with other `lags` and its
         deviance can be below `limit`."""
+        if not math.isfinite(self.cost(place)):
+            return place
         own = self.lags(place)
         if np.array_equal(own, lags) or self.misfit(place).width > limit:
             return place
