@@ -3,7 +3,6 @@
 
 import json
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -101,18 +100,17 @@ def test_an_error_of_the_cage_is_common_to_its_lines():
         Reading("FTF", read, within, points[0]),
         Reading("BPFO", 9 * read, 9 * within, points[1]),
     ]
-    given = readings.Readings(Path(), Path(), "full", {}, {}, rows)
     error = cage_speed.ERROR * (read + more)
     own = [Predicted(share * (read + more), share * error, (0.0, 0.0), 0, 0.0) for share in (1, 9)]
     for play in (0.0, 0.02):
         lags = np.array([[-play / 2, play / 2]] * 2)
-        one = prediction.misfit(given, own, lags)
+        one = prediction.misfit(rows, own, lags)
         wide = (read + more) ** 2 * (cage_speed.ERROR**2 + play**2 / 12)
         assert one.independent @ one.independent == pytest.approx(more**2 / (within**2 / 2 + wide))
         assert one.width == pytest.approx(np.log1p(2 * wide / within**2))
         assert one.relative == pytest.approx([more / np.hypot(within, np.sqrt(wide))] * 2)
     apart = [rows[0], rows[1]._replace(point=Point(3000.0))]
-    two = prediction.misfit(given._replace(readings=apart), own, np.zeros((2, 2)))
+    two = prediction.misfit(apart, own, np.zeros((2, 2)))
     assert two.independent @ two.independent == pytest.approx((two.relative**2).sum())
 
 

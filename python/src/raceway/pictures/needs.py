@@ -65,4 +65,6 @@ def picture(found: Needs, path: FilePath) -> None:
 
 
 def _head(word, wanted):
-    return word.replace("_", "\n") + (f"\nwanted\n{percent(wanted[word])}" if word in wanted else "")
+    return word.replace("_", "\n") + (
+        f"\nwanted\n{percent(wanted[word])}" if word in wanted else ""
+    )

@@ -209,7 +209,7 @@ class _Search:
     def misfit(self, place, lags=None) -> Misfit:
         """`prediction.misfit`, with the lags of the cage there unless others are given."""
         lags = self.lags(place) if lags is None else lags
-        return misfit(self.readings, self.predicted(place), lags)
+        return misfit(self.readings.readings, self.predicted(place), lags)
 
     def residuals(self, place, lags):
         """(readings,), independent; `FAR` where no state carries the load."""

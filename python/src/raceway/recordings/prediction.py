@@ -144,11 +144,10 @@ class Misfit(NamedTuple):
         return float(self.independent @ self.independent) + self.width
 
 
-def misfit(readings: Readings, found: Sequence[Predicted], lags: Floats) -> Misfit:
-    """`Misfit` of predictions. `lags` (N, 2) is the least and the largest lag of the cage for each
-    reading: their mean is subtracted, and their range counts as error. The model's error and the
-    lag are common to all lines of the cage at one point."""
-    rows = readings.readings
+def misfit(rows: Sequence[Reading], found: Sequence[Predicted], lags: Floats) -> Misfit:
+    """`Misfit` of the predictions `found` of readings `rows`. `lags` (N, 2) is the least and the
+    largest lag of the cage for each reading: their mean is subtracted, and their range counts as
+    error. The model's error and the lag are common to all lines of the cage at one point."""
     within = np.array([one.within for one in rows])
     # change of a line per unit relative change of the cage's speed; 0 for other readings
     size = np.array([_of_cage(one.quantity) * own.error for one, own in zip(rows, found)])

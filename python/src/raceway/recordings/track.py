@@ -6,7 +6,6 @@ model of `prediction`. Sigma points that represent mean and covariance are propa
 model, so no derivatives are needed (Julier and Uhlmann, Proc. IEEE 92 (2004) 401).
 """
 
-import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
@@ -15,7 +14,7 @@ import numpy as np
 from raceway.arrays import Floats
 from raceway.errors import NoEquilibrium
 from raceway.recordings.identify import UNIFORM, share_of, value_of
-from raceway.recordings.prediction import Model
+from raceway.recordings.prediction import Model, misfit
 from raceway.recordings.readings import Reading, Readings
 
 HOUR = 3600.0  # s
@@ -103,19 +102,17 @@ def unscented(
 def _correct(of, model, row, names, mean, covariance):
     """`unscented` with the readings of a row and the points kept inside the ranges."""
     centre = model.predict(_state(of, names, mean), row.readings)
-    noise = np.array(
-        [math.hypot(one.within, own.error) ** 2 for one, own in zip(row.readings, centre)]
-    )
-    scale = np.sqrt(noise)
+    rigid = np.zeros((len(centre), 2))
+    root = np.linalg.cholesky(misfit(row.readings, centre, rigid).covariance)
 
     def see(place):
         try:
             shown = model.predict(_state(of, names, place), row.readings)
         except NoEquilibrium:  # use the value of the middle, so that the point adds no information
             shown = centre
-        return np.array([one.value for one in shown]) / scale
+        return np.linalg.solve(root, [one.value for one in shown])
 
-    read = np.array([one.value for one in row.readings]) / scale
+    read = np.linalg.solve(root, [one.value for one in row.readings])
     mean, covariance, surprise = unscented(mean, covariance, see, read, np.ones(len(read)))
     return np.clip(mean, EDGE, 1 - EDGE), covariance, surprise
 
