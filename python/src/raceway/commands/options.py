@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from raceway.commands.quantity import number, positive
+from raceway.theory.cleanliness import CLEANLINESS
 from raceway.theory.models import DEFAULT
 
 POINT = {  # quantities of an operating point: type, unit in the help, help
@@ -182,6 +183,17 @@ def lubricant(to: Any) -> None:
         default="vg46",
         metavar="NAME",
         help="a file of inputs/lubricants, or a path (vg46)",
+    )
+
+
+def cleanliness(to: Any) -> None:
+    """--cleanliness of the lubricant."""
+    to.add_argument(
+        "--cleanliness",
+        choices=CLEANLINESS,
+        default="normal",
+        metavar="WORD",
+        help=f"of the lubricant, for the rating life: {', '.join(CLEANLINESS)} (normal)",
     )
 
 

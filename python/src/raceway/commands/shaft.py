@@ -8,7 +8,6 @@ from typing import Any
 
 from raceway.commands import Commands, options
 from raceway.commands.quantity import number
-from raceway.theory.cleanliness import CLEANLINESS
 from raceway.units import prefixed
 
 DESCRIPTION = """\
@@ -48,13 +47,7 @@ def add(commands: Commands) -> None:
     one.add_argument("file", metavar="FILE", help="YAML file of the shaft, or a rotor of ROSS")
     options.inputs(one)
     options.point(one, "rpm", "speed of the shaft (that of the file)")
-    one.add_argument(
-        "--cleanliness",
-        choices=CLEANLINESS,
-        default="normal",
-        metavar="WORD",
-        help=f"of the lubricant, for the rating life: {', '.join(CLEANLINESS)} (normal)",
-    )
+    options.cleanliness(one)
     one.add_argument("--json", action="store_true", help="JSON: a list for several --rpm")
     one.add_argument("--out", metavar="PNG", help="draw the shaft's displacement")
     reduced = one.add_argument_group("a shaft that bends, for fix bearing/shaft")

@@ -10,7 +10,6 @@ from functools import partial
 from raceway.commands import Commands, options
 from raceway.commands.quantity import number, takes_negative
 from raceway.theory import models
-from raceway.theory.cleanliness import CLEANLINESS
 
 HELP = "loads, tilt, film and capacitance from theory, without a simulation"
 DESCRIPTION = """\
@@ -140,13 +139,7 @@ def add(commands: Commands) -> None:
         dest="dynamic",
         help="dynamic load rating of a row, newtons, for the rating life (the bearing's file)",
     )
-    one.add_argument(
-        "--cleanliness",
-        choices=CLEANLINESS,
-        default="normal",
-        metavar="WORD",
-        help=f"of the lubricant, for the rating life: {', '.join(CLEANLINESS)} (normal)",
-    )
+    options.cleanliness(one)
     one.add_argument("--json", action="store_true", help="JSON: a list for several points")
     one.set_defaults(command=run, complain=one.error)
 
