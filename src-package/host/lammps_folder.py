@@ -99,7 +99,7 @@ def settings(folder, sizes=None):
         raise Refused(f"make cannot use a folder with a blank in its name: {folder}")
     if sizes:
         if f"LAMMPS_{sizes}" not in SIZES:
-            raise Refused(f"SIZES={sizes} is none of {', '.join(s[7:] for s in SIZES)}")
+            raise Refused(f"SIZES={sizes} is not one of {', '.join(s[7:] for s in SIZES)}")
         found["PLUGIN_SIZES"] = f"LAMMPS_{sizes}"
     # an installed release of 2021 lacks two headers that its own headers include
     if found["PLUGIN_VERSION"] == OLDEST and not (found["PLUGIN_HEADERS"] / "command.h").is_file():

@@ -64,7 +64,7 @@ def test_sizes_that_the_user_names(tmp_path):
     source(tmp_path / "a")
     assert "LAMMPS_BIGBIG\n" in settings(tmp_path / "a", tmp_path / "to", "BIGBIG")[2]
     code, said, _ = settings(tmp_path / "a", tmp_path / "no", "HUGE")
-    assert code == 1 and "SIZES=HUGE is none of SMALLBIG, BIGBIG, SMALLSMALL" in said
+    assert code == 1 and "SIZES=HUGE is not one of SMALLBIG, BIGBIG, SMALLSMALL" in said
 
 
 def test_file_stays_if_it_says_so_already(tmp_path):

@@ -194,7 +194,7 @@ def test_fills():
     assert fill(2.2) == 2.2 and fill(2.2, "dry") == 1.0
     assert fill(2.2, "cavitated", 1.0) == pytest.approx((fill(2.2) + fill(2.2, "dry")) / 2)
     assert fill(2.2, "cavitated", 2.2) == pytest.approx(2.2)
-    with pytest.raises(ValueError, match="fill 'wet' is none of flooded, cavitated, dry"):
+    with pytest.raises(ValueError, match="fill 'wet' is not one of flooded, cavitated, dry"):
         fill(2.2, "wet")
     with pytest.raises(ValueError, match="outlet = 3 must be from 1"):
         fill(2.2, "cavitated", 3)
@@ -239,7 +239,7 @@ def test_permittivity_of_a_film():
     r = np.sqrt((np.arange(20000) + 0.5) / 20000)  # rings of equal area
     rings = capacitance.permittivity(2.2, 1.5e9 * np.sqrt(1 - r * r)).mean()
     assert film(2.2, 1.5e9, "mean") == pytest.approx(rings, rel=1e-6)
-    with pytest.raises(ValueError, match="permittivity_at 'top' is none of maximum, mean"):
+    with pytest.raises(ValueError, match="permittivity_at 'top' is not one of maximum, mean"):
         film(2.2, 1e9, "top")
 
 

@@ -96,8 +96,8 @@ def test_pictures(folder, capsys, tmp_path, kind):
 @pytest.mark.parametrize(
     ("arguments", "code", "message"),
     [
-        (["--load", "5"], 2, "--load: a run has its own"),
-        (["--measured-impedance", "1", "-90"], 2, "--measured-impedance: a run has its own"),
+        (["--load", "5"], 2, "--load: is part of the run"),
+        (["--measured-impedance", "1", "-90"], 2, "--measured-impedance: is part of the run"),
         (["--kind", "parts"], 2, "--kind and --out: give both"),
         (["--c-wr", "1e-12"], 2, "--c-wr and --c-rf: give both"),
         (["--kind", "reading", "--out", "x.png"], 2, "applies to an operating point, not to a run"),

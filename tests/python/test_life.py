@@ -125,7 +125,7 @@ def test_duties():
 
 
 def test_mistakes():
-    with pytest.raises(ValueError, match="cleanliness 'spotless' is none of extreme, high"):
+    with pytest.raises(ValueError, match="cleanliness 'spotless' is not one of extreme, high"):
         cleanliness.contamination("spotless", 0.05)
     with pytest.raises(ValueError, match="0 or more"):
         life.reference(B6208, C, np.zeros(9), np.zeros(9))

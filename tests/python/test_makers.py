@@ -64,7 +64,7 @@ def test_drag():
 
 
 def test_unknown_series():
-    with pytest.raises(ValueError, match="series '73' is none of 60, 62"):
+    with pytest.raises(ValueError, match="series '73' is not one of 60, 62"):
         makers.Boundary(40.0, 80.0, 18.0, "73", 19e3)
     wide = makers.Boundary(40.0, 80.0, 18.0, "622", 19e3)
     point = 5000.0, 1000.0, SPEEDS, 46.0

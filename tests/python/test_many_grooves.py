@@ -119,7 +119,7 @@ def test_mistakes():
         B6208.four_point(2.0)
     with pytest.raises(ValueError, match="four points need a bearing of one row with one groove"):
         FOUR.four_point(ANGLE)
-    with pytest.raises(ValueError, match="'tandem' is none of back_to_back, face_to_face"):
+    with pytest.raises(ValueError, match="'tandem' is not one of back_to_back, face_to_face"):
         ANGULAR.double_row(DoubleRow(0.02, 0.0, "tandem"))
     with pytest.raises(ValueError, match="spacing 0.01 m of the rows must be at least"):
         ANGULAR.double_row(DoubleRow(0.01))

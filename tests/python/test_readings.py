@@ -34,8 +34,8 @@ def write(tmp_path, text=GOOD):
     [
         ("bearing: 6205", "", "bearing is missing"),
         ("bearing: 6205", "bearing: 62055", "there is no bearing '62055'"),
-        ("bearing: 6205", "bearings: 6205", "bearings is none of bearing, lubricant"),
-        ("vg68", "vg68\nmodels: fuller", "models 'fuller' is none of paper, full, eyring"),
+        ("bearing: 6205", "bearings: 6205", "bearings is not one of bearing, lubricant"),
+        ("vg68", "vg68\nmodels: fuller", "models 'fuller' is not one of paper, full, eyring"),
         ("load: 10", "load: ten", "known: load: 'ten' is not a number"),
         ("load: 10", "load: -1", "known: load: -1 must lie between 0 and 1e.06"),
         ("load: 10", "clearance: 1e-6", "clearance is under both known and unknown"),
@@ -47,7 +47,7 @@ def write(tmp_path, text=GOOD):
         ("rpm: 1797, ", "", "rpm is missing"),
         (", within: 2e-4", "", "within, its standard deviation, is missing"),
         ("BPFO: 3.5972", "BPFO: 3.5972, BPFI: 5.4", "has 2"),
-        ("BPFO", "BPF", "BPF is none of rpm"),
+        ("BPFO", "BPF", "BPF is not one of rpm"),
         ("BPFO: 3.5972, within: 2e-4", "file: none.mat", "there is no file"),
     ],
 )
@@ -124,14 +124,14 @@ def lines(tmp_path, text):
     "text, options, says",
     [
         ("bpfo_Hz\n107", {}, "has no column speed_Hz"),
-        ("speed_Hz,bpf_Hz\n30,107", {}, "column bpf_Hz is none of speed_Hz, bpfo_Hz"),
+        ("speed_Hz,bpf_Hz\n30,107", {}, "column bpf_Hz is not one of speed_Hz, bpfo_Hz"),
         ("speed_Hz,bpfo_Hz\n30,", {}, "has no line"),
         ("speed_Hz,bpfo_Hz\n,107", {}, "speed_Hz nan must lie between"),
         ("speed_Hz,bpfo_Hz\n-30,107", {}, "speed_Hz -30 must lie between 0.001 and"),
         ("speed_Hz,bpfo_Hz\n30,one", {}, "needs rows of numbers"),
         ("speed_Hz,bpfo_Hz,load_N\n30,107,\n30,107,5", {}, "load_N nan must lie between 0 and"),
         ("speed_Hz,bpfo_Hz,load_N\n30,107,5", {"load": 1.0}, "leave out the load 1"),
-        ("speed_Hz,bpfo_Hz\n30,107", {"models": "half"}, "models 'half' is none of paper"),
+        ("speed_Hz,bpfo_Hz\n30,107", {"models": "half"}, "models 'half' is not one of paper"),
     ],
 )
 def test_mistakes_in_a_table_of_lines(tmp_path, text, options, says):

@@ -64,7 +64,7 @@ def test_what_cannot_be_fitted():
         ring_fit.fitted(PLACE[:10], SPEED[:10], FORCE[:10])
     with pytest.raises(ValueError, match="must agree"):
         ring_fit.fitted(PLACE, SPEED[:-1], FORCE)
-    with pytest.raises(RunError, match="'tilt' is none of x, y, z, rx, ry"):
+    with pytest.raises(RunError, match="'tilt' is not one of x, y, z, rx, ry"):
         ring_fit.of_run(of_rings(FORCE), ("tilt",))
     with pytest.raises(RunError, match="evenly spaced"):
         ring_fit.of_run(of_rings(FORCE, TIME**1.1), ("x",))

@@ -70,7 +70,7 @@ def test_two_branches_of_the_law(combined):
         want = 0.12 * load + one.stiffness * one.time / (1 + turn)
         assert full.damping[0, top] == pytest.approx(want, rel=1e-6)
         assert full.stiffening[0, top] == pytest.approx(one.stiffness * turn / 2, rel=1e-6)
-    with pytest.raises(ValueError, match="models 'dry' is none of paper, full"):
+    with pytest.raises(ValueError, match="models 'dry' is not one of paper, full"):
         ring_response.dampers(B6208, combined, films, OIL, "dry")
 
 

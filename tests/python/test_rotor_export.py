@@ -103,7 +103,7 @@ def test_free_tilts():
         places.append(np.array([one.shift for one in rests]).T)
     softness = (places[1] - places[0]) / (2 * step)
     assert found == pytest.approx(np.linalg.inv(softness), rel=2e-3, abs=2e-3 * found.max())
-    with pytest.raises(ValueError, match="tilts 'loose' is none of held, free"):
+    with pytest.raises(ValueError, match="tilts 'loose' is not one of held, free"):
         rotor.translations(here, "loose")
 
 
@@ -193,7 +193,7 @@ def test_incomplete_lubricant(tmp_path, capsys):
     oil.write_text("".join(f"variable {key} index {value}\n" for key, value in names.items()))
     words = ["stiffness", "--load", "100", "--rpm", "100", "--phases", "1", "--lubricant", str(oil)]
     assert main(words) == 1
-    assert "models full need them, models paper do not" in capsys.readouterr().err
+    assert "needed by models full, not by models paper" in capsys.readouterr().err
     assert main([*words, "--models", "paper"]) == 0
 
 

@@ -71,5 +71,5 @@ def test_figures_and_mistakes(bearing):
         for law in friction_torque.SPIN_LAWS
     )
     assert slices["friction_torque_N_m"] == pytest.approx(closed["friction_torque_N_m"], rel=0.05)
-    with pytest.raises(ValueError, match="spin law 'open' is none of closed, slices"):
+    with pytest.raises(ValueError, match="spin law 'open' is not one of closed, slices"):
         losses(bearing, 5000.0, 0.0, "open")

@@ -77,7 +77,7 @@ def test_a_warming_bearing(folder):
         ("series: hours.csv", "", "series is missing"),
         ("hours.csv", "other.csv", "cannot read"),
         ("BPFO: 1e-4, ", "", "within: BPFO is missing"),
-        ("BPFO", "BPF", "BPF is none of"),
+        ("BPFO", "BPF", "BPF is not one of"),
         ("clearance: 2e-6", "axial: 2", "drift: axial is not an unknown"),
         ("clearance: 2e-6", "clearance: -1", "drift: clearance: -1 must lie between"),
     ],

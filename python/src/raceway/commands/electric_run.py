@@ -47,7 +47,8 @@ def _check(arguments):
     complain = arguments.complain
     for name in STATIC:
         if getattr(arguments, name) != arguments.unset(name):
-            complain(f"--{name.replace('_', '-')}: a run has its own; leave it out or the folder")
+            option = f"--{name.replace('_', '-')}"
+            complain(f"{option}: is part of the run; leave out this option or DIR")
     if (arguments.c_wr is None) != (arguments.c_rf is None):
         complain("--c-wr and --c-rf: give both")
     if (arguments.kind is None) != (arguments.out is None):

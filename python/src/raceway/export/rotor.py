@@ -71,7 +71,7 @@ def points(
     `ValueError` for a number out of range.
     """
     if models not in LAWS:
-        raise ValueError(f"models '{models}' is none of {', '.join(LAWS)}")
+        raise ValueError(f"models '{models}' is not one of {', '.join(LAWS)}")
     body = bearing
     if isinstance(bearing, str):
         path = catalogue.find("bearings", bearing, folder)
@@ -86,7 +86,7 @@ def points(
         lacks = [name for name, value in fluid._asdict().items() if math.isnan(value)]
         if models == "full" and lacks:
             raise inputs.InputError(
-                f"{path} has no {', '.join(lacks)}: models full need them, models paper do not"
+                f"{path} has no {', '.join(lacks)}: needed by models full, not by models paper"
             )
     loads, speeds = (np.atleast_1d(np.asarray(one, float)) for one in (load, rpm))
     if not (np.all(np.isfinite(loads)) and np.all(np.isfinite(speeds)) and np.all(speeds >= 0)):
@@ -161,7 +161,7 @@ def translations(point: Point, tilts: str = "held") -> tuple[Floats, Floats]:
     """(K in N/m, C in N s/m), both (3, 3), of the ring's translations; `tilts` as in `ross`. Raises
     `ValueError` for another word, or for free tilts that are not held by anything."""
     if tilts not in TILTS:
-        raise ValueError(f"tilts '{tilts}' is none of {', '.join(TILTS)}")
+        raise ValueError(f"tilts '{tilts}' is not one of {', '.join(TILTS)}")
     mean = point.over.mean
     if tilts == "held":
         return mean.stiffness[:3, :3], mean.damping[:3, :3]

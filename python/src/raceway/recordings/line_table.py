@@ -39,7 +39,7 @@ def read(
     Raises `RacewayError`.
     """
     if models not in STATICS:
-        raise ReadingsError(f"models '{models}' is none of {', '.join(STATICS)}")
+        raise ReadingsError(f"models '{models}' is not one of {', '.join(STATICS)}")
     found, table = catalogue.find("bearings", bearing, inputs_folder), _table(path)
     unknown, known = _ranges(found), {"clearance": 0.0}
     for column, (name, value) in zip(KNOWN, (("load", load), ("temperature", temperature))):

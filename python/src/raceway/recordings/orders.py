@@ -94,7 +94,7 @@ def _cage(bearing, name, order):
 
 def _cosine(bearing, name, order):
     if name not in LINES:
-        raise ValueError(f"line '{name}' is none of {', '.join(LINES)}")
+        raise ValueError(f"line '{name}' is not one of {', '.join(LINES)}")
     if name == "BSF":
         gamma = bearing.ball_radius / bearing.pitch_radius
         return math.sqrt(max(1 - 2 * gamma * order, 0.0)) / gamma

@@ -90,7 +90,7 @@ def _readings(data: Any, folder: Path, shelf: FilePath | None) -> Readings:
         raise ValueError(f"{missing[0]} is missing")
     models = given.get("models") or "full"
     if models not in STATICS:
-        raise ValueError(f"models '{models}' is none of {', '.join(STATICS)}")
+        raise ValueError(f"models '{models}' is not one of {', '.join(STATICS)}")
     bearing = catalogue.find("bearings", given["bearing"], shelf)
     known = _state(given.get("known") or {}, "known")
     unknown = _ranges(given.get("unknown") or {})
@@ -189,7 +189,8 @@ def _mapping(value: Any, where: str) -> Mapping[str, Any]:
 
 def _only(given, names, where):
     if strange := [name for name in given if name not in names]:
-        raise ValueError(f"{where}: ".lstrip(": ") + f"{strange[0]} is none of {', '.join(names)}")
+        said = f"{strange[0]} is not one of {', '.join(names)}"
+        raise ValueError(f"{where}: {said}" if where else said)
 
 
 def _number(value, where, low, high):
@@ -256,7 +257,7 @@ def table(path: FilePath, known: Sequence[str], needed: Sequence[str]) -> pd.Dat
     except (OSError, ValueError) as error:
         raise ReadingsError(f"cannot read {path}: {error}") from None
     if strange := [name for name in found if name not in known]:
-        raise ReadingsError(f"{path}: column {strange[0]} is none of {', '.join(known)}")
+        raise ReadingsError(f"{path}: column {strange[0]} is not one of {', '.join(known)}")
     if missing := [name for name in needed if name not in found]:
         raise ReadingsError(f"{path} has no column {missing[0]}")
     if not len(found) or not all(kind.kind in "if" for kind in found.dtypes):

@@ -147,7 +147,7 @@ def _settings(page, tables):
     except RacewayError as error:
         page.text(str(error))
     else:
-        page.text("The command that repeats it, from the folder of the repository:")
+        page.text("To repeat the run, in the folder of the repository:")
         page.code(repeat(words))
     rows = [(name, str(value)) for name, value in tables.settings.items()]
     page.table([row for row in rows if row[0] != "deck_variables"], ("", ""))

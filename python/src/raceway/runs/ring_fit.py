@@ -101,7 +101,7 @@ def of_run(
     from scipy.interpolate import CubicSpline
 
     if unknown := [name for name in freedoms if name not in COLUMNS]:
-        raise RunError(f"degree of freedom '{unknown[0]}' is none of {', '.join(COLUMNS)}")
+        raise RunError(f"degree of freedom '{unknown[0]}' is not one of {', '.join(COLUMNS)}")
     rings = run.rings
     time = rings["time"].to_numpy()
     steps = np.diff(time)

@@ -145,7 +145,7 @@ class Bearing:
         """
         spacing, preload, arrangement = rows
         if arrangement not in ARRANGEMENTS:
-            raise ValueError(f"arrangement '{arrangement}' is none of {', '.join(ARRANGEMENTS)}")
+            raise ValueError(f"arrangement '{arrangement}' is not one of {', '.join(ARRANGEMENTS)}")
         if not spacing >= self.ball_diameter:
             raise ValueError(
                 f"spacing {spacing:g} m of the rows must be at least the ball's diameter,"

@@ -73,7 +73,7 @@ def ball_order(bearing: Bearing, state: Equilibrium, models: str = "full") -> fl
 def _mean(bearing, state, models, of):
     """Mean of `of` over all balls, weighted by load."""
     if models not in STATICS:
-        raise ValueError(f"models '{models}' is none of {', '.join(STATICS)}")
+        raise ValueError(f"models '{models}' is not one of {', '.join(STATICS)}")
     inner, outer = (Rolling(side.load, side.angle, side.a) for side in (state.inner, state.outer))
     values = of(bearing, inner, outer, models != "paper")
     return float(np.average(values, weights=inner.load + outer.load))

@@ -47,7 +47,7 @@ def film_permittivity(ambient: Numbers, pressure: Numbers, at: str = "maximum") 
     at that pressure (as in the paper), "two_thirds" at two thirds of it, "mean" the mean over the
     area. Raises `ValueError` for another word."""
     if at not in PERMITTIVITY_AT:
-        raise ValueError(f"permittivity_at '{at}' is none of {', '.join(PERMITTIVITY_AT)}")
+        raise ValueError(f"permittivity_at '{at}' is not one of {', '.join(PERMITTIVITY_AT)}")
     if at == "mean":
         return mean_permittivity(ambient, pressure)
     return permittivity(ambient, pressure * (2 / 3 if at == "two_thirds" else 1.0))

@@ -98,7 +98,7 @@ def fill(permittivity: Numbers, kind: str = "flooded", outlet: float = 1.0) -> N
     kind or an outlet outside 1 to the oil's value.
     """
     if kind not in FILLS:
-        raise ValueError(f"fill '{kind}' is none of {', '.join(FILLS)}")
+        raise ValueError(f"fill '{kind}' is not one of {', '.join(FILLS)}")
     if kind == "dry":
         return np.ones_like(np.asarray(permittivity, float))[()]
     if kind == "flooded":

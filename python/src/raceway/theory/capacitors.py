@@ -282,4 +282,4 @@ def _check(filling):
         ("roughness", filling.roughness, ROUGHNESS),
     ):
         if value not in words:
-            raise ValueError(f"{name} '{value}' is none of {', '.join(words)}")
+            raise ValueError(f"{name} '{value}' is not one of {', '.join(words)}")

@@ -19,5 +19,5 @@ def contamination(cleanliness: str, pitch_diameter: float) -> float:
     """e_C, the middle of the range for a word of `CLEANLINESS`; `pitch_diameter` in m. Raises
     `ValueError` for another word."""
     if cleanliness not in CLEANLINESS:
-        raise ValueError(f"cleanliness '{cleanliness}' is none of {', '.join(CLEANLINESS)}")
+        raise ValueError(f"cleanliness '{cleanliness}' is not one of {', '.join(CLEANLINESS)}")
     return sum(CLEANLINESS[cleanliness][pitch_diameter >= 0.1]) / 2

@@ -101,7 +101,7 @@ def solve(
         catalogue.find("lubricants", lubricant, folder),
     )
     if models not in CAPACITANCE:
-        raise ValueError(f"models '{models}' is none of {', '.join(CAPACITANCE)}")
+        raise ValueError(f"models '{models}' is not one of {', '.join(CAPACITANCE)}")
     if not rpm:
         raise ValueError("rpm = 0: balls that do not turn have no film")
     body = inputs.bearing(path, four_point=four_point, double_row=double_row)

@@ -131,7 +131,7 @@ def losses(
     and differential slip reduce each other, and includes the gyroscopic moment; "slices" combines
     slip and spin over the contact ellipse. Raises `ValueError` for another law."""
     if spin_law not in SPIN_LAWS:
-        raise ValueError(f"spin law '{spin_law}' is none of {', '.join(SPIN_LAWS)}")
+        raise ValueError(f"spin law '{spin_law}' is not one of {', '.join(SPIN_LAWS)}")
     surfaces = surfaces or Surfaces()
     contacts = _by_groove(state.inner) + _by_groove(state.outer)
     wet = _by_groove(films.inner) + _by_groove(films.outer)

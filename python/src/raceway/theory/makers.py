@@ -60,7 +60,7 @@ class Boundary:
         known = [*CONSTANTS, *SAME, *ANGULAR]
         if self.series not in known:
             known = ", ".join(known)
-            raise ValueError(f"series '{self.series}' is none of {known}")
+            raise ValueError(f"series '{self.series}' is not one of {known}")
 
     @property
     def mean(self) -> float:

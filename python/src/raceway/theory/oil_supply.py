@@ -32,7 +32,7 @@ def numbers(supply: Supply, bearing: Bearing, density: float) -> Numbers:
     """`Numbers` of a bearing with oil of a `density` in kg/m^3. Raises `ValueError` for an unknown
     type or a level below 0."""
     if supply.kind not in KINDS:
-        raise ValueError(f"lubrication '{supply.kind}' is none of {', '.join(KINDS)}")
+        raise ValueError(f"lubrication '{supply.kind}' is not one of {', '.join(KINDS)}")
     if not supply.level >= 0:
         raise ValueError(f"oil level {supply.level:g} must not be below 0")
     pitch = (bearing.inner_radius + bearing.outer_radius) / 2

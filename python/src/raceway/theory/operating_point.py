@@ -90,7 +90,7 @@ def figures(
     """
     path = catalogue.find("bearings", bearing, folder)
     if models not in model_names.STATICS:
-        raise ValueError(f"models '{models}' is none of {', '.join(model_names.STATICS)}")
+        raise ValueError(f"models '{models}' is not one of {', '.join(model_names.STATICS)}")
     body = inputs.bearing(path, four_point=four_point, double_row=double_row)
     oil, fluid = _oil(lubricant, folder, temperature)
     spin, nominal = rpm * math.pi / 30, inputs.nominal_angle(path)

@@ -64,7 +64,7 @@ def dampers(
     other models.
     """
     if models not in LAWS:
-        raise ValueError(f"models '{models}' is none of {', '.join(LAWS)}")
+        raise ValueError(f"models '{models}' is not one of {', '.join(LAWS)}")
     sides = []
     for side, contact, film in (
         (INNER, state.inner, films.inner),
