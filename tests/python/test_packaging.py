@@ -129,8 +129,12 @@ def test_folder_that_was_moved(tmp_path):
     """A .venv contains the path of its folder: `make` detects that it was made elsewhere and makes
     a new one."""
     (tmp_path / "Makefile").write_text((ROOT / "Makefile").read_text())
-    settings = "src-package/core/settings/raceway_version.h"
-    for name in ("python/pyproject.toml", "python/requirements.lock", settings):
+    for name in (
+        "python/pyproject.toml",
+        "python/requirements.lock",
+        "src-package/core/settings/raceway_version.h",
+        "src-package/core/interface/tables.txt",
+    ):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).touch()
     (tmp_path / ".venv" / "bin").mkdir(parents=True)
