@@ -71,7 +71,7 @@ def test_kinds():
     flooded = oil_supply.numbers(oil_supply.Supply("bath", 10.0), body, 870.0)
     assert flooded == (0.0, 0.0, 1.0)
     assert oil_supply.numbers(oil_supply.Supply("bath", 0.6), body, 870.0).replenishment == 0
-    with pytest.raises(ValueError, match="none of bath, jet"):
+    with pytest.raises(ValueError, match="not one of bath, jet"):
         oil_supply.numbers(oil_supply.Supply("spray"), body, 870.0)
 
 

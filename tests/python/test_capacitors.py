@@ -127,7 +127,7 @@ def test_roughness_and_permittivity(bearing, heavy):
 def test_bad_values(bearing):
     with pytest.raises(ValueError, match="roughness 'gauss' is not one of none, gamma"):
         capacitors.of_raceway(bearing, OUTER, 2.2, 1.0, 1e-7, filling=Filling(roughness="gauss"))
-    with pytest.raises(ValueError, match="permittivity_at 'top' is none"):
+    with pytest.raises(ValueError, match="permittivity_at 'top' is not one of"):
         capacitors.of_raceway(bearing, OUTER, 2.2, 0.0, 1e-7, filling=Filling("dry", 1.0, "top"))
     state = lubrication.turning(bearing, 50.0, 1000.0)[0]
     with pytest.raises(ValueError, match="balls that do not turn have no film"):
