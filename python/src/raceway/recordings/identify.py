@@ -109,8 +109,7 @@ class _Mode(NamedTuple):
     places: list[tuple[Floats, Floats]]  # the place or its valley, each with a covariance
 
     def adds(self, other: Floats) -> bool:
-        """Whether the place `other` lies outside a 95 % interval of an unknown that is
-        determined."""
+        """True if `other` lies outside the 95 % interval of a determined unknown."""
         middles = np.array([place for place, _ in self.places])
         spans = TWO_SIDED * np.sqrt([np.diag(around) for _, around in self.places])
         low, high = (middles - spans).min(0), (middles + spans).max(0)
