@@ -12,7 +12,7 @@ namespace bearing {
 
 // Layout of the package's data in restart files: raise it with every change of what any class
 // writes. Files of builds before 2 have no number.
-constexpr int RESTART_LAYOUT = 3;
+constexpr int RESTART_LAYOUT = 4;
 
 constexpr const char *CUT_OR_DAMAGED = "the restart file ends early or is damaged";
 

@@ -25,13 +25,16 @@ static constexpr double passes_at_first = 2.0;     // ball passes after the load
 static constexpr double samples_a_pass = 200.0;    // most samples of losses per ball pass
 
 // fix ID group bearing/heat [heat yes|no] [ambient T] [cooling G] [shaft_cooling G] [seat G]
-// [housing_capacity C] [warm_start T] [warm_time S] [warm_change K] [warm_error K] [file NAME]
+// [housing_capacity C] [oil_flow Q] [oil_inlet T] [warm_start T] [warm_time S] [warm_change K]
+// [warm_error K] [file NAME]
 FixBearingHeat::FixBearingHeat(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
   Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);
   while (args.more()) read(args);
   if (network_.capacity[3] > 0.0 && network_.seat == 0.0)
     args.fail("'housing_capacity' needs 'seat', the conductance from outer ring to housing");
+  if (!std::isnan(oil_inlet_) && oil_flow_ == 0.0)
+    args.fail("'oil_inlet' needs 'oil_flow', the volume flow of the oil");
   restart_global = 1;
   scalar_flag = vector_flag = 1;
   size_vector = bearing::of_fix_heat::N;
@@ -53,14 +56,16 @@ void FixBearingHeat::read(Arguments &args)
   else if (args.take("shaft_cooling")) network_.shaft = args.number_of("shaft_cooling");
   else if (args.take("seat")) network_.seat = args.number_of("seat");
   else if (args.take("housing_capacity")) network_.capacity[3] = args.number_of("housing_capacity");
+  else if (args.take("oil_flow")) oil_flow_ = args.number_of("oil_flow");
+  else if (args.take("oil_inlet")) oil_inlet_ = args.number_of("oil_inlet");
   else if (args.take("warm_start")) start_ = args.number_of("warm_start");
   else if (args.take("warm_time")) control_.until = args.number_of("warm_time");
   else if (args.take("warm_change")) control_.change = args.number_of("warm_change");
   else if (args.take("warm_error")) control_.error = args.number_of("warm_error");
   else if (args.take("file")) file_name_ = args.word("name of the file");
   else
-    args.unknown("heat, ambient, cooling, shaft_cooling, seat, housing_capacity, warm_start, "
-                 "warm_time, warm_change, warm_error, file");
+    args.unknown("heat, ambient, cooling, shaft_cooling, seat, housing_capacity, oil_flow, "
+                 "oil_inlet, warm_start, warm_time, warm_change, warm_error, file");
 }
 
 int FixBearingHeat::setmask() { return idle_ ? 0 : INITIAL_INTEGRATE | END_OF_STEP; }
@@ -134,6 +139,9 @@ void FixBearingHeat::check_oil()
             bearing_->name +
             " has no data over temperature: take vg46 for example, and after a restart file give "
             "pair_style and pair_coeff again");
+  if (dry_ && oil_flow_ > 0.0)
+    BRG_ALL(bearing::name_of(*this) + ": 'oil_flow' needs oil, but bearing " + bearing_->name +
+            " is dry");
 }
 
 // Conductances and capacities from the sizes of the bearing.
@@ -164,6 +172,38 @@ void FixBearingHeat::find_network()
         ring_capacity(p->groove, inner ? bore : outside, shoulder, width);
     network_.capacity[1] = b.number("balls") * p->ball_mass * steel_heat;
   }
+  if (oil_flow_ > 0.0) find_oil_flow();
+}
+
+// The mass flow follows from the density at 40 C.
+void FixBearingHeat::find_oil_flow()
+{
+  const bearing::NamedBearing &b = *bearing_;
+  const WettedSurfaces wets = wetted_surfaces(
+      b.number("b_inner_raceway"), b.number("b_outer_raceway"), 0.5 * b.number("ball_diameter"),
+      b.number("balls"), b.number("bearing_width"));
+  OilFlow &oil = network_.oil;
+  oil.flow = oil_flow_ * oil_datum("oil_density_40") * oil_datum("oil_heat_capacity");
+  oil.inlet = std::isnan(oil_inlet_) ? network_.ambient : oil_inlet_;
+  oil.wetted[0] = wets.inner;
+  oil.wetted[1] = wets.balls;
+  oil.wetted[2] = wets.outer;
+}
+
+// Of the oil of the bearing at its present temperature
+double FixBearingHeat::oil_datum(const char *name) const
+{
+  return std::atof(pair_->oil_datum(bearing_->name, name).c_str());
+}
+
+// W/(m^2 K)
+double FixBearingHeat::convection() const
+{
+  if (!network_.oil.flows()) return 0.0;
+  const double pitch = bearing_->number("b_inner_raceway") + bearing_->number("b_outer_raceway"),
+               orbit = 2.0 * 3.14159265358979323846 / (bearing_->number("balls") * pass_);
+  return oil_convection(oil_datum("oil_conductivity"), oil_datum("oil_heat_capacity"),
+                        oil_datum("oil_density"), oil_datum("viscosity"), orbit, pitch);
 }
 
 // The step over a ball pass, and the time until the end of the load ramp.
@@ -242,7 +282,7 @@ void FixBearingHeat::end_of_step()
       if (update->ntimestep % stride_ == 0) {
         const double dt = stride_ * update->dt;
         const HeatPass p = losses();
-        for (int k = 0; k < heat_nodes; ++k) now_.sum.heat[k] += dt * p.heat[k];
+        for (int k = 0; k < heat_inputs; ++k) now_.sum.heat[k] += dt * p.heat[k];
         now_.sum.inner += dt * p.inner;
         now_.sum.outer += dt * p.outer;
         now_.summed += dt;
@@ -261,6 +301,7 @@ void FixBearingHeat::end_pass()
   for (double &one : seen.heat) one *= share;
   seen.inner *= share;
   seen.outer *= share;
+  seen.convection = convection();
   HeatState &heat = now_.heat;
   now_.jump = heat.length;
   heat_jump(heat, seen, network_, control_);
@@ -325,6 +366,8 @@ double FixBearingHeat::value(int column) const
     case of::HEAT_INNER: return h.start.heat[0];
     case of::HEAT_BALLS: return h.start.heat[1];
     case of::HEAT_OUTER: return h.start.heat[2];
+    case of::HEAT_OIL: return h.start.heat[heat_nodes];
+    case of::OUTLET: return outlet();
     case of::CONTACTS_INNER: return h.start.inner;
     case of::CONTACTS_OUTER: return h.start.outer;
     case of::BOOKED: return h.booked;
@@ -337,6 +380,16 @@ double FixBearingHeat::value(int column) const
     case of::RUN: return now_.run;
   }
   return 0.0;
+}
+
+// C, of the oil that leaves; without flow the oil in the contacts
+double FixBearingHeat::outlet() const
+{
+  const HeatState &h = now_.heat;
+  if (!network_.oil.flows() || h.seen == 0.0) return HeatState::oil_of(h.at);
+  OilFlow oil = network_.oil;
+  oil.convection = h.start.convection;
+  return oil.outlet(h.at, h.start.heat[heat_nodes]);
 }
 
 // m, diametral, of the warm parts

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/heat: temperatures of inner ring, balls, outer ring and housing of a named bearing,
-// fed by the losses of its contacts; oil, films, clearance and friction follow (docs/heat).
+// fix bearing/heat: temperatures of inner ring, balls, outer ring, housing and flowing oil of a named
+// bearing, fed by the losses of its contacts; films, clearance and friction follow (docs/heat).
 //
 // Heat is slow and balls are fast, so temperatures jump (core/laws/heat_jumps.h): during one ball
 // pass a ramp takes the clearance to that at the new temperatures, during the next the losses are
@@ -70,6 +70,10 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   void read(bearing::Arguments &);
   void find_bearing();
   void find_network();
+  void find_oil_flow();
+  double oil_datum(const char *name) const;
+  double convection() const;
+  double outlet() const;
   void check_oil();
   void apply_oil();
   void grow(double share);
@@ -85,6 +89,7 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   const bearing::NamedBearing *bearing_ = nullptr;
   bool idle_ = false, dry_ = false;
   double cooling_ = 0.0, start_ = NAN;
+  double oil_flow_ = 0.0, oil_inlet_ = NAN;    // m^3/s, C
   raceway::HeatNetwork network_;
   raceway::HeatControl control_;
   double bearings_ = 1.0;    // that share the temperatures

@@ -14,16 +14,16 @@
 using namespace LAMMPS_NS;
 using raceway::HeatPass;
 
-// Half of a contact's loss goes into each body. The oil gives its heat to the surfaces it
-// wets; losses of balls on the cage heat the balls. Sums are in the order of tags, for the same
+// Half of a contact's loss goes into each body. Drag heats oil that flows; oil that stays gives its
+// heat to the surfaces it wets. Losses of balls on the cage heat the balls. Sums are in the order of tags, for the same
 // bits on any number of ranks.
 HeatPass FixBearingHeat::losses()
 {
   struct Share {
     bearing::tag_t first, second;
-    double place;                 // groove of a contact; -1 for a cage
-    double ball, inner, outer;    // W
-    double to_inner, to_outer;    // W/K
+    double place;                      // groove of a contact; -1 for a cage
+    double ball, inner, outer, oil;    // W
+    double to_inner, to_outer;         // W/K
   };
   std::vector<Share> shares;
   for (const bearing::RacewayContact &c : pair_->table().raceway) {
@@ -31,19 +31,21 @@ HeatPass FixBearingHeat::losses()
     const raceway::LossPowers powers = raceway::loss_powers(c.state);
     double power = 0.0;
     for (const double one : powers.of) power += one;
+    const double oil = network_.oil.flows() ? c.state.drag_power : 0.0;
+    power -= oil;
     const raceway::RacewayConstants k = c.raceway->law.at(c.state.cos_angle);
     const double conductance =
         raceway::contact_conductance(k.a * c.state.root, k.b * c.state.root, c.state.entrainment);
     const bool inner = c.side() == raceway::Side::inner;
     shares.push_back({c.ball, c.ring, double(c.groove()), 0.5 * power, inner ? 0.5 * power : 0.0,
-                      inner ? 0.0 : 0.5 * power, inner ? conductance : 0.0,
+                      inner ? 0.0 : 0.5 * power, oil, inner ? conductance : 0.0,
                       inner ? 0.0 : conductance});
   }
   bearing::each_cage_loss(
       lmp, *pair_, [&](bearing::tag_t first, bearing::tag_t second, int i, double loss, double) {
         const int type = atom->type[i];
         if (type == bearing_->balls || type == bearing_->cage)
-          shares.push_back({first, second, -1.0, loss, 0.0, 0.0, 0.0, 0.0});
+          shares.push_back({first, second, -1.0, loss, 0.0, 0.0, 0.0, 0.0, 0.0});
       });
   shares = bearing::gather_all(shares, world);
   std::sort(shares.begin(), shares.end(), [](const Share &a, const Share &b) {
@@ -54,6 +56,7 @@ HeatPass FixBearingHeat::losses()
     sum.heat[0] += s.inner;
     sum.heat[1] += s.ball;
     sum.heat[2] += s.outer;
+    sum.heat[raceway::heat_nodes] += s.oil;
     sum.inner += s.to_inner;
     sum.outer += s.to_outer;
   }

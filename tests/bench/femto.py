@@ -130,7 +130,7 @@ def jumps(table, start, until, change, housing_of):
         net = network(contacts, **housing_of)
         library().call(
             "heat_jump", state=state, heat=heat.into_nodes(*sides), inner=contacts[0],
-            outer=contacts[1], net=net, control=control,
+            outer=contacts[1], convection=0.0, net=net, control=control,
         )  # fmt: skip
         rows.append((state.time, *state.at))
         if state.end:

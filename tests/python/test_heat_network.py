@@ -20,29 +20,78 @@ NETS = {
     "in series": heat.network(
         (53.0, 34.0, 83.0, 0.0), contacts=(2.99, 3.35), shaft=0.2, seat=0.5, housing=2.17
     ),
+    "oil flows": heat.network(
+        (53.0, 34.0, 83.0, 0.0), contacts=(2.99, 3.35), housing=2.17,
+        oil=heat.OilFlow(14.0, 45.0, (2.8e-3, 4.5e-3, 4.2e-3), 230.0),
+    ),
+    "oil flows, housing": heat.network(
+        (3.4, 1.05, 4.3, 2157.0), contacts=(1.05, 0.98), shaft=0.1, seat=0.449, housing=1.12,
+        oil=heat.OilFlow(0.3, 10.0, (0.6e-3, 0.5e-3, 0.8e-3), 500.0),
+    ),
 }  # fmt: skip
-HEAT = np.array([6.0, 12.0, 6.0, 0.5])
+HEAT = np.array([6.0, 12.0, 6.0, 0.5, 3.0])
 
 
-def matrix(net):
-    """Conductances between the nodes with a capacity, and to ambient (W/K)."""
-    n = 4 if net["capacity"][3] else 3
-    seat, housing = net["seat"], net["housing"]
-    outside = np.zeros(4)
-    outside[0] = net["shaft"]
-    if n == 4:
-        outside[3] = housing
-    else:
-        outside[2] = housing if not seat else 1 / (1 / seat + 1 / housing)
-    g = np.diag(outside)
-    for i, link in enumerate([net["inner"], net["outer"], seat if n == 4 else 0.0]):
-        g[i : i + 2, i : i + 2] += link * np.array([[1, -1], [-1, 1]])
-    return n, g[:n, :n], outside[:n]
+class Whole:
+    """A network as one symmetric matrix of inner ring, balls, outer ring, housing, oil, ambient and
+    inlet. Nodes without a capacity are a limit of a capacity of 0: their temperatures follow from
+    the others'."""
 
+    def __init__(self, net):
+        self.net, self.capacity = net, np.array([*net["capacity"], 0.0])
+        self.fixed = np.array([net["ambient"], net["inlet"]])
+        g = np.zeros((7, 7))
+        # with a perfect seat, housing and outer ring are one: the housing only follows
+        seat, cooled = (net["seat"], 3) if net["seat"] else (1.0, 2)
+        oil = [net["convection"] * area for area in net["wetted"]]
+        links = {
+            (0, 1): net["inner"], (1, 2): net["outer"], (2, 3): seat, (0, 5): net["shaft"],
+            (cooled, 5): net["housing"], (4, 6): net["flow"] or 1.0, **{(i, 4): oil[i] for i in range(3)},
+        }  # fmt: skip
+        for (i, j), link in links.items():
+            g[i, i] += link
+            g[j, j] += link
+            g[i, j] -= link
+            g[j, i] -= link
+        self.g = g
+        self.slow = np.flatnonzero(self.capacity)
+        self.fast = np.flatnonzero(self.capacity == 0)
+        self.heat = HEAT * [1, 1, 1, 1, net["flow"] > 0]
 
-def into(n):
-    """Heat of a housing without capacity goes into the outer ring."""
-    return HEAT if n == 4 else HEAT[:3] + [0, 0, HEAT[3]]
+    def into(self, heat):
+        """Heat of a housing without capacity goes into the outer ring."""
+        if self.capacity[3]:
+            return heat
+        return np.array([*heat[:2], heat[2] + heat[3], 0.0, heat[4]])
+
+    def all_of(self, slow, heat):
+        """Temperatures of the five nodes, from those with a capacity."""
+        heat = self.into(heat)
+        at = np.empty(5)
+        at[self.slow] = slow
+        known = np.r_[slow, self.fixed]
+        columns = self.g[np.ix_(self.fast, np.r_[self.slow, 5, 6])]
+        at[self.fast] = np.linalg.solve(
+            self.g[np.ix_(self.fast, self.fast)], heat[self.fast] - columns @ known
+        )
+        return at
+
+    def leaving(self, slow, heat):
+        """W to ambient, and carried away by the oil."""
+        at, flow = self.all_of(slow, heat), self.net["flow"]
+        away = -self.g[:5, 5] @ (at - self.net["ambient"])
+        return away + flow * (at[4] - self.net["inlet"])
+
+    def rate(self, slow, heat):
+        at = np.r_[self.all_of(slow, heat), self.fixed]
+        return ((self.into(heat) - self.g[:5] @ at)[self.slow]) / self.capacity[self.slow]
+
+    def affine(self):
+        """(matrix, vector) of d(slow)/dt."""
+        n = len(self.slow)
+        least = self.rate(np.zeros(n), self.heat)
+        columns = [self.rate(one, self.heat) - least for one in np.eye(n)]
+        return np.transpose(columns), least
 
 
 def test_conductance_of_a_contact():
@@ -80,47 +129,60 @@ def test_capacity_of_a_ring(bearing):
 
 @pytest.mark.parametrize("net", NETS.values(), ids=NETS)
 def test_steady_state(net):
-    n, g, outside = matrix(net)
-    slowest, found = heat.steady(net, HEAT)
-    expected = net["ambient"] + np.linalg.solve(g, into(n))
-    assert found[:n] == pytest.approx(expected, abs=1e-11)
-    rates = linalg.eigvals(g / np.array(net["capacity"][:n])[:, None]).real
-    assert slowest == pytest.approx(1 / rates.min(), rel=1e-9)
-    assert outside @ (found[:n] - net["ambient"]) == pytest.approx(HEAT.sum(), rel=1e-12)
+    whole = Whole(net)
+    slowest, found = heat.steady(net, whole.heat)
+    rates, least = whole.affine()
+    expected = np.linalg.solve(rates, -least)
+    n = len(expected)
+    assert found[:n] == pytest.approx(expected, abs=1e-10)
+    assert slowest == pytest.approx(-1 / linalg.eigvals(rates).real.max(), rel=1e-8)
+    at = whole.all_of(found[:n], whole.heat)
+    assert found[3] == pytest.approx(at[3], abs=1e-10)
+    if net["flow"]:
+        assert heat.outlet(net, found[:3], HEAT[4]) == pytest.approx(at[4], abs=1e-10)
+    assert whole.leaving(found[:n], whole.heat) == pytest.approx(whole.heat.sum(), rel=1e-12)
 
 
 @pytest.mark.parametrize("net", NETS.values(), ids=NETS)
 @pytest.mark.parametrize("time", [1e-3, 3.0, 200.0, 1e5])
 def test_advance_is_the_matrix_exponential(net, time):
-    n, g, outside = matrix(net)
+    whole = Whole(net)
     start = np.array([20.0, 60.0, 35.0, 25.0])
-    capacity = np.array(net["capacity"][:n])
-    rates = -g / capacity[:, None]
-    steady = net["ambient"] + np.linalg.solve(g, into(n))
+    rates, least = whole.affine()
+    steady = np.linalg.solve(rates, -least)
+    n = len(steady)
     expected = steady + linalg.expm(rates * time) @ (start[:n] - steady)
-    carried, found = heat.advance(net, HEAT, start, time)
+    carried, found = heat.advance(net, whole.heat, start, time)
     assert found[:n] == pytest.approx(expected, abs=1e-9)
-    stored = capacity @ (found[:n] - start[:n])
-    assert stored + carried == pytest.approx(HEAT.sum() * time, abs=1e-9 * (1 + HEAT.sum() * time))
+    stored = whole.capacity[:n] @ (found[:n] - start[:n])
+    brought = whole.heat.sum() * time
+    assert stored + carried == pytest.approx(brought, abs=1e-9 * (1 + brought))
 
 
 @pytest.mark.parametrize("net", NETS.values(), ids=NETS)
 def test_heat_that_grows_evenly(net):
-    n, g, outside = matrix(net)
+    whole = Whole(net)
+    n = len(whole.slow)
     start, time = np.array([20.0, 60.0, 35.0, 25.0]), 90.0
-    capacity, end = np.array(net["capacity"][:n]), 3.0 * HEAT[::-1]
-    last = end[:n] + (0 if n == 4 else np.array([0, 0, end[3]]))
+    begin = whole.heat
+    end = 3.0 * np.r_[begin[3::-1], 2.0 * begin[4]]
 
     def rate(t, at):
-        heat_in = into(n) + (last - into(n)) * t / time
-        return [*((heat_in - g @ (at[:n] - net["ambient"])) / capacity),
-                outside @ (at[:n] - net["ambient"])]  # fmt: skip
+        heat_in = begin + (end - begin) * t / time
+        return [*whole.rate(at[:n], heat_in), whole.leaving(at[:n], heat_in)]
 
     exact = integrate.solve_ivp(rate, (0, time), [*start[:n], 0.0], "Radau", rtol=1e-10, atol=1e-9)
-    carried, found = heat.advance(net, HEAT, start, time, end)
+    carried, found = heat.advance(net, begin, start, time, end)
     assert [*found[:n], carried] == pytest.approx(exact.y[:, -1], rel=1e-8)
-    booked = 0.5 * (HEAT.sum() + end.sum()) * time
-    assert capacity @ (found[:n] - start[:n]) + carried == pytest.approx(booked, rel=1e-10)
+    booked = 0.5 * (begin.sum() + end.sum()) * time
+    stored = whole.capacity[:n] @ (found[:n] - start[:n])
+    assert stored + carried == pytest.approx(booked, rel=1e-10)
+
+
+def spread(net, loss):
+    """A loss in W over the nodes, and over the oil if it flows."""
+    oil = 0.1 * loss if net["flow"] else 0.0
+    return np.array(heat.into_nodes(0.6 * loss - oil, 0.4 * loss, oil=oil))
 
 
 def jump(net, losses, start, **control):
@@ -132,10 +194,9 @@ def jump(net, losses, start, **control):
     inner, outer = net["inner"], net["outer"]
     rows = []
     for _ in range(2000):
-        oil = np.mean(state.law[:3])
-        pass_ = heat.into_nodes(0.6 * losses(oil), 0.4 * losses(oil))
         library().call(
-            "heat_jump", state=state, heat=pass_, inner=inner, outer=outer, net=net,
+            "heat_jump", state=state, heat=spread(net, losses(np.mean(state.law[:3]))),
+            inner=inner, outer=outer, convection=net["convection"], net=net,
             control=CONTROL | control,
         )  # fmt: skip
         rows.append((state.time, *state.at))
@@ -146,15 +207,14 @@ def jump(net, losses, start, **control):
 
 def integrated(net, losses, start, times):
     """The same integrated by scipy, without jumps."""
-    n, g, _ = matrix(net)
-    capacity = np.array(net["capacity"][:n])
+    whole = Whole(net)
 
     def rate(_, t):
-        heat_in = np.array(heat.into_nodes(0.6 * losses(t[:3].mean()), 0.4 * losses(t[:3].mean())))
-        return (heat_in[:n] - g @ (t - net["ambient"])) / capacity
+        return whole.rate(t, spread(net, losses(t[:3].mean())))
 
+    cold = [start] * len(whole.slow)
     return integrate.solve_ivp(
-        rate, (0, times[-1]), [start] * n, "LSODA", times, rtol=1e-9, atol=1e-9
+        rate, (0, times[-1]), cold, "LSODA", times, rtol=1e-9, atol=1e-9
     ).y.T
 
 
@@ -169,7 +229,7 @@ def test_jumps_against_no_jumping(net):
     worst = []
     for change in (4.0, 2.0, 1.0):
         rows, state = jump(net, fall, 20.0, change=change, error=1e9, until=3600.0)
-        times, found = rows[:, 0], rows[:, 1 : 1 + matrix(net)[0]]
+        times, found = rows[:, 0], rows[:, 1 : 1 + np.count_nonzero(net["capacity"])]
         keep = np.flatnonzero(np.diff(times, prepend=-1.0))
         exact = integrated(net, fall, 20.0, times[keep])
         worst.append(abs(found[keep] - exact).max())
@@ -180,14 +240,15 @@ def test_jumps_against_no_jumping(net):
     assert worst[2] < 0.35 * worst[0] or worst[2] < 0.02
 
 
-def test_jumps_to_the_steady_state():
-    net = NETS["none"]
+@pytest.mark.parametrize("name", ["none", "oil flows"])
+def test_jumps_to_the_steady_state(name):
+    net = NETS[name]
     rows, state = jump(net, fall, 20.0)
     end = integrated(net, fall, 20.0, np.array([0.0, 1e5]))[-1]
     assert rows[-1, 1:4] == pytest.approx(end, abs=0.06)
     slope = (fall(end.mean() + 0.1) - fall(end.mean() - 0.1)) / 0.2
-    _, hot = heat.steady(net, heat.into_nodes(0.6, 0.4))
-    gain = slope * (hot[:3].mean() - 20)
+    (_, hot), (_, idle) = heat.steady(net, spread(net, 1.0)), heat.steady(net, np.zeros(5))
+    gain = slope * (hot[:3].mean() - idle[:3].mean())
     assert state.gain == pytest.approx(gain, abs=0.05 * abs(gain) + 0.01)
 
 

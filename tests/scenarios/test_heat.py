@@ -46,6 +46,30 @@ def test_steady_state_with_a_cage_ring(tmp_path):
         assert said[key] == pytest.approx(found[key], abs=0.1)
 
 
+def test_oil_that_flows(tmp_path):
+    """Steady state of `raceway heat` with the same oil flow. What the oil carries away is its heat
+    capacity times its rise, the rest leaves through the housing. The run's losses are 0.6 % below
+    those of statics at this speed, 0.2 K."""
+    oil = dict(oil_flow=0.5e-3 / 60, oil_inlet=45)
+    words = POINT | dict(load=1000, rpm=9549, passes=1)
+    succeed("inputs/in.6208", heat="yes", out=tmp_path, **oil, **words)
+    case = dict(load=1000.0, rpm=9549.0, nodes=steady_heat.Nodes(), **oil)
+    found, warm = steady_heat.figures("6208", "vg46", **case), raceway.open(tmp_path)
+    said = warm.summary()
+    for part in (*PARTS, "outlet"):
+        key = f"temperature_{part}_C"
+        assert said[key] == pytest.approx(found[key], abs=0.25)
+    cooling, flow = heat.cooling(40.0, 80.0, 18.0), oil["oil_flow"] * 862.9 * 1950
+    removed = cooling * (found["temperature_outer_C"] - 20) + found["oil_carried_W"]
+    assert found["oil_carried_W"] == pytest.approx(flow * (found["temperature_outlet_C"] - 45))
+    assert found["power_loss_W"] == pytest.approx(removed, rel=1e-3)
+    end = warm.heat.isel(thermal_time=-1)
+    carried = cooling * (end["temperature_outer"] - 20) + flow * (end["temperature_outlet"] - 45)
+    assert float(end["power"]) == pytest.approx(float(carried), abs=0.05 * (cooling + flow))
+    assert float(end["heat_oil"]) == pytest.approx(said["losses_W"]["drag"], rel=5e-3)
+    assert float(end["booked"]) == pytest.approx(float(end["carried"] + end["stored"]), rel=1e-9)
+
+
 def test_heat_balances(warm):
     """Heat of the losses is stored or removed; in the steady state all of it is removed."""
     jumps = warm.heat
@@ -139,6 +163,8 @@ def test_preloaded_bearing_seizes_by_its_cooling(tmp_path):
         ({"lubricant": "mineral"}, "has no data over temperature: take vg46"),
         ({"bearing": "harris209"}, "from which the capacities of its rings follow"),
         ({"housing_capacity": 100}, "'housing_capacity' needs 'seat'"),
+        ({"oil_inlet": 40}, "'oil_inlet' needs 'oil_flow'"),
+        ({"oil_flow": 1e-5, "lubricant": "dry"}, "'oil_flow' needs oil, but bearing b is dry"),
         ({"warm_change": 50}, "warm_change (K) is 50, must be from 0.01 to 20"),
     ],
 )

@@ -11,14 +11,14 @@ def prefixed(value: float, unit: str, digits: int = 4) -> str:
     """`value` in `unit` as text with `digits` significant digits and an SI prefix: 2.571e9, "Pa" ->
     2.571 GPa.
 
-    A value without a unit gets no prefix, and an angle no prefix below micro.
+    A value without a unit or in m³/s gets no prefix, and an angle no prefix below micro.
 
     >>> prefixed(2.571e9, "Pa"), prefixed(3.4867e-05, "m"), prefixed(1.4, "")
     ('2.571 GPa', '34.87 µm', '1.4')
     >>> prefixed(2.22e-16, "rad"), prefixed(3e-6, "rad")
     ('2.22e-16 rad', '3 µrad')
     """
-    if not unit or value == 0 or not math.isfinite(value):
+    if unit in ("", "m³/s") or value == 0 or not math.isfinite(value):
         return f"{value:.{digits}g} {unit}".strip()
     value = float(f"{value:.{digits - 1}e}")  # round first, so that 999.99 m becomes 1 km
     power = _power(value)
@@ -39,6 +39,14 @@ SPELLED = {
         "'": math.pi / 10800,
     },
     "kg/m^3": {"kg/m^3": 1.0, "kg/m3": 1.0, "g/cm3": 1e3, "g/cm^3": 1e3},
+    "m^3/s": {
+        "m^3/s": 1.0,
+        "m3/s": 1.0,
+        "L/min": 1e-3 / 60,
+        "l/min": 1e-3 / 60,
+        "mL/min": 1e-6 / 60,
+        "L/h": 1e-3 / 3600,
+    },
     "rpm": {"rpm": 1.0, "krpm": 1e3, "1/min": 1.0, "Hz": 60.0},
 }
 SCALED = {"N", "N m", "m", "Hz", "V", "V/m", "F", "W/K", "ohm", "ohm m", "rad"}
@@ -90,6 +98,7 @@ def _factor(written, unit):
 def _hint(unit):
     """Example of a value in `unit`, for messages."""
     example = {"rpm": "3000rpm", "C": "60C", "degrees": "40deg", "kg/m^3": "7.8g/cm3"}
+    example["m^3/s"] = "1.5L/min"
     example |= {"m": "10um", "mm": "80mm", "N": "5kN", "rad": "20arcmin, 0.3deg or 5mrad"}
     if unit in example or unit in SCALED:
         return f" in {unit}: give 12.5 or, with its unit, {example.get(unit, f'5k{unit}')}"

@@ -246,6 +246,8 @@ enum {
   JUMP,
   CORRECTION,
   RUN,
+  HEAT_OIL,
+  OUTLET,
   N
 };
 const Column list[N] = {
@@ -262,13 +264,15 @@ const Column list[N] = {
     {"contacts_inner", "W/K", "conductance of the inner contacts, mean of the last ball pass"},
     {"contacts_outer", "W/K", "conductance of the outer contacts, mean of the last ball pass"},
     {"booked", "J", "heat of the losses over the thermal time"},
-    {"carried", "J", "heat carried to ambient"},
+    {"carried", "J", "heat carried to ambient, and away by oil that flows"},
     {"stored", "J", "heat stored in rings, balls and housing"},
     {"clearance", "m", "diametral clearance of the warm parts; negative is preload"},
     {"gain", "", "change of losses with temperature over conductance; from 1 on it runs away"},
     {"jump", "s", "thermal time of the last jump"},
     {"correction", "K", "largest difference of its predicted and its final temperatures"},
     {"run_time", "s", "simulated time since the fix began"},
+    {"heat_oil", "W", "its part into oil that flows"},
+    {"temperature_outlet", "C", "temperature of oil that flows, where it leaves"},
 };
 }    // namespace of_fix_heat
 

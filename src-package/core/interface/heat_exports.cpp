@@ -10,12 +10,14 @@
 using namespace raceway;
 
 RECORD(SteelOfBearings, double conductivity, density, heat, expansion;)
-// Nodes: inner ring, balls, outer ring, housing
-RECORD(HeatNetworkOf, double capacity[4]; double inner, outer, shaft, seat, housing, ambient;)
+// Nodes: inner ring, balls, outer ring, housing. Wetted: the first three
+RECORD(HeatNetworkOf, double capacity[4];
+       double inner, outer, shaft, seat, housing, ambient, flow, inlet, convection, wetted[3];)
+RECORD(WettedSurfacesOf, double inner, balls, outer;)
 RECORD(HeatControlOf, double change, error, until, steady, hottest, share, both_ends;)
-RECORD(HeatStateOf, double time, at[4], law[4], length, start_heat[4], start_inner, start_outer,
-       jumps, booked, carried, correction, slope, gain, seen, oil_before, power_before, alarms,
-       alarm, end;)
+RECORD(HeatStateOf, double time, at[4], law[4], length, start_heat[5], start_inner, start_outer,
+       start_convection, jumps, booked, carried, correction, slope, gain, seen, oil_before,
+       power_before, alarms, alarm, end;)
 static_assert(sizeof(HeatStateOf) == sizeof(HeatState), "the record of HeatState");
 
 namespace {
@@ -29,6 +31,10 @@ HeatNetwork network(const HeatNetworkOf &of)
   net.seat = of.seat;
   net.housing = of.housing;
   net.ambient = of.ambient;
+  net.oil.flow = of.flow;
+  net.oil.inlet = of.inlet;
+  net.oil.convection = of.convection;
+  std::copy_n(of.wetted, OilFlow::surfaces, net.oil.wetted);
   return net;
 }
 }    // namespace
@@ -67,35 +73,57 @@ FORMULA(double, clearance_change,
   return clearance_change(inner_radius, outer_radius, ball_radius, inner, balls, outer);
 }
 
-// Temperatures (C) after `time` seconds with heat (W) into each node that varies linearly from
-// `heat` to `end`; returns the heat (J) released to ambient.
+// W/(m^2 K), of flowing oil
+FORMULA(double, oil_convection,
+        (double conductivity, double heat_capacity, double density, double viscosity, double orbit,
+         double pitch_diameter))
+{
+  return oil_convection(conductivity, heat_capacity, density, viscosity, orbit, pitch_diameter);
+}
+
+FORMULA(WettedSurfacesOf, wetted_surfaces,
+        (double inner_radius, double outer_radius, double ball_radius, double balls, double width))
+{
+  const WettedSurfaces of = wetted_surfaces(inner_radius, outer_radius, ball_radius, balls, width);
+  return {of.inner, of.balls, of.outer};
+}
+
+// C, of the oil that leaves, with `heat` (W) generated in it and surfaces at these temperatures (C)
+EXPORT(double, oil_outlet, (const HeatNetworkOf *net, const double surface[3], double heat))
+{
+  return network(*net).oil.outlet(surface, heat);
+}
+
+// Temperatures (C) after `time` seconds with heat (W) into each node and the oil that varies
+// linearly from `heat` to `end`; returns the heat (J) carried away.
 EXPORT(double, heat_advance,
-       (const HeatNetworkOf *net, const double heat[4], const double end[4], const double from[4],
+       (const HeatNetworkOf *net, const double heat[5], const double end[5], const double from[4],
         double time, double to[4]))
 {
   return HeatFlow(network(*net), heat, end, time).advance(from, time, to);
 }
 
 // Temperatures (C) of the steady state; returns the slowest time constant (s).
-EXPORT(double, heat_steady, (const HeatNetworkOf *net, const double heat[4], double to[4]))
+EXPORT(double, heat_steady, (const HeatNetworkOf *net, const double heat[5], double to[4]))
 {
   const HeatFlow flow(network(*net), heat);
   flow.steady(to);
   return flow.slowest();
 }
 
-// Takes the mean losses (W) of a ball pass in the nodes and the conductances of the contacts (W/K),
-// and starts the next jump.
+// Takes the mean losses (W) of a ball pass in the nodes and the oil, the conductances of the
+// contacts (W/K) and the heat transfer coefficient of the oil (W/(m^2 K)), and starts the next jump.
 EXPORT(void, heat_jump,
-       (HeatStateOf * state, const double heat[4], double inner, double outer,
+       (HeatStateOf * state, const double heat[5], double inner, double outer, double convection,
         const HeatNetworkOf *net, const HeatControlOf *control))
 {
   HeatState now;
   std::memcpy(static_cast<void *>(&now), state, sizeof now);
   HeatPass pass;
-  std::copy_n(heat, heat_nodes, pass.heat);
+  std::copy_n(heat, heat_inputs, pass.heat);
   pass.inner = inner;
   pass.outer = outer;
+  pass.convection = convection;
   HeatControl c;
   c.change = control->change;
   c.error = control->error;

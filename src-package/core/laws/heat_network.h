@@ -5,18 +5,21 @@
 //   ambient -shaft- inner ring -inner- balls -outer- outer ring -seat- housing -housing- ambient
 //
 // Without a housing of its own (capacity 0) the outer ring is cooled through seat and housing in
-// series.
+// series. Oil that flows links inner ring, balls and outer ring with each other and with its inlet;
+// its own mass is negligible.
 #ifndef RACEWAY_HEAT_NETWORK_H
 #define RACEWAY_HEAT_NETWORK_H
 
 #include "../numbers/exp_log.h"
+#include "oil_flow.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace raceway {
 
-constexpr int heat_nodes = 4;    // inner ring, balls, outer ring, housing
+constexpr int heat_nodes = 4;                  // inner ring, balls, outer ring, housing
+constexpr int heat_inputs = heat_nodes + 1;    // W, into the nodes and into oil that flows
 
 struct HeatNetwork {
   double capacity[heat_nodes] = {};    // J/K; housing: 0 if there is none
@@ -25,6 +28,7 @@ struct HeatNetwork {
   double seat = 0.0;                   // W/K, from the outer ring to the housing; 0: perfect
   double housing = 0.0;                // W/K, from the housing to ambient
   double ambient = 20.0;               // C
+  OilFlow oil;
 
   int nodes() const { return capacity[3] > 0.0 ? 4 : 3; }
   // W/K, from the outer ring to ambient in steady state
@@ -34,7 +38,7 @@ struct HeatNetwork {
   }
 };
 
-// The network in its modes, for constant heat (W) into each node, or heat that varies linearly to
+// The network in its modes, for constant heat (W, heat_inputs), or heat that varies linearly to
 // `end` in `over` seconds.
 class HeatFlow {
  public:
@@ -43,10 +47,12 @@ class HeatFlow {
   {
     const HeatFlow then(of, end);
     for (int m = 0; m < n_; ++m) growth_[m] = (then.steady_[m] - steady_[m]) / over;
+    to_outlet_ = 0.5 * (to_outlet_ + then.to_outlet_);
   }
   HeatFlow(const HeatNetwork &of, const double *heat) : net_(of), n_(of.nodes())
   {
     double to_ambient[heat_nodes] = {of.shaft, 0.0, 0.0, 0.0}, g[heat_nodes][heat_nodes] = {};
+    double from_oil[heat_nodes] = {};    // W
     const auto link = [&g](int i, int j, double conductance) {
       g[i][i] += conductance;
       g[j][j] += conductance;
@@ -61,12 +67,23 @@ class HeatFlow {
     } else {
       to_ambient[2] = of.cooling();
     }
+    if (of.oil.flows()) {    // eliminated: links between the surfaces and to the inlet
+      const OilFlow &oil = of.oil;
+      for (int i = 0; i < OilFlow::surfaces; ++i) {
+        const double share = oil.conductance(i) / oil.total(), to_inlet = share * oil.flow;
+        for (int j = 0; j < i; ++j) link(j, i, share * oil.conductance(j));
+        to_ambient[i] += to_inlet;
+        from_oil[i] = share * heat[heat_nodes] + to_inlet * (oil.inlet - of.ambient);
+        to_outlet_ -= to_inlet * (oil.inlet - of.ambient);
+      }
+      to_outlet_ += oil.flow / oil.total() * heat[heat_nodes];
+    }
     double into[heat_nodes] = {};
     for (int i = 0; i < n_; ++i) {
       root_[i] = std::sqrt(of.capacity[i]);
       to_ambient_[i] = to_ambient[i];
       g[i][i] += to_ambient[i];
-      into[i] = heat[i];
+      into[i] = heat[i] + from_oil[i];
     }
     if (n_ == 3) into[2] += heat[3];    // for a housing without capacity
     find_steady(g, into);
@@ -80,7 +97,8 @@ class HeatFlow {
   // s, time constant of the slowest mode
   double slowest() const { return 1.0 / *std::min_element(rate_, rate_ + n_); }
 
-  // Temperatures (C) after `time` seconds from `from`; returns the heat (J) released to ambient.
+  // Temperatures (C) after `time` seconds from `from`; returns the heat (J) released to ambient and
+  // carried away by the oil.
   double advance(const double *from, double time, double *to) const
   {
     double now[heat_nodes], sum[heat_nodes];    // rises over ambient times root_, and integral
@@ -99,7 +117,7 @@ class HeatFlow {
         rise[i] += mode_[m][i] * now[m] / root_[i];
         spent[i] += mode_[m][i] * sum[m] / root_[i];
       }
-    double carried = 0.0;
+    double carried = to_outlet_ * time;
     for (int i = 0; i < n_; ++i) {
       to[i] = net_.ambient + rise[i];
       carried += to_ambient_[i] * spent[i];
@@ -141,23 +159,34 @@ class HeatFlow {
     return net_.ambient + (outer_ring - net_.ambient) * net_.seat / (net_.seat + net_.housing);
   }
 
-  // Temperature rises over ambient in equilibrium with the conductances `g`. For a chain,
-  // elimination has one factor per row and subtracts no similar numbers.
+  // Temperature rises over ambient in equilibrium with the conductances `g`. The elimination keeps
+  // what each part passes to ambient apart from its links, and so subtracts no similar numbers
+  // (Grassmann, Taksar, Heyman, Oper. Res. 33, 1985).
   void find_steady(const double g[heat_nodes][heat_nodes], const double *heat)
   {
-    // diagonal and heat, minus the share of earlier parts
-    double own[heat_nodes], drive[heat_nodes];
-    double before = 0.0;    // W/K, to ambient through the earlier parts
+    double link[heat_nodes][heat_nodes] = {}, out[heat_nodes], drive[heat_nodes], own[heat_nodes];
     for (int i = 0; i < n_; ++i) {
-      const double next = i + 1 < n_ ? -g[i][i + 1] : 0.0;
-      const double share = i > 0 ? -g[i][i - 1] / own[i - 1] : 0.0;
-      before = to_ambient_[i] + share * before;
-      own[i] = before + next;
-      drive[i] = heat[i] + (i > 0 ? share * drive[i - 1] : 0.0);
+      for (int j = 0; j < n_; ++j)
+        if (i != j) link[i][j] = -g[i][j];
+      out[i] = to_ambient_[i];    // also through the parts before
+      drive[i] = heat[i];
     }
-    for (int i = n_ - 1; i >= 0; --i)
-      steady_rise_[i] =
-          (drive[i] + (i + 1 < n_ ? -g[i][i + 1] * steady_rise_[i + 1] : 0.0)) / own[i];
+    for (int k = 0; k < n_; ++k) {
+      own[k] = out[k];
+      for (int j = k + 1; j < n_; ++j) own[k] += link[k][j];
+      for (int i = k + 1; i < n_; ++i) {
+        const double share = link[i][k] / own[k];
+        out[i] += share * out[k];
+        drive[i] += share * drive[k];
+        for (int j = k + 1; j < n_; ++j)
+          if (i != j) link[i][j] += share * link[k][j];
+      }
+    }
+    for (int k = n_ - 1; k >= 0; --k) {
+      double sum = drive[k];
+      for (int j = k + 1; j < n_; ++j) sum += link[k][j] * steady_rise_[j];
+      steady_rise_[k] = sum / own[k];
+    }
   }
 
   // Eigenvalues and vectors of a symmetric matrix by Jacobi's rotations.
@@ -200,9 +229,11 @@ class HeatFlow {
   HeatNetwork net_;
   int n_;
   double root_[heat_nodes] = {}, to_ambient_[heat_nodes] = {};    // of the capacities; W/K
-  double rate_[heat_nodes] = {}, steady_[heat_nodes] = {};        // by mode
-  double growth_[heat_nodes] = {};                                // of steady_, by mode, 1/s
-  double steady_rise_[heat_nodes] = {};                           // K, over ambient
+  // W, carried away by the oil apart from what the rises of the parts over ambient add
+  double to_outlet_ = 0.0;
+  double rate_[heat_nodes] = {}, steady_[heat_nodes] = {};    // by mode
+  double growth_[heat_nodes] = {};                            // of steady_, by mode, 1/s
+  double steady_rise_[heat_nodes] = {};                       // K, over ambient
   double mode_[heat_nodes][heat_nodes] = {};
 };
 

@@ -29,6 +29,7 @@ examples:
   raceway heat --load 5000 --rpm 1910 --lubricant vg46
   raceway heat --load 1000 --rpm 9549 --lubricant vg32 --nodes 0.5 2 3 --clearance 20e-6
   raceway heat --load 1000 5000 --rpm 500 2000 8000       a line for each load and speed
+  raceway heat --load 1000 --rpm 15000 --oil-flow 0.5L/min --oil-inlet 45
   raceway heat --load 5000 --rpm 9549 --runs 4 --out build/heat
 
 Exit codes: 0 done, 1 no steady state or unusable data, 2 wrong command line."""
@@ -81,6 +82,19 @@ def add(commands: Commands) -> None:
         " by size and speed of the contacts",
     )
     one.add_argument(
+        "--oil-flow",
+        type=number(1e-12, 1e-2, "m^3/s"),
+        default=0.0,
+        metavar="FLOW",
+        help="oil through the bearing, m^3/s at 40 C or as 1L/min, which carries heat away (none)",
+    )
+    one.add_argument(
+        "--oil-inlet",
+        type=number(-40, 150, "C"),
+        metavar="C",
+        help="temperature of that oil at the inlet, degrees Celsius (ambient)",
+    )
+    one.add_argument(
         "--runs",
         type=_number_of_runs,
         metavar="N",
@@ -116,6 +130,8 @@ def run(arguments: argparse.Namespace) -> None:
     given = [name for name in ("out", "program", "passes") if getattr(arguments, name) is not None]
     if given and arguments.runs is None:
         arguments.complain(f"--{given[0]} is for runs: give --runs")
+    if arguments.oil_inlet is not None and not arguments.oil_flow:
+        arguments.complain("--oil-inlet is for oil that flows: give --oil-flow")
     results = [_figures(arguments, point) for point in points]
     if arguments.json:
         print(json.dumps(results if results[1:] else results[0], indent=2, allow_nan=False))
@@ -134,6 +150,8 @@ def _figures(arguments, of):
         nodes=arguments.nodes and Nodes(shaft, housing or None, contact or None),
         spin_law=arguments.spin_law,
         models=arguments.models,
+        oil_flow=arguments.oil_flow,
+        oil_inlet=arguments.oil_inlet,
         supply=options.supply_of(arguments),
         **options.grooves_of(arguments),
     )

@@ -27,10 +27,11 @@ ROWS = (
     Row("temperature_outer_C", "outer ring", "°C"),
     Row("temperature_housing_C", "housing", "°C"),
     Row("temperature_oil_C", "oil in the contacts", "°C"),
+    Row("temperature_outlet_C", "oil at the outlet", "°C", "of the last jump"),
     Row("clearance_warm_m", "diametral clearance, warm", "m"),
     Row("heat_gain", "gain of losses by temperature", "", "1: thermal run-away"),
     Row("heat_booked_J", "heat of the losses", "J", "over the thermal time"),
-    Row("heat_carried_J", "carried to ambient", "J"),
+    Row("heat_carried_J", "carried to ambient and by flowing oil", "J"),
     Row("heat_stored_J", "stored in rings, balls, housing", "J"),
 )
 
@@ -102,4 +103,6 @@ def figures(tables: RunTables) -> dict[str, float]:
             "heat_gain": float(last["gain"]),
             **{f"heat_{k}_J": float(last[k]) for k in ("booked", "carried", "stored")},
         }
+        if (outlet := float(last["temperature_outlet"])) != float(last["temperature_oil"]):
+            found["temperature_outlet_C"] = outlet  # of oil that flows
     return found

@@ -14,6 +14,7 @@ from raceway.arrays import Floats, Numbers
 from raceway.core import laws, library
 from raceway.theory import makers
 from raceway.theory.bearing import Bearing
+from raceway.theory.lubricant import Fluid
 from raceway.theory.lubrication import Lubrication
 from raceway.theory.sliding import FREE
 from raceway.theory.static import Equilibrium
@@ -34,9 +35,10 @@ def balance(
     ambient: float = 20.0,
     hottest: float = 200.0,
     tolerance: float = 1e-6,
+    coldest: float | None = None,
 ) -> float:
     """Temperature in degrees C, to `tolerance`, where `power`(T) in W equals `conductance` in W/K
-    times T - T_a.
+    times T - T_a, between `coldest` (ambient) and `hottest`.
 
     Raises `ValueError` if the bearing is still warming up at `hottest`. For a power that falls with
     temperature, as with every oil, there is exactly one such temperature.
@@ -50,7 +52,8 @@ def balance(
             f"power loss {power(hottest):g} W at {hottest:g} C exceeds the cooling by "
             f"{conductance:g} W/K to {ambient:g} C"
         )
-    return float(brentq(surplus, ambient, hottest, xtol=tolerance))
+    low = ambient if coldest is None else min(ambient, coldest)
+    return float(brentq(surplus, low, hottest, xtol=tolerance))
 
 
 class Nodes(NamedTuple):
@@ -61,6 +64,18 @@ class Nodes(NamedTuple):
     outer: float
 
 
+class OilFlow(NamedTuple):
+    """Oil that flows through a bearing and carries heat away."""
+
+    flow: float  # mass flow times heat capacity, W/K
+    inlet: float  # degrees C
+    wetted: tuple[float, float, float]  # inner ring, balls, outer ring, m^2
+    convection: float  # W/(m^2 K)
+
+
+STILL = OilFlow(0.0, 20.0, (0.0, 0.0, 0.0), 0.0)
+
+
 def network(
     capacity: Sequence[float] = (1.0, 1.0, 1.0, 0.0),
     *,
@@ -69,11 +84,13 @@ def network(
     seat: float = 0.0,
     housing: float = 0.0,
     ambient: float = 20.0,
+    oil: OilFlow = STILL,
 ) -> dict[str, Any]:
     """The heat network of a bearing, for `steady` and `advance`: `capacity` in J/K of inner ring,
     balls, outer ring and housing (0: no housing). Conductances in W/K: `contacts` from the
     inner and the outer ring to all balls, `shaft` from inner ring to ambient, `seat` from outer
-    ring to housing (0: perfect), `housing` from housing to ambient; `ambient` in degrees C."""
+    ring to housing (0: perfect), `housing` from housing to ambient; `ambient` in degrees C. `oil`
+    flows between inner ring, balls and outer ring."""
     inner, outer = contacts
     return dict(
         capacity=capacity,
@@ -83,6 +100,7 @@ def network(
         seat=seat,
         housing=housing,
         ambient=ambient,
+        **oil._asdict(),
     )
 
 
@@ -93,9 +111,9 @@ def advance(
     time: float,
     end: ArrayLike | None = None,
 ) -> tuple[float, Floats]:
-    """(heat in J released to ambient, temperatures in degrees C (4)) after `time` seconds from the
-    temperatures `start`, with a `heat` input in W into the nodes (4) of a `network` that is
-    constant or varies linearly to `end`; exact."""
+    """(heat in J carried away, temperatures in degrees C (4)) after `time` seconds from the
+    temperatures `start`, with a `heat` input in W into the nodes and the oil (5) of a `network`
+    that is constant or varies linearly to `end`; exact."""
     return library().call(
         "heat_advance",
         net=of,
@@ -108,8 +126,14 @@ def advance(
 
 def steady(of: Mapping[str, Any], heat: ArrayLike) -> tuple[float, Floats]:
     """(slowest time constant in s, steady temperatures in degrees C (4)) of a `network` with `heat`
-    in W into its nodes."""
+    in W into its nodes and the oil (5)."""
     return library().call("heat_steady", net=of, heat=heat)
+
+
+def outlet(of: Mapping[str, Any], surfaces: ArrayLike, heat: float = 0.0) -> float:
+    """Temperature in degrees C of the oil that leaves a `network`, with inner ring, balls and outer
+    ring at the temperatures `surfaces` (3) and `heat` in W generated in the oil."""
+    return library().call("oil_outlet", net=of, surface=surfaces, heat=heat)
 
 
 def conductances(state: Equilibrium, films: Lubrication) -> tuple[float, float]:
@@ -122,10 +146,27 @@ def conductances(state: Equilibrium, films: Lubrication) -> tuple[float, float]:
     )
 
 
-def into_nodes(inner: float, outer: float, balls: float = 0.0) -> list[float]:
-    """Heat in W into the nodes of a `network` from the power losses at both raceways, half of each
-    loss into the ring, half into the balls, and from those at the `balls` alone."""
-    return [inner / 2, (inner + outer) / 2 + balls, outer / 2, 0.0]
+def oil_flow(
+    bearing: Bearing, width: float, fluid: Fluid, flow: float, inlet: float, orbit: float
+) -> OilFlow:
+    """The `OilFlow` of oil through a bearing of this `width` in m (all rows): `flow` is its mass flow times
+    heat capacity in W/K, `inlet` its temperature in degrees C, `orbit` the speed of the balls
+    around the bearing in rad/s."""
+    radii = bearing.inner_radius, bearing.outer_radius, bearing.ball_radius
+    balls = bearing.balls * len(bearing.layout.rows)
+    wetted = laws.wetted_surfaces(*radii, balls, width)
+    convection = laws.oil_convection(
+        fluid.conductivity, fluid.heat_capacity, fluid.density, fluid.viscosity, orbit,
+        bearing.inner_radius + bearing.outer_radius,
+    )
+    return OilFlow(flow, inlet, tuple(float(one) for one in wetted), float(convection))
+
+
+def into_nodes(inner: float, outer: float, balls: float = 0.0, oil: float = 0.0) -> list[float]:
+    """Heat in W into the nodes and the oil of a `network` from the power losses at both raceways,
+    half of each loss into the ring, half into the balls, from those at the `balls` alone, and from
+    those in `oil` that flows."""
+    return [inner / 2, (inner + outer) / 2 + balls, outer / 2, 0.0, oil]
 
 
 def three_nodes(
@@ -137,16 +178,18 @@ def three_nodes(
     contact: float | tuple[float, float],
     ambient: float = 20.0,
     balls: float = 0.0,
+    oil: float = 0.0,
+    flow: OilFlow = STILL,
 ) -> Nodes:
     """`Nodes` in steady state, for power losses in W at the `inner` and the `outer` raceway, half
-    of which go into the balls, and at the `balls` alone.
+    of which go into the balls, at the `balls` alone, and in the `oil` of a `flow`.
 
     Conductances in W/K: `shaft` from inner ring to ambient, `housing` from outer ring to ambient,
     `contact` from a ring to all balls, or those of the inner and the outer ring.
     """
     contacts = contact if isinstance(contact, tuple) else (contact, contact)
-    of = network(contacts=contacts, shaft=shaft, housing=housing, ambient=ambient)
-    return Nodes(*steady(of, into_nodes(inner, outer, balls))[1][:3].tolist())
+    of = network(contacts=contacts, shaft=shaft, housing=housing, ambient=ambient, oil=flow)
+    return Nodes(*steady(of, into_nodes(inner, outer, balls, oil))[1][:3].tolist())
 
 
 def clearance_change(bearing: Bearing, inner: Numbers, balls: Numbers, outer: Numbers) -> Numbers:

@@ -4,7 +4,7 @@ balances the friction heat.
 
 One node: the whole bearing and its oil at one temperature. Three nodes: inner ring, balls and outer
 ring at separate temperatures, the oil at their mean, and statics with the clearance of the warm
-parts.
+parts. Oil that flows through the bearing carries heat away, in both.
 """
 
 import math
@@ -31,7 +31,7 @@ from raceway.theory.static import STRAIGHT, Equilibrium
 from raceway.theory.validity import of_statics
 
 ENOUGH = 0.01  # K, tolerance
-OF_NODES = ("sides", "cage", "contacts")  # figures of a `Scene` for its heat balance only
+OF_NODES = ("sides", "cage", "contacts", "drag", "flow")  # figures of a `Scene` for its heat balance only
 TOPICS = {
     "Operating point": (
         Row("bearing", "bearing", None),
@@ -42,6 +42,8 @@ TOPICS = {
         Row("clearance_m", "diametral clearance, cold", "m"),
         Row("ambient_C", "ambient temperature", "°C"),
         Row("conductance_W_K", "cooling", "W/K", "ISO 15312 unless given"),
+        Row("oil_flow_m3_s", "oil flow", "m³/s"),
+        Row("oil_inlet_C", "oil at the inlet", "°C"),
     ),
     "Runs": (
         Row("runs", "runs", ""),
@@ -54,6 +56,8 @@ TOPICS = {
         Row("temperature_inner_C", "inner ring", "°C"),
         Row("temperature_balls_C", "balls", "°C"),
         Row("temperature_outer_C", "outer ring", "°C"),
+        Row("temperature_outlet_C", "oil at the outlet", "°C"),
+        Row("oil_carried_W", "carried away by the oil", "W"),
         Row("clearance_warm_m", "diametral clearance, warm", "m"),
         Row("viscosity_Pa_s", "viscosity", "Pa s"),
         Row("h_min_m", "minimum film thickness", "m", "largest inner load"),
@@ -91,6 +95,16 @@ class Nodes:
     contact: float | None = None
 
 
+@dataclass(frozen=True)
+class CirculatingOil:
+    """Oil that flows through a bearing of this `width` in m: volume `flow` at 40 C in m^3/s,
+    temperature at the `inlet` in degrees C."""
+
+    flow: float
+    inlet: float
+    width: float
+
+
 class Rest(NamedTuple):
     """A bearing in equilibrium with its loads, with the films of its speed."""
 
@@ -119,6 +133,7 @@ class Scene:
         size: makers.Size | None = None,
         supply: Supply = BATH,
         cage: cage_drag.CageRing | None = None,
+        oil_flow: CirculatingOil | None = None,
     ) -> None:
         """`roughness` is composite, m; `density` of the balls in kg/m^3; `spin_law` and
         `models` and `cage` are those of `operating_point.figures`, `held` that of
@@ -128,6 +143,7 @@ class Scene:
         self.ring, self.density = rpm * math.pi / 30, density
         self.spin_law, self.models, self.held = spin_law, models, held
         self.size, self.supply, self.cage = size, supply, cage
+        self.oil_flow = oil_flow
         self.share = 1.0  # factor on the friction of the laws, set by `by_runs`
         self.near: Equilibrium | None = None  # the last one, where the next search begins
 
@@ -156,7 +172,7 @@ class Scene:
     def at(self, temperature: float, clearance: float) -> dict[str, Any]:
         """Figures of the scene at a temperature in degrees C and a clearance in m; `sides` has the
         power in W at the inner and the outer raceway, half the drag to each, `cage` that at the
-        cage."""
+        cage, `drag` the drag, `flow` is the `heat.OilFlow`."""
         return self.figures(self.rest(temperature, clearance), clearance)
 
     def figures(self, rest: Rest, clearance: float) -> dict[str, Any]:
@@ -193,30 +209,59 @@ class Scene:
             "sides": tuple((self.share * (sides + losses.drag.sum() / 2)).tolist()),
             "cage": self.share * (losses.cage or 0.0),
             "contacts": heat.conductances(state, films),
+            "drag": self.share * float(losses.drag.sum()),
+            "flow": self.flow(fluid, float(np.mean(orbit))),
         }
+
+    def flow(self, fluid: Fluid, orbit: float) -> heat.OilFlow:
+        """The oil that flows, with balls that orbit at a speed in rad/s."""
+        oil = self.oil_flow
+        if oil is None:
+            return heat.STILL
+        carries = oil.flow * self.lubricant.density * self.lubricant.heat_capacity
+        return heat.oil_flow(self.bearing, oil.width, fluid, carries, oil.inlet, orbit)
 
 
 def one_node(scene: Scene, conductance: float, ambient: float, clearance: float) -> dict[str, Any]:
     """Steady figures with one temperature, `conductance` in W/K to `ambient` in degrees C. Raises
     `NoEquilibrium` if the bearing heats beyond 200 C."""
+
+    def left(temperature):
+        found = scene.at(temperature, clearance)
+        return found["power_loss_W"] - _carried(found, [temperature] * 3).get("oil_carried_W", 0.0)
+
+    coldest = scene.oil_flow and scene.oil_flow.inlet
     try:
         temperature = heat.balance(
-            lambda t: scene.at(t, clearance)["power_loss_W"],
-            conductance,
-            ambient,
-            tolerance=ENOUGH,
+            left, conductance, ambient, tolerance=ENOUGH, coldest=coldest
         )
     except ValueError as error:
         raise NoEquilibrium(f"no steady temperature: {error}") from None
     found = dict.fromkeys(
         ("temperature_inner_C", "temperature_balls_C", "temperature_outer_C"), temperature
     )
+    at = scene.at(temperature, clearance)
     return dict(
-        scene.at(temperature, clearance),
+        at,
         **found,
+        **_carried(at, [temperature] * 3),
         temperature_C=temperature,
         clearance_warm_m=clearance,
     )
+
+
+def _settings(oil):
+    """Figures of the input of `CirculatingOil`."""
+    return {} if oil is None else {"oil_flow_m3_s": oil.flow, "oil_inlet_C": oil.inlet}
+
+
+def _carried(found, surfaces):
+    """Figures of oil that flows, with inner ring, balls and outer ring at these temperatures."""
+    flow = found["flow"]
+    if not flow.flow:
+        return {}
+    outlet = heat.outlet(heat.network(contacts=(1.0, 1.0), oil=flow), surfaces, found["drag"])
+    return {"temperature_outlet_C": outlet, "oil_carried_W": flow.flow * (outlet - flow.inlet)}
 
 
 def three_nodes(scene: Scene, nodes: Nodes, ambient: float, clearance: float) -> dict[str, Any]:
@@ -226,9 +271,13 @@ def three_nodes(scene: Scene, nodes: Nodes, ambient: float, clearance: float) ->
     part = 0.6  # under-relaxation: friction decreases as the oil warms, so full steps overshoot
     for _ in range(80):
         found = scene.at(oil, warm)
-        inner, outer = found["sides"]
+        flow = found["flow"]
+        drag = found["drag"] if flow.flow else 0.0
+        inner, outer = (side - drag / 2 for side in found["sides"])
         of = vars(nodes) | {"contact": nodes.contact or found["contacts"]}
-        at = heat.three_nodes(inner, outer, balls=found["cage"], ambient=ambient, **of)
+        at = heat.three_nodes(
+            inner, outer, balls=found["cage"], ambient=ambient, oil=drag, flow=flow, **of
+        )
         rises = (value - ambient for value in at)
         target = clearance + float(heat.clearance_change(scene.bearing, *rises))
         mean = sum(at) / 3
@@ -239,6 +288,7 @@ def three_nodes(scene: Scene, nodes: Nodes, ambient: float, clearance: float) ->
                 temperature_inner_C=at.inner,
                 temperature_balls_C=at.balls,
                 temperature_outer_C=at.outer,
+                **_carried(found, at),
                 clearance_warm_m=warm,
             )
         oil, warm = oil + part * (mean - oil), warm + part * (target - warm)
@@ -272,6 +322,8 @@ class Case:
     models: str = DEFAULT
     supply: Supply = BATH
     cage: cage_drag.CageRing | None = None
+    oil_flow: float = 0.0  # m^3/s at 40 C; 0: oil does not carry heat away
+    oil_inlet: float | None = None  # ambient unless given
 
     def files(self) -> tuple[Path, Path]:
         """Paths of the bearing and of the lubricant. Raises `RacewayError`."""
@@ -304,7 +356,18 @@ class Case:
             inputs.size(path),
             self.supply,
             self.cage,
+            self._oil_flow(path),
         )
+
+    def _oil_flow(self, path):
+        """The `CirculatingOil`, or None. Raises `RacewayError`."""
+        if not self.oil_flow:
+            return None
+        if "bearing_width" not in inputs.values(path):
+            raise inputs.InputError(f"{path} has no bearing_width, which the oil flow needs")
+        inlet = self.ambient if self.oil_inlet is None else self.oil_inlet
+        width = inputs.numbers(path, "bearing_width")["bearing_width"]
+        return CirculatingOil(self.oil_flow, inlet, width)
 
     def cooling(self) -> float | None:
         """Conductance in W/K; None with nodes. Raises `RacewayError`."""
@@ -347,6 +410,7 @@ class Case:
             clearance_m=self.clearance + play,
             ambient_C=self.ambient,
             conductance_W_K=self.cooling(),
+            **_settings(scene.oil_flow),
             **{key: value for key, value in found.items() if key not in OF_NODES}
             | {"clearance_warm_m": found["clearance_warm_m"] + play},
             reference_speed_rpm=boundary and heat.reference_speed(boundary, level),
@@ -380,7 +444,8 @@ def figures(*names: Any, **point: Any) -> dict[str, Any]:
 
 def table(result: Mapping[str, Any]) -> str:
     """The mapping of `figures` as text."""
-    shown = {**dict.fromkeys(row.key for row in TOPICS["Runs"]), **result}
+    rows = (row for topic in TOPICS.values() for row in topic)
+    shown = {**dict.fromkeys(row.key for row in rows), **result}
     for key in ("reference_speed_rpm", "reference_speed_dry_rpm"):
         shown[key] = shown[key] and round(shown[key])
     parts = "\n".join(f"  {name:<32}{power:>12.4g} W" for name, power in result["losses_W"].items())
