@@ -89,7 +89,7 @@ def test_errors_before_anything_runs(tmp_path, monkeypatch):
         ({"host": "lammps", "program": "lmp"}, "host 'lammps' and program 'lmp': give one"),
         ({"program": "no_such_program"}, "there is no program 'no_such_program'"),
         ({"deck": "in.none"}, "cannot read deck in.none"),
-        ({"out": "two words"}, "out is 'two words': a deck's folders have no blanks"),
+        ({"out": "two words"}, "out is 'two words': a deck's folder must not contain blanks"),
     ):
         with pytest.raises(RacewayError, match=says):
             raceway.simulate(**wrong)

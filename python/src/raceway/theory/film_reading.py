@@ -14,8 +14,8 @@ FACTORS = np.geomspace(0.1, 10.0, 61)
 
 
 class Reading(NamedTuple):
-    """Arrays (N,) with one value for each film thickness: `h_c` is that at the largest inner load;
-    the other films are scaled in proportion."""
+    """Arrays (N,) with one value for each film thickness: `h_c` is the thickness at the largest
+    inner load; the other films are scaled in proportion."""
 
     h_c: Floats  # m
     capacitance: Floats  # F, of the whole bearing

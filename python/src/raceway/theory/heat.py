@@ -142,7 +142,7 @@ def three_nodes(
     of which go into the balls, and at the `balls` alone.
 
     Conductances in W/K: `shaft` from inner ring to ambient, `housing` from outer ring to ambient,
-    `contact` from a ring to all balls, or those of the inner and the outer ring.
+    `contact` from a ring to all balls, or one each for the inner and the outer ring.
     """
     contacts = contact if isinstance(contact, tuple) else (contact, contact)
     of = network(contacts=contacts, shaft=shaft, housing=housing, ambient=ambient)
