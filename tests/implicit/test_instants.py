@@ -142,7 +142,7 @@ timestep 1.0e-5
                 "fix m all bearing/implicit\nfix c balls bearing/capacitance 1 permittivity 2.2"
                 " within 0"
             ),
-            "instants a step is 0",
+            "instants per step is 0",
         ),
         (
             "fix m balls nve/sphere\nfix c balls bearing/capacitance 1 permittivity 2.2 within 4",

@@ -28,7 +28,7 @@ ROWS = (
     Row("temperature_housing_C", "housing", "°C"),
     Row("temperature_oil_C", "oil in the contacts", "°C"),
     Row("clearance_warm_m", "diametral clearance, warm", "m"),
-    Row("heat_gain", "gain of losses by temperature", "", "1: thermal run-away"),
+    Row("heat_gain", "gain of losses by temperature", "", "1: thermal runaway"),
     Row("heat_booked_J", "heat of the losses", "J", "over the thermal time"),
     Row("heat_carried_J", "carried to ambient", "J"),
     Row("heat_stored_J", "stored in rings, balls, housing", "J"),
