@@ -75,7 +75,7 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   virtual double relative_tolerance() const { return 0.0; }
   virtual double cage_tolerance_share() const { return 1.0; }
   virtual bool estimates_errors() const { return false; }
-  // Data of a ball type's bearing and oil where a pair style has them: relative permittivity, and
+  // Data of a ball type's bearing and oil if a pair style has them: relative permittivity, and
   // shoulder diameters (m) of the inner and the outer ring; 0: unknown.
   virtual double permittivity(int) const { return 0.0; }
   virtual double shoulder(int, raceway::Side) const { return 0.0; }

@@ -34,8 +34,8 @@ def by_runs(
     more: dict[str, str] | None = None,
     say: Callable[[str], None] = lambda line: None,
 ) -> dict[str, Any]:
-    """Figures of `steady_heat.figures`, with friction scaled to that of at most `runs` runs with
-    the models of `case`; fewer if the temperature changes by less than `CLOSE` kelvin.
+    """Figures of `steady_heat.figures`, with friction scaled to the friction of at most `runs` runs
+    with the models of `case`; fewer if the temperature changes by less than `CLOSE` kelvin.
 
     `command` is a list: program, options, deck; `more` are further variables of the deck. Folders
     of runs are in `folder`; finished runs are not repeated. `say` gets a line for each

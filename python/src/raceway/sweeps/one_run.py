@@ -43,9 +43,9 @@ def simulate(
 ) -> "Run":
     """Run a bearing and return its `Run`, as `raceway.open` does.
 
-    `bearing` is a name of the catalogue or the path of a file; `variables` are those of the deck,
-    in its units: load=5000 (N), rpm=477.5, lubricant="vg46", models="full", passes=8. None leaves
-    the deck's default. `deck` is the main deck by default.
+    `bearing` is a name of the catalogue or the path of a file; `variables` set variables of the
+    deck in its units: load=5000 (N), rpm=477.5, lubricant="vg46", models="full", passes=8. None
+    leaves the deck's default. `deck` is the main deck by default.
 
     The deck with these values is written to the folder `out` (default: run/ and a name formed from
     the values) and then run on `ranks` ranks by `host`, "liggghts" or "lammps" (if neither is

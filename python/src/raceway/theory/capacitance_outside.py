@@ -29,7 +29,7 @@ def beside(ratio: Numbers) -> Numbers:
 
 def beyond(ratio: Numbers, kappa: Numbers, reach: Numbers) -> Numbers:
     """P: the gap beyond one end of the ellipse, the integral of dy/sqrt(H + E(y)) in units of a
-    from 1 to `reach` = S/a; zero where the ellipse fills the groove. H = h/g_s = `ratio`."""
+    from 1 to `reach` = S/a; zero if the ellipse fills the groove. H = h/g_s = `ratio`."""
     return laws.gap_beyond(ratio, kappa, reach)
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film thickness read from a bearing's capacitance as if it were that of the plates alone: a curve
-for correcting measured film thicknesses."""
+"""Film thickness read from a bearing's capacitance as if it were the capacitance of the plates
+alone: a curve for correcting measured film thicknesses."""
 
 from typing import NamedTuple
 

@@ -106,7 +106,7 @@ def of_sweep(
     duties: Sequence[Duty], runs: Sequence[Mapping[str, float]], dynamic: float | None = None
 ) -> dict[str, Any]:
     """Like `of_points`, for the points of a sweep with the figures of their `runs`, which follow
-    from the ball loads in the runs. `dynamic` is C in N of all rows, by default that of the runs.
+    from the ball loads in the runs. `dynamic` is C in N of all rows, by default from the runs.
     Raises `InputError` without a rating or with several."""
     known = {one["dynamic_rating_N"] for one in runs if "dynamic_rating_N" in one}
     rated = known if dynamic is None else {dynamic}

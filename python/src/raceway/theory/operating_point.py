@@ -298,7 +298,7 @@ def _basic_life(body, figures, angle):
 
 
 def _life(path, body, state, rpm, fluid, cleanliness, angle, dynamic):
-    """Life of a bearing with a basic `dynamic` load rating in N, by default that of its file."""
+    """Life of a bearing with a basic `dynamic` load rating in N, by default from its file."""
     result = {}
     stated, rows = inputs.minimum_load(path), len(body.layout.rows)
     if rows == 1 and stated and rpm and fluid is not None and not math.isnan(fluid.kinematic):
