@@ -94,7 +94,7 @@ std::string note_of_deck(const NamedData &data)
   }
   return list.empty() ? ""
                       : "Data of " + data.label + " by variables of the deck: " + list +
-                            ". Rename a variable of another meaning";
+                            ". Rename a variable that has another meaning";
 }
 
 std::vector<std::string> check_data(const Arguments &args, NamedData &data, const std::string &of)

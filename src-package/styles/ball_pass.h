@@ -11,8 +11,8 @@
 namespace bearing {
 
 // s; the longest of all bearings whose rings rotate. Balls roll at the speeds that the fixes
-// bearing/ring impose now. `angle` (degrees): contact angle; NAN: that of the balls' present
-// positions. Collective. Errors name `command`: no bearing, no imposed speed, no rotation.
+// bearing/ring impose now. `angle` (degrees): contact angle; NAN: the angle at the balls'
+// present positions. Collective. Errors name `command`: no bearing, no imposed speed, no rotation.
 double ball_pass_time(LAMMPS_NS::LAMMPS *, const std::string &command, double angle);
 
 // Rows of balls, each between an inner and an outer ring. Collective.

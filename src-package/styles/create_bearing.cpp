@@ -176,10 +176,10 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
     if (r->groove.groove_radius <= R)
       args.fail("groove radius " + text(r->groove.groove_radius) +
                 " m must be larger than the ball radius " + text(R) +
-                " m (a conformal groove is no Hertz point contact)");
+                " m (a conformal groove is not a Hertz point contact)");
     else if (std::fabs(r->groove.offset) >= r->groove.groove_radius - R)
       args.fail("gothic_arch " + text(std::fabs(r->groove.offset)) +
-                " m must be smaller than the groove radius minus that of the ball, " +
+                " m must be smaller than the groove radius minus the ball radius, " +
                 text(r->groove.groove_radius - R) + " m");
   Groove inner = in->groove, outer = out->groove;
   inner.ball_radius = outer.ball_radius = R;

@@ -12,8 +12,8 @@ CommandStyle(bearing_dump,BearingDump)
 namespace LAMMPS_NS {
 
 // bearing_dump ID GROUP N FILE SOURCE [append yes|no] [columns NAME]: the host's dump of all
-// columns of the compute SOURCE, or fix print of those of the fix SOURCE. NAME is a variable that
-// receives their names.
+// columns of the compute SOURCE, or fix print of all columns of the fix SOURCE. NAME is a
+// variable that receives their names.
 class BearingDump : public bearing::CommandBase {
  public:
   explicit BearingDump(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}

@@ -39,7 +39,7 @@ std::string cage_of(LAMMPS *lmp)
   return "no";
 }
 
-// Values chosen by the run where the deck leaves them open
+// Values chosen by the run if the deck leaves them open
 Words chosen(LAMMPS *lmp, double within)
 {
   Words of = {{"within", digits(within)}, {"cage", cage_of(lmp)}};

@@ -290,8 +290,8 @@ void FixBearingCageRing::left_pocket(const CagePockets::Cell &c, int pocket, dou
   BRG_ONE(bearing::name_of(*this) + ": ball " + std::to_string(c.ball) + " is " + text(overlap) +
           " m beyond the wall of pocket " + std::to_string(pocket + 1) + " of cage " +
           std::to_string(c.cage) + " at step " + std::to_string(update->ntimestep) +
-          ", more than a tenth of its radius: it has left its pocket. Excursions of the balls "
-          "larger than the play, or a step too large");
+          ", more than a tenth of its radius: it has left its pocket. The balls' excursions "
+          "exceed the play, or the step is too large");
   std::abort();
 }
 

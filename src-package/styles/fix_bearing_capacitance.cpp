@@ -110,7 +110,7 @@ void FixBearingCapacitance::read_options(Arguments &args)
     } else if (args.take("strength")) {
       ask_.strength = args.positive("electric strength of a film (V/m)");
     } else if (args.take("within")) {
-      within_ = args.integer("instants a step", 1, 100000);
+      within_ = args.integer("instants per step", 1, 100000);
     } else if (args.take("file")) {
       totals_name_ = args.word("name of the file");
     } else if (args.take("contacts")) {
@@ -130,7 +130,7 @@ void FixBearingCapacitance::read_options(Arguments &args)
   if (model_.surroundings == Surroundings::cavitated &&
       model_.permittivity_outlet > model_.permittivity)
     args.fail("'surroundings cavitated': relative permittivity of the outlet is " +
-              bearing::text(model_.permittivity_outlet) + ", must be 1 to that of the lubricant, " +
+              bearing::text(model_.permittivity_outlet) + ", must be from 1 to the lubricant's, " +
               bearing::text(model_.permittivity));
   if (!pair_->coefficients().lubricated())
     args.fail("a dry contact has no capacitance: use pair_style bearing/ehd");
@@ -190,8 +190,8 @@ int FixBearingCapacitance::setmask() { return idle_ ? 0 : END_OF_STEP; }
 void FixBearingCapacitance::begin(const bearing::Sampling &sampling)
 {
   if (within_ > 1 && sampling.every > 1)
-    BRG_ALL(bearing::name_of(*this) + ": 'within' takes samples evenly within every step, and " +
-            std::to_string(sampling.every) + " steps are a sample of this run");
+    BRG_ALL(bearing::name_of(*this) + ": 'within' takes samples evenly within every step, but a " +
+            "sample of this run takes " + std::to_string(sampling.every) + " steps");
   nevery = global_freq = peratom_freq = sampling.every;
 }
 

@@ -47,8 +47,8 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
   const raceway::CapacitorModel &model() const { return model_; }
   std::string said() const { return said_; }    // words of the command after N
   bool idle() const { return idle_; }           // dry contacts, chosen by the deck
-  // Capacitor of a contact in the table of the pair style; without contact that of the
-  // surroundings, or 0.
+  // Capacitor of a contact in the table of the pair style; without contact the capacitor of
+  // the surroundings, or 0.
   raceway::FilmCapacitorT<double> capacitor(const bearing::RacewayContact &);
 
  private:

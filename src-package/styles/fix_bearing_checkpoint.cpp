@@ -362,7 +362,7 @@ void FixBearingCheckpoint::publish()
   for (const std::string &f : files_) settle_on_disk(f);
   // the host does not check its writes; if the disk accepts more data, they succeeded
   std::string why = no_room(file_);
-  if (why.empty() && !bearing::write_sum(part_)) why = "its check sum does not get into it";
+  if (why.empty() && !bearing::write_sum(part_)) why = "its checksum cannot be added";
   if (why.empty() && !settle_on_disk(part_)) why = strerror(errno);
   if (why.empty() && rename(part_.c_str(), file_.c_str()) != 0) why = strerror(errno);
   if (why.empty()) return;

@@ -212,7 +212,7 @@ void FixBearingCircuit::sample()
     const auto same = [](const BallFilms &a, const BallFilms &b) { return a.tag == b.tag; };
     if (!std::equal(now.begin(), now.end(), balls_.begin(), balls_.end(), same))
       BRG_ALL(bearing::name_of(*this) + ": group " + group->names[igroup] +
-              " has other balls than at the sample before");
+              " has balls other than at the previous sample");
     if (update->ntimestep < last_step_ || update->dt != dt_)
       BRG_ALL(bearing::name_of(*this) +
               ": the step must not go back, nor the time step change: step " +

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix bearing/circuit: a bearing in an outer circuit, sampled every N steps or at several instants
-// within every step: bearing voltage, discharges, energy. Films are those of a fix
+// within every step: bearing voltage, discharges, energy. Films come from a fix
 // bearing/capacitance. Every rank solves the circuit, so bits do not depend on ranks.
 #ifdef FIX_CLASS
 FixStyle(bearing/circuit,FixBearingCircuit)

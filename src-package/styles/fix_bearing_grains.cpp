@@ -90,7 +90,7 @@ void FixBearingGrains::init()
 {
   pair_ = PairBearingHertz::find(lmp, "fix bearing/grains");
   if (bearing::fixes_of<FixBearingGrains>(lmp).front() != this)
-    BRG_ALL(bearing::name_of(*this) + ": there is a fix bearing/grains already, a run has one");
+    BRG_ALL(bearing::name_of(*this) + ": there is a fix bearing/grains already, only one can run");
   build_ = -1;
   for (int i = 0; i < atom->nlocal; ++i)
     if ((atom->mask[i] & groupbit) && !pair_->coefficients().is_grain(atom->type[i]))

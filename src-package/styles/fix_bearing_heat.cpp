@@ -114,10 +114,10 @@ void FixBearingHeat::find_bearing()
     const bearing::NamedBearing *of = bearing::bearing_of_type(lmp, type);
     if (!of)
       BRG_ALL(bearing::name_of(*this) + ": balls of type " + std::to_string(type) +
-              " are of no bearing with a name");
+              " belong to no bearing with a name");
     if (bearing_ && of != bearing_)
-      BRG_ALL(bearing::name_of(*this) + ": its balls are of bearings " + bearing_->name + " and " +
-              of->name + ": give each its own fix");
+      BRG_ALL(bearing::name_of(*this) + ": its balls belong to bearings " + bearing_->name +
+              " and " + of->name + ": give each its own fix");
     bearing_ = of;
   }
   if (!bearing_) BRG_ALL(bearing::name_of(*this) + ": there is no ball in its group");
@@ -244,8 +244,8 @@ void FixBearingHeat::apply_oil()
   for (FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp)) f->laws_changed();
 }
 
-// Moves the clearance by a fraction `share` of the way from the previous clearance to that at the
-// present temperatures.
+// Moves the clearance by a fraction `share` of the way from the previous clearance to the one at
+// the present temperatures.
 void FixBearingHeat::grow(double share)
 {
   double strain[parts];
@@ -325,7 +325,7 @@ void FixBearingHeat::end_pass()
                          text(seen.power()) + " W";
   if (end == HeatEnd::seizes)
     BRG_ALL(at + ": it seizes. Losses grow with temperature " + text(heat.gain) +
-            " times as fast as cooling: thermal run-away. Cool it better, or give more clearance");
+            " times as fast as cooling: thermal runaway. Cool it better, or give more clearance");
   if (end == HeatEnd::hot)
     BRG_ALL(at + ": hotter than " + text(control_.hottest) + " C. Cool it better");
 }

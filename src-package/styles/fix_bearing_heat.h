@@ -3,8 +3,8 @@
 // bearing, fed by the losses of its contacts; films, clearance and friction follow (docs/heat).
 //
 // Heat is slow and balls are fast, so temperatures jump (core/laws/heat_jumps.h): during one ball
-// pass a ramp takes the clearance to that at the new temperatures, during the next the losses are
-// averaged, then temperatures jump again. All ranks have the same state.
+// pass a ramp takes the clearance to its value at the new temperatures, during the next the losses
+// are averaged, then temperatures jump again. All ranks have the same state.
 #ifdef FIX_CLASS
 FixStyle(bearing/heat,FixBearingHeat)
 #else

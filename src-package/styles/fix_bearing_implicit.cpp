@@ -87,7 +87,7 @@ void FixBearingImplicit::read(Arguments &args)
   else if (sampling_ > 0.0 && args.take("oversampling"))
     oversampling_ = args.number_of("oversampling");
   else if (args.take("sampling") || args.take("oversampling"))
-    args.fail("sampling and oversampling are of fix bearing/vibration");
+    args.fail("sampling and oversampling belong to fix bearing/vibration");
   else
     args.unknown("solve, tolerance, relative, error, control, cage_tolerance, order, corrections, "
                  "largest, creep, energy" +
@@ -176,7 +176,7 @@ static bool only_reads(const std::string &style)
   return false;
 }
 
-// Error if another fix moves these atoms or applies forces that the step does not see.
+// Error if another fix moves these atoms or applies forces that the step does not include.
 void FixBearingImplicit::check_fixes()
 {
   // an atom of both this group and the fix's, 0: none
@@ -202,7 +202,7 @@ void FixBearingImplicit::check_fixes()
     }
     const char *does = f.time_integrate                ? "moves them too"
                        : modify->fmask[k] & POST_FORCE ? "adds forces that "
-                                                         "an implicit step does not see"
+                                                         "an implicit step does not include"
                                                        : "may change their motion";
     // whatever their group; recenter may move another group
     const char *changes = BRG_CHANGES_BOX(f)                 ? "box"

@@ -15,12 +15,12 @@ void FixBearingImplicit::want_instants(const Instants &i, const std::string &com
   const bool others = instants_.number > 1;
   if (others && i.number != instants_.number)
     BRG_ALL(command + ": 'within " + std::to_string(i.number) +
-            "', but another fix wants 'within " + std::to_string(instants_.number) + "' of fix " +
-            id + " bearing/implicit");
+            "', but another fix requests 'within " + std::to_string(instants_.number) +
+            "' of fix " + id + " bearing/implicit");
   const bool capacitor = i.capacitor.permittivity > 0.0;
   if (others && capacitor && instants_.capacitor.permittivity > 0.0 &&
       i.capacitor != instants_.capacitor)
-    BRG_ALL(command + ": two fixes want different things between the steps of fix " + id +
+    BRG_ALL(command + ": two fixes request different data between the steps of fix " + id +
             " bearing/implicit; give them the same permittivity, film_floor, permittivity_at, "
             "surroundings, shoulders and roughness");
   const bool states = instants_.states || i.states;

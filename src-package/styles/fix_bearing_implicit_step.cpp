@@ -205,7 +205,7 @@ static std::string cause(raceway::Failure f, const std::string &who)
     case Failure::not_a_number: return "the velocity of " + who + " is not a number";
     case Failure::outside_groove:
       return "the overlap of " + who +
-             " is beyond the overlap limit, or its contact ellipse as wide as the groove";
+             " is beyond the overlap limit, or its contact ellipse is as wide as the groove";
     case Failure::turned_too_far: return "a body turns too far for one stage";
     case Failure::other_links: return "cage contacts open and close between corrections";
     default: return "corrections do not converge";

@@ -250,7 +250,7 @@ void FixBearingRecord::check_time_step() const
 {
   if (update->dt != step_length_)
     BRG_ALL(command_ + ": the time step was " + bearing::text(step_length_) + " s and is now " +
-            bearing::text(update->dt) + " s; samples of a record are even in time");
+            bearing::text(update->dt) + " s; samples of a record are evenly spaced");
 }
 
 // Error if the host's step number changed between two runs, which would leave a gap.

@@ -149,7 +149,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   std::vector<ContactLoad> contacts_;    // of the owned rings of the group, by tag, last step
   std::vector<double> report_;
   bigint reported_ = -1;
-  bool noted_ = true;    // the accelerations are those of the forces in atom->f
+  bool noted_ = true;    // the accelerations follow from the forces in atom->f
 };
 
 }    // namespace LAMMPS_NS

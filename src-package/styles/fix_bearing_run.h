@@ -23,7 +23,7 @@ class FixBearingRun : public Fix {
   // Doubles only, as in a restart file.
   struct State {
     double measures = 0.0;               // 1: settled
-    double step_length = 0.0;            // s; for adaptive steps, that of the measurement
+    double step_length = 0.0;            // s; for adaptive steps, of the measurement
     double every = 1.0, within = 1.0;    // host steps per sample, samples per step
     double pass = 0.0;                   // s, a ball pass
     double start = 0.0;                  // s, time at step 0

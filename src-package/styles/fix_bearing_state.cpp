@@ -43,7 +43,7 @@ void FixBearingState::pre_neighbor()
 void FixBearingState::setup(int)
 {
   bearing::require_order(lmp, *modify->fix[modify->nfix - 1], *this,
-                         "it puts back the forces of the step before, after every other set-up");
+                         "it restores the forces of the previous step after every other set-up");
   int continues = 1;
   for (int i = 0; i < atom->nlocal; ++i)
     if (!per_atom_[i].saved || per_atom_[i].saved_step != static_cast<double>(update->ntimestep))
@@ -191,8 +191,8 @@ void FixBearingState::unpack_restart(int i, int nth)
   const int size = static_cast<int>(extra[i][m]);
   const int read = 1 + unpack_exchange(i, &extra[i][m + 1]);
   if (size != read)
-    BRG_ONE("the restart file keeps " + std::to_string(size) + " numbers of atom " +
-            std::to_string(atom->tag[i]) + ", this program " + std::to_string(read) +
+    BRG_ONE("the restart file has " + std::to_string(size) + " numbers of atom " +
+            std::to_string(atom->tag[i]) + ", this program reads " + std::to_string(read) +
             ": it was written by a version with other contact laws");
 }
 

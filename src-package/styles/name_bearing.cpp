@@ -20,7 +20,7 @@ void NameBearing::command(int narg, char **arg)
   b.name = args.word("name");
   if (b.name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") !=
       std::string::npos)
-    args.fail("the name '" + b.name + "' must be of letters, digits and '_'");
+    args.fail("the name '" + b.name + "' must consist of letters, digits and '_'");
   const std::string data = args.word("bearing of the catalogue, or a file");
   std::string inputs = bearing::find_deck_variable("inputs")->initial;
   std::string cage = bearing::find_deck_variable("cage")->initial;
@@ -95,7 +95,7 @@ void NameBearing::refuse_unknown(const Arguments &args, const std::string &input
       complaint = wrong;
       if (!given.count(v.name))
         complaint += ". It is variable " + std::string(v.name) +
-                     " of the deck: rename one of another meaning";
+                     " of the deck: rename it if it has another meaning";
     }
   }
   complaint = bearing::agree(complaint, world);
@@ -108,7 +108,7 @@ void NameBearing::refuse_chain_data(const Arguments &args, const NamedBearing &b
   for (const std::string &given : b.given)
     for (const std::string name : {"cage_ball_diameter", "pocket_play"})
       if (given.compare(0, name.size() + 1, name + "=") == 0)
-        args.fail(name + " is of a cage of balls, and that of bearing " + b.name +
+        args.fail(name + " is of a cage of balls, but the cage of bearing " + b.name +
                   " is a ring: give it cage_play, or choose 'cage chain'");
 }
 

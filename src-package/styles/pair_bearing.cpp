@@ -136,8 +136,8 @@ void PairBearing::coeff(int narg, char **arg)
   const NamedBearing &b = bearing::bearing_of(lmp, args, args.word("name of a bearing"));
   for (int type : {b.balls, b.cage, b.inner, b.outer})
     if (type > atom->ntypes)
-      args.fail("bearing " + b.name + " has atom type " + std::to_string(type) + ", the box has " +
-                std::to_string(atom->ntypes));
+      args.fail("bearing " + b.name + " has atom type " + std::to_string(type) +
+                ", but the box has only " + std::to_string(atom->ntypes));
   b.in_use = true;
   Coeff own;
   own.bearing = b.name;

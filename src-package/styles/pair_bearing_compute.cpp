@@ -47,7 +47,7 @@ void PairBearingHertz::add_forces(const RacewayContact &c, const ContactForces &
 void PairBearingHertz::tally(const RacewayContact &c, const ContactForces &forces, double energy)
 {
   const Vec3 d = Vec3::from(atom->x[c.i_ball]) - evaluator_.groove_of(c).x;
-  // only this rank sees the pair, so it counts fully (newton = 1)
+  // only this rank has the pair, so it counts fully (newton = 1)
   ev_tally_xyz(c.i_ball, c.i_ring, atom->nlocal, 1, eflag_either ? energy : 0.0, 0.0,
                forces.force.x, forces.force.y, forces.force.z, d.x, d.y, d.z);
 }

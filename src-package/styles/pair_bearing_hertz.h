@@ -70,12 +70,12 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
 
   // True for an atom of a fix bearing/implicit, which advances its state.
   bool is_implicit(int i) const { return atom->mask[i] & implicit_bits_; }
-  // Defaults of fix bearing/implicit: tolerance relative to the largest overlap, that of cage balls
-  // over that of the others, and control by estimates of errors.
+  // Defaults of fix bearing/implicit: tolerance relative to the largest overlap, tolerance of cage
+  // balls over the tolerance of the others, and control by estimates of errors.
   virtual double relative_tolerance() const { return 0.0; }
   virtual double cage_tolerance_share() const { return 1.0; }
   virtual bool estimates_errors() const { return false; }
-  // Data of a ball type's bearing and oil where a pair style has them: relative permittivity, and
+  // Data of a ball type's bearing and oil if a pair style has them: relative permittivity, and
   // shoulder diameters (m) of the inner and the outer ring; 0: unknown.
   virtual double permittivity(int) const { return 0.0; }
   virtual double shoulder(int, raceway::Side) const { return 0.0; }

@@ -47,7 +47,7 @@ bool goes_on(LAMMPS *lmp, const Arguments &args, const ResumeRequest &ask)
   int there = is_first_rank(lmp) && std::filesystem::is_regular_file(file, ec) ? 1 : 0;
   std::string complaint;
   if (there && ask.resume && !has_right_sum(file))
-    complaint = file + " is damaged: its check sum is wrong. Remove it and start the run anew";
+    complaint = file + " is damaged: its checksum is wrong. Remove it and start the run anew";
   else if (there && ask.resume && !is_of_this_host(file))
     complaint = file + " is of another host: LIGGGHTS and LAMMPS cannot continue each other's runs";
   if (!ask.overwrite && is_first_rank(lmp) && !(there && ask.resume) && holds_finished_run(folder))

@@ -140,7 +140,7 @@ void RunBearing::plan_samples()
   for (const FixBearingRecord *f : bearing::fixes_of<FixBearingRecord>(lmp)) {
     if (!f->waits()) continue;
     if (samples != 0.0 && (f->samples_a_pass() != samples || f->within_asked() != asked))
-      BRG_ALL(std::string(command_name) + ": " + bearing::name_of(*f) + " asks for " +
+      BRG_ALL(std::string(command_name) + ": " + bearing::name_of(*f) + " requests " +
               text(f->samples_a_pass()) + " samples in a ball pass, another record for " +
               text(samples) + ": give both the same samples and 'within'");
     samples = f->samples_a_pass();
@@ -317,8 +317,8 @@ void RunBearing::measure()
   const double steps = samples * every / within;
   if (!(steps >= 1.0 && steps <= 2e9 && steps == std::floor(steps)))
     BRG_ALL(std::string(command_name) + ": host steps of the measurement is " + text(steps) +
-            ", must be a whole number from 1 to 2e9: fewer passes or samples; within must divide "
-            "them");
+            ", must be a whole number from 1 to 2e9: give fewer passes or samples; within must "
+            "divide them");
   if (steps < static_cast<double>(update->ntimestep))
     BRG_ALL(std::string(command_name) + ": the run to resume has reached step " +
             std::to_string(update->ntimestep) + ", farther than these passes, " + text(steps) +

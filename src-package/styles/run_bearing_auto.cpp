@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // `settle auto` of run_bearing: ball pass by ball pass until the remaining changes are small
-// (core/figures/settling_rest.h). Implicit steps are coarse at first and those of the deck in the
-// last ball passes.
+// (core/figures/settling_rest.h). Implicit steps are coarse at first; the last ball passes use the
+// steps of the deck.
 #include "../core/settings/arguments.h"
 #include "../core/settings/written.h"
 #include "fix_bearing_heat.h"

@@ -154,8 +154,8 @@ def disturb(scene, out, which, reference, length, dice, *, ranks=(1,)):
             try:
                 process.wait(dice.uniform(0.0, length))
             except subprocess.TimeoutExpired:
-                # kill -9 goes to all ranks, which otherwise write on until they notice that mpirun
-                # is gone; mpirun forwards a USR1 itself
+                # kill -9 goes to all ranks, which otherwise keep writing until they detect that
+                # mpirun is gone; mpirun forwards a USR1 itself
                 if which == signal.SIGKILL:
                     for pid in session(process.pid):
                         os.kill(pid, which)

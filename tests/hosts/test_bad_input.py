@@ -170,8 +170,8 @@ DECKS = {
     ),
     "arch too wide": (
         BOX + STYLE + INNER.strip() + " gothic_arch 3.0e-4\n" + OUTER + CREATE,
-        r"create_bearing: gothic_arch 0.0003 m must be smaller than the groove radius minus that of"
-        r" the ball, 0.000252 m",
+        r"create_bearing: gothic_arch 0.0003 m must be smaller than the groove radius minus the"
+        r" ball radius, 0.000252 m",
     ),
     "arch too wide at run": (
         FOUR_POINT + "set type 1 diameter 12.95e-3\nrun 0\n",

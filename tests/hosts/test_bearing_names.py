@@ -86,7 +86,10 @@ def test_errors(tmp_path, values, error):
             "variable load index 5\nbearing b 6208 types 1 2 3 4 vars load",
             "bearing: variable load is of bearing/ring: leave it out here",
         ),
-        ("bearing b-1 6208 types 1 2 3 4", "the name 'b-1' must be of letters, digits and '_'"),
+        (
+            "bearing b-1 6208 types 1 2 3 4",
+            "the name 'b-1' must consist of letters, digits and '_'",
+        ),
     ],
 )
 def test_errors_of_the_line(tmp_path, line, error):

@@ -23,7 +23,7 @@ def test_a_fix_defined_between_runs_adds_no_impulse(tmp_path):
 
 
 def test_report_is_of_the_end_of_the_step(tmp_path):
-    """Reports are of the end of the step even if a variable that drives a ring reads the ring's own
+    """Reports show the end of the step even if a variable that drives a ring reads the ring's own
     report in the middle of the step."""
     deck = tmp_path / "in.report"
     deck.write_text(

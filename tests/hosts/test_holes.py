@@ -58,7 +58,7 @@ def test_one_fix_after_another_on_one_ring(tmp_path, deck):
 @pytest.mark.parametrize("when", ["before the first run", "between two runs"])
 def test_balls_may_not_join_the_group_of_a_ring_fix(tmp_path, deck, when):
     """All atoms of such a group once received the ring's mass, and the values reported for the ring
-    were those of a ball."""
+    belonged to a ball."""
     first = "run 20\n" if when == "between two runs" else ""
     end = outcome(tmp_path, deck, first + "group inner type 1\nrun 100\n")
     assert end.code != 0

@@ -284,7 +284,7 @@ def test_every_flipped_bit_of_a_restart_file_is_noticed(stopped, tmp_path):
         (out / "restart").write_bytes(bad)
         end = liggghts("inputs/in.6208", **case)
         assert end.code != 0, k
-        assert re.search(r"is damaged: its check sum is wrong", end.error), end.text[-800:]
+        assert re.search(r"is damaged: its checksum is wrong", end.error), end.text[-800:]
 
 
 # ---- one writer a folder -----------------------------------------------------------------------

@@ -162,7 +162,7 @@ run 1
         assert {c[1] for c in mine} == {0.0} and len(mine) == live > 2
         assert load == max(c[2] for c in mine) and pressure == max(c[3] for c in mine)
         assert h_min == min(c[4] for c in mine) and film == min(c[5] for c in mine)
-    # two capacitors of each ball in series, summed over balls; the second ones are those of the
+    # two capacitors of each ball in series, summed over balls; the second ones belong to the
     # outer ring (the next tag), in the same order
     for row in rows:
         inner = [c[7] for c in contacts if c[0] == row[0]]

@@ -185,7 +185,7 @@ def test_sets():
 
 
 def test_parts_of_a_cage_ring_are_choices():
-    """Parts of a one-piece cage are choices, and those of a land only if a land guides it."""
+    """Parts of a one-piece cage are choices, and parts of a land only if a land guides it."""
 
     def parts(**scene):
         return {one.name for one in choices(scene, True, {"cage": "yes", "cage_guide": "balls"})}

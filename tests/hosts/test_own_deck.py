@@ -77,15 +77,15 @@ def test_names_of_another_meaning(deck, tmp_path, host):
     assert "by variables of the deck" not in quiet
     assert raceway.open(tmp_path / "run").select(1).bearing is not None
     told = succeed(deck(words({"balls": 7})), host=host).text
-    assert "balls 7 instead of 8. Rename a variable of another meaning" in told
-    assert "balls 7 instead of 9. Rename a variable of another meaning" in told
+    assert "balls 7 instead of 8. Rename a variable that has another meaning" in told
+    assert "balls 7 instead of 9. Rename a variable that has another meaning" in told
 
 
 def test_names_that_a_command_gets(deck):
     for own, name in ((words({"ramp": "up"}), "ramp"), ("variable load delete\n", "load")):
         more = words({"load": -400}) if name == "load" else ""
         done = run(deck(own + more))
-        says = f"It is variable {name} of the deck: rename one of another meaning"
+        says = f"It is variable {name} of the deck: rename it if it has another meaning"
         assert done.code != 0 and says in done.error, done.text[-800:]
     done = run(deck(), load=-400)
     assert done.code != 0 and "rename" not in done.error and "load (N) is -400" in done.error

@@ -97,7 +97,7 @@ def test_styles_are_missing(fake, tmp_path):
 
 
 def test_mpi_of_neither_is_linked():
-    """A second MPI in a process would be fatal: plugin and styles use that of the host."""
+    """A second MPI in a process would be fatal: plugin and styles use the host's MPI."""
     for name in ("raceway_plugin.so", "libraceway_lammps.so"):
         needed = subprocess.run(
             ["readelf", "-d", ROOT / "build" / name], text=True, capture_output=True, check=True

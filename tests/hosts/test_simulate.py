@@ -67,7 +67,7 @@ def test_bits_of_the_deck_run_by_hand(tmp_path, monkeypatch, host, ranks):
     [{"load": -1}, {"models": "half"}, {"bearing": "6299"}, {"lubricant": "pao8", "passes": 2}],
 )
 def test_errors_of_the_command_line(tmp_path, wrong):
-    """The host's message is that of the same deck with -var."""
+    """The host's message is the same as for that deck with -var."""
     folder = tmp_path / "run"
     if "passes" in wrong:  # a finished run of other settings
         raceway.simulate(out=folder, passes=1)
@@ -89,7 +89,7 @@ def test_errors_before_anything_runs(tmp_path, monkeypatch):
         ({"host": "lammps", "program": "lmp"}, "host 'lammps' and program 'lmp': give one"),
         ({"program": "no_such_program"}, "there is no program 'no_such_program'"),
         ({"deck": "in.none"}, "cannot read deck in.none"),
-        ({"out": "two words"}, "out is 'two words': a deck's folders have no blanks"),
+        ({"out": "two words"}, "out is 'two words': a deck's folder must not contain blanks"),
     ):
         with pytest.raises(RacewayError, match=says):
             raceway.simulate(**wrong)

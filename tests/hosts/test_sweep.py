@@ -112,7 +112,7 @@ def test_sweep(table, tmp_path, counter):
     losses = {f"loss_{part}_W" for part in figures["losses_W"] or ()}
     assert set(figures) - {"losses_W", "model_ranges", "absent"} | losses <= set(results.columns)
     assert one["q_max_N"] == pytest.approx(figures["q_max_N"], rel=1e-15)
-    # the run equals that of the deck alone
+    # the run equals a run of the deck alone
     succeed(
         "inputs/in.6208", out=tmp_path / "alone", passes=1, samples=20, models=None, settle=None
     )

@@ -142,7 +142,7 @@ timestep 1.0e-5
                 "fix m all bearing/implicit\nfix c balls bearing/capacitance 1 permittivity 2.2"
                 " within 0"
             ),
-            "instants a step is 0",
+            "instants per step is 0",
         ),
         (
             "fix m balls nve/sphere\nfix c balls bearing/capacitance 1 permittivity 2.2 within 4",
@@ -153,7 +153,7 @@ timestep 1.0e-5
                 "fix m all bearing/implicit\nfix c balls bearing/capacitance 1 permittivity 2.2"
                 " within 4\nfix d balls bearing/capacitance 1 permittivity 2.3 within 4"
             ),
-            "two fixes want different things between the steps of fix m",
+            "two fixes request different data between the steps of fix m",
         ),
         (
             (

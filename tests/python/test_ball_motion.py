@@ -50,8 +50,8 @@ def test_least_power_of_linear_programming():
 def test_light_contacts_are_drawn_over_by_the_heavy_ones():
     """Under a thrust the ball rolls on one inner and one outer groove. Relative to its cage it
     rotates about an axis across their line, apart from its spin, so on the other grooves its
-    surface moves cos(2 alpha) as fast, and the film is entrained by half of that and of the
-    ring."""
+    surface moves cos(2 alpha) as fast, and the film is entrained at half the sum of this speed and
+    the ring's."""
     state = static.equilibrium(FOUR, axial_load=2000.0, clearance=5e-6)
     entrained, rolling = ball_motion.speeds(FOUR, RING, state)
     heavy, alpha = [1, 2], state.inner.angle[1, 0]

@@ -21,9 +21,9 @@ DEEP, ANGULAR, FOUR_POINT = (
     [row for row in TABLE if row["kind"] == kind]
     for kind in ("deep groove", "angular contact", "four-point contact")
 )
-# Ratio of the maker's C to C by ISO 281 of the balls. JTEKT's three contact angles of one size give
-# the same balls with 1. SKF's 6205 has 1.06 with the balls measured by CWRU. With 1, the balls of
-# the QJ have the diameters that GMN states for 7207, 7208, 7209 and 7210.
+# Ratio of the maker's C to C by ISO 281 of the balls. With a ratio of 1, JTEKT's three contact
+# angles of one size give the same balls. SKF's 6205 has 1.06 with the balls measured by CWRU. With
+# 1, the balls of the QJ have the diameters that GMN states for 7207, 7208, 7209 and 7210.
 DYNAMIC_FACTOR = {"SKF": 1.05, "SKF QJ": 1.0, "JTEKT": 1.0}
 
 
@@ -33,8 +33,8 @@ def numbers(row, *names):
 
 @pytest.mark.parametrize("row", TABLE, ids=lambda row: row["name"])
 def test_balls_follow_from_the_ratings(row):
-    """Estimated balls are those of `load_rating.balls`; where the maker states the
-    diameter, the number follows from C0."""
+    """Estimated balls agree with `load_rating.balls`; if the maker states the diameter, the number
+    follows from C0."""
     rated = numbers(row, "basic_dynamic_load", "basic_static_load")
     bore, outside, ball, pitch = numbers(
         row, "bore_diameter", "outside_diameter", "ball_diameter", "pitch_diameter"
@@ -145,7 +145,7 @@ def test_ratings_of_the_balls(name):
 
 
 def test_contact_angles_of_a_size_have_the_same_balls():
-    """The rule uses the ratings of one contact angle only, and JTEKT states those of three: 22
+    """The rule uses the ratings of one contact angle only, and JTEKT states ratings of three: 22
     sizes give the same balls, so these are the maker's as far as ratings can show."""
     for size in {row["name"][:4] for row in ANGULAR}:
         found = {

@@ -160,7 +160,7 @@ def test_events_have_units_and_places():
 
 
 def test_current_of_a_failure():
-    """The inner film of one ball fails: its own capacitance is in parallel with that of the
+    """The inner film of one ball fails: its own capacitance is in parallel with the
     rest."""
     inner, outer, rest, arc = 60 * PICO, 40 * PICO, 25 * PICO, 3.0
     given = steady([inner], [outer], thickness=np.array([[[100e-9], [900e-9]]]))

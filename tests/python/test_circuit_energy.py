@@ -12,7 +12,7 @@ from raceway.electric.waveforms import Sine
 
 @pytest.mark.parametrize("name", [name for name in CASES if name != "open film"])
 def test_charge_is_conserved(name):
-    """Charges carried by currents equal those of the voltages to rounding."""
+    """Charges carried by currents equal the charges from the voltages to rounding."""
     given, outer, breakdown = CASES[name]
     result = circuit.run(given, outer, breakdown, points=1)
     assert breakdown is None or len(result.events)

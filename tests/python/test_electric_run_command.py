@@ -104,7 +104,7 @@ def test_pictures(folder, capsys, tmp_path, kind):
         (["--kind", "field", "--out", "x.png"], 2, "give --voltage"),
         (["--kind", "bode", "--out", "x.png"], 2, "give --resistivity"),
         (["--bearing", "6208"], 1, "6208"),
-        (["--bearing", "one"], 2, "--bearing one: of a run it is a number"),
+        (["--bearing", "one"], 2, "--bearing one: for a run it must be a number"),
     ],
 )
 def test_messages(folder, capsys, arguments, code, message):

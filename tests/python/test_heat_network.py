@@ -46,7 +46,8 @@ class Whole:
         oil = [net["convection"] * area for area in net["wetted"]]
         links = {
             (0, 1): net["inner"], (1, 2): net["outer"], (2, 3): seat, (0, 5): net["shaft"],
-            (cooled, 5): net["housing"], (4, 6): net["flow"] or 1.0, **{(i, 4): oil[i] for i in range(3)},
+            (cooled, 5): net["housing"], (4, 6): net["flow"] or 1.0,
+            **{(i, 4): oil[i] for i in range(3)},
         }  # fmt: skip
         for (i, j), link in links.items():
             g[i, i] += link
@@ -213,9 +214,7 @@ def integrated(net, losses, start, times):
         return whole.rate(t, spread(net, losses(t[:3].mean())))
 
     cold = [start] * len(whole.slow)
-    return integrate.solve_ivp(
-        rate, (0, times[-1]), cold, "LSODA", times, rtol=1e-9, atol=1e-9
-    ).y.T
+    return integrate.solve_ivp(rate, (0, times[-1]), cold, "LSODA", times, rtol=1e-9, atol=1e-9).y.T
 
 
 def fall(t):

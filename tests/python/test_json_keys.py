@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Keys of JSON name their units: those of every command that has --json."""
+"""The JSON keys of every command with --json name their units."""
 
 import argparse
 import json

@@ -83,7 +83,7 @@ def test_factor(kappa, dirt, want):
 
 @pytest.mark.parametrize("kappa", [0.4, 1.0])
 def test_factor_is_continuous(kappa):
-    """The constants have five digits: half a unit in the last moves a_ISO by 2e-4 in each
+    """The constants have five digits: half a unit in the last digit moves a_ISO by 2e-4 in each
     direction."""
     below, above = (life.factor(kappa * (1 + s), 0.1) for s in (-1e-9, 1e-9))
     assert above == pytest.approx(below, rel=4e-4)
@@ -248,7 +248,7 @@ def test_a_sweep_without_a_life(capsys, tmp_path, rows, said):
 @pytest.mark.parametrize(
     "text, said",
     [
-        ("load,speed\n1,2\n", "there is no column speed, but load, axial, rpm, share"),
+        ("load,speed\n1,2\n", "there is no column speed; there is: load, axial, rpm, share"),
         ("load\n1\n", "rpm among them"),
         ("load,rpm\n", "a row for each point"),
         ("load,rpm\n5,9\n5\n", "point 2 has 1 cells, the head 2"),

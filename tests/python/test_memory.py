@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Readers that promise so do not need more memory for longer runs: each on a run and on one nine
-times as long.
+"""Readers that promise constant memory do not need more for longer runs: each reads a run and one
+nine times as long.
 
 tests/bench/large_runs.py does the same with 2 GB.
 """

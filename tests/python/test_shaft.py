@@ -51,7 +51,7 @@ def test_own_weight():
 
 
 def test_rigid_motions_cost_nothing():
-    """Energy of a shift and of a small rotation about x and y, compared with that of bending."""
+    """Energy of a shift and of a small rotation about x and y, compared with bending energy."""
     z, pieces = beam.divided([THIN, Section(0.1, 0.02, 0.01)], [0.05])
     whole = beam.stiffness(pieces)
     moves = np.zeros((5, len(z), 5))
@@ -151,8 +151,8 @@ def test_preload_by_a_spacer():
 
 @pytest.mark.parametrize("push", [-300.0, 300.0])
 def test_preload_by_a_spring(push):
-    """The spring's force goes through both bearings; the sliding bearing has the state of its
-    load."""
+    """The spring's force goes through both bearings; the sliding bearing is in the state that its
+    load gives."""
     seats = [Seat(0.1, B6208, 20e-6), Seat(0.3, B6208, 20e-6, spring=push)]
     found = shaft.rest(Shaft([Section(0.4, 0.2)]), seats, [Load(0.2, (0.0, -1.0, 0.0))])
     assert [one.load[2] for one in found.bearings] == pytest.approx([push, -push], rel=1e-6)

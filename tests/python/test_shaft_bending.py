@@ -175,7 +175,7 @@ def test_no_mode_is_left(rotor):
     [
         (["--modes", "-1"], "--modes is -1, must be from 0 to 50"),
         (["--modes", "51"], "--modes is 51, must be from 0 to 50"),
-        (["--damping", "1"], "--damping is 1, must be from 0 to below 1"),
+        (["--damping", "1"], "--damping is 1, must be at least 0 and below 1"),
     ],
 )
 def test_mistakes(tmp_path, capsys, words, says):

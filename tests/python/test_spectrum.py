@@ -35,8 +35,8 @@ def test_a_sine(frequency):
 
 
 def test_a_faint_line_beside_a_strong_one():
-    """A line of 5e-4 of another, 12 bins away. The side lobes there, 2.5e-5, are 5 % of the line
-    and shift it by 0.05 to 0.1 bins."""
+    """A line of 5e-4 of the height of another, 12 bins away. The side lobes there, 2.5e-5, are 5 %
+    of the line and shift it by 0.05 to 0.1 bins."""
     one = spectrum.spectrum(wave(100.0) + wave(103.0, 5e-4), SAMPLE)
     assert spectrum.find(one, 103.0)[0] == pytest.approx(103.0, abs=0.1 * 0.25)
     assert spectrum.find(spectrum.spectrum(wave(100.0), SAMPLE), 103.0)[-1] != ""

@@ -122,4 +122,4 @@ def test_files_of_a_run(folder, tmp_path, capsys):
 def test_resistivity_is_for_spice(folder, capsys):
     with pytest.raises(SystemExit):
         main(["export", str(folder), "--format", "xyz", "--resistivity", "1e9"])
-    assert "--resistivity goes with --format spice" in capsys.readouterr().err
+    assert "--resistivity applies to --format spice" in capsys.readouterr().err

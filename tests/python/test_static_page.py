@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The Python sessions that docs/static.rst shows; its commands are tried by
+"""The Python sessions that docs/static.rst shows; its commands are tested by
 tests/docs/test_examples.py."""
 
 import doctest

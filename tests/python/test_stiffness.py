@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Stiffness of a 6208 against values computed independently of this package.
 
-The book takes each contact's stiffness at zero angle, the package at its actual angle: 5e-4.
-Printed digits are accurate to half a unit in the last.
+The book takes each contact's stiffness at zero angle, the package at its actual angle, which
+changes results by up to 5e-4. Printed digits are accurate to half a unit in the last.
 """
 
 import numpy as np

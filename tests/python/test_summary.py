@@ -59,8 +59,8 @@ def test_promised_keys(folder, dry_folder):
 
 
 def test_rating_life(folder, lubricated, bearing, small_blocks):
-    """The life read block by block is that of all contacts of the record in one array; none if the
-    outer ring rotates or the record has no contacts."""
+    """The life read block by block equals the life from all contacts of the record in one array;
+    there is none if the outer ring rotates or the record has no contacts."""
     figures, run = summary(RunTables(folder)), raceway.open(folder)
     loads = [run.contacts.Q.sel(raceway=side).fillna(0).to_numpy() for side in ("inner", "outer")]
     rated = figures["dynamic_rating_N"]

@@ -270,7 +270,7 @@ MISTAKES = {
     "surroundings": ("surroundings wet", r"none, flooded, dry"),
     "outlet": ("surroundings cavitated 0.5", "outlet is 0.5"),
     "outlet by its word": ("surroundings cavitated outlet 11", "outlet is 11"),
-    "outlet above the oil": ("surroundings cavitated 3", "outlet is 3, must be 1 to that of"),
+    "outlet above the oil": ("surroundings cavitated 3", "outlet is 3, must be from 1 to the"),
     "permittivity_at": ("permittivity_at edge", "maximum, mean, two_thirds"),
     "roughness": ("roughness gauss", "none, gamma"),
     "shoulder missing": ("shoulders 0.05", "shoulder diameter of the outer ring"),

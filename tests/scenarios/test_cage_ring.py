@@ -271,8 +271,8 @@ def test_a_whirl_has_its_speed_and_name(order, name):
 
 @pytest.mark.parametrize("part", ["shear", "land", "churning"])
 def test_parts_of_a_cage_can_be_left_out(tmp_path, part):
-    """If the other parts are left out, the power loss of a part is that of its closed form in
-    samples in which no ball strikes its pocket: the walls' damping is never below 0."""
+    """If the other parts are left out, the power loss of a part equals its closed form in samples
+    in which no ball strikes its pocket: the walls' damping is never below 0."""
     out = sorted({"friction", "shear", "land", "churning"} - {part})
     land = dict(cage_guide="outer", cage_land=34e-3, cage_clearance=2e-4, cage_width=2e-3)
     succeed(
@@ -314,7 +314,7 @@ def share_below(level, pitch):
 
 def test_a_cage_under_moments_bears_what_statics_estimates(tmp_path):
     """Balls that would run ahead by ten times the play press with their traction. The largest force
-    also includes impacts. The load of the run is along -y, that of statics along x."""
+    also includes impacts. The load of the run is along -y, the load in statics along x."""
     point = dict(load=3500.0, axial=5000.0, rpm=1500.0)
     found = dict(bearing="7208B", moment_x=25, moment_y=15, settle=1, passes=2)
     succeed("inputs/in.cage_ring", out=tmp_path, **found, **point)

@@ -138,7 +138,7 @@ def test_the_fix_gives_the_numbers_of_python(pair):
             ours = data[name].to_numpy() if name in data else np.zeros(data.sizes["time"])
             ours = np.where(np.isinf(ours), 0.0, ours)  # no film can fail
         scale = 1e-9 * np.abs(ours).max()
-        if name == "current":  # charges of films cancel while that of the ring remains
+        if name == "current":  # charges of films cancel, but the ring's charge remains
             scale = max(scale, 1e-13 * on_films / step)
         np.testing.assert_allclose(rows[name], ours, rtol=1e-9, atol=scale, err_msg=name)
 

@@ -137,8 +137,8 @@ def resting(tmp_path_factory, damped):
 
 
 def test_steady_loads(resting):
-    """Positions of the bearings and forces on them equal those of the beam on the statics of
-    bearings."""
+    """Positions of the bearings and forces on them agree with the beam supported by the statics of
+    its bearings."""
     seats = [shaft.Seat(at, B6208, clearance=PRELOAD, phase=-np.pi / 2) for at in (0.0, 0.2)]
     rest = shaft.rest(shaft.Shaft(SECTIONS), seats, STEADY)
     for n, one in enumerate(rest.bearings, 1):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/heat: its steady state is that of `raceway heat`, heat and work balance, oil and
+"""fix bearing/heat: its steady state agrees with `raceway heat`, heat and work balance, oil and
 clearance follow the temperatures, and cooling decides whether a preloaded bearing seizes."""
 
 import numpy as np
@@ -35,8 +35,8 @@ def test_steady_state_is_that_of_raceway_heat(warm):
 
 
 def test_steady_state_with_a_cage_ring(tmp_path):
-    """Statics has the oil of its pockets and churning, not the friction of balls on the pockets,
-    which adds 0.7 of 32 W here."""
+    """Statics includes oil in the pockets and churning, but not the friction of balls on the
+    pockets, which adds 0.7 of 32 W here."""
     words = dict(heat="yes", cage="ring", cage_without="friction")
     succeed("inputs/in.6208", out=tmp_path, **words, **POINT)
     case = dict(load=5000.0, rpm=1910.0, nodes=steady_heat.Nodes(), cage=cage_drag.CageRing())
@@ -86,7 +86,8 @@ def test_heat_balances(warm):
 def test_work_of_the_drive_is_the_heat(warm, tmp_path):
     """Torque of the inner ring times its speed, minus the balls' gain of kinetic energy, over the
     measured passes: the cage makes balls speed up and slow down. Iterations end when the torque at
-    an instant is that which moved the balls; at the defaults both differ by up to 1.3e-3."""
+    an instant equals the torque that moved the balls; at the defaults both differ by up to
+    1.3e-3."""
     succeed("inputs/in.6208", heat="yes", out=tmp_path, tolerance=1e-10, **POINT)
     fine = raceway.open(tmp_path)
     rings, balls, said = fine.rings, fine.balls, fine.summary()

@@ -62,7 +62,7 @@ def test_free_decay(run):
 
 def test_momentum(run):
     """The support between ring and housing acts equally on both: the remaining force on the housing
-    is that of its own support."""
+    comes from its own support."""
     assert RING[0] * run["ax"] == pytest.approx(run["fx"] + 200, abs=1e-6)
     assert HOUSING[0] * run["hax"] == pytest.approx(run["hfx"], abs=1e-6)
     t = run["step"] * 1e-6

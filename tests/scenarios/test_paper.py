@@ -67,8 +67,8 @@ def test_tables_of_the_page(made, name):
 
 def test_static_theory(made):
     numbers = pd.read_csv(made / "quantities.csv").set_index(["formulas", "quantity"])["value"]
-    # 0.1 %: C varies as U^-0.7, and the speed of the runs differs by 0.1 % from that of undeformed
-    # radii
+    # 0.1 %: C varies as U^-0.7, and the speed of the runs differs by 0.1 % from the speed with
+    # undeformed radii
     assert numbers["corrected", "theory_ball"] < 1e-3
     assert numbers["corrected", "theory_bearing"] < 1e-3
 

@@ -121,7 +121,7 @@ def test_free_body(tmp_path, mover):
     assert np.abs(data["rx"] + 1j * data["ry"] - tilt).max() < 2e-4 * np.abs(tilt).max()
     assert data["x1"] == pytest.approx(data["x"] - 0.08 * data["ry"], abs=1e-9)
     assert data["x2"] == pytest.approx(data["x"] + 0.12 * data["ry"], abs=1e-9)
-    # motion of a ring: that of the centre plus that of the tilt
+    # motion of a ring: motion of the centre plus motion due to the tilt
     growth = 0.07 * 30 / ACROSS * np.cos(AXIAL * 3000 / ACROSS * time)
     for ring, lever in (("a1x", -0.08), ("a2x", 0.12)):
         assert data[ring] == pytest.approx(30 / MASS + lever * growth, rel=0, abs=1e-3)

@@ -65,7 +65,7 @@ def test_moment_on_a_spinning_ring(tmp_path):
     tilt about x = M/(I_t n^2) (1 - cos n t), about y = -M/(I_t n^2) (n t - sin n t) ... the
     gyroscope yields sideways. Sign: dL/dt = M along +x turns the axis e (L = I_a W e) towards +x,
     which is a positive tilt about y. Nonlinear terms are of the order of the tilt squared, 1e-5
-    relative; the step's of (n h)^2/12 = 3e-7.
+    relative; errors of the step are of the order of (n h)^2/12 = 3e-7.
     """
     spin, moment = 1000.0, 0.05
     t, *_, rx, ry, rate, angle = motion(

@@ -51,7 +51,7 @@ def test_a_settled_run_says_so(runs):
 
 
 def test_check_covers_the_rest(runs, tmp_path, monkeypatch):
-    """A run with the deck's own settling: its torque is within 1 % of that of the settled run, and
+    """A run with the deck's own settling: its torque is within 1 % of the settled run's, and
     the error found by `raceway check` is as large as the difference."""
     name, _, settled, _ = runs
     words = dict(settle=None, **SCENES[name], **OIL)

@@ -60,8 +60,8 @@ def evaluations(number, folder, **changes):
 
 
 def test_of_the_reference(tmp_path):
-    """In most scenes a tenth to a half of them; more in slow or light scenes with many evaluations
-    while loads are applied."""
+    """Most scenes need a tenth to a half of them; slow or lightly loaded scenes with many
+    evaluations while loads are applied need more."""
     shares = []
     for number in range(len(SCENES)):
         now, before = evaluations(number, tmp_path / str(number))

@@ -48,7 +48,7 @@ def test_free_decay(tmp_path, mover, fall):
 
 @pytest.mark.parametrize("name", DIRECTIONS)
 def test_frequency_and_damping(name, swings):
-    """Decay rate and frequency, from a fit, are those of the springs and dampers."""
+    """Decay rate and frequency, from a fit, agree with the springs and dampers."""
     load, inertia, stiffness, damping = DIRECTIONS[name]
     free, decay = np.sqrt(stiffness / inertia), damping / (2 * inertia)
     for data in swings:

@@ -64,7 +64,7 @@ def settings(out):
 
 def test_angular_contact(tmp_path):
     """Deck and Python have the same geometry: the contact angle without load is the nominal one,
-    the balls are on the pitch circle, and loads are those of statics."""
+    the balls are on the pitch circle, and loads agree with statics."""
     load = {"load": 2000, "axial": 4000, "lubricant": "vg46"}
     succeed("inputs/in.6208", bearing=7208, out=tmp_path, rpm=300, passes=2, **load)
     said = settings(tmp_path)

@@ -45,9 +45,9 @@ def lines(time, values, speeds):
 @pytest.mark.parametrize("ring", ["outer", "inner"])
 def test_one_before_and_after_the_balls(tmp_path, ring):
     """Orders Z - 1 and Z + 1 of the outer raceway make the ring whirl with and against the shaft at
-    Z times the cage speed, those of the inner raceway against and with it, at Z times its speed
-    relative to the cage minus and plus its own. Order Z moves the ring along its axis. Each alone,
-    as in statics."""
+    Z times the cage speed; the same orders of the inner raceway make it whirl against and with the
+    shaft, at Z times its speed relative to the cage minus and plus its own. Order Z moves the ring
+    along its axis. Each order alone acts as in statics."""
     orders = (BALLS - 1, BALLS, BALLS + 1)
     time, across, along, shaft, cage, (radial, axial) = turned(
         tmp_path, **{f"flaw_{ring}": waves(*orders)}

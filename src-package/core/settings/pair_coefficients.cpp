@@ -307,10 +307,10 @@ std::string PairCoefficients::wrong_size(const GrooveName &of, const RacewayPhys
            " m; give each size its own type";
   if (!(g.groove_radius > R * (1.0 + 1e-9)))
     return "groove radius " + text(g.groove_radius) + " m must be larger than the ball radius " +
-           text(R) + " m (a conformal groove is no Hertz point contact)";
+           text(R) + " m (a conformal groove is not a Hertz point contact)";
   if (std::fabs(g.offset) >= g.slack())
     return "gothic_arch " + text(std::fabs(g.offset)) +
-           " m must be smaller than the groove radius minus that of the ball, " + text(g.slack()) +
+           " m must be smaller than the groove radius minus the ball radius, " + text(g.slack()) +
            " m: beyond that a ball cannot be between both grooves";
   if (g.side == Side::outer && !(g.raceway_radius - R > R))
     return "raceway radius " + text(g.raceway_radius) +

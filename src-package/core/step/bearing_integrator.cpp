@@ -92,9 +92,9 @@ BearingIntegrator::BearingIntegrator(const BearingModel &model) :
 static constexpr double of_ring = 30.0;
 
 // Weight of a cage ball's last correction in a stage of h seconds. Its tolerance is ten times finer
-// than that of the error. The error left in a contact force moves the cage ball by an amount that
-// grows with the square of the stage. The tolerance is therefore finer still if the stage is longer
-// than an impact with that overlap, which lasts half a period of the contact.
+// than the tolerance of the error. The error left in a contact force moves the cage ball by an
+// amount that grows with the square of the stage. The tolerance is therefore finer still if the
+// stage is longer than an impact with that overlap, which lasts half a period of the contact.
 double BearingIntegrator::cage_correction(const Settings &set, double h) const
 {
   if (!(set.cage > 10.0)) return 1.0;
@@ -348,7 +348,7 @@ RACEWAY_LANES double BearingIntegrator::error(double h, const Settings &set) con
 }
 
 // Adds the correction. Its size, m: the largest over balls normal to the rolling direction, rings
-// and shaft modes; separately that of the cage, weighted.
+// and shaft modes; separately the size for the cage, weighted.
 RACEWAY_LANES void BearingIntegrator::apply(double h, double cage_counts, Outcome &o)
 {
   Lane off = {}, off_cage = {};

@@ -32,7 +32,8 @@
 //
 // The error of a ball with less than a hundredth of the largest load is weighted by the stiffness
 // of its contacts, down to a tenth, because unloaded balls rattle by nanometres without effect on
-// any load. With a one-piece cage the error of each ball is that of its load, down to 1/200.
+// any load. With a one-piece cage the error of each ball is expressed as an error of its load, down
+// to 1/200.
 //
 // A relative tolerance is a fraction of the largest overlap of a ball and a raceway at the start of
 // the step, used if it exceeds the tolerance in m. It depends on the state alone, so a restart is
@@ -64,7 +65,7 @@ class BearingIntegrator {
     // weight of a cage ball's error
     double cage_error() const { return cage > error ? error / cage : 1.0; }
     // Settings for a bearing with this largest overlap, m. The tolerance of cage balls does not
-    // change except through that of the other bodies.
+    // change except with the tolerance of the other bodies.
     Settings at(double overlap) const;
   };
   struct Outcome {

@@ -13,7 +13,7 @@ from raceway.commands.quantity import number
 HELP = "the bearings by name: sizes, ratings, balls; search"
 DESCRIPTION = """\
 Lists the bearings of inputs/bearings: its files and the rows of its tables. A name can be given to
---bearing, and to -var bearing of a deck. A WORD is searched in names, titles and sources.
+--bearing, and to -var bearing of a deck. A WORD is searched for in names, titles and sources.
 
 The marks give the sources of balls and ratings; "estimate" means that the balls were derived from
 the ratings by ISO 281 and ISO 76. --clearances adds the classes of ISO 5753 for each deep groove
@@ -50,7 +50,7 @@ COLUMNS = (
 
 
 def add(commands: Commands) -> None:
-    """Add the parser to those of the `raceway` command."""
+    """Put the command into the parser's `commands`."""
     one = commands.add_parser(
         "catalogue",
         help=HELP,
@@ -79,7 +79,7 @@ def add(commands: Commands) -> None:
     one.add_argument(
         "--inputs",
         metavar="DIR",
-        help="the inputs folder (default: here or in a parent folder, else that of the package)",
+        help="the inputs folder (default: here or in a parent folder, else the package's)",
     )
     form = one.add_mutually_exclusive_group()
     form.add_argument("--json", action="store_true", help="a JSON list, SI units")
@@ -137,7 +137,7 @@ def _write(arguments):
         raise inputs.InputError("--file takes one name, as `raceway catalogue 7205B --file mine`")
     path = Path(arguments.file)
     if path.exists():
-        raise inputs.InputError(f"{path} is there already; remove it or name another file")
+        raise inputs.InputError(f"{path} exists already; remove it or name another file")
     text = inputs.text(catalogue.find("bearings", arguments.words[0], arguments.inputs))
     files.folder(path.parent)
     files.text(path, text)

@@ -78,7 +78,7 @@ def add(commands: Commands) -> None:
         "--resistivity",
         type=number(1e3, 1e18, "ohm m"),
         metavar="OHM_M",
-        help="of the lubricant (default: infinite, films do not leak)",
+        help="resistivity of the lubricant (default: infinite, films do not leak)",
     )
     one.add_argument(
         "--metal",

@@ -42,10 +42,10 @@ def add(commands: Commands) -> None:
     recorded.add(one, bearing=False)
     one.add_argument("--signal", default="ay", metavar="NAME", help="column of the run (ay)")
     one.add_argument(
-        "--ring", choices=("inner", "outer"), default="outer", help="whose column (outer)"
+        "--ring", choices=("inner", "outer"), default="outer", help="ring of that column (outer)"
     )
     one.add_argument(
-        "--harmonics", type=count, default=3, metavar="N", help="of each line (default 3)"
+        "--harmonics", type=count, default=3, metavar="N", help="number per line (default 3)"
     )
     one.add_argument("--out", metavar="PNG", help="draw both spectra")
     one.add_argument("--json", action="store_true", help="one JSON object instead of tables")

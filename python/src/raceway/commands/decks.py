@@ -21,7 +21,7 @@ Exit codes: 0 done, 1 no such name, or a file exists with a different text, 2 wr
 
 
 def add(commands: Commands) -> None:
-    """Add the parser to those of the `raceway` command."""
+    """Put the command into the parser's `commands`."""
     parser = commands.add_parser(
         "decks",
         help=HELP,
@@ -41,7 +41,7 @@ def run(arguments: argparse.Namespace) -> None:
     for name in arguments.names:
         written = decks.copy(name, arguments.to)
         more = f" and {len(written) - 1} files in inputs" if len(written) > 1 else ""
-        print(f"{written[0]}{more}" if written else f"{name}: there already")
+        print(f"{written[0]}{more}" if written else f"{name}: exists already")
     if arguments.names:
         return
     for kind, found in (("Decks", decks.decks()), ("Lubricants", decks.lubricants())):

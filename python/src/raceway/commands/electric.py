@@ -16,15 +16,15 @@ from raceway.theory.models import CAPACITANCE
 
 HELP = "total capacitance, breakdown and impedance from theory"
 DESCRIPTION = """\
-With DIR, the figures are those of a run over time, from its record; the options of an operating
-point do not apply. Otherwise they are those of an operating point, without a simulation.
+With DIR, the figures describe a run over time and come from its record; the options of an operating
+point do not apply. Otherwise they describe an operating point, without a simulation.
 
 The total capacitance of a bearing consists of the contact ellipses, the gap around them and the
 unloaded balls. The command also prints the smallest voltage at which a film fails, the impedance,
-and the bearing voltage ratio of a motor. Loads and films are those of `raceway static`;
+and the bearing voltage ratio of a motor. Loads and films are computed as by `raceway static`;
 docs/electric derives the formulas.
 
---load, --axial, --rpm, --clearance and --temperature take several values: a line for each.
+--load, --axial, --rpm, --clearance and --temperature take several values and print a line for each.
 --measured calculates the film thickness from a measured capacitance.
 
 Pictures (--kind, with --out):
@@ -58,7 +58,7 @@ KEYS = {  # of the figures of `electric_point`, by option
 
 
 def add(commands: Commands) -> None:
-    """Add the parser to those of the `raceway` command."""
+    """Put the command into the parser's `commands`."""
     one = commands.add_parser(
         "electric",
         help=HELP,
@@ -112,12 +112,12 @@ def _surroundings(one):
         type=number(1e-4, 10, "m"),
         nargs=2,
         metavar=("D_INNER", "D_OUTER"),
-        help="diameters of the shoulders, metres (those of the bearing's file)",
+        help="diameters of the shoulders, metres (from the bearing's file)",
     )
     around.add_argument(
         "--permittivity-at",
         choices=("maximum", "mean", "two_thirds"),
-        help="pressure of the film's permittivity: largest, its mean over the ellipse, two thirds",
+        help="pressure for the film's permittivity: largest, its mean over the ellipse, two thirds",
     )
     around.add_argument(
         "--roughness",
@@ -149,7 +149,7 @@ def _electrics(one):
         type=number(1e3, 1e16, "ohm m"),
         default=math.inf,
         metavar="OHM_M",
-        help="of the lubricant, ohm metres (none: no leak)",
+        help="resistivity of the lubricant, ohm metres (none: no leak)",
     )
     electric.add_argument(
         "--c-wr", type=number(0, 1e-3, "F"), metavar="F", help="windings to rotor; with --c-rf"
@@ -213,7 +213,7 @@ def _check(arguments):
     if arguments.kind == "parts" and len(several) != 1:
         complain("--kind parts: give several values of one quantity, --rpm 100 1000 for example")
     if arguments.kind in ("field", "bode", "reading") and several:
-        complain(f"--kind {arguments.kind}: is of one operating point")
+        complain(f"--kind {arguments.kind}: applies to one operating point")
     if arguments.kind == "field" and arguments.voltage is None:
         complain("--kind field: give --voltage")
     if arguments.kind == "bode" and math.isinf(arguments.resistivity):

@@ -65,7 +65,7 @@ def _number(arguments):
     try:
         return int(arguments.bearing)
     except ValueError:
-        arguments.complain(f"--bearing {arguments.bearing}: of a run it is a number")
+        arguments.complain(f"--bearing {arguments.bearing}: for a run it must be a number")
 
 
 def _filling(arguments, of):

@@ -54,7 +54,7 @@ def add(commands: Commands) -> None:
         "--resistivity",
         type=number(1e3, 1e18, "ohm m"),
         metavar="OHM_M",
-        help="spice: of the lubricant (default: films do not leak)",
+        help="spice: resistivity of the lubricant (default: films do not leak)",
     )
     one.add_argument("--out", metavar="DIR", help="folder to write into (default: DIR/FORMAT)")
     one.set_defaults(command=run, complain=one.error)
@@ -67,7 +67,7 @@ def run(arguments: argparse.Namespace) -> None:
         print(_element(arguments, out))
         return
     if arguments.resistivity is not None:
-        arguments.complain("--resistivity goes with --format spice")
+        arguments.complain("--resistivity applies to --format spice")
     from raceway.export import ovito, paraview
 
     write = {"vtk": paraview.write, "xyz": ovito.write}[arguments.format]

@@ -13,10 +13,10 @@ from raceway.commands.quantity import number, takes_negative
 HELP = "steady temperature, viscosity, clearance, film and friction torque from theory"
 DESCRIPTION = """\
 Finds the temperature at which cooling balances the heat of friction. Loads, film in the gap and
-friction torque are those of `raceway static` at that temperature. The lubricant must
+friction torque are computed as by `raceway static` at that temperature. The lubricant must
 have physical data (vg32, vg46, vg68, vg100, pao8, grease110).
 
-Cooling is that of ISO 15312 unless --conductance is given. --nodes gives three conductances: inner
+Cooling follows ISO 15312 unless --conductance is given. --nodes gives three conductances: inner
 ring to ambient, outer ring to ambient, ring to balls. Each part then has its own temperature,
 and the clearance follows from these.
 
@@ -36,7 +36,7 @@ Exit codes: 0 done, 1 no steady state or unusable data, 2 wrong command line."""
 
 
 def add(commands: Commands) -> None:
-    """Add the parser to those of the `raceway` command."""
+    """Put the command into the parser's `commands`."""
     one = commands.add_parser(
         "heat",
         help=HELP,

@@ -93,7 +93,7 @@ def add(commands: Commands) -> None:
         "--temperature",
         type=number(-40, 200, "C"),
         metavar="C",
-        help="of the oil, degrees Celsius (unknown)",
+        help="oil temperature, degrees Celsius (unknown)",
     )
     lines.add_argument(
         "--within",
@@ -225,7 +225,7 @@ def _remarks(given, found) -> Sequence[str]:
     rows = []
     if found.valley:
         names = list(found.values)
-        rows += ["", "These readings do not separate the unknowns. Each of these explains them:"]
+        rows += ["", "These readings do not separate the unknowns. Each of these states fits them:"]
         from raceway.recordings.readings import STATE
 
         rows.append("  " + "".join(f"{NAMES[name]:>22}" for name in names))

@@ -51,7 +51,7 @@ def add(commands: Commands) -> None:
     recorded.add(one)
     one.add_argument("--raw", action="store_true", help="lines of the signal, not of its envelope")
     one.add_argument(
-        "--harmonics", type=count, default=3, metavar="N", help="of each line (default 3)"
+        "--harmonics", type=count, default=3, metavar="N", help="number per line (default 3)"
     )
     one.add_argument(
         "--angle",

@@ -25,7 +25,7 @@ POINT = {  # quantities of an operating point: type, unit in the help, help
     "temperature": (
         number(-40, 200, "C"),
         "C",
-        "of the lubricant, degrees Celsius (that of its file, 40)",
+        "of the lubricant, degrees Celsius (from its file, or 40)",
     ),
 }
 
@@ -87,7 +87,7 @@ def bearing(to: Any) -> None:
         "--bearing",
         default="6208",
         metavar="NAME",
-        help="of inputs/bearings (raceway catalogue), or the path of a file (6208)",
+        help="a name in inputs/bearings (raceway catalogue), or the path of a file (6208)",
     )
     inputs(to)
 
@@ -142,7 +142,7 @@ def spin_law(to: Any) -> None:
         "--spin-law",
         choices=("closed", "slices"),
         default="closed",
-        help="of the friction torque: closed has separate fits of spin and slip, slices joint ones",
+        help="of the friction torque: closed fits spin and slip separately, slices combines them",
     )
 
 
@@ -193,7 +193,7 @@ def cleanliness(to: Any) -> None:
         choices=CLEANLINESS,
         default="normal",
         metavar="WORD",
-        help=f"of the lubricant, for the rating life: {', '.join(CLEANLINESS)} (normal)",
+        help=f"cleanliness of the oil, for the rating life: {', '.join(CLEANLINESS)} (normal)",
     )
 
 
@@ -202,7 +202,7 @@ def inputs(to: Any) -> None:
     to.add_argument(
         "--inputs",
         metavar="DIR",
-        help="the inputs folder (default: here or in a parent folder, else that of the package)",
+        help="the inputs folder (default: here or in a parent folder, else the package's)",
     )
 
 

@@ -34,7 +34,7 @@ def add(to: Any, bearing: bool = True) -> None:
         "--nominal",
         type=number(1, 1e6, "rpm"),
         metavar="R",
-        help="nominal speed, from which the true one differs by at most 1.5 %% (that of the file)",
+        help="nominal speed, from which the true one differs by at most 1.5 %% (from the file)",
     )
     to.add_argument("--channel", default="", metavar="NAME", help="channel of the file (the first)")
     to.add_argument(

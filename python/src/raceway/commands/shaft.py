@@ -46,13 +46,13 @@ def add(commands: Commands) -> None:
     )
     one.add_argument("file", metavar="FILE", help="YAML file of the shaft, or a rotor of ROSS")
     options.inputs(one)
-    options.point(one, "rpm", "speed of the shaft (that of the file)")
+    options.point(one, "rpm", "speed of the shaft (from the file)")
     options.cleanliness(one)
     one.add_argument("--json", action="store_true", help="JSON: a list for several --rpm")
     one.add_argument("--out", metavar="PNG", help="draw the shaft's displacement")
     reduced = one.add_argument_group("a shaft that bends, for fix bearing/shaft")
     reduced.add_argument(
-        "--reduced", metavar="FILE", help="write how the shaft bends, in few coordinates"
+        "--reduced", metavar="FILE", help="write the bending of the shaft in a few coordinates"
     )
     reduced.add_argument(
         "--modes",
@@ -128,7 +128,7 @@ def _check(arguments):
     if not 0 <= arguments.modes <= 50:
         raise RacewayError(f"--modes is {arguments.modes}, must be from 0 to 50")
     if not 0 <= arguments.damping < 1:
-        raise RacewayError(f"--damping is {arguments.damping:g}, must be from 0 to below 1")
+        raise RacewayError(f"--damping is {arguments.damping:g}, must be at least 0 and below 1")
     if len(arguments.rpm or ()) > 1 and (arguments.out or arguments.reduced):
         raise RacewayError("--out and --reduced apply to one speed; give one --rpm")
 

@@ -26,11 +26,11 @@ a line.
 --envelope takes the spectrum of the signal's envelope, in a band around a resonance: the rate at
 which flaws excite it, with the sidebands of the shaft and the cage.
 
-Kinematics are those of balls that roll at the measured contact angle. The last column compares with
+The kinematics assume balls that roll at the measured contact angle. The last column compares with
 the run's own cage and balls, which slip. If the outer ring rotates, its own line and VC, the rate
 at which balls pass the load, are added, and FTF is the cage's speed relative to the frame.
 
---kind time draws the signal, or its envelope, over time and frequency. Where the speed of the shaft
+--kind time draws the signal, or its envelope, over time and frequency. If the speed of the shaft
 changes by more than 1 %, orders of the shaft (inner relative to outer ring) replace the
 frequencies."""
 EXAMPLES = """\
@@ -67,7 +67,7 @@ def add(commands: Commands) -> None:
         help="ring of the signal; an outer ring in a housing also has ax, ay ... (default inner)",
     )
     one.add_argument(
-        "--harmonics", type=count, default=3, metavar="N", help="of each line (default 3)"
+        "--harmonics", type=count, default=3, metavar="N", help="number per line (default 3)"
     )
     one.add_argument(
         "--angle",

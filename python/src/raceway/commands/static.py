@@ -15,8 +15,8 @@ HELP = "loads, tilt, film and capacitance from theory, without a simulation"
 DESCRIPTION = """\
 Quasi-static equilibrium of a ball bearing in five degrees of freedom (Jones, Harris): radial and
 axial load and two moments on the inner ring, free contact angles, centrifugal load of the balls.
-With a lubricant and a speed also the film (Masjedi-Khonsari) and capacitance of every contact,
-rolling without slip, and the friction torque by part, with makers' formulas for comparison.
+With a lubricant and a speed, it includes the film (Masjedi-Khonsari) and capacitance of every
+contact, rolling without slip, and the friction torque by part, compared with makers' formulas.
 --models paper uses the publication's laws, which have no friction torque.
 
 x points along the radial load, z along the bearing's axis. As in a deck, the ring is held along z
@@ -51,7 +51,7 @@ HOLD = {
 
 
 def add(commands: Commands) -> None:
-    """Add the parser to those of the `raceway` command."""
+    """Put the command into the parser's `commands`."""
     one = commands.add_parser(
         "static",
         help=HELP,
@@ -137,7 +137,7 @@ def add(commands: Commands) -> None:
         type=number(1, 1e8, "N"),
         metavar="N",
         dest="dynamic",
-        help="dynamic load rating of a row, newtons, for the rating life (the bearing's file)",
+        help="dynamic load rating of a row, newtons, for the rating life (from the bearing's file)",
     )
     options.cleanliness(one)
     one.add_argument("--json", action="store_true", help="JSON: a list for several points")

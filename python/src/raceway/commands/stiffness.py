@@ -30,7 +30,7 @@ FORMATS = (".csv", ".json", ".toml")
 
 
 def add(commands: Commands) -> None:
-    """Add the parser to those of the `raceway` command."""
+    """Put the command into the parser's `commands`."""
     one = commands.add_parser(
         "stiffness",
         help="stiffness and damping over load and speed, for ROSS and others",
@@ -43,7 +43,7 @@ def add(commands: Commands) -> None:
     options.grooves(one)
     options.point(one, "load")
     options.point(one, "axial", several=False)
-    options.point(one, "rpm", "speed of the inner ring; several: rising (0)")
+    options.point(one, "rpm", "speed of the inner ring; several in rising order (0)")
     options.point(one, "clearance", several=False)
     one.add_argument(
         "--lubricant", metavar="NAME", help="a file of inputs/lubricants, or a path; adds damping"
@@ -59,7 +59,7 @@ def add(commands: Commands) -> None:
         "--frequency",
         type=number(0, 1e5, "Hz"),
         metavar="HZ",
-        help="frequency of the vibration, for the damping (that of the shaft's rotation)",
+        help="frequency of the vibration, for the damping (frequency of the shaft's rotation)",
     )
     one.add_argument(
         "--phases",

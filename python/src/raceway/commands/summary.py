@@ -21,8 +21,8 @@ def add(commands: Commands) -> None:
         help="the figures of a run, with units and equations",
         description=(
             "Loads, pressures, film, capacitance and speed of a finished run, each with its unit"
-            " and equation, and beside them those of `raceway static` at the run's load, speed,"
-            " clearance and models."
+            " and equation, and beside them the figures of `raceway static` at the run's load,"
+            " speed, clearance and models."
         ),
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,

@@ -86,7 +86,7 @@ def add(commands: Commands) -> None:
         "--tasks",
         metavar="N",
         type=positive,
-        help="with --slurm: tasks in the array (default: a point each, 1000 at most)",
+        help="with --slurm: tasks in the array (default: one per point, at most 1000)",
     )
     parser.set_defaults(command=run)
 
@@ -136,9 +136,9 @@ def run(arguments: argparse.Namespace) -> None:
         if counts.get("failed"):
             several = "s" if counts["failed"] > 1 else ""
             raise RacewayError(
-                f"{counts['failed']} point{several} failed: see column message of {path}. --retry"
-                " runs failed points again; a point that the table no longer has stays until its"
-                " folder is removed"
+                f"{counts['failed']} point{several} failed: see the column message of {path}."
+                " --retry runs failed points again; a point that the table no longer has stays"
+                " until its folder is removed"
             )
 
 

@@ -79,7 +79,7 @@ def _pictures(page, tables):
     totals, rings = tables.totals, tables.rings
     step = _step(len(totals))
     if step > 1:
-        page.text(f"Lines have every {step}th sample; the figures are of all.")
+        page.text(f"Lines show every {step}th sample; the figures are of all samples.")
     over_time = _axis(tables, totals.index.to_numpy(float))
     for name, columns in CHARTS.items():
         there = [one for one in columns if one in totals and totals[one].notna().any()]

@@ -39,7 +39,7 @@ def page(folder: Path) -> Page:
     rows = [[_cell(row[name]) for name in head] for _, row in table[:LONGEST].iterrows()]
     result.table(rows, ["number"] * len(head), head)
     if len(table) > LONGEST:
-        result.text(f"The first {LONGEST} of {len(table)} points; results.csv has all.")
+        result.text(f"The first {LONGEST} of {len(table)} points; results.csv has all of them.")
     result.heading("The command that repeats it")
     tables = _tables(table[table.attrs["variables"]])
     result.text("This table, then:" if len(tables) == 1 else "Each of these tables, then:")

@@ -29,7 +29,7 @@ ROWS = (
     Row("temperature_oil_C", "oil in the contacts", "°C"),
     Row("temperature_outlet_C", "oil at the outlet", "°C", "of the last jump"),
     Row("clearance_warm_m", "diametral clearance, warm", "m"),
-    Row("heat_gain", "gain of losses by temperature", "", "1: thermal run-away"),
+    Row("heat_gain", "gain of losses by temperature", "", "1: thermal runaway"),
     Row("heat_booked_J", "heat of the losses", "J", "over the thermal time"),
     Row("heat_carried_J", "carried to ambient and by flowing oil", "J"),
     Row("heat_stored_J", "stored in rings, balls, housing", "J"),

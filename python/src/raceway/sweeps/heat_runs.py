@@ -34,13 +34,13 @@ def by_runs(
     more: dict[str, str] | None = None,
     say: Callable[[str], None] = lambda line: None,
 ) -> dict[str, Any]:
-    """Figures of `steady_heat.figures`, with friction scaled to that of at most `runs` runs with
-    the models of `case`; fewer if the temperature changes by less than `CLOSE` kelvin.
+    """Figures of `steady_heat.figures`, with friction scaled to the friction of at most `runs` runs
+    with the models of `case`; fewer if the temperature changes by less than `CLOSE` kelvin.
 
     `command` is a list: program, options, deck; `more` are further variables of the deck. Folders
     of runs are in `folder`; finished runs are not repeated. `say` gets a line for each
     run. The figures also include `runs` and, for the last run, its temperature in degrees C, its
-    power loss in W, and the ratio to the power loss of statics. `losses_W` is that of this run.
+    power loss in W, and the ratio to the power loss of statics. `losses_W` are its losses.
     With three nodes, the friction of a run is divided between the rings as in statics. Raises
     `RacewayError` for a run that fails or is stopped.
     """

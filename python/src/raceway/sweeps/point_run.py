@@ -74,7 +74,7 @@ def run_point(
         folder.mkdir(parents=True, exist_ok=True)
         with _locked(folder) as lock:
             if lock is None:
-                return BUSY, "another process runs it"
+                return BUSY, "another process is running it"
             status, message = state(folder, variables)
             if status == FINISHED or status == FAILED and not retry:
                 return status, message
@@ -96,7 +96,7 @@ def run_point(
             except RacewayError as error:
                 return _fail(folder, str(error))
             if wrong := _differs(run.settings, variables):
-                return _fail(folder, f"the run has other settings than requested: {wrong}")
+                return _fail(folder, f"the run has settings other than requested: {wrong}")
             _write(
                 folder / "summary.json",
                 json.dumps(figures, indent=2, ensure_ascii=False, allow_nan=False),

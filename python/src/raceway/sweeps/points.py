@@ -24,15 +24,15 @@ DECK = re.compile(r"^include \S*?/(in\.\S+)", re.MULTILINE)
 # characters allowed in values and paths: none that are special in a deck or a shell
 WORD = re.compile(r"[A-Za-z0-9_.+/-]+")
 OURS = {
-    "out": "the sweep gives every point its folder",
+    "out": "the sweep gives every point its own folder",
     "resume": "the sweep resumes points by itself",
     "overwrite": "the sweep skips finished points by itself",
     "inputs": "it is the folder of the deck's data files; start from a folder where it is found",
 }
 SHARE = "share"  # column that is not a variable: the time share, for load spectra
 LONGEST = 160  # characters in a folder's name, well below the limit of 255 of file systems
-SHOWN = 20  # most errors in one message
-LISTED = 20  # most variables in one message
+SHOWN = 20  # largest number of errors in one message
+LISTED = 20  # largest number of variables in one message
 
 
 class TableError(RacewayError):

@@ -111,8 +111,8 @@ class Bearing:
 
     def four_point(self, angle: float) -> "Bearing":
         """The four-point contact bearing with these balls, pitch and groove radii: two grooves per
-        ring, the one at -z first, which centred balls touch at `angle` (rad). Clearance is then
-        that of a centred ball.
+        ring, the one at -z first, which centred balls touch at `angle` (rad). The clearance
+        then applies to a centred ball.
 
         Raises `ValueError` for an angle that is not between 0 and a right angle, and for a
         bearing that already has several grooves.
@@ -208,7 +208,7 @@ class Bearing:
         return self.groove(raceway) - self.ball_radius
 
     def arch(self, raceway: int) -> float:
-        """Distance of the centres of curvature from the middle plane of the balls where a raceway
+        """Distance of the centres of curvature from the middle plane of the balls if a raceway
         has two grooves, m; 0 with one."""
         by_row = self.layout.inner if raceway == INNER else self.layout.outer
         return (by_row[0][-1] - by_row[0][0]) / 2

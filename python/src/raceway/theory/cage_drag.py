@@ -14,7 +14,7 @@ from raceway.theory.lubricant import Fluid
 
 
 class CageRing(NamedTuple):
-    """Data of such a cage; defaults are those of decks."""
+    """Data of such a cage, with the defaults of decks."""
 
     play: float = 0.0  # m, of the pockets along the pitch circle; 0: estimated
     filled: float = float(variable_table.default("cage_filled"))  # share of the gaps with oil

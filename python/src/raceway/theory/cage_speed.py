@@ -138,7 +138,7 @@ def lags(bearing: Bearing, state: Equilibrium) -> tuple[float, float]:
     """Least and largest slip of a cage due to pocket play (`slips_of_play`), as a fraction of its
     speed; 0 if all balls are loaded.
 
-    The arc is that of the loaded balls. The play is `PLAY` of a ball's diameter, because makers
+    The arc spans the loaded balls. The play is `PLAY` of a ball's diameter, because makers
     seldom state it.
     """
     loaded = int(np.count_nonzero(np.atleast_2d(state.inner.load > 0).any(0)))
@@ -149,8 +149,8 @@ def lags(bearing: Bearing, state: Equilibrium) -> tuple[float, float]:
 
 
 def slips_of_play(play: float, arc: float) -> tuple[float, float]:
-    """Least and largest slip of a rigid cage in any position: `play` is that of its pockets along
-    the pitch circle (m), `arc` the length of that circle on which balls are loaded (m).
+    """Least and largest slip of a rigid cage in any position: `play` is the play of its pockets
+    along the pitch circle (m), `arc` the length of that circle on which balls are loaded (m).
 
     Unloaded balls fall back to the rear of their pockets and loaded ones run ahead to the front.
     """

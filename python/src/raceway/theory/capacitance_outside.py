@@ -29,7 +29,7 @@ def beside(ratio: Numbers) -> Numbers:
 
 def beyond(ratio: Numbers, kappa: Numbers, reach: Numbers) -> Numbers:
     """P: the gap beyond one end of the ellipse, the integral of dy/sqrt(H + E(y)) in units of a
-    from 1 to `reach` = S/a; zero where the ellipse fills the groove. H = h/g_s = `ratio`."""
+    from 1 to `reach` = S/a; zero if the ellipse fills the groove. H = h/g_s = `ratio`."""
     return laws.gap_beyond(ratio, kappa, reach)
 
 
@@ -93,9 +93,9 @@ def rigid(
 def fill(permittivity: Numbers, kind: str = "flooded", outlet: float = 1.0) -> Numbers:
     """eps_s, the relative permittivity in the gap outside the contact patch.
 
-    "flooded": the oil's; "cavitated": the mean of the oil's and that of the medium in the
-    downstream half, `outlet` (1 for air, more for foam); "dry": 1. Raises `ValueError` for another
-    kind or an outlet outside 1 to the oil's value.
+    "flooded": the oil's value; "cavitated": the mean of the oil's value and `outlet`, the value of
+    the medium in the downstream half (1 for air, more for foam); "dry": 1. Raises `ValueError` for
+    another kind or an outlet outside 1 to the oil's value.
     """
     if kind not in FILLS:
         raise ValueError(f"fill '{kind}' is not one of {', '.join(FILLS)}")

@@ -129,7 +129,7 @@ def of_raceway(
     """`Capacitors` of one raceway from loads (N), separations (m) and contact angles (rad) of the
     balls (Z,), in oil of relative `permittivity` at rest.
 
-    Without load the gap is rigid; its `play` (m) is by default the separation, and negative where a
+    Without load the gap is rigid; its `play` (m) is by default the separation, and negative if a
     film separates overlapping bodies. The plates have the `film_thickness` of their load, m, if it
     differs from the separation. `roughness` sigma in m counts if `filling` includes it; `clearance`
     is diametral, m. Raises `ValueError` for a separation that is not positive and for unknown words

@@ -2,11 +2,11 @@
 """Distances of balls from the circles of an inner ring's groove centres, and their derivatives.
 
 The ring's position is (x, y, z, t_x, t_y): displacement of its centre in m and tilt about the two
-transverse axes in rad. Tilt rotates the ring's axis to e = (sin t_y, -sin t_x, ...), so they are
-the values reported by `fix bearing/ring`. A ball's position is (radial, axial) in m in the plane
-through the outer ring's axis at the ball's azimuth. Derivatives are with respect to these seven:
-ball first, then ring. Arrays have the broadcast shape ... of `azimuth` and the circles'
-`height`.
+transverse axes in rad. Tilt rotates the ring's axis to e = (sin t_y, -sin t_x, ...), so t_x and t_y
+are the values reported by `fix bearing/ring`. A ball's position is (radial, axial) in m in the
+plane through the outer ring's axis at the ball's azimuth. Derivatives are with respect to these
+seven coordinates: ball first, then ring. Arrays have the broadcast shape ... of `azimuth` and the
+circles' `height`.
 """
 
 from collections.abc import Callable
@@ -35,7 +35,7 @@ def straight(
 ) -> Reach:
     """`Reach` after Jones and Harris: the circle's point at `azimuth` moves by the components of
     the ring's displacement and tilt in the ball's plane (Harris, ch. 7), as if the circle were
-    locally straight. `height` in m is that of the circle above the ring's centre.
+    locally straight. `height` in m is the height of the circle above the ring's centre.
     """
     c, s, h = np.broadcast_arrays(np.cos(azimuth), np.sin(azimuth), height)
     both = np.zeros((*h.shape, 2, 7))

@@ -50,7 +50,7 @@ class FilmInGap:
     speed: float  # of the inner ring, rad/s
     starvation: float = 1.0  # factor on the thickness
     share: float = 1.0  # zeta
-    # (C, Z), m/s; by default that of rolling at the angle of each contact
+    # (C, Z), m/s; by default the speed of rolling at the angle of each contact
     entrainment: Floats | None = None
 
     def factor(self, speed: Numbers) -> Numbers:

@@ -91,7 +91,7 @@ def heated(
     pressure is `GUPTA_MOST`. Raises `ValueError` if a power law is cut at another load.
     """
     if not law.all_regimes and law.cut != cut:
-        raise ValueError(f"cut = {cut} N must be that of the power law, {law.cut} N")
+        raise ValueError(f"cut = {cut} N must be the cut of the power law, {law.cut} N")
     return replace(law, loading=loading, peak=peak, slide_roll=slide_roll, cut=cut)
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film thickness read from a bearing's capacitance as if it were that of the plates alone: a curve
-for correcting measured film thicknesses."""
+"""Film thickness read from a bearing's capacitance as if it were the capacitance of the plates
+alone: a curve for correcting measured film thicknesses."""
 
 from typing import NamedTuple
 
@@ -14,8 +14,8 @@ FACTORS = np.geomspace(0.1, 10.0, 61)
 
 
 class Reading(NamedTuple):
-    """Arrays (N,) with one value for each film thickness: `h_c` is that at the largest inner load;
-    the other films are scaled in proportion."""
+    """Arrays (N,) with one value for each film thickness: `h_c` is the thickness at the largest
+    inner load; the other films are scaled in proportion."""
 
     h_c: Floats  # m
     capacitance: Floats  # F, of the whole bearing

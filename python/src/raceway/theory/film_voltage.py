@@ -55,7 +55,7 @@ def local_gap(separation: Numbers, roughness: float = 0.0, floor: float = 0.0) -
 
 def field(voltage: Numbers, gap: Numbers) -> Numbers:
     """Field in V/m of a `voltage` over a `gap` (m), that of the film or a `local_gap`; with the
-    sign of the voltage, infinite where the gap is zero."""
+    sign of the voltage, infinite if the gap is zero."""
     with np.errstate(divide="ignore", invalid="ignore"):
         return (np.asarray(voltage, float) / np.asarray(gap, float))[()]
 

@@ -288,7 +288,7 @@ def _one(bearing, side, contact, film, fluid, clearance, surfaces, alone):
     friction = traction.mixed(share, surfaces.boundary, smooth)
     rolled = resistance(speed) * turns
     slid = sliding.free_power(load, friction, speed, a, r_d, r_x)
-    part = np.ones(load.shape)  # rotation as a fraction of that of rolling
+    part = np.ones(load.shape)  # rotation as a fraction of the rotation in rolling
     past, since, until, frequency = (one[live] for one in alone)
     if np.any((past > 0) & (rolled > friction * load * past)):
         flat = np.cos(contact.angle[live]) * bearing.pitch_radius

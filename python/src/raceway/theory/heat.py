@@ -149,14 +149,18 @@ def conductances(state: Equilibrium, films: Lubrication) -> tuple[float, float]:
 def oil_flow(
     bearing: Bearing, width: float, fluid: Fluid, flow: float, inlet: float, orbit: float
 ) -> OilFlow:
-    """The `OilFlow` of oil through a bearing of this `width` in m (all rows): `flow` is its mass flow times
-    heat capacity in W/K, `inlet` its temperature in degrees C, `orbit` the speed of the balls
-    around the bearing in rad/s."""
+    """The `OilFlow` through a bearing of this `width` over all rows in m: `flow` is the mass flow
+    times heat capacity in W/K, `inlet` the temperature of the oil in degrees C, `orbit` the speed
+    of the balls around the bearing in rad/s."""
     radii = bearing.inner_radius, bearing.outer_radius, bearing.ball_radius
     balls = bearing.balls * len(bearing.layout.rows)
     wetted = laws.wetted_surfaces(*radii, balls, width)
     convection = laws.oil_convection(
-        fluid.conductivity, fluid.heat_capacity, fluid.density, fluid.viscosity, orbit,
+        fluid.conductivity,
+        fluid.heat_capacity,
+        fluid.density,
+        fluid.viscosity,
+        orbit,
         bearing.inner_radius + bearing.outer_radius,
     )
     return OilFlow(flow, inlet, tuple(float(one) for one in wetted), float(convection))
@@ -185,7 +189,7 @@ def three_nodes(
     of which go into the balls, at the `balls` alone, and in the `oil` of a `flow`.
 
     Conductances in W/K: `shaft` from inner ring to ambient, `housing` from outer ring to ambient,
-    `contact` from a ring to all balls, or those of the inner and the outer ring.
+    `contact` from a ring to all balls, or one each for the inner and the outer ring.
     """
     contacts = contact if isinstance(contact, tuple) else (contact, contact)
     of = network(contacts=contacts, shaft=shaft, housing=housing, ambient=ambient, oil=flow)

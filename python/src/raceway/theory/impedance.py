@@ -110,7 +110,7 @@ def _admittance(capacitances, paths, resistivity, frequency):
 
 
 def plates_thickness(capacitance: Numbers, area: Numbers, permittivity: Numbers) -> Numbers:
-    """h in m if C is that of the plates alone: eps_0 eps A/C, A = pi a b in m^2. Too small if C
+    """h in m if C belongs to the plates alone: eps_0 eps A/C, A = pi a b in m^2. Too small if C
     includes other capacitance."""
     return VACUUM * permittivity * area / capacitance
 

@@ -14,7 +14,7 @@ from raceway.theory.bearing import Bearing
 class Frequencies(NamedTuple):
     """Frequencies in the unit of the rings' speeds."""
 
-    cage: Numbers  # FTF, positive where the inner ring's speed is
+    cage: Numbers  # FTF, positive if the inner ring's speed is
     outer: Numbers  # BPFO, ball passes over a point of the outer ring
     inner: Numbers  # BPFI, over a point of the inner ring
     spin: Numbers  # BSF, rotations of a ball relative to the cage

@@ -108,9 +108,9 @@ def reference(
     """L_10r in 1e6 revolutions, from the loads (N) of the `inner` and `outer` contacts (..., Z) of
     one or many positions of the balls; the inner ring rotates (ISO/TS 16281, eqs 20 to 22).
 
-    Loads of several rows and grooves are those of `static.Equilibrium`. Two grooves per ring count
-    as two rows: `dynamic` is that of all rows, and raceways of all rows add up. Makers rate
-    four-point contact bearings in this way.
+    Loads of several rows and grooves are arranged as in `static.Equilibrium`. Two grooves per ring
+    count as two rows: `dynamic` is the rating of all rows, and raceways of all rows add up. Makers
+    rate four-point contact bearings in this way.
 
     Raises `ValueError` for a load below 0 or none at all.
 

@@ -57,7 +57,7 @@ def read(path: FilePath) -> tuple[list[Duty], list[dict[str, float]]]:
     head = [name.strip() for name in rows[0]] if rows else []
     swept = {"point", "status"} <= set(head)
     if not swept and (unknown := [name for name in head if name not in COLUMNS]):
-        raise InputError(f"{path}: there is no column {unknown[0]}, but {', '.join(COLUMNS)}")
+        raise InputError(f"{path}: there is no column {unknown[0]}; there is: {', '.join(COLUMNS)}")
     if "rpm" not in head or len(set(head)) < len(head) or len(rows) < 2:
         raise InputError(f"{path}: give each column once, rpm among them, and a row for each point")
     for number, row in enumerate(rows[1:], 1):
@@ -106,7 +106,7 @@ def of_sweep(
     duties: Sequence[Duty], runs: Sequence[Mapping[str, float]], dynamic: float | None = None
 ) -> dict[str, Any]:
     """Like `of_points`, for the points of a sweep with the figures of their `runs`, which follow
-    from the ball loads in the runs. `dynamic` is C in N of all rows, by default that of the runs.
+    from the ball loads in the runs. `dynamic` is C in N of all rows, by default from the runs.
     Raises `InputError` without a rating or with several."""
     known = {one["dynamic_rating_N"] for one in runs if "dynamic_rating_N" in one}
     rated = known if dynamic is None else {dynamic}
@@ -126,10 +126,10 @@ def of_sweep(
 def of_points(
     duties: Sequence[Duty], figures: Callable[[Duty], Mapping[str, Any]]
 ) -> dict[str, Any]:
-    """Figures by name for the spectrum `duties`, SI units; `points` has those of each point.
+    """Figures by name for the spectrum `duties`, SI units; `points` has the figures of each point.
 
-    `figures` gives those of a point (`operating_point.figures`). Raises `InputError` if they
-    have no life because the bearing has no rating.
+    `figures` returns the figures of a point (`operating_point.figures`). Raises `InputError` if
+    they have no life because the bearing has no rating.
     """
     points: list[dict[str, Any]] = []
     for duty in duties:

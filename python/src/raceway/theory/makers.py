@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Friction torque of a bearing by its makers' formulas, for comparison with the physical losses.
 
-In the units of the catalogues: mm, N, rpm, mm^2/s, and N mm. SKF's model is that of Rolling
+In the units of the catalogues: mm, N, rpm, mm^2/s, and N mm. SKF's model is from Rolling
 bearings 10000 EN 2013 (pages 105 and 106) for deep-groove ball bearings and for single-row angular
 contact ball bearings, whose constants are in the General Catalogue 6000, 2006 (page 92 of the
 Russian edition, from the text layer in github.com/ArtemFilin1990/Mar).

@@ -75,7 +75,7 @@ def figures(
     inner ring and the load along x. Degrees of freedom that are not `held` are free. `models` is
     one of `models.STATICS`: "full" has the film in the gap, inlet shear and the friction torque,
     with the `spin_law` of `friction_torque.losses`; "eyring" also has Eyring's stress with its
-    limit in the film. `temperature` of the lubricant is in degrees C, by default that of its file.
+    limit in the film. `temperature` of the lubricant is in degrees C, by default as in its file.
     `cleanliness` is a word of `cleanliness.CLEANLINESS`. `four_point` in rad makes the bearing a
     four-point contact bearing with that angle, as its file may also do. Each of `balls` then has a
     list of `contacts`. `double_row` gives the bearing two rows; `balls` has them one after the
@@ -225,7 +225,7 @@ def _wide(body):
         return []
     return [
         "grooves wider than {:g} and {:g} of the ball reduce the ball ratings to"
-        " {:.0%} (inner) and {:.0%} (outer) of those of the file's C".format(
+        " {:.0%} (inner) and {:.0%} (outer) of the ratings by the file's C".format(
             *life.CONFORMITY, *wide
         )
     ]
@@ -281,7 +281,7 @@ def _makers(body, boundary, load, axial, rpm, viscosity):
 
 
 def _basic_life(body, figures, angle):
-    """L_10 of ISO 281: the table of its load factors applies to one row and one groove a ring."""
+    """L_10 of ISO 281: the table of its load factors applies to one row and one groove per ring."""
     axial, layout = figures["axial_N"], body.layout
     if axial and layout != Layout():
         return {}
@@ -298,7 +298,7 @@ def _basic_life(body, figures, angle):
 
 
 def _life(path, body, state, rpm, fluid, cleanliness, angle, dynamic):
-    """Life of a bearing with a basic `dynamic` load rating in N, by default that of its file."""
+    """Life of a bearing with a basic `dynamic` load rating in N, by default from its file."""
     result = {}
     stated, rows = inputs.minimum_load(path), len(body.layout.rows)
     if rows == 1 and stated and rpm and fluid is not None and not math.isnan(fluid.kinematic):

@@ -26,7 +26,7 @@ class Clipped(NamedTuple):
 
 def factor(ratio: Numbers) -> Numbers:
     """L^2/(L^2 - 1) for a gamma-distributed film, constant below L = 2.5, where films are partly
-    closed and not capacitors there (`clipped`).
+    closed and the closed parts are not capacitors (`clipped`).
 
     >>> [round(float(factor(L)), 4) for L in (3.0, 10.0)]
     [1.125, 1.0101]

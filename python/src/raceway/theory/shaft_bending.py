@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Reduced bending model of a round shaft, as input for `fix bearing/shaft ... flexible`.
 
-The reduction is that of Craig and Bampton (AIAA J. 6 (1968) 1313) in one plane: displacement and
+The reduction follows Craig and Bampton (AIAA J. 6 (1968) 1313) in one plane: displacement and
 tilt of kept nodes, and modes of the rest while these are held. Natural modes of the free reduced
 shaft are its two rigid-body motions and the elastic modes, which are mass-orthogonal to them. A
 round shaft has the same modes in both planes.

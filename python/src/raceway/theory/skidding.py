@@ -50,7 +50,7 @@ def unloaded(
 
 
 def rotation(slowing: Callable[[Floats], Floats], rate: Floats, time: Floats) -> Floats:
-    """Rotation x (n,) of balls relative to that of rolling, `time` (s) after x = 1, by Heun's
+    """Rotation x (n,) of balls relative to pure rolling, `time` (s) after x = 1, by Heun's
     method: dx/dt = -`rate` `slowing(x)`, with `rate` in 1/s. `slowing` is the resistance minus the
     traction, both divided by the load. A ball rolls as long as traction suffices. An infinite time
     gives the steady-state rotation."""

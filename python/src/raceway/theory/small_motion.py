@@ -56,9 +56,9 @@ def response(
     """`Response` with dampers `damping` (C, Z) in N s/m parallel to the springs of the contacts, at
     `frequency` in rad/s; 0 is the limit of slow motion.
 
-    `stiffening` (C, Z) in N/m is added to the springs, for example that of a film at that
-    frequency. `ball_mass` in kg is that of one ball, moving in its plane. Raises `ValueError` for a
-    negative frequency or damper.
+    `stiffening` (C, Z) in N/m is added to the springs, for example the stiffness of a film
+    at that frequency. `ball_mass` in kg is the mass of one ball, moving in its plane. Raises
+    `ValueError` for a negative frequency or damper.
 
     A ball's two springs are in series, and so are its two dampers:
 

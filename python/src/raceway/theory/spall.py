@@ -42,11 +42,11 @@ def seconds_to_blow(
     `speed` of the inner ring in rad/s; radial `load` in N; `ring_mass` in kg of the inner ring and
     the parts that turn with it, which the load accelerates towards the ball; diametral `clearance`
     in m; `ball_density` in kg/m^3. `heard` is the raceway whose ring has the sensor, by default
-    that of the spall; the ball must fly back to the other one. `edge` is the radius of the spall's
-    edges in m: a ball that keeps its load begins to rise that distance before the middle. Raises
-    `ValueError` for a length or mass that is not positive, an edge above half a length, and for
-    lengths above 0.4 of the spacing of two balls, `NoEquilibrium` if the bearing cannot carry the
-    load without that ball.
+    the one with the spall; the ball must fly back to the other raceway. `edge` is the radius of the
+    spall's edges in m: a ball that keeps its load begins to rise that distance before the middle.
+    Raises `ValueError` for a length or mass that is not positive, an edge above half a length, and
+    for lengths above 0.4 of the spacing of two balls, `NoEquilibrium` if the bearing cannot carry
+    the load without that ball.
 
     A 6208 at 1500 rpm and 2 kN keeps its load over 1 mm, not over 2 mm:
 

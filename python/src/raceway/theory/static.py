@@ -49,11 +49,11 @@ class Contacts(NamedTuple):
     raceway with several grooves (grooves, Z), in the order of its `bearing.Layout`; zero load if
     there is no contact."""
 
-    # m, overlap of the rigid bodies: negative where a film bridges a gap, minus the play for a ball
+    # m, overlap of the rigid bodies: negative if a film bridges a gap, minus the play for a ball
     # held on the outer raceway by its centrifugal load, zero for a ball that is not held
     overlap: Floats
     load: Floats  # N
-    angle: Floats  # rad, positive where the inner ring is pushed to +z
+    angle: Floats  # rad, positive if the inner ring is pushed to +z
     a: Floats  # m, across the groove
     b: Floats  # m, along rolling
     pressure: Floats  # Pa

@@ -31,7 +31,7 @@ from raceway.theory.static import STRAIGHT, Equilibrium
 from raceway.theory.validity import of_statics
 
 ENOUGH = 0.01  # K, tolerance
-OF_NODES = ("sides", "cage", "contacts", "drag", "flow")  # figures of a `Scene` for its heat balance only
+OF_NODES = ("sides", "cage", "contacts", "drag", "flow")  # of a `Scene`, for its heat balance
 TOPICS = {
     "Operating point": (
         Row("bearing", "bearing", None),
@@ -87,8 +87,8 @@ COLUMNS = (  # of the table of several points: key, heading, scale
 
 @dataclass(frozen=True)
 class Nodes:
-    """Conductances of `heat.three_nodes`, W/K. `housing` None: that of ISO 15312. `contact` None:
-    those of the moving contacts (`heat.conductances`)."""
+    """Conductances of `heat.three_nodes`, W/K. `housing` None: from ISO 15312. `contact` None: from
+    the moving contacts (`heat.conductances`)."""
 
     shaft: float = 0.0
     housing: float | None = None
@@ -135,9 +135,9 @@ class Scene:
         cage: cage_drag.CageRing | None = None,
         oil_flow: CirculatingOil | None = None,
     ) -> None:
-        """`roughness` is composite, m; `density` of the balls in kg/m^3; `spin_law` and
-        `models` and `cage` are those of `operating_point.figures`, `held` that of
-        `static.equilibrium`, `size` and `supply` those of `friction_torque.surfaces`."""
+        """`roughness` is composite, m; `density` of the balls in kg/m^3; `spin_law`, `models` and
+        `cage` are as in `operating_point.figures`, `held` as in `static.equilibrium`, `size` and
+        `supply` as in `friction_torque.surfaces`."""
         self.bearing, self.boundary, self.lubricant = bearing, boundary, lubricant
         self.roughness, self.load, self.axial = roughness, load, axial
         self.ring, self.density = rpm * math.pi / 30, density
@@ -171,8 +171,8 @@ class Scene:
 
     def at(self, temperature: float, clearance: float) -> dict[str, Any]:
         """Figures of the scene at a temperature in degrees C and a clearance in m; `sides` has the
-        power in W at the inner and the outer raceway, half the drag to each, `cage` that at the
-        cage, `drag` the drag, `flow` is the `heat.OilFlow`."""
+        power in W at the inner and the outer raceway, half the drag to each; `cage` is the power at
+        the cage, `drag` the power of the drag, `flow` the `heat.OilFlow`."""
         return self.figures(self.rest(temperature, clearance), clearance)
 
     def figures(self, rest: Rest, clearance: float) -> dict[str, Any]:
@@ -232,9 +232,7 @@ def one_node(scene: Scene, conductance: float, ambient: float, clearance: float)
 
     coldest = scene.oil_flow and scene.oil_flow.inlet
     try:
-        temperature = heat.balance(
-            left, conductance, ambient, tolerance=ENOUGH, coldest=coldest
-        )
+        temperature = heat.balance(left, conductance, ambient, tolerance=ENOUGH, coldest=coldest)
     except ValueError as error:
         raise NoEquilibrium(f"no steady temperature: {error}") from None
     found = dict.fromkeys(
@@ -302,8 +300,8 @@ class Case:
     """Input of `figures`; SI units, degrees C.
 
     `bearing` and `lubricant` are names or paths of data files, looked up in the inputs `folder`
-    (`catalogue.find`); the lubricant's must have physical data. Cooling: `nodes`, or `conductance`
-    in W/K, or that of ISO 15312.
+    (`catalogue.find`); the lubricant's file must have physical data. Cooling: `nodes`, or
+    `conductance` in W/K, or by ISO 15312.
     """
 
     bearing: str

@@ -99,7 +99,7 @@ def held(push: float, radial: float, largest: float) -> list[str]:
         return []
     return [
         f"the balls push the inner ring along its axis with {_shown(abs(push), 'N')}, and no load"
-        " balances it: loads, life and friction are those of a ring that something else holds,"
+        " balances it: loads, life and friction apply to a ring that something else holds,"
         " such as a second bearing"
     ]
 
