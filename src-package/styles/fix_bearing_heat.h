@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/heat: temperatures of inner ring, balls, outer ring, housing and flowing oil of a named
-// bearing, fed by the losses of its contacts; films, clearance and friction follow (docs/heat).
+// fix bearing/heat: temperatures of inner ring, balls, outer ring, housing and flowing oil of a
+// named bearing, fed by the losses of its contacts; films, clearance and friction follow
+// (docs/heat).
 //
 // Heat is slow and balls are fast, so temperatures jump (core/laws/heat_jumps.h): during one ball
 // pass a ramp takes the clearance to its value at the new temperatures, during the next the losses

@@ -112,7 +112,8 @@ EXPORT(double, heat_steady, (const HeatNetworkOf *net, const double heat[5], dou
 }
 
 // Takes the mean losses (W) of a ball pass in the nodes and the oil, the conductances of the
-// contacts (W/K) and the heat transfer coefficient of the oil (W/(m^2 K)), and starts the next jump.
+// contacts (W/K) and the heat transfer coefficient of the oil (W/(m^2 K)), and starts the next
+// jump.
 EXPORT(void, heat_jump,
        (HeatStateOf * state, const double heat[5], double inner, double outer, double convection,
         const HeatNetworkOf *net, const HeatControlOf *control))

@@ -10,9 +10,9 @@ namespace raceway {
 
 // Heat transfer coefficient (W/(m^2 K)) between flowing oil and the surfaces of a bearing, as at
 // the distance x from the leading edge of a plate in laminar flow of the speed u:
-// h = 0.332 k Pr^(1/3) sqrt(u/(nu x)), Pr = eta c_p/k (Pohlhausen), with the pitch diameter (m) as x
-// and a third of the speed of the balls on the pitch circle as u (Harris, Rolling Bearing Analysis,
-// after Eckert). `orbit` (rad/s) is the speed of the balls around the bearing.
+// h = 0.332 k Pr^(1/3) sqrt(u/(nu x)), Pr = eta c_p/k (Pohlhausen). Here x is the pitch diameter
+// (m) and u a third of the speed of the balls on the pitch circle (Harris, Rolling Bearing
+// Analysis, after Eckert). `orbit` (rad/s) is the speed of the balls around the bearing.
 inline double oil_convection(double conductivity, double heat_capacity, double density,
                              double viscosity, double orbit, double pitch_diameter)
 {
