@@ -42,7 +42,7 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def figures(rotor: rotor_matrices.Rotor, bearings: list[float]) -> dict[str, Any]:
-    """Figures by name in SI units: nodes, omitted bearings, the rigid body, and the free-free
+    """Figures by name, in SI units: nodes, omitted bearings, the rigid body, and the free-free
     bending frequencies in one plane without spin."""
     import scipy.linalg
 
