@@ -76,8 +76,8 @@ class Motor:
     """The capacitances of a motor: the common-mode voltage `waveform` through `winding_rotor` (F),
     the rotor to the frame through `rotor_frame` (F) and through the other bearing.
 
-    The other bearing has the capacitance `second` (F), or `second_factor` times that of this one.
-    `capacitance` (F) is in parallel with the bearing.
+    The other bearing has the capacitance `second` (F), or `second_factor` times the capacitance of
+    this bearing. `capacitance` (F) is in parallel with the bearing.
     """
 
     waveform: Waveform

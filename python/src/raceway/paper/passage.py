@@ -34,8 +34,8 @@ def capacitance(
     whole: bool = True,
     printed: bool = False,
 ) -> float:
-    """Capacitance in F where the smallest film is `h_min` in m: of the bearing (`whole`) or of the
-    ball on the load line."""
+    """Capacitance in F at which the smallest film is `h_min` in m: of the bearing (`whole`) or of
+    the ball on the load line."""
     at = speed(bearing, oil, radial_load, h_min, printed)
     if whole:
         return theory.bearing_capacitance(bearing, oil, radial_load, at, printed=printed)
