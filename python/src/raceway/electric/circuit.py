@@ -129,7 +129,8 @@ def _points(coarse, outer, points):
     if points * coarse.capacitance.size > MOST:
         raise ValueError(
             f"points = {points} per sample and {coarse.capacitance.size} films are more than"
-            f" {MOST:g} in all: a sample takes {longest:g} s, a period of the voltage {shortest:g} s"
+            f" {MOST:g} in all: a sample takes {longest:g} s, a period of the voltage"
+            f" {shortest:g} s"
         )
     return points
 

@@ -49,7 +49,7 @@ class Model:
         return [self._one(one, state, solved) for one in rows]
 
     def _oil(self, point, state):
-        """C; NaN if it is the temperature read."""
+        """Oil temperature in C; NaN if the reading is this temperature."""
         return point.at if point.at is not None else state.get("temperature", math.nan)
 
     def _one(self, reading: Reading, state, solved) -> Predicted:

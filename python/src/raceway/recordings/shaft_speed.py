@@ -3,7 +3,7 @@
 
 The nominal speed of a motor under load is wrong by up to 1 %, which is ten times the slip of a
 cage. Unbalance, misalignment and a flaw of the inner raceway give lines at whole multiples of the
-true one. Mains and other machines cause lines, too: the largest group of consistent multiples
+true speed. Mains and other machines cause lines, too: the largest group of consistent multiples
 counts.
 """
 

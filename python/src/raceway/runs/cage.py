@@ -91,8 +91,8 @@ def cage_figures(tables: "RunTables") -> CageFigures | None:
 
 def whirl(order: float | None, known: dict[str, float]) -> str | None:
     """Name of a whirl at `order` times the speed of the cage (`whirl_order`): none, irregular, the
-    part that it turns with, forward (the way the cage turns) or backward. `known` has the parts
-    with their speeds over the cage's.
+    part that it turns with, forward (the way the cage turns) or backward. `known` maps parts to
+    their speeds relative to the speed of the cage.
 
     >>> whirl(0.52, {"cage": 1.0, "inner ring": 2.5}), whirl(-3.0, {})
     ('half the speed of the cage', 'backward')

@@ -78,8 +78,8 @@ def of_run(
     values, sample_s, attrs = run.signal(name, ring)
     if not np.ptp(values) > 0:
         raise RunError(
-            f"{run.tables.folder}: {name} of the {ring} ring does not change; a sensor needs one"
-            " that is free, for the outer ring a housing (-var housing springs)"
+            f"{run.tables.folder}: {name} of the {ring} ring does not change; a sensor needs a ring"
+            " that is free, and an outer ring is free in a housing (-var housing springs)"
         )
     if rate is not None:
         try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A bearing with signals: a run of the simulation, or a recording of a real one.
+"""A bearing with signals: a run of the simulation, or a recording of a real bearing.
 
 Spectra, envelopes, pictures and spall lengths need only a `Source`, so that they read
 runs and recordings in the same way.

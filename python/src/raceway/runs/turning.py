@@ -74,7 +74,7 @@ class Turning:
 
     def passes(self, sample: ArrayLike) -> Floats:
         """Ball passes from the first sample of the record to `sample`, numbers of samples: the
-        cage's angle divided by that between two balls."""
+        cage's angle divided by the angle between two balls."""
         sample = np.asarray(sample)
         if not sample.size:
             return sample.astype(float)

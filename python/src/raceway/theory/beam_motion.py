@@ -133,8 +133,8 @@ def rigid(z: Floats, whole: Matrices) -> Rigid:
 def reduced(whole: Matrices, kept: Sequence[int], modes: int) -> Reduced:
     """`Reduced` to the nodes `kept` and the lowest `modes` of the rest.
 
-    A mode's coordinate is its largest displacement (m). Raises `ValueError` for more modes than
-    the rest has."""
+    A mode's coordinate is its largest displacement (m). Raises `ValueError` for more modes than the
+    other nodes have."""
     import scipy.linalg
 
     n = len(whole.mass)

@@ -30,8 +30,8 @@ SLIPS = (-1.1, 2.2)
 
 
 def order(bearing: Bearing, state: Equilibrium, models: str = "full") -> float:
-    """Speed of the cage relative to that of the inner ring at an equilibrium `state`, outer ring at
-    rest: the mean over all balls, weighted by load. Raises `ValueError` for other models.
+    """Ratio of the speeds of cage and inner ring at an equilibrium `state`, outer ring at rest: the
+    mean over all balls, weighted by load. Raises `ValueError` for other models.
 
     Each ball rolls at both contacts (Harris, Rolling Bearing Analysis, ch. 10)::
 
@@ -54,7 +54,7 @@ def order(bearing: Bearing, state: Equilibrium, models: str = "full") -> float:
 
 
 def ball_order(bearing: Bearing, state: Equilibrium, models: str = "full") -> float:
-    """Rotation of a ball relative to the cage (BSF), otherwise like `order`.
+    """Rotation of a ball relative to the cage (BSF) over the speed of the inner ring, like `order`.
 
     A ball rolls on the outer raceway about its axis at the angle b, half the sum of both contact
     angles: w_b/w_c = (1 + g cos a_o)/(g cos(b - a_o)). Models paper, in which a ball's axis does

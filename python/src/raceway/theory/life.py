@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Rating life of a radial or angular contact ball bearing: ISO 281:2007 and, from the loads of its
-balls, ISO/TS 16281:2008. Lives are for a reliability of 90 %; `RELIABILITY` has factors for others.
+balls, ISO/TS 16281:2008. Lives are for a reliability of 90 %; `RELIABILITY` has factors for other
+values.
 
 The reference life uses the loads of statics or of a run and so includes clearance, tilt, moments
 and centrifugal loads. The life of ISO 281 itself depends only on the load on the whole bearing.

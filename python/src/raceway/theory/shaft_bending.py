@@ -89,7 +89,8 @@ def bending(
 
 def planes(nodes: int) -> tuple[Floats, Floats]:
     """(5 N, 2 N) matrices, N = `nodes`, that map displacement and slope of a plane to the
-    freedoms of `beam`: the plane of x, where the slope is ry, and that of y, where it is -rx."""
+    freedoms of `beam`: the plane of x, where the slope is ry, and the plane of y, where it is
+    -rx."""
     one, other = np.zeros((FREEDOMS * nodes, 2 * nodes)), np.zeros((FREEDOMS * nodes, 2 * nodes))
     for k in range(nodes):
         one[FREEDOMS * k, 2 * k] = one[FREEDOMS * k + 4, 2 * k + 1] = 1.0

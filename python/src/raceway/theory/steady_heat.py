@@ -4,7 +4,7 @@ balances the friction heat.
 
 One node: the whole bearing and its oil at one temperature. Three nodes: inner ring, balls and outer
 ring at separate temperatures, the oil at their mean, and statics with the clearance of the warm
-parts. Oil that flows through the bearing carries heat away, in both.
+parts. In both cases, oil that flows through the bearing carries heat away.
 """
 
 import math
@@ -214,7 +214,7 @@ class Scene:
         }
 
     def flow(self, fluid: Fluid, orbit: float) -> heat.OilFlow:
-        """The oil that flows, with balls that orbit at a speed in rad/s."""
+        """The flow of oil, for balls that orbit at a speed in rad/s."""
         oil = self.oil_flow
         if oil is None:
             return heat.STILL
@@ -254,7 +254,7 @@ def _settings(oil):
 
 
 def _carried(found, surfaces):
-    """Figures of oil that flows, with inner ring, balls and outer ring at these temperatures."""
+    """Figures of flowing oil, with inner ring, balls and outer ring at temperatures `surfaces`."""
     flow = found["flow"]
     if not flow.flow:
         return {}
@@ -263,8 +263,8 @@ def _carried(found, surfaces):
 
 
 def three_nodes(scene: Scene, nodes: Nodes, ambient: float, clearance: float) -> dict[str, Any]:
-    """Steady figures with separate temperatures by `Nodes`; the clearance is that of the bearing at
-    `ambient`. Raises `NoEquilibrium` if no steady state is found up to 200 C."""
+    """Steady figures with separate temperatures by `Nodes`; `clearance` is the clearance of the
+    bearing at `ambient`. Raises `NoEquilibrium` if no steady state is found up to 200 C."""
     warm, oil = clearance, ambient + 20.0
     part = 0.6  # under-relaxation: friction decreases as the oil warms, so full steps overshoot
     for _ in range(80):

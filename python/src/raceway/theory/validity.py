@@ -112,7 +112,7 @@ def past_shoulder(
 ) -> list[str]:
     """A text for each raceway with contact patches that extend beyond the edge of their groove.
 
-    `angle` (rad) and `semi_axis` a (m) are those of the loaded contacts of the inner and the outer
+    `angle` (rad) and `semi_axis` a (m) belong to the loaded contacts of the inner and the outer
     raceway. The groove ends at the angle theta with cos(theta) = 1 - depth/r_c from its bottom; an
     ellipse reaches to |alpha| + asin(a/r_c).
     """
