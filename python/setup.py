@@ -56,7 +56,7 @@ def build(target, folder):
     is no compiler, or with the output of a compiler that failed."""
     compiler = os.environ.get("CXX") or next(filter(shutil.which, ("g++", "clang++", "c++")), None)
     if compiler is None:
-        raise CCompilerError("raceway needs a C++ compiler for its laws: install g++ or set CXX")
+        raise CCompilerError("raceway needs a C++ compiler for its laws: install g++, or set CXX")
     flags = (INTERFACE / "compile_flags.txt").read_text().split()
     folder.mkdir(parents=True, exist_ok=True)
 

@@ -323,7 +323,7 @@ def assumed(path: FilePath, models: str | None = None) -> dict[str, float]:
 
 
 def _constants(path, *names):
-    """Numbers of an oil by name; defaults for those that its file lacks."""
+    """Numbers of an oil by name; defaults for constants that its file lacks."""
     usual = {name: value for name, value in assumed(path).items() if name in names}
     found = numbers(path, *(name for name in names if name not in usual)) | usual
     return {name: found[name] for name in names}

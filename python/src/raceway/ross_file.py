@@ -28,7 +28,7 @@ class Read(NamedTuple):
 
 
 def is_ross(path: FilePath) -> bool:
-    """True if `path` has the suffix of a ROSS rotor, not that of a shaft's YAML file."""
+    """True if `path` has the suffix of a ROSS rotor, not of a shaft's YAML file."""
     return Path(path).suffix in SUFFIXES
 
 

@@ -91,7 +91,7 @@ def add(commands: Commands) -> None:
         type=number(0, 0.999, ""),
         default=0.0,
         metavar="S",
-        help="least share of the load on the asperities of such a film (default 0)",
+        help="load share of asperities above which they conduct (default 0)",
     )
     one.add_argument(
         "--stray", type=FARAD, default=0.0, metavar="F", help="added to every film (default 0)"

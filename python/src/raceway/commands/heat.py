@@ -18,7 +18,7 @@ have physical data (vg32, vg46, vg68, vg100, pao8, grease110).
 
 Cooling follows ISO 15312 unless --conductance is given. --nodes gives three conductances: inner
 ring to ambient, outer ring to ambient, ring to balls. Each part then has its own temperature,
-and the clearance follows from these.
+and the clearance follows from the temperatures of the parts.
 
 --runs N takes the friction from at most N short runs of the main deck with the same models, one
 after another, each at the temperature that follows from the previous one. The command stops early

@@ -140,7 +140,7 @@ def _need_overlap(time, waveform):
         first, last = waveform.times[0], waveform.times[-1]
         if last <= time[0] or first >= time[-1]:
             raise ValueError(
-                f"the table's times, {first:g} to {last:g} s, must overlap those of the films,"
+                f"the table's times, {first:g} to {last:g} s, must overlap the times of the films,"
                 f" {time[0]:g} to {time[-1]:g} s"
             )
 

@@ -92,7 +92,7 @@ def series(capacitance: Floats) -> Series:
 
 def of_run(run: Run, leak: Leak | None = None, stray: float = 0.0) -> Films:
     """The films of `run` from `raceway.open`, with the total capacitance of each contact
-    (`capacitance_total`) if recorded, otherwise with that of the contact patch.
+    (`capacitance_total`) if recorded, otherwise with the capacitance of the contact patch.
 
     `leak` makes them conduct; `stray` (F) is added to every film. Raises `RunError` for a run that
     lacks required data.

@@ -18,9 +18,9 @@ class Terms(NamedTuple):
     """An outer circuit at the points of a solution, n of them."""
 
     capacitance: float  # from inner ring to frame, in parallel with the films, F
-    factor: float  # likewise, as a multiple of the bearing's capacitance
+    factor: float  # further capacitance there, as a multiple of the bearing's capacitance
     coupling: float  # from the driving voltage to the inner ring, F
-    conductance: float  # likewise, S; infinite: the inner ring is at the driving voltage
+    conductance: float  # parallel to the coupling, S; infinite: ring at the driving voltage
     driving: Floats  # (n,) V
     edges: Floats  # (k, 3) s and V before and after, where the driving voltage kinks or jumps
     start: float  # V, initial voltage of an inner ring that no voltage drives

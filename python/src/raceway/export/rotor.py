@@ -28,7 +28,7 @@ from raceway.theory.static import FREEDOMS, STRAIGHT
 
 PER_METRE = (1, 1, 1, 0, 0)  # powers of 1/m by row and column of the matrices: a sum of 2 is N/m
 TAKEN = ("xx", "xy", "yx", "yy", "zz")  # entries accepted by ROSS's BearingElement
-ROSS_FREEDOMS = 6  # degrees of freedom of a node: ours and the rotation about z
+ROSS_FREEDOMS = 6  # degrees of freedom of a node: `FREEDOMS` and the rotation about z
 TILTS = ("held", "free")
 NOISE = 1e-9  # rounding error of entries that are 0 by symmetry, as a fraction of the diagonal
 
@@ -124,9 +124,9 @@ def at_rest(carried: Carried, rpm: ArrayLike, **options: Any) -> list[Point]:
 def ross(
     bearing: str, load: float, rpm: ArrayLike, *, tilts: str = "held", **options: Any
 ) -> dict[str, float | list[float]]:
-    """Keyword arguments of ROSS's `BearingElement` except the node: kxx, kyy, kxy, kyx, kzz, cxx to
-    czz likewise and, for several `rpm`, `frequency` in rad/s. All are Python floats or lists of
-    them.
+    """Keyword arguments of ROSS's `BearingElement` except the node: kxx, kyy, kxy, kyx, kzz, the
+    corresponding cxx to czz and, for several `rpm`, `frequency` in rad/s. All are Python floats or
+    lists of them.
 
     `load` in N is radial, along x; `options` are passed to `points`. With `tilts` "held" the
     arguments are entries of the 5 x 5 matrices, and `add_rest` adds the other entries. "free" gives

@@ -2,7 +2,7 @@
 """Operating points where the lambda ratio passes a given value, by theory: speed and capacitance,
 and the roughness for a given capacitance.
 
-The contact is that of the inner raceway under a ball on the load line, which has the thinnest film.
+The contact is at the inner raceway, with a ball on the load line, where the film is thinnest.
 """
 
 import numpy as np

@@ -70,8 +70,8 @@ def picture(run: Source, found: xr.DataArray, path: FilePath) -> None:
 
 
 def _lines(run, found):
-    """{(name, harmonic): position on the vertical axis} of the lines from the run's own cage
-    speed."""
+    """{(name, harmonic): position on the vertical axis} of the lines that follow from the speed of
+    the cage."""
     which = 0 if found.attrs["orders"] else 1
     return {
         (name, n): place[which]

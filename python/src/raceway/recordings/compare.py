@@ -28,7 +28,7 @@ class Side(NamedTuple):
 
 
 class Pair(NamedTuple):
-    """A line in both; NaN where it was not found."""
+    """A line in run and recording; NaN if it was not found."""
 
     name: str
     harmonic: int

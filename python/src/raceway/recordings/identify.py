@@ -206,7 +206,7 @@ class _Search:
         return np.array([one.lag for one in self.predicted(place)])
 
     def misfit(self, place, lags=None) -> Misfit:
-        """`prediction.misfit`, with the lags of the cage there unless others are given."""
+        """`prediction.misfit`, with the lags of the cage at `place` unless `lags` are given."""
         lags = self.lags(place) if lags is None else lags
         return misfit(self.readings.readings, self.predicted(place), lags)
 
@@ -274,7 +274,7 @@ class _Search:
         def rest(x):
             place = np.array(start)
             place[free] = x
-            # relative to this 1, `ftol` is a change of the sum of squares, not a share of it
+            # with this 1, `ftol` limits the change of the sum of squares, not its relative change
             return np.append(self.residuals(place, lags), 1.0)
 
         place = np.array(start)

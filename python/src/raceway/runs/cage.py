@@ -42,14 +42,14 @@ class CageFigures(NamedTuple):
 
 
 def cage_figures(tables: "RunTables") -> CageFigures | None:
-    """`CageFigures` of a run, None without such a cage.
+    """`CageFigures` of a run, None without a one-piece cage.
 
-    `cage_slip`: 1 minus the cage's speed over that of rolling at contact angle 0, both relative to
-    the outer ring, means of the measured passes. It is the sum of `cage_slip_angle` (rolling at the
-    contact angles of the run), `cage_slip_groove` (balls roll on a circle of their contact ellipse,
-    not at the bottom of the groove) and `cage_slip_play` (the rest: pocket play, which idle balls
-    lose, and creep under drag); these are missing if the record has no contacts. `cage_orbit_m`:
-    largest distance of the cage's centre from its mean position (m). `cage_whirl`,
+    `cage_slip`: 1 minus the cage's speed over its speed for rolling at contact angle 0, both
+    relative to the outer ring, means of the measured passes. It is the sum of `cage_slip_angle`
+    (rolling at the contact angles of the run), `cage_slip_groove` (balls roll on a circle of their
+    contact ellipse, not at the bottom of the groove) and `cage_slip_play` (the rest: pocket play,
+    which idle balls lose, and creep under drag); these are missing if the record has no contacts.
+    `cage_orbit_m`: largest distance of the cage's centre from its mean position (m). `cage_whirl`,
     `cage_whirl_order`: `whirl`. `pocket_play_m`: along the pitch circle (m). `pocket_force_max_N`,
     `..._mean_N`: largest and mean force of a ball on its pocket (N), at the ends of steps.
     """

@@ -123,7 +123,7 @@ class Run:
 
     @cached_property
     def cage(self) -> xr.Dataset:
-        """Dataset (time, ball) of the cage balls; their `ball` is their own atom number."""
+        """Dataset (time, ball) of the cage balls; `ball` is the atom number of a cage ball."""
         return Recorded(self.tables).cage
 
     @cached_property
@@ -193,7 +193,7 @@ class Run:
         return self.tables.turning.shaft(self.tables.first, self.tables.last)[:samples]
 
     def shaft_speed(self, samples: int | None = None) -> Floats:
-        """Speed (N,) in rad/s of the inner relative to the outer ring, likewise."""
+        """Speed (N,) in rad/s of the inner relative to the outer ring at these samples."""
         return self.tables.turning.shaft_speed(self.tables.first, self.tables.last)[:samples]
 
     def universe(self) -> "Universe":

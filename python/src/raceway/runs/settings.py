@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Settings of a run by the names of `run.yaml`: from the record and, for those written at the end
-of the run, from `run.yaml` in the same folder.
+"""Settings of a run by the names of `run.yaml`: from the record and, for settings written at the
+end of the run, from `run.yaml` in the same folder.
 
 Load, speed and length are measured as means over the record if the deck did not record them.
 """

@@ -51,4 +51,4 @@ class Source(Protocol):
         signal."""
 
     def shaft_speed(self, samples: int) -> Floats:
-        """Speed (`samples`,) in rad/s, likewise."""
+        """Speed (`samples`,) in rad/s of the inner relative to the outer ring at these samples."""

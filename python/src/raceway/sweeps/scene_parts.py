@@ -45,7 +45,7 @@ def figures(summary: Mapping[str, Any]) -> dict[str, float]:
 
 
 def whole_scene(given: Mapping[str, str], lubricated: bool) -> dict[str, str]:
-    """The deck's variables of a scene: those `given`, and assumed values for the others."""
+    """The deck's variables of a scene: `given` values, and assumed values for other variables."""
     return {**(_DATA["assumed"] if lubricated else {}), **given}
 
 

@@ -58,8 +58,8 @@ def ball_order(bearing: Bearing, state: Equilibrium, models: str = "full") -> fl
 
     A ball rolls on the outer raceway about its axis at the angle b, half the sum of both contact
     angles: w_b/w_c = (1 + g cos a_o)/(g cos(b - a_o)). Models paper, in which a ball's axis does
-    not tilt, have no value of their own and use this one. Differential slip adds a fraction
-    (1 - w_c/w) e_i + w_c/w e_o: both rings are slower than the surface of the ball.
+    not tilt, also use this value. Differential slip adds a fraction (1 - w_c/w) e_i + w_c/w e_o:
+    both rings are slower than the surface of the ball.
 
     >>> from raceway.theory import static
     >>> b = Bearing(9, 7.94e-3, 15.55e-3, 23.49e-3, 4.0891e-3, 4.1685e-3)

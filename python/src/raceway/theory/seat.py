@@ -46,7 +46,7 @@ class Touch(NamedTuple):
 
     @property
     def carried(self) -> Floats:
-        """(Z,), bool: balls with an inner contact; the others do not hold a ring."""
+        """(Z,), bool: balls with an inner contact; other balls do not hold a ring."""
         return (self.load[: len(self.reach.distance)] > 0).any(0)
 
     @property

@@ -67,7 +67,7 @@ def bending(
 
 
 def frequencies(shaft: Shaft, rest: Rest, speed: float) -> Floats:
-    """(5 N,) natural frequencies in rad/s, rising, at the shaft's `speed` in rad/s.
+    """(5 N,) natural frequencies in rad/s, in ascending order, at the shaft's `speed` in rad/s.
 
     >>> from raceway.theory.bearing import Bearing
     >>> from raceway.theory.beam import Section

@@ -24,7 +24,7 @@ class Linear(NamedTuple):
     stiffness: Floats  # (Z, 7, 7), second derivatives of the energy, N/m and so on
     approach: Floats  # (C, Z, 7), of the overlaps of a ball's contacts, inner ones first
     along: Floats  # (C, Z), N/m: stiffness of the contacts along their lines of action
-    loaded: Floats  # (Z,), bool: balls with an inner contact; the others do not hold a ring
+    loaded: Floats  # (Z,), bool: balls with an inner contact; other balls do not hold a ring
 
     __repr__ = short
 

@@ -4,7 +4,7 @@
 A ball that keeps its load hits half-way, where the near flank of its path meets the far one
 (`kinematics.spall_length`). A ball that loses its load flies on and hits the far flank later. Here
 ball and ring are two masses along the load line: the ball between two Hertz contacts, the ring on a
-spring for the other balls. The path over the spall is that of a rigid ball on two edges
+spring for the other balls. The path over the spall is the path of a rigid ball on two edges
 (docs/theory, Flaws of a raceway). The spall lies on the load line, and the ball does not reach its
 bottom. Film, friction and the support of the outer ring are neglected.
 """

@@ -62,8 +62,9 @@ class Contacts(NamedTuple):
 
     @property
     def heavy(self) -> Floats:
-        """True for contacts with a load above `LIGHT`. The others may be balls wedged by their
-        centrifugal load between the outer groove and the edge of the inner one, at any angle."""
+        """True for contacts with a load above `LIGHT`. Other contacts may belong to balls wedged by
+        their centrifugal load between the outer groove and the edge of the inner one, at any
+        angle."""
         return self.load > LIGHT * self.load.max()
 
 

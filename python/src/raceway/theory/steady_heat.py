@@ -145,7 +145,7 @@ class Scene:
         self.size, self.supply, self.cage = size, supply, cage
         self.oil_flow = oil_flow
         self.share = 1.0  # factor on the friction of the laws, set by `by_runs`
-        self.near: Equilibrium | None = None  # the last one, where the next search begins
+        self.near: Equilibrium | None = None  # the last equilibrium, where the next search begins
 
     def rest(self, temperature: float, clearance: float) -> Rest:
         """Equilibrium and films with the oil at a temperature in degrees C and a clearance in m."""
