@@ -79,7 +79,7 @@ def add(commands: Commands) -> None:
     one.add_argument(
         "--inputs",
         metavar="DIR",
-        help="the inputs folder (default: here or in a parent folder, else the package's)",
+        help="the inputs folder (default: here or in a parent folder, else in the package)",
     )
     form = one.add_mutually_exclusive_group()
     form.add_argument("--json", action="store_true", help="a JSON list, SI units")

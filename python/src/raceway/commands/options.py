@@ -203,7 +203,7 @@ def inputs(to: Any) -> None:
     to.add_argument(
         "--inputs",
         metavar="DIR",
-        help="the inputs folder (default: here or in a parent folder, else the package's)",
+        help="the inputs folder (default: here or in a parent folder, else in the package)",
     )
 
 

@@ -221,7 +221,7 @@ def figures(case: Any, rest: Any, folder: str | None, cleanliness: str) -> dict[
 
 
 def table(result: dict[str, Any]) -> str:
-    """The mapping of `figures` as text."""
+    """The result of `figures` as text."""
     columns = (
         ("bearing", "bearing", ""),
         ("at_m", "at", "m"),
@@ -275,7 +275,7 @@ def table(result: dict[str, Any]) -> str:
 
 
 def over_speed(results: list[dict[str, Any]]) -> str:
-    """Several mappings of `figures` as text, one line each."""
+    """Several results of `figures` as text, one line each."""
     names = [one["bearing"] for one in results[0]["bearings"]]
     heads = [f"{name} {entry}" for name in names for entry in ("kxx", "kyy")]
     rows = [["rpm", *heads, *(f"mode {k}" for k in range(1, SHOWN + 1))]]
@@ -299,7 +299,7 @@ def rigid_figures(rigid: Any) -> dict[str, float]:
 
 
 def rigid_line(body: dict[str, float]) -> str:
-    """The mapping of `rigid_figures` as a line of text."""
+    """The result of `rigid_figures` as a line of text."""
     return (
         f"Rigid body: mass {body['mass_kg']:.4g} kg,"
         f" centre at {prefixed(body['centre_m'], 'm')},"

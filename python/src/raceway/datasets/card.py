@@ -64,7 +64,7 @@ KINDS = {"mat": "MATLAB version 5 (`.mat`)", "parquet": "Apache Parquet (`.parqu
 
 
 def card(spec: Spec, table: pd.DataFrame, wanted: int) -> str:
-    """Text of README.md for the records in `table` (rows of labels.csv), of `wanted` in all."""
+    """Text of README.md for the records in `table` (rows of labels.csv), out of `wanted`."""
     classes, floor = [], "There is no record without a flaw, so the floor is not known here."
     if len(table):
         for kind, some in table.groupby("class", sort=False)["rms_m_s2"]:

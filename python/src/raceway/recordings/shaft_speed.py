@@ -16,7 +16,7 @@ from raceway.arrays import Floats
 from raceway.runs import envelope, spectrum
 
 HARMONICS = 6
-AGREE = 0.04  # largest difference of two lines of one shaft, in units of the resolution
+AGREE = 0.04  # largest difference between two lines of one shaft, in units of the resolution
 FINE = 0.02  # uncertainty of a line in noise, in units of the resolution
 
 

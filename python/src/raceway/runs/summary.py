@@ -362,7 +362,7 @@ def _plain(value):
 
 
 def table(figures: Mapping[str, Any]) -> str:
-    """The mapping of `summary` as text, one block per topic, without missing and negligible
+    """The result of `summary` as text, one block per topic, without missing and negligible
     figures; figures of `statics.statics`, if `figures` has them, are in a column. Warnings come
     last."""
     ranges = figures.get("model_ranges") or {}

@@ -124,7 +124,7 @@ def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
     for number, cells in lines[1:]:
         cells = [cell.strip() for cell in cells]
         if len(cells) != len(columns):
-            wrong.append(f"line {number}: {len(cells)} cells, {len(columns)} columns")
+            wrong.append(f"line {number}: {len(cells)} cells instead of {len(columns)}")
             continue
         row = dict(zip(columns, cells))
         bad = [name for name in order if not WORD.fullmatch(row[name])]

@@ -159,7 +159,7 @@ def of_points(
 
 
 def table(found: Mapping[str, Any]) -> str:
-    """The mapping of `of_points` as text."""
+    """The result of `of_points` as text."""
     rows = [["load", "axial", "rpm", "time", "turns", "damage", "P", "L_10r, 10^6"]]
     whole = sum(one["share"] for one in found["points"])
     for one in found["points"]:

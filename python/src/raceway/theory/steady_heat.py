@@ -393,7 +393,7 @@ class Case:
         return one_node(scene, self.cooling(), self.ambient, self.clearance)
 
     def report(self, scene: Scene, found: Mapping[str, Any]) -> dict[str, Any]:
-        """The mapping of `figures` with the steady figures `found`."""
+        """The result of `figures` with the steady figures `found`."""
         path, oil = self.files()
         level = 500 * scene.bearing.ball_diameter  # mm: the middle of the lowest ball
         known = "reference_speed" in inputs.values(path)
@@ -441,7 +441,7 @@ def figures(*names: Any, **point: Any) -> dict[str, Any]:
 
 
 def table(result: Mapping[str, Any]) -> str:
-    """The mapping of `figures` as text."""
+    """The result of `figures` as text."""
     rows = (row for topic in TOPICS.values() for row in topic)
     shown = {**dict.fromkeys(row.key for row in rows), **result}
     for key in ("reference_speed_rpm", "reference_speed_dry_rpm"):
@@ -452,5 +452,5 @@ def table(result: Mapping[str, Any]) -> str:
 
 
 def curves(results: list[dict[str, Any]]) -> str:
-    """Several mappings of `figures` as text, one line each."""
+    """Several results of `figures` as text, one line each."""
     return several(results, COLUMNS)

@@ -94,7 +94,8 @@ def of_statics(
 
 def held(push: float, radial: float, largest: float) -> list[str]:
     """A text if the balls push the inner ring along its axis with a force `push` (N) that no load
-    balances and that is significant beside the `radial` load and the `largest` contact load."""
+    balances and that is significant relative to the `radial` load and the `largest` contact
+    load."""
     if abs(push) <= COUNTS * max(radial, largest):
         return []
     return [
