@@ -42,7 +42,7 @@ def read(path: FilePath) -> Read:
 
 
 def of_ross(rotor: Any) -> Read:
-    """A ROSS `rotor` without its bearings. Raises `ValueError` for one that
+    """A ROSS `rotor` without its bearings. Raises `ValueError` for a rotor that
     `rotor_matrices.rotor` refuses."""
     places = np.asarray(rotor.nodes_pos, float)
     return Read(

@@ -175,7 +175,7 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.resistivity is not None or arguments.metal is not None:
         leak = Leak(arguments.resistivity, arguments.metal, arguments.metal_share)
     opened = one_run.opened(arguments)
-    try:  # ValueError: an option lacks its partner or does not suit the run
+    try:  # ValueError: options are incomplete or do not suit the run
         result = circuit.run(
             opened,
             _outer_circuit(arguments),

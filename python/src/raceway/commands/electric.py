@@ -142,10 +142,10 @@ def _electrics(one):
         "--voltage",
         type=number(1e-6, 1e6, "V"),
         metavar="V",
-        help="voltage between the rings: gives fields",
+        help="voltage between the rings; adds the fields in the films",
     )
     electric.add_argument(
-        "--frequency", type=number(1e-3, 1e10, "Hz"), metavar="HZ", help="gives the impedance"
+        "--frequency", type=number(1e-3, 1e10, "Hz"), metavar="HZ", help="adds the impedance"
     )
     electric.add_argument(
         "--resistivity",
@@ -155,10 +155,16 @@ def _electrics(one):
         help="resistivity of the lubricant, ohm metres (none: no leak)",
     )
     electric.add_argument(
-        "--c-wr", type=number(0, 1e-3, "F"), metavar="F", help="windings to rotor; with --c-rf"
+        "--c-wr",
+        type=number(0, 1e-3, "F"),
+        metavar="F",
+        help="capacitance from windings to rotor; needs --c-rf",
     )
     electric.add_argument(
-        "--c-rf", type=number(0, 1e-3, "F"), metavar="F", help="rotor to frame; gives the ratio"
+        "--c-rf",
+        type=number(0, 1e-3, "F"),
+        metavar="F",
+        help="capacitance from rotor to frame; adds the bearing voltage ratio",
     )
     electric.add_argument(
         "--measured",

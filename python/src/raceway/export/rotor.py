@@ -187,8 +187,8 @@ def rest(point: Point) -> tuple[Floats, Floats]:
 
 
 def add_rest(rotor: Any, node: int, point: Point) -> None:
-    """Add `rest` to the matrices K0 and C0 of a ROSS `rotor` before its first analysis, because it
-    caches its results. The rest does not change with speed in ROSS, so choose a `point` in the
+    """Add `rest` to the matrices K0 and C0 of a ROSS `rotor` before its first analysis, because the
+    rotor caches results. The rest does not change with speed in ROSS, so choose a `point` in the
     middle of your speed range.
 
     Raises `RacewayError` for a rotor whose nodes do not have six degrees of freedom (ROSS before

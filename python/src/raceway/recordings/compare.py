@@ -40,7 +40,7 @@ class Pair(NamedTuple):
 
 
 class Comparison(NamedTuple):
-    """Both sides and their lines."""
+    """Run, recording and their lines."""
 
     run: Side
     recording: Side

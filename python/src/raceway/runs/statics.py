@@ -26,7 +26,7 @@ from raceway.theory.bearing import INNER, OUTER
 from raceway.theory.cage_drag import CageRing
 
 PLACES = 4
-# figures by the way they follow from the values at all positions
+# figures, by how they follow from the values at all positions
 MEANS = ("shift_z_m", "load_parameter", "capacitance_F", "friction_torque_N_m", "power_loss_W")
 LARGEST = (
     *("q_max_N", "q_inner_max_N", "q_outer_max_N", "p_max_inner_Pa", "p_max_outer_Pa"),

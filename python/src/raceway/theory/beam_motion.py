@@ -131,7 +131,7 @@ def rigid(z: Floats, whole: Matrices) -> Rigid:
 
 
 def reduced(whole: Matrices, kept: Sequence[int], modes: int) -> Reduced:
-    """`Reduced` to the nodes `kept` and the lowest `modes` of the rest.
+    """`Reduced` to the nodes `kept` and the lowest `modes` of the other nodes.
 
     A mode's coordinate is its largest displacement (m). Raises `ValueError` for more modes than the
     other nodes have."""

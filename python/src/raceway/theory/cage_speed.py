@@ -54,7 +54,7 @@ def order(bearing: Bearing, state: Equilibrium, models: str = "full") -> float:
 
 
 def ball_order(bearing: Bearing, state: Equilibrium, models: str = "full") -> float:
-    """Rotation of a ball relative to the cage (BSF) over the speed of the inner ring, like `order`.
+    """Rotation of a ball relative to the cage (BSF), in orders of the inner ring, as in `order`.
 
     A ball rolls on the outer raceway about its axis at the angle b, half the sum of both contact
     angles: w_b/w_c = (1 + g cos a_o)/(g cos(b - a_o)). Models paper, in which a ball's axis does

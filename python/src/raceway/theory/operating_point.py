@@ -220,7 +220,7 @@ def figures(
 
 
 def _wide(body):
-    """The warning about a life whose rating is for narrower grooves."""
+    """The warning about a life whose rating applies to narrower grooves."""
     if min(wide := life.wide_grooves(body)) >= 1 - 1e-9:
         return []
     return [

@@ -2,9 +2,9 @@
 """Reduced bending model of a round shaft, as input for `fix bearing/shaft ... flexible`.
 
 The reduction follows Craig and Bampton (AIAA J. 6 (1968) 1313) in one plane: displacement and
-tilt of kept nodes, and modes of the rest while these are held. Natural modes of the free reduced
-shaft are its two rigid-body motions and the elastic modes, which are mass-orthogonal to them. A
-round shaft has the same modes in both planes.
+tilt of kept nodes, and modes of the other nodes while the kept nodes are held. Natural modes of the
+free reduced shaft are its two rigid-body motions and the elastic modes, which are mass-orthogonal
+to them. A round shaft has the same modes in both planes.
 """
 
 from collections.abc import Sequence

@@ -3,9 +3,9 @@
 stiffness and damping.
 
 Each ball has two degrees of freedom in the plane through the bearing's axis, and the ring five.
-Springs, dampers and inertia of the balls are assembled in these seven, at one frequency. The
-ball is then eliminated, and the sum over the balls acts on the ring. A damper of a contact
-therefore acts on its share of the ring's motion, like the spring in series with it.
+Springs, dampers and inertia of the balls are assembled in these seven degrees of freedom, at one
+frequency. The ball is then eliminated, and the sum over the balls acts on the ring. A damper of a
+contact therefore acts on its share of the ring's motion, like the spring in series with it.
 """
 
 from typing import NamedTuple

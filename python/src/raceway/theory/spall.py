@@ -94,7 +94,7 @@ def seconds_to_blow(
 
     ring, ring_v, ball, ball_v = (np.zeros(len(w)) for _ in range(4))  # m outwards, m/s
     lost, struck = np.zeros(len(w), bool), np.zeros(len(w), bool)
-    turns = 0.5 * w - edge  # m from the entry: the path begins to rise
+    turns = 0.5 * w - edge  # m from the entry, where the path begins to rise
     blow = turns / entrained  # for a ball that keeps its load
     found = np.zeros(len(w), bool)
 
