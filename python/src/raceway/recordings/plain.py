@@ -57,9 +57,7 @@ def _femto(path, kind):
     """Hour, minute, second and its fractions, then accelerations in g or a temperature."""
     table = _table(path, None)
     if table.shape[1] != {"acc": 6, "temp": 5}[kind]:
-        raise RunError(
-            f"{path} has {table.shape[1]} columns, unlike the {kind} files of PRONOSTIA"
-        )
+        raise RunError(f"{path} has {table.shape[1]} columns, unlike the {kind} files of PRONOSTIA")
     rate = FEMTO_RATE[kind]
     if kind == "temp":
         words = {"units": "°C", "meaning": "temperature beside the outer ring"}
