@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Builds the library of laws (src-package/core/interface) into the package, and into a wheel also
-the LAMMPS plugin of the folder RACEWAY_PLUGIN, if that is set; pyproject.toml has the other
-settings."""
+"""Builds the library of laws (src-package/core/interface) into the package. If RACEWAY_PLUGIN names
+a folder, a wheel also contains its LAMMPS plugin. pyproject.toml has the other settings."""
 
 import os
 import re
@@ -25,7 +24,7 @@ CORE = HERE / "core"  # a link to src-package/core; a copy in a source distribut
 VERSION = re.search(r'"(.+)"', (CORE / "settings" / "raceway_version.h").read_text())[1]
 PLUGIN = ("raceway_plugin.so", "libraceway_lammps.so")
 INTERFACE = CORE / "interface"
-# sources of the tables, which hosts have too
+# sources of the tables, which hosts also compile
 TABLES = [CORE / name for name in (INTERFACE / "tables.txt").read_text().split()]
 BUILT = HERE / "src" / "raceway" / "core" / "lib" / "libraceway_core.so"
 
@@ -53,8 +52,8 @@ def up_to_date(library):
 
 
 def build(target, folder):
-    """Compile the library to `target`, objects in `folder`. Raises `CCompilerError` without a
-    compiler, or with the compiler's output."""
+    """Compile the library to `target`, with objects in `folder`. Raises `CCompilerError` if there
+    is no compiler, or with the output of a compiler that failed."""
     compiler = os.environ.get("CXX") or next(filter(shutil.which, ("g++", "clang++", "c++")), None)
     if compiler is None:
         raise CCompilerError("raceway needs a C++ compiler for its laws: install g++, or set CXX")
@@ -73,7 +72,7 @@ def build(target, folder):
         run(*flags, "-c", source, "-o", made)
         return made
 
-    # two units, which read the headers once, take less than half of the time of all sources
+    # two units read the headers only twice and take less than half of the time of separate sources
     units = {"interface": sorted(INTERFACE.glob("*.cpp")), "tables": TABLES}
     with ThreadPoolExecutor() as pool:
         objects = list(pool.map(compiled, units.items()))

@@ -152,7 +152,7 @@ def test_mistakes(tmp_path, monkeypatch, capsys):
         (["-var", "tolerance", "1e-8"], "-var tolerance: raceway needs sets it"),
         (["-var", "without", "drag"], "-var without: raceway needs sets it"),
         (["-var", "load", "5 6"], "must be one word or number"),
-        (["--keep", "drags"], "--keep drags: there is:"),
+        (["--keep", "drags"], "--keep drags: unknown; known:"),
         (["--program", "nowhere/x"], "there is no program 'nowhere/x'"),
         (["-var", "load", "1e9"], "the scene with every part of the model: bearing: load"),
     ):

@@ -59,9 +59,11 @@ def test_order_does_not_matter(tmp_path, change):
 def test_another_name_is_an_error(tmp_path):
     library = build(tmp_path)
     wrong = dict(GIVEN, spring=dict(preload=0.5, rate=2.0))
-    with pytest.raises(TypeError, match="Spring has no value for stiffness and does not know rate"):
+    with pytest.raises(
+        TypeError, match="Spring has no value for stiffness and has nothing named rate"
+    ):
         library.call("push", **wrong)
-    with pytest.raises(TypeError, match="push has no value for weight and does not know mass"):
+    with pytest.raises(TypeError, match="push has no value for weight and has nothing named mass"):
         library.call("push", spring=GIVEN["spring"], way=GIVEN["way"], mass=10.0)
     with pytest.raises(TypeError, match="push takes spring, way, weight by their names"):
         library.call("push", GIVEN["spring"], GIVEN["way"], 10.0)
@@ -108,7 +110,7 @@ def test_the_raceway_of_the_tests_is_that_of_the_library(physics, monkeypatch):
     monkeypatch.setitem(RACEWAY, "rolling_friction", 0.0)
     monkeypatch.delitem(RACEWAY, "mu")
     with pytest.raises(
-        TypeError, match="RacewayInput has no value for mu and does not know rolling_friction"
+        TypeError, match="RacewayInput has no value for mu and has nothing named rolling_friction"
     ):
         Physics(physics.path)
 

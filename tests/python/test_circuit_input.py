@@ -62,7 +62,7 @@ def test_table_from_a_file(tmp_path):
         (lambda: Table([0, 1], [1e7, 0]), "voltages must lie from"),
         (
             lambda: circuit.run(turning(), Source(Table([5, 6], [0, 1]))),
-            "table's times, 5 to 6 s, must overlap those of the films, 0 to 0.01 s",
+            "table's times, 5 to 6 s, must overlap the times of the films, 0 to 0.01 s",
         ),
         (lambda: circuit.run(turning(), Source(Sine(1.0, 1e12))), "are more than 1e\\+08 in all"),
     ],

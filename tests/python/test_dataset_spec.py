@@ -54,7 +54,7 @@ def test_a_seed_is_what_it_says(tmp_path):
 def test_pits_of_balls_need_one_groove(tmp_path):
     four = {**GOOD, "bearing": "QJ208"}
     assert len(records(read(tmp_path, four))) == 20
-    with pytest.raises(SpecError, match="QJ208 has four points, which its pit does not touch"):
+    with pytest.raises(SpecError, match="QJ208 has four-point contact, which a pit"):
         records(read(tmp_path, {**four, "flaws": {"ball": {"length": 1e-3}}}))
 
 

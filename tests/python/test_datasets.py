@@ -145,7 +145,7 @@ def test_blocks_and_windows(folder, small_blocks):
         blocks = list(raceway.open(folder).blocks(name))
         assert len(blocks) > 3
         xr.testing.assert_identical(xr.concat(blocks, "time"), getattr(whole, name))
-    with pytest.raises(ValueError, match="no dataset 'rings' comes in blocks"):
+    with pytest.raises(ValueError, match="no dataset 'rings' in blocks"):
         next(whole.blocks("rings"))
     some = raceway.open(folder, samples=slice(10, 20))
     xr.testing.assert_identical(some.contacts, whole.contacts.isel(time=slice(10, 20)))

@@ -87,5 +87,5 @@ def test_hamrock_brewe_is_near_and_its_misprint_is_not(bearing):
 def test_conformal_is_an_error():
     with pytest.raises(ValueError, match="conformal"):
         hertz.exact(1.0, -1.0)
-    with pytest.raises(ValueError, match="one and more"):
+    with pytest.raises(ValueError, match="at least 1"):
         hertz.hamrock_brewe(2.0, 1.0)

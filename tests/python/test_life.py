@@ -248,7 +248,7 @@ def test_a_sweep_without_a_life(capsys, tmp_path, rows, said):
 @pytest.mark.parametrize(
     "text, said",
     [
-        ("load,speed\n1,2\n", "there is no column speed; there is: load, axial, rpm, share"),
+        ("load,speed\n1,2\n", "there is no column speed; columns: load, axial, rpm, share"),
         ("load\n1\n", "rpm among them"),
         ("load,rpm\n", "a row for each point"),
         ("load,rpm\n5,9\n5\n", "point 2 has 1 cells, the head 2"),

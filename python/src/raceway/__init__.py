@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Ball bearings: reads and draws runs of the simulation, and has the theory to compare them with.
+"""Ball bearings: read and draw runs of the simulation, and compare them with theory.
 
-`simulate` runs a bearing, `open` reads a run. The other public names are loaded on first
-use.
+`simulate` runs a bearing, and `open` reads a run. The other public names are loaded on first use.
 """
 
 from importlib import import_module
@@ -21,7 +20,7 @@ CLASSES = {"Run": "runs.run", "RunTables": "runs.tables", "simulate": "sweeps.on
 
 
 def _names() -> dict[str, str]:
-    """{public name: module below `raceway`}, the module itself or the one that defines the name."""
+    """{public name: module below `raceway` that has this name or defines it}"""
     here, found = Path(__file__).parent, dict(CLASSES)
     for room in (*ROOMS, ""):
         for path in (here / room).iterdir():
@@ -36,7 +35,7 @@ __all__ = ["open", *NAMES]
 
 
 def open(folder: str | PathLike[str], samples: slice = slice(None)) -> "Run":
-    """The run in `folder` as one object; `samples`, a slice, restricts it to some of its samples.
+    """The run in `folder` as one object; the slice `samples` selects some of its samples.
 
     Raises `raceway.errors.RunError` if the folder does not contain a run.
     """

@@ -23,7 +23,7 @@ def short(result: Any) -> str:
 
 
 def _names(result):
-    """Names of its fields; none for other objects."""
+    """Names of the fields of a dataclass or named tuple; none for other objects."""
     return [one.name for one in fields(result)] if is_dataclass(result) else result._fields
 
 

@@ -10,7 +10,7 @@ EXPLAINED = """\
 # A shaft as a rigid body with elastic modes, the same in both planes along it (docs/shaft.rst).
 # inertia: about the axis, and across it through the centre. A mode's coordinate is a length.
 # gyroscopic: rows of a symmetric matrix, times the spin; first the rigid tilt, then the modes.
-# station: its place, then displacement (1) and tilt (rad/m) of each mode.
+# station: position, then displacement (1) and tilt (rad/m) of each mode.
 """
 
 

@@ -12,7 +12,7 @@ from raceway.inputs import InputError
 KINDS = {"bearings": "bearing", "lubricants": "lubricant"}
 # In a source tree this is a link to the folder inputs; a wheel has copies of the files.
 SHIPPED = Path(__file__).with_name("data")
-MANY = 20  # most names in a message; if there are more, only those similar to the requested one
+MANY = 20  # largest number of names in a message; of more names, only similar ones are shown
 
 
 def folder(given: FilePath | None = None) -> Path:

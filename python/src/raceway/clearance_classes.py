@@ -13,7 +13,7 @@ NAMES = ("C2", "CN", "C3", "C4", "C5")
 def of_bore(bore: float) -> dict[str, tuple[float, float]]:
     """{class: (least, greatest)} diametral clearance in m of a bearing of `bore` in m, before
     mounting, unloaded, at uniform temperature. A bore up to 6 mm has no C4 and C5. Raises
-    `ValueError` for a bore that is not above 0 and up to 0.12 m.
+    `ValueError` unless the bore is above 0 and at most 0.12 m.
 
     >>> of_bore(40e-3)["C3"]
     (1.5e-05, 3.3e-05)
@@ -26,4 +26,4 @@ def of_bore(bore: float) -> dict[str, tuple[float, float]]:
                 for name in NAMES
                 if row[f"{name}_min"]
             }
-    raise ValueError(f"bore = {bore:g} m: ISO 5753's classes are known from 0 to 0.12 m")
+    raise ValueError(f"bore = {bore:g} m: the classes of ISO 5753 are known from 0 to 0.12 m")

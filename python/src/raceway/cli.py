@@ -23,12 +23,12 @@ examples:
   raceway static --load 2000 --clearance 10e-6           theory, without a run
 
 `raceway COMMAND --help` has details and examples. Numbers may have a unit: 5kN, 10um, 60C. DIR is
-the folder a run wrote, -var out of the deck.
+the folder that a run wrote, which -var out of the deck names.
 Exit codes: 0 done; 1 not done, with a message; 2 wrong command line; 130 interrupted."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run the command with `argv` (default: the process's) and return its exit code."""
+    """Run the command with `argv` (default: arguments of the process) and return its exit code."""
     words = sys.argv[1:] if argv is None else list(argv)
     parser = _parser()
     if not words:

@@ -73,8 +73,8 @@ def _matches(path, pattern):
 
 
 def numbers(path: FilePath, *names: str) -> dict[str, float]:
-    """Numbers of a data file by name. Raises `InputError` for one that is missing, not a number or
-    out of its range."""
+    """Numbers of a data file by name. Raises `InputError` for a value that is missing, not a number
+    or out of its range."""
     data = values(path)
     if missing := [name for name in names if name not in data]:
         raise InputError(f"{path} has no variable {', '.join(missing)}")

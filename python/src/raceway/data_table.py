@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tables of data files, `FOLDER/*.csv`: a row has the data of a file with its name
+"""Tables of data files, `FOLDER/*.csv`: a row replaces a data file with the name of the row
 (`docs/catalogue.rst` has the format)."""
 
 import re
@@ -42,7 +42,7 @@ def _table(path, changed):
 
 
 class _Table:
-    """One file: comments, commands for all rows, the heading, rows."""
+    """One table: comments, commands for all rows, the heading, rows."""
 
     def __init__(self, path):
         self.path = path

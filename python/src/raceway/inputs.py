@@ -16,7 +16,7 @@ from raceway.theory.bearing import Bearing, DoubleRow
 from raceway.theory.lubricant import Fluid, Lubricant, Vogel, Walther
 from raceway.theory.validity import Shoulders
 
-# variables of a lubricant in the order of `Lubricant`, and those that define a `Fluid` directly
+# variables of a lubricant in the order of `Lubricant`, and variables that define a `Fluid` directly
 PHYSICAL = (
     "oil_density_40",
     "oil_density_slope",
@@ -41,7 +41,7 @@ FLUID = {
 }
 
 
-# variables of `Bearing`, and those that a bearing defined by its usual data may omit
+# variables of `Bearing`, and variables that a bearing defined by its usual data may omit
 RADII = ("inner_radius", "outer_radius", "inner_groove", "outer_groove")
 STEEL = {"ball_young": 210e9, "ball_poisson": 0.3}
 
@@ -139,8 +139,8 @@ def held(
 
 
 def ball_density(path: FilePath) -> float:
-    """Density of the balls (kg/m^3) of a file of inputs/bearings, or that of steel by
-    default. Raises `InputError`."""
+    """Density of the balls (kg/m^3) of a file of inputs/bearings; by default the density of steel.
+    Raises `InputError`."""
     known = "ball_density" in values(path)
     return numbers(path, "ball_density")["ball_density"] if known else 7800.0
 
@@ -257,7 +257,7 @@ def shoulders(path: FilePath) -> Shoulders:
 
 def oil(path: FilePath, temperature: float | None = None) -> Oil:
     """`Oil` of a file of inputs/lubricants, or its name, at a `temperature` in degrees C, by
-    default that of the file. Raises `InputError`, also for a dry one."""
+    default the temperature in the file. Raises `InputError`, also for a dry lubricant."""
     path = _named("lubricants", path)
     at = fluid(path, temperature)
     data = _constants(path, "roughness", "ball_roughness")
@@ -271,7 +271,7 @@ def oil(path: FilePath, temperature: float | None = None) -> Oil:
 
 def fluid(path: FilePath, temperature: float | None = None) -> Fluid:
     """`Fluid` of a file of inputs/lubricants, or its name, at a `temperature` in degrees C, by
-    default that of the file.
+    default the temperature in the file.
 
     A file has physical data, from which the fluid follows at any temperature, or the properties of
     the fluid at one temperature. Direct values take precedence over physical data, as in a deck.
@@ -323,7 +323,7 @@ def assumed(path: FilePath, models: str | None = None) -> dict[str, float]:
 
 
 def _constants(path, *names):
-    """Numbers of an oil by name; defaults for those that its file lacks."""
+    """Numbers of an oil by name; defaults for constants that its file lacks."""
     usual = {name: value for name, value in assumed(path).items() if name in names}
     found = numbers(path, *(name for name in names if name not in usual)) | usual
     return {name: found[name] for name in names}

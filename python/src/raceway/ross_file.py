@@ -28,7 +28,7 @@ class Read(NamedTuple):
 
 
 def is_ross(path: FilePath) -> bool:
-    """True if `path` has the suffix of a ROSS rotor, not that of a shaft's YAML file."""
+    """True if `path` has the suffix of a ROSS rotor, not of a shaft's YAML file."""
     return Path(path).suffix in SUFFIXES
 
 
@@ -42,7 +42,7 @@ def read(path: FilePath) -> Read:
 
 
 def of_ross(rotor: Any) -> Read:
-    """A ROSS `rotor` without its bearings. Raises `ValueError` for one that
+    """A ROSS `rotor` without its bearings. Raises `ValueError` for a rotor that
     `rotor_matrices.rotor` refuses."""
     places = np.asarray(rotor.nodes_pos, float)
     return Read(

@@ -113,8 +113,8 @@ def cells(
     errors: Mapping[str, float] | None = None,
     ranges: Mapping[str, tuple[float, float]] | None = None,
 ) -> list[tuple[str, ...]]:
-    """The cells of that table: (label, value, error, range, source), with (topic,) before those
-    of each topic."""
+    """Rows of the table of figures: (label, value, error, range, source); a row (topic,) precedes
+    the rows of each topic."""
     result: list[tuple[str, ...]] = []
     for topic, rows in topics.items():
         block = [

@@ -111,7 +111,7 @@ def _parts(whole: Mapping[str, Any], path: FilePath, kind: str) -> list[dict[str
 
 
 def _part(data: Any, where: str, kind: str) -> dict[str, Any]:
-    """The numbers of one part of the file, checked, with defaults for those not given."""
+    """The numbers of one part of the file, checked, with defaults for missing numbers."""
     numbers, lists, others = NUMBERS[kind], LISTS.get(kind, {}), OTHERS.get(kind, ())
     if not isinstance(data, Mapping):
         raise InputError(f"{where}: must be names and values")

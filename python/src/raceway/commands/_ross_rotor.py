@@ -42,7 +42,7 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def figures(rotor: rotor_matrices.Rotor, bearings: list[float]) -> dict[str, Any]:
-    """Figures by name in SI units: nodes, omitted bearings, the rigid body, and the free-free
+    """Figures by name, in SI units: nodes, omitted bearings, the rigid body, and the free-free
     bending frequencies in one plane without spin."""
     import scipy.linalg
 
@@ -58,7 +58,7 @@ def figures(rotor: rotor_matrices.Rotor, bearings: list[float]) -> dict[str, Any
 
 
 def table(result: dict[str, Any]) -> str:
-    """The mapping of `figures` as text."""
+    """The result of `figures` as text."""
     z = result["nodes_m"]
     left_out = ", ".join(prefixed(one, "m") for one in result["bearings_m"])
     first = ", ".join(prefixed(one, "Hz") for one in result["frequencies_Hz"][: shaft.SHOWN])

@@ -35,7 +35,10 @@ def add(commands: Commands) -> None:
     )
     one_run.add(one)
     one.add_argument(
-        "--colour", choices=COLOURS, default="load", help="of the balls (default: %(default)s)"
+        "--colour",
+        choices=COLOURS,
+        default="load",
+        help="quantity shown by the colour of the balls (default: %(default)s)",
     )
     one.add_argument(
         "--passes",

@@ -10,7 +10,7 @@ from pathlib import Path
 from raceway.commands import Commands
 from raceway.commands.quantity import number
 
-HELP = "the bearings by name: sizes, ratings, balls; search"
+HELP = "list and search bearings: sizes, ratings, balls"
 DESCRIPTION = """\
 Lists the bearings of inputs/bearings: its files and the rows of its tables. A name can be given to
 --bearing, and to -var bearing of a deck. A WORD is searched for in names, titles and sources.
@@ -79,7 +79,7 @@ def add(commands: Commands) -> None:
     one.add_argument(
         "--inputs",
         metavar="DIR",
-        help="the inputs folder (default: here or in a parent folder, else the package's)",
+        help="the inputs folder (default: here or in a parent folder, else in the package)",
     )
     form = one.add_mutually_exclusive_group()
     form.add_argument("--json", action="store_true", help="a JSON list, SI units")
@@ -144,7 +144,7 @@ def _write(arguments):
 
 
 def _clearances(row):
-    """{column: m} of the classes, with the same columns for all bearings."""
+    """{column: clearance in m} of the classes; all bearings have the same columns."""
     from raceway import clearance_classes
 
     known = {}

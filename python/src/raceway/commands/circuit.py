@@ -11,7 +11,7 @@ from raceway.commands.quantity import each, number, positive, takes_negative
 DESCRIPTION = """\
 The circuit of a bearing in a run: every ball floats between two films, and an outer circuit
 connects the rings. The outer circuit is one of
-  --motor CWR CRF   capacitances of winding to rotor and of rotor to frame; needs a voltage
+  --motor CWR CRF   capacitances from winding to rotor and from rotor to frame; needs a voltage
   --source OHM      a resistance; needs a voltage
   --floating V      the charge that this voltage puts on the inner ring
 The voltage is --constant, --sine, --common-mode or --table.
@@ -24,7 +24,7 @@ examples:
   raceway circuit build/run/6208 --source 1e4 --sine 10 50 --resistivity 1e9 --json
   raceway circuit build/run/6208 --source 1e6 --constant 20 --strength 30e6 --out discharges
 
---out writes circuit.csv, events.csv and, where films can fail, discharges.png into a folder.
+--out writes circuit.csv, events.csv and, if films can fail, discharges.png into a folder.
 Exit codes: 0 done, 1 the run is broken or lacks its films, 2 wrong command line."""
 
 FARAD = number(0, 1, "F")
@@ -59,7 +59,7 @@ def add(commands: Commands) -> None:
         "--roughness",
         type=number(0, 1e-4, "m"),
         metavar="M",
-        help="composite roughness for the local thickness (default: the run's)",
+        help="composite roughness for the local thickness (default: roughness of the run)",
     )
     one.add_argument(
         "--film-floor",
@@ -91,7 +91,7 @@ def add(commands: Commands) -> None:
         type=number(0, 0.999, ""),
         default=0.0,
         metavar="S",
-        help="least share of the load on the asperities of such a film (default 0)",
+        help="load share of asperities above which they conduct (default 0)",
     )
     one.add_argument(
         "--stray", type=FARAD, default=0.0, metavar="F", help="added to every film (default 0)"
@@ -123,10 +123,14 @@ def _outer(one):
         type=number(0, 100, ""),
         default=0.0,
         metavar="X",
-        help="the same as a multiple of the capacitance of this one",
+        help="capacitance of the other bearing as a multiple of the capacitance of this bearing",
     )
     one.add_argument(
-        "--background", type=FARAD, default=0.0, metavar="F", help="parallel to it (default 0)"
+        "--background",
+        type=FARAD,
+        default=0.0,
+        metavar="F",
+        help="capacitance parallel to the bearing (default 0)",
     )
 
 
@@ -148,7 +152,7 @@ def _voltage(one):
         action=each(VOLT, HERTZ, HERTZ, number(0, 1, "")),
         nargs=4,
         metavar=("V", "HZ", "HZ", "M"),
-        help="of an inverter: link voltage, carrier, fundamental, modulation from 0 to 1",
+        help="voltage of an inverter: link voltage, carrier, fundamental, modulation from 0 to 1",
     )
     voltage.add_argument("--table", metavar="FILE", help="a text file with rows of seconds, volts")
 
@@ -171,7 +175,7 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.resistivity is not None or arguments.metal is not None:
         leak = Leak(arguments.resistivity, arguments.metal, arguments.metal_share)
     opened = one_run.opened(arguments)
-    try:  # ValueError: an option lacks its partner or does not suit the run
+    try:  # ValueError: options are incomplete or do not suit the run
         result = circuit.run(
             opened,
             _outer_circuit(arguments),
@@ -219,7 +223,7 @@ def _outer_circuit(arguments):
 
 
 def _waveform(arguments):
-    """None if the command line has none."""
+    """The waveform on the command line; None without one."""
     from raceway.electric import waveforms
 
     if arguments.constant is not None:

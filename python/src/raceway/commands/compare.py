@@ -53,7 +53,7 @@ def add(commands: Commands) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print both sides and draw them on request. Raises `RacewayError`."""
+    """Print run and recording side by side; draw them on request. Raises `RacewayError`."""
     from raceway.recordings.compare import compare
     from raceway.recordings.recording import Recording
 
@@ -85,7 +85,7 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def figures(found: "Comparison") -> dict[str, Any]:
-    """Both sides for JSON, None for lines not found."""
+    """Figures of run and recording for JSON; None for lines that were not found."""
     sides = {
         name: {"title": side.title, "rate_Hz": side.rate, "shaft_Hz": side.shaft}
         | {"unit": side.units}
@@ -111,7 +111,7 @@ def _known(value):
 
 
 def text(found: "Comparison") -> str:
-    """Both sides as text."""
+    """Figures of run and recording as text."""
     rows = [f"run        {found.run.title}", f"recording  {found.recording.title}", ""]
     rows.append(f"  {'':<16}{'run':>16}{'recording':>16}")
     for key in ("rms", "peak", "kurtosis"):

@@ -11,7 +11,7 @@ Runs every flaw in the file SPEC under all of its conditions, with integrator vi
 housing. Each run becomes a record: .mat files with the housing's acceleration at the rates of
 SPEC, and a row of DIR/labels.csv. DIR/README.md states what is simulated and what is assumed.
 
-The same command continues after a stop. A folder of another SPEC is refused."""
+After a stop the same command continues. A folder made from another SPEC is refused."""
 EXAMPLES = """\
 examples:
   raceway dataset inputs/datasets/small.yaml --check            how many runs, how long

@@ -35,7 +35,7 @@ def add(commands: Commands) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print or copy. Raises `RacewayError`."""
+    """Print the list or copy files. Raises `RacewayError`."""
     from raceway import decks
 
     for name in arguments.names:

@@ -48,7 +48,7 @@ is your own file in the same format.
 Exit codes: 0 done, 1 no equilibrium or unusable data, 2 wrong command line."""
 KINDS = ("parts", "field", "bode", "reading")
 PHASES = 12  # ball positions within a pitch, for the picture of the field
-KEYS = {  # of the figures of `electric_point`, by option
+KEYS = {  # keys of the figures of `electric_point`, by option
     "load": "load_N",
     "axial": "axial_N",
     "rpm": "rpm",
@@ -86,7 +86,9 @@ def add(commands: Commands) -> None:
 def _operating_point(one):
     point = one.add_argument_group("operating point")
     point.add_argument(
-        "--bearing", metavar="NAME", help="a file of inputs/bearings (6208); number in a run"
+        "--bearing",
+        metavar="NAME",
+        help="a file of inputs/bearings (6208); for a run, the number of the bearing",
     )
     options.lubricant(point)
     options.inputs(point)
@@ -94,7 +96,7 @@ def _operating_point(one):
         options.point(point, name, kind=number(1e-3, 1e5, "rpm") if name == "rpm" else None)
     options.grooves(point)
     options.models(
-        point, CAPACITANCE, "full: film in the gap, inlet shear; paper: as the publication"
+        point, CAPACITANCE, "full: film in the gap, inlet shear; paper: as in the publication"
     )
 
 
@@ -104,8 +106,8 @@ def _surroundings(one):
         "--surroundings",
         nargs="+",
         metavar=("KIND", "EPS_OUT"),
-        help="flooded, dry, or cavitated EPS_OUT, the outlet's relative permittivity (flooded, or"
-        " as the run)",
+        help="flooded, dry, or cavitated EPS_OUT, the outlet's relative permittivity (flooded; for"
+        " a run, as in the run)",
     )
     around.add_argument(
         "--shoulders",
@@ -117,7 +119,8 @@ def _surroundings(one):
     around.add_argument(
         "--permittivity-at",
         choices=("maximum", "mean", "two_thirds"),
-        help="pressure for the film's permittivity: largest, its mean over the ellipse, two thirds",
+        help="pressure for the film's permittivity: largest, mean over the ellipse, two thirds of"
+        " the largest",
     )
     around.add_argument(
         "--roughness",
@@ -139,10 +142,10 @@ def _electrics(one):
         "--voltage",
         type=number(1e-6, 1e6, "V"),
         metavar="V",
-        help="voltage between the rings: gives fields",
+        help="voltage between the rings; adds the fields in the films",
     )
     electric.add_argument(
-        "--frequency", type=number(1e-3, 1e10, "Hz"), metavar="HZ", help="gives the impedance"
+        "--frequency", type=number(1e-3, 1e10, "Hz"), metavar="HZ", help="adds the impedance"
     )
     electric.add_argument(
         "--resistivity",
@@ -152,10 +155,16 @@ def _electrics(one):
         help="resistivity of the lubricant, ohm metres (none: no leak)",
     )
     electric.add_argument(
-        "--c-wr", type=number(0, 1e-3, "F"), metavar="F", help="windings to rotor; with --c-rf"
+        "--c-wr",
+        type=number(0, 1e-3, "F"),
+        metavar="F",
+        help="capacitance from windings to rotor; needs --c-rf",
     )
     electric.add_argument(
-        "--c-rf", type=number(0, 1e-3, "F"), metavar="F", help="rotor to frame; gives the ratio"
+        "--c-rf",
+        type=number(0, 1e-3, "F"),
+        metavar="F",
+        help="capacitance from rotor to frame; adds the bearing voltage ratio",
     )
     electric.add_argument(
         "--measured",
@@ -168,7 +177,8 @@ def _electrics(one):
         action=each(number(1e-3, 1e15, "ohm"), number(-90, 0, "degrees")),
         nargs=2,
         metavar=("OHM", "DEG"),
-        help="the same from modulus and phase at --frequency; the phase is negative",
+        help="measured modulus and phase of the impedance at --frequency, instead of --measured;"
+        " the phase is negative",
     )
 
 

@@ -69,7 +69,7 @@ def _number(arguments):
 
 
 def _filling(arguments, of):
-    """Filling of the run's gaps with the given changes; None if none are given."""
+    """Filling of the run's gaps with the requested changes; None without any."""
     from raceway.runs import whole_capacitance
 
     names = ("surroundings", "shoulders", "permittivity_at", "roughness")

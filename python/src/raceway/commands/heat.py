@@ -18,7 +18,7 @@ have physical data (vg32, vg46, vg68, vg100, pao8, grease110).
 
 Cooling follows ISO 15312 unless --conductance is given. --nodes gives three conductances: inner
 ring to ambient, outer ring to ambient, ring to balls. Each part then has its own temperature,
-and the clearance follows from these.
+and the clearance follows from the temperatures of the parts.
 
 --runs N takes the friction from at most N short runs of the main deck with the same models, one
 after another, each at the temperature that follows from the previous one. The command stops early
@@ -78,21 +78,21 @@ def add(commands: Commands) -> None:
         type=number(0, 1e5, "W/K"),
         nargs=3,
         metavar=("SHAFT", "HOUSING", "CONTACT"),
-        help="three conductances in W/K for ring, balls and ring; HOUSING 0: ISO 15312, CONTACT 0:"
-        " by size and speed of the contacts",
+        help="conductances in W/K for separate temperatures of rings and balls; HOUSING 0: by ISO"
+        " 15312, CONTACT 0: by size and speed of the contacts",
     )
     one.add_argument(
         "--oil-flow",
         type=number(1e-12, 1e-2, "m^3/s"),
         default=0.0,
         metavar="FLOW",
-        help="oil through the bearing, m^3/s at 40 C or as 1L/min, which carries heat away (none)",
+        help="flow of oil that carries heat away, m^3/s at 40 C, or with its unit as 1L/min (none)",
     )
     one.add_argument(
         "--oil-inlet",
         type=number(-40, 150, "C"),
         metavar="C",
-        help="temperature of that oil at the inlet, degrees Celsius (ambient)",
+        help="temperature of the flowing oil at the inlet, degrees Celsius (ambient)",
     )
     one.add_argument(
         "--runs",
@@ -131,7 +131,7 @@ def run(arguments: argparse.Namespace) -> None:
     if given and arguments.runs is None:
         arguments.complain(f"--{given[0]} is for runs: give --runs")
     if arguments.oil_inlet is not None and not arguments.oil_flow:
-        arguments.complain("--oil-inlet is for oil that flows: give --oil-flow")
+        arguments.complain("--oil-inlet applies to flowing oil: give --oil-flow")
     results = [_figures(arguments, point) for point in points]
     if arguments.json:
         print(json.dumps(results if results[1:] else results[0], indent=2, allow_nan=False))

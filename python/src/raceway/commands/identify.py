@@ -24,8 +24,8 @@ BSF), capacitance of the contacts in F, temperature in degrees C, or a recording
 found. Each reading has its standard deviation, `within`, and its operating point. A least-squares
 fit of statics, films and friction determines the `unknown` quantities within their given ranges.
 
-A table of lines (--lines) needs no such file: the unknowns are then clearance and thrust, and also
-load and oil temperature unless they are given.
+A table of lines (--lines) replaces FILE: the unknowns are then clearance and thrust, and also load
+and oil temperature unless they are given.
 
 A single line leaves a valley of clearance and thrust, which is printed. A capacitance, a second
 load (`load_more`, `axial_more`) or a temperature with a known cooling (`conductance`) separates
@@ -100,14 +100,14 @@ def add(commands: Commands) -> None:
         type=number(1e-6, 0.1, ""),
         default=WITHIN,
         metavar="SHARE",
-        help="standard deviation of a line, relative (%(default)s)",
+        help="relative standard deviation of a line (%(default)s)",
     )
     one.add_argument("--json", action="store_true", help="one JSON object instead of text")
     one.set_defaults(command=run, complain=one.error)
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the result of the readings. Raises `RacewayError`."""
+    """Print the state that follows from the readings. Raises `RacewayError`."""
     from raceway.recordings import line_table, readings
     from raceway.recordings.identify import identify
 
@@ -116,7 +116,7 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.lines is None:
         for name in ("load", "temperature"):
             if getattr(arguments, name) is not None:
-                arguments.complain(f"--{name} is for --lines: a FILE has its own `known`")
+                arguments.complain(f"--{name} is for --lines: a FILE lists it under `known`")
         given = readings.read(arguments.file, arguments.inputs)
     else:
         given = line_table.read(
@@ -137,8 +137,9 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def figures(given: "Readings", found: "Found") -> dict[str, Any]:
-    """Result for JSON, SI units, temperatures in degrees C. The first keys are [value, low, high],
-    95 %, or None for quantities that are known or that the readings do not determine."""
+    """Result for JSON, in SI units with temperatures in degrees C. The first keys are [value, low,
+    high] with 95 % limits, or None for quantities that are known or that the readings do not
+    determine."""
     from raceway.recordings.readings import STATE, UNITS
 
     def key(name):

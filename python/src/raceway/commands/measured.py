@@ -27,8 +27,8 @@ CWRU's .mat files do not state their rate: give --rate 12000 or 48000. Accelerat
 in m/s^2.
 
 The nominal speed often differs from the true one by more than the cage slip. The true speed is
-found within 1.5 % of it, from lines of the shaft that agree. --nominal gives it for a file that
-does not state it; --rpm sets the true speed."""
+found within 1.5 % of it, from lines of the shaft that agree. --nominal gives the nominal speed for
+a file that does not state it; --rpm sets the true speed."""
 EXAMPLES = """\
 examples:
   raceway measured 105.mat --bearing 6205 --rate 12000

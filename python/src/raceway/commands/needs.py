@@ -12,12 +12,12 @@ from raceway.commands.quantity import takes_negative
 from raceway.errors import RacewayError
 
 DESCRIPTION = """\
-Runs a scene with the full model and a fine integration. Then it omits each part and coarsens
-each setting, one at a time, and shows the effect on the figures and on the cost. Finally it
-searches for the cheapest set that meets the required accuracy, runs it, and prints its -var words.
+Runs a scene with the full model and a fine integration. Then omits each part and coarsens each
+setting, one at a time, and shows the effect on the figures and on the cost. Finally searches for
+the cheapest set that meets the required accuracy, runs it, and prints its -var words.
 
 Runs are in folders named after their variables. A command that was stopped continues when it is
-repeated. The table is printed; DIR/needs.json and DIR/needs.png contain the same."""
+repeated. The table is printed; DIR/needs.json and DIR/needs.png have the same data."""
 EXAMPLES = """\
 examples:
   raceway needs inputs/in.6208 -var load 2000 --want torque=10% capacitance=5% load=1%
@@ -129,5 +129,5 @@ def _wanted(texts, wet):
 def _without(choices, keep):
     names = {name for choice in choices for name in (choice.name, choice.group)}
     if unknown := sorted(set(keep) - names):
-        raise RacewayError(f"--keep {unknown[0]}: there is: {', '.join(sorted(names))}")
+        raise RacewayError(f"--keep {unknown[0]}: unknown; known: {', '.join(sorted(names))}")
     return [choice for choice in choices if choice.name not in keep and choice.group not in keep]

@@ -33,7 +33,7 @@ def tables(arguments: argparse.Namespace) -> "RunTables":
 
 
 def opened(arguments: argparse.Namespace) -> "Run":
-    """The given run and bearing as from `raceway.open`. Raises `RunError`."""
+    """The given run and bearing, as `raceway.open` returns them. Raises `RunError`."""
     from raceway.runs.run import Run
 
     return Run(arguments.folder, bearing=arguments.bearing)

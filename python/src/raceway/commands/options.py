@@ -14,8 +14,8 @@ from raceway.theory.cleanliness import CLEANLINESS
 from raceway.theory.models import DEFAULT
 
 POINT = {  # quantities of an operating point: type, unit in the help, help
-    "load": (number(0, 1e6, "N"), "N", "radial, along x, newtons (0)"),
-    "axial": (number(-1e6, 1e6, "N"), "N", "along z, newtons (0)"),
+    "load": (number(0, 1e6, "N"), "N", "radial load, along x, newtons (0)"),
+    "axial": (number(-1e6, 1e6, "N"), "N", "axial load, along z, newtons (0)"),
     "rpm": (number(0, 1e5, "rpm"), "R", "speed of the inner ring"),
     "clearance": (
         number(-1e-3, 1e-3, "m"),
@@ -25,7 +25,7 @@ POINT = {  # quantities of an operating point: type, unit in the help, help
     "temperature": (
         number(-40, 200, "C"),
         "C",
-        "of the lubricant, degrees Celsius (from its file, or 40)",
+        "temperature of the lubricant, degrees Celsius (from its file, or 40)",
     ),
 }
 
@@ -142,7 +142,8 @@ def spin_law(to: Any) -> None:
         "--spin-law",
         choices=("closed", "slices"),
         default="closed",
-        help="of the friction torque: closed fits spin and slip separately, slices combines them",
+        help="law of spin in the friction torque: closed fits spin and slip separately, slices"
+        " combines them",
     )
 
 
@@ -153,7 +154,7 @@ def lubrication(to: Any) -> None:
         "--lubrication",
         choices=kinds,
         default="bath",
-        help="kind of lubrication, for the friction torque: its inlets, starvation and drag (bath)",
+        help="kind of lubrication, for inlets, starvation and drag in the friction torque (bath)",
     )
     to.add_argument(
         "--oil-level",
@@ -202,7 +203,7 @@ def inputs(to: Any) -> None:
     to.add_argument(
         "--inputs",
         metavar="DIR",
-        help="the inputs folder (default: here or in a parent folder, else the package's)",
+        help="the inputs folder (default: here or in a parent folder, else in the package)",
     )
 
 
@@ -221,6 +222,6 @@ def point(to: Any, name: str, said: str = "", kind: Any = None, several: bool = 
 
 def points(arguments: argparse.Namespace) -> list[dict[str, float]]:
     """The operating points that the options of `point` request: every combination of the values of
-    those that were given."""
+    the given options."""
     given = {name: found for name in POINT if (found := getattr(arguments, name, None))}
     return [dict(zip(given, values)) for values in itertools.product(*given.values())]

@@ -46,7 +46,7 @@ def add(commands: Commands) -> None:
         action="append",
         dest="products",
         default=[],
-        help="only this one, named as in --list; may be repeated",
+        help="only this product, named as in --list; may be repeated",
     )
     one.add_argument("--list", action="store_true", help="name the figures and tables, run nothing")
     one.set_defaults(command=run)
@@ -102,7 +102,7 @@ def _make(products, plan, tree, outcome, out):
 
 
 def _progress(total):
-    """Report failures and, on a terminal, every case, otherwise every tenth."""
+    """Report failures, and every case on a terminal or every tenth case elsewhere."""
     live = sys.stderr.isatty()
     again = "\r\033[K" if live else ""  # overwrite the present line
 

@@ -14,7 +14,7 @@ NAMES, WIDTH = 12, 80  # columns of the list
 
 
 class Parser(argparse.ArgumentParser):
-    """An `argparse` parser that suggests the commands or options a wrong word may have meant."""
+    """An `argparse` parser that suggests commands or options similar to a wrong word."""
 
     def _check_value(self, action, value):
         if action.choices is not None and value not in action.choices:

@@ -12,7 +12,7 @@ if TYPE_CHECKING:  # scipy takes longer to load than `--help` should
 
 
 def add(to: Any, bearing: bool = True) -> None:
-    """FILE, --rate, --rpm, --nominal, --channel, --band and, with `bearing`, its name."""
+    """FILE, --rate, --rpm, --nominal, --channel, --band; if `bearing`, also its name."""
     to.add_argument(
         "file",
         metavar="FILE",

@@ -9,8 +9,8 @@ from raceway.errors import RacewayError
 
 DESCRIPTION = """\
 Writes a run or a sweep as one HTML page to send to a colleague: figures with their errors, pictures
-that can be zoomed and read off, warnings, settings, and the command that repeats it. The page is
-one self-contained file."""
+that can be zoomed and read off, warnings, settings, and the command that repeats the runs. The page
+is one self-contained file."""
 EXAMPLES = """\
 examples:
   raceway report build/run/6208                   build/run/6208/report.html

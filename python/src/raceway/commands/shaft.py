@@ -74,8 +74,8 @@ def add(commands: Commands) -> None:
         nargs="+",
         default=[],
         metavar="Z",
-        help="places with exact deflection under steady loads, m: besides bearings and loads"
-        " of a YAML file, instead of the bearings of a ROSS rotor",
+        help="places with exact deflection under steady loads, m: in addition to bearings and"
+        " loads of a YAML file, instead of the bearings of a ROSS rotor",
     )
     reduced.add_argument(
         "--places",
@@ -155,7 +155,7 @@ def reduce(case: Any, rest: Any, arguments: argparse.Namespace) -> None:
 
 
 def figures(case: Any, rest: Any, folder: str | None, cleanliness: str) -> dict[str, Any]:
-    """Figures by name in SI units of a `shaft_file.Case` and its `shaft.Rest`."""
+    """Figures of a `shaft_file.Case` and its `shaft.Rest` by name, in SI units."""
     from raceway import catalogue, inputs
     from raceway.theory import life, shaft_modes, shaft_motion
 
@@ -221,7 +221,7 @@ def figures(case: Any, rest: Any, folder: str | None, cleanliness: str) -> dict[
 
 
 def table(result: dict[str, Any]) -> str:
-    """The mapping of `figures` as text."""
+    """The result of `figures` as text."""
     columns = (
         ("bearing", "bearing", ""),
         ("at_m", "at", "m"),
@@ -275,7 +275,7 @@ def table(result: dict[str, Any]) -> str:
 
 
 def over_speed(results: list[dict[str, Any]]) -> str:
-    """Several mappings of `figures` as text, one line each."""
+    """Several results of `figures` as text, one line each."""
     names = [one["bearing"] for one in results[0]["bearings"]]
     heads = [f"{name} {entry}" for name in names for entry in ("kxx", "kyy")]
     rows = [["rpm", *heads, *(f"mode {k}" for k in range(1, SHOWN + 1))]]
@@ -289,7 +289,7 @@ def over_speed(results: list[dict[str, Any]]) -> str:
 
 
 def rigid_figures(rigid: Any) -> dict[str, float]:
-    """Figures by name in SI units of a `beam_motion.Rigid`."""
+    """Figures of a `beam_motion.Rigid` by name, in SI units."""
     return dict(
         mass_kg=rigid.mass,
         centre_m=rigid.centre,
@@ -299,7 +299,7 @@ def rigid_figures(rigid: Any) -> dict[str, float]:
 
 
 def rigid_line(body: dict[str, float]) -> str:
-    """The mapping of `rigid_figures` as a line of text."""
+    """The result of `rigid_figures` as a line of text."""
     return (
         f"Rigid body: mass {body['mass_kg']:.4g} kg,"
         f" centre at {prefixed(body['centre_m'], 'm')},"

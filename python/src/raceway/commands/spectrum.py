@@ -23,12 +23,13 @@ Spectrum of a column of a ring, with the kinematic lines found in it. Measure en
 passes: -var passes 40 separates all lines but FTF. The record must be longer than five periods of
 a line.
 
---envelope takes the spectrum of the signal's envelope, in a band around a resonance: the rate at
-which flaws excite it, with the sidebands of the shaft and the cage.
+--envelope takes the spectrum of the signal's envelope in a band around a resonance. It shows the
+rate at which flaws excite the resonance, with the sidebands of the shaft and the cage.
 
 The kinematics assume balls that roll at the measured contact angle. The last column compares with
-the run's own cage and balls, which slip. If the outer ring rotates, its own line and VC, the rate
-at which balls pass the load, are added, and FTF is the cage's speed relative to the frame.
+lines from the cage and balls of the run, which slip. If the outer ring rotates, the line of its
+rotation and VC, the rate at which balls pass the load, are added, and FTF is the cage's speed
+relative to the frame.
 
 --kind time draws the signal, or its envelope, over time and frequency. If the speed of the shaft
 changes by more than 1 %, orders of the shaft (inner relative to outer ring) replace the
@@ -155,7 +156,7 @@ def _over_time(arguments, opened):
 
 def table(run: "Source", spectrum: "xr.DataArray", found: Sequence["Line"]) -> str:
     """The `Line`s `found` in the `spectrum` of a run or recording as text. The last column is
-    relative to its own cage, if that is known."""
+    relative to the lines from the speed of the cage, if that is known."""
     unit, resolution, of = spectrum.attrs["units"], spectrum.attrs["resolution"], spectrum.dims[0]
     fine = prefixed(resolution, "Hz", 3) if of == "frequency" else f"{resolution:.3g} orders"
     rows = [f"{spectrum.attrs['long_name']}; resolution {fine}"]

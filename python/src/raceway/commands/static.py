@@ -67,7 +67,7 @@ def add(commands: Commands) -> None:
     loads.add_argument(
         "--spectrum",
         metavar="FILE",
-        help="CSV table with columns load, axial, rpm, share (of the time) instead of these, or"
+        help="CSV table with columns load, axial, rpm, share (of the time) instead of loads, or"
         " results.csv of a sweep: life and equivalent load of all its points together",
     )
     loads.add_argument(
@@ -118,7 +118,7 @@ def add(commands: Commands) -> None:
         "--density",
         type=number(100, 3e4, "kg/m^3"),
         metavar="RHO",
-        help="of the balls, kg/m^3 (the bearing's ball_density, or 7800)",
+        help="density of the balls, kg/m^3 (the bearing's ball_density, or 7800)",
     )
     balls.add_argument(
         "--lubricant", metavar="NAME", help="a file of inputs/lubricants, or a path; needs --rpm"
@@ -128,7 +128,7 @@ def add(commands: Commands) -> None:
         one,
         models.STATICS,
         "full: film in the gap, inlet shear, friction torque; eyring: full with Eyring's stress in"
-        " the film; paper: as the publication, without friction torque",
+        " the film; paper: as in the publication, without friction torque",
     )
     options.spin_law(one)
     options.lubrication(one)

@@ -11,8 +11,8 @@ from raceway.theory.models import CAPACITANCE
 
 DESCRIPTION = """\
 Stiffness and damping of a bearing's ring from statics and films: 5 x 5 matrices in x, y, z, rx, ry,
-as the mean over a ball pass with the least and greatest values. One row for each radial load and
-speed. Damping comes from films and steel alone, and needs a lubricant.
+as the mean over a ball pass with the least and greatest values. Each radial load and speed has a
+row. Damping comes from films and steel alone, and needs a lubricant.
 
 --out writes them in a format that depends on the file name extension:
   .csv   a table, with units in its first line
@@ -33,7 +33,7 @@ def add(commands: Commands) -> None:
     """Put the command into the parser's `commands`."""
     one = commands.add_parser(
         "stiffness",
-        help="stiffness and damping over load and speed, for ROSS and others",
+        help="stiffness and damping over load and speed, for ROSS and other programs",
         description=DESCRIPTION,
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
@@ -43,7 +43,7 @@ def add(commands: Commands) -> None:
     options.grooves(one)
     options.point(one, "load")
     options.point(one, "axial", several=False)
-    options.point(one, "rpm", "speed of the inner ring; several in rising order (0)")
+    options.point(one, "rpm", "speed of the inner ring; several in ascending order (0)")
     options.point(one, "clearance", several=False)
     one.add_argument(
         "--lubricant", metavar="NAME", help="a file of inputs/lubricants, or a path; adds damping"
@@ -53,7 +53,7 @@ def add(commands: Commands) -> None:
     options.models(
         one,
         CAPACITANCE,
-        "full: film in the gap and its damping branch; paper: damping as the publication",
+        "full: film in the gap and its damping branch; paper: damping as in the publication",
     )
     one.add_argument(
         "--frequency",

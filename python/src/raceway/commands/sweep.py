@@ -19,8 +19,8 @@ DESCRIPTION = """\
 Each row of the CSV file TABLE is a point, each column a variable of the deck: load, rpm, clearance,
 lubricant, ... Every point gets a folder in DIR named after its values. Finished points are not run
 again, so a sweep that was stopped (Ctrl-C, kill, a time limit) continues when the command is
-repeated; two sweeps started on one DIR share the work. A point that fails keeps its message and
-does not stop the others. At the end DIR/results.csv has a row per point.
+repeated; two sweeps started on one DIR share the work. The message of a point that fails is kept,
+and the other points continue. At the end DIR/results.csv has a row per point.
 
 A column `share` is not a variable but the time share of a point in a load spectrum:
 `raceway static --spectrum DIR/results.csv` computes the life under all points together.
@@ -92,7 +92,7 @@ def add(commands: Commands) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Run the points, or check or write them out.
+    """Run the points, or only check them or write a job array.
 
     Raises `RacewayError` for a table that cannot be used and when a point failed.
     """

@@ -42,7 +42,7 @@ def add(commands: Commands) -> None:
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    one.add_argument("file", metavar="FILE", help="what is known, and the series, YAML")
+    one.add_argument("file", metavar="FILE", help="YAML file: known quantities and the series")
     options.inputs(one)
     one.add_argument("--out", metavar="PNG", help="draw the state over time")
     one.add_argument("--csv", metavar="FILE", help="write the table here, not to the terminal")

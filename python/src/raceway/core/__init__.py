@@ -2,8 +2,8 @@
 """The laws of contact, film, oil and circuit: one C++ library (src-package/core) for the simulation
 and for Python.
 
-`laws` has each formula by its name, `table` the tables of columns and variables. `make build` and
-`pip install ./python` build the library.
+`laws` gives each formula by name, `table` gives the tables of columns and variables. `make build`
+and `pip install ./python` build the library.
 """
 
 import ctypes

@@ -24,7 +24,7 @@ class Parameter(NamedTuple):
     """A parameter; `size` is None for a single value, 0 for an array of any size."""
 
     name: str
-    kind: str  # double, int, the name of a record, or that of a struct internal to C++
+    kind: str  # double, int, or the name of a record or of a struct internal to C++
     constant: bool
     size: int | None
 
@@ -112,8 +112,9 @@ class Library:
         return made
 
     def call(self, name: str, *few: Any, **named: Any) -> Any:
-        """The result of the function `name` with the records and arrays of fixed size that it
-        fills, in its order, alone or as a tuple; those passed by name are filled in place."""
+        """The result of the function `name` and the records and arrays of fixed size that it fills,
+        in the order of its parameters; a single one is not in a tuple. Records and arrays passed by
+        name are filled in place."""
         function = self.functions[name]
         outputs = [p for p in function.parameters if self._fills(p) and p.name not in named]
         inputs = [p.name for p in function.parameters if p not in outputs]
@@ -226,7 +227,7 @@ def _compare(what, wanted, given):
     if missing or unknown:
         said = [
             f"{word} {', '.join(names)}"
-            for word, names in (("has no value for", missing), ("does not know", unknown))
+            for word, names in (("has no value for", missing), ("has nothing named", unknown))
             if names
         ]
         raise TypeError(f"{what} {' and '.join(said)}")

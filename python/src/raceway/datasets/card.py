@@ -21,7 +21,7 @@ Simulated vibration of a {bearing} bearing, with labels. Made by `raceway datase
 - `dataset.json`: the specification.
 - `runs/`: variables and figures of each run.
 
-A `.mat` file of record 12 has `X012_DE_time`, N x 1, and `X012RPM`, named like those of the bearing
+A `.mat` file of record 12 has `X012_DE_time`, N x 1, and `X012RPM`, with the names of the bearing
 data center of Case Western Reserve University, and also `fault`, `fault_size_m`, `load_N`,
 `sampling_Hz` and `unit`. A `.parquet` file has `time_s` and `acceleration_m_s2`. The signal is the
 acceleration of the housing along {axis}, in m/s^2. The
@@ -32,8 +32,8 @@ load points along -y unless `load_azimuth` is set.
 {classes}
 
 `size_m` is the length of a notch along rolling, or the amplitude of waves. `flaw_place` is
-given as on a clock, with the load at 6. Lines (`BPFO_Hz` ...) follow from the run's own cage
-speed.
+given as on a clock, with the load at 6. Lines (`BPFO_Hz` ...) follow from the cage speed of the
+run.
 
 ## What is physics
 
@@ -52,7 +52,7 @@ and sidebands follow from that. No impact, line, jitter or sideband was added by
 - Waviness has the orders Z - 1 and Z + 1 on both raceways.
 - Speed and load are constant. A seed determines the initial positions of balls and rotating flaws.
 - {noise}
-- Records are at {oversampling} times the fastest rate, then filtered: flat up to 0.4 of the
+- Runs are recorded at {oversampling} times the fastest rate, then filtered: flat up to 0.4 of the
   rate of a file, 80 dB down above half of it.
 
 ## Noise floor
@@ -64,7 +64,7 @@ KINDS = {"mat": "MATLAB version 5 (`.mat`)", "parquet": "Apache Parquet (`.parqu
 
 
 def card(spec: Spec, table: pd.DataFrame, wanted: int) -> str:
-    """Text of README.md for the records in `table` (rows of labels.csv), of `wanted` in all."""
+    """Text of README.md for the records in `table` (rows of labels.csv), out of `wanted`."""
     classes, floor = [], "There is no record without a flaw, so the floor is not known here."
     if len(table):
         for kind, some in table.groupby("class", sort=False)["rms_m_s2"]:

@@ -3,7 +3,7 @@
 
 The folder holds
 
-    dataset.json     the specification; a folder of another one is refused
+    dataset.json     the specification; a folder with another specification is refused
     README.md        the card
     labels.csv       one row for each record
     48k/0001.mat     signals, one folder for each rate; or .parquet, or both
@@ -92,7 +92,7 @@ def _claim(spec, folder):
 
 
 def file_of(rate: int, record: Record, kind: str = "mat") -> str:
-    """Path of a record's file of a `kind` in the folder.
+    """Path in the folder of the file of this `kind` of a record.
 
     >>> from raceway.sweeps.points import Point
     >>> file_of(48000, Record(7, Point("0007", {}), {}, 1797.0))
@@ -154,8 +154,8 @@ def _save_parquet(path, one, rate, values):
 
 
 def _matlab(one: Record, rate: int, values: np.ndarray) -> Mapping[str, Any]:
-    """Variables of a .mat file. `X001_DE_time` and `X001RPM` are named as those of Case Western
-    Reserve University, drive end; the others describe the record."""
+    """Variables of a .mat file. `X001_DE_time` and `X001RPM` have the names that Case Western
+    Reserve University uses for the drive end; the other variables describe the record."""
     stem = f"X{one.number:03d}"
     return {
         f"{stem}_DE_time": values,

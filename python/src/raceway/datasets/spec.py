@@ -43,8 +43,8 @@ SET_HERE = {
     **OURS,
     **dict.fromkeys(("flaw_inner", "flaw_outer", "flaw_ball", "flawed_ball"), "set it in `flaws`"),
     **dict.fromkeys(("sampling", "oversampling", "passes", "samples"), "set it in `record`"),
-    **dict.fromkeys(("integrator", "record", "dumps"), "it is always the same"),
-    "phase": "`seed` draws it",
+    **dict.fromkeys(("integrator", "record", "dumps"), "it cannot be changed"),
+    "phase": "`seed` determines it",
 }
 
 
@@ -146,7 +146,7 @@ def _flaws(given):
     result = {}
     for kind, words in given.items():
         if kind not in FLAWS:
-            raise SpecError(f"flaws: '{kind}' is unknown; there is: {', '.join(FLAWS)}")
+            raise SpecError(f"flaws: '{kind}' is unknown; known: {', '.join(FLAWS)}")
         words = _section(f"flaw {kind}", words or {}, set(FLAWS[kind]))
         full = {name: _list(words.get(name, usual)) for name, usual in FLAWS[kind].items()}
         for name, values in full.items():
@@ -165,7 +165,7 @@ def _section(name, given, words, needed=frozenset()):
     if not isinstance(given, dict) or not all(isinstance(key, str) for key in given):
         raise SpecError(f"{name} must hold names with values")
     if words is not None and (more := set(given) - words):
-        raise SpecError(f"{name}: '{min(more)}' is unknown; there is: {', '.join(sorted(words))}")
+        raise SpecError(f"{name}: '{min(more)}' is unknown; known: {', '.join(sorted(words))}")
     if missing := needed - set(given):
         raise SpecError(f"{name}: needs '{min(missing)}'")
     return given
@@ -195,20 +195,22 @@ def _word(name, given):
     return text
 
 
-# ---- its runs --------------------------------------------------------------------------------
+# ---- runs ------------------------------------------------------------------------------------
 def records(spec: Spec) -> list[Record]:
     """The `Record`s of `spec`, in its order: every flaw under all conditions.
 
-    A seed draws the azimuth of the first ball, the initial position of a flaw on the inner raceway
-    or a ball, the number of that ball, and the phases of waves. Raises `RacewayError` for an
-    unknown bearing.
+    A seed determines the azimuth of the first ball, the initial position of a flaw on the inner
+    raceway or a ball, the number of that ball, and the phases of waves. Raises `RacewayError` for
+    an unknown bearing.
     """
     path = catalogue.find("bearings", spec.bearing)
     bearing = inputs.bearing(path)
     angle = inputs.four_point_angle(path) or inputs.nominal_angle(path)
     if "ball" in spec.flaws and len(bearing.raceways) > 2:
-        raise SpecError(f"flaw ball: {path.name} has four points, which its pit does not touch")
-    passes = kinematics.frequencies(bearing, angle).outer / 60  # ball passes a second and rpm
+        raise SpecError(
+            f"flaw ball: {path.name} has four-point contact, which a pit of the ball does not reach"
+        )
+    passes = kinematics.frequencies(bearing, angle).outer / 60  # ball passes per second and rpm
     length = spec.seconds + 2 * GUARD / min(spec.rates)
     result = []
     for kind, words in spec.flaws.items():

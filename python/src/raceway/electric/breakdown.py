@@ -18,10 +18,10 @@ SURFACES = ("rough", "smooth")
 class Breakdown:
     """A film fails when its voltage exceeds `strength` (V/m) times its local thickness.
 
-    The local thickness is that of the film minus three times the composite roughness ("rough") or
-    the film's own ("smooth"), and at least `floor` (m). `roughness` (m) is the run's unless given.
-    `arc` (ohm) is the resistance of a film while it fails; it gives the current of a failure and
-    its duration.
+    The local thickness is the film thickness ("smooth"), or the film thickness minus three times
+    the composite roughness ("rough"), and at least `floor` (m). `roughness` (m) is the roughness of
+    the run unless given. `arc` (ohm) is the resistance of a film while it fails; it gives the
+    current of a failure and its duration.
     """
 
     strength: float

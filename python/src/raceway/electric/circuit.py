@@ -22,7 +22,7 @@ from raceway.theory.film_voltage import field
 
 RACEWAYS = ("inner", "outer")
 MOST = 100_000_000  # upper bound of films times points
-LATE = 3  # field over strength above which a film fails too late
+LATE = 3  # ratio of field to strength above which a film fails too late
 MEANINGS = {  # variables and their units
     "bearing_voltage": ("V", "voltage of the inner ring to the outer ring"),
     "driving_voltage": ("V", "voltage of the outer circuit"),
@@ -83,16 +83,16 @@ def run(
     points: int | None = None,
     stray: float = 0.0,
 ) -> Result:
-    """The circuit of a bearing and the circuit `outer` between its rings over the samples of `of`.
+    """Solve the circuit of a bearing and of `outer` between its rings over the samples of `of`.
 
-    `of` is a run from `raceway.open`, a dataset like its `contacts`, or `Films` (which have their
-    own leak and stray). Films fail by `breakdown` (None: never) and conduct by `leak` (None: not at
-    all). `points` is the number of circuit steps per sample, with linear interpolation; None gives
-    `PER_CYCLE` points per period of the voltage of `outer`.
-    `stray` (F) is added to every film. Voltages of the dataset are those after a discharge. Events
-    have the columns of `EVENT_UNITS`; `energy` includes the energy lost by other films. The
-    peak `current`, the `duration` in which it falls to 1/e and the current density over all Hertz
-    area are NaN without the breakdown's `arc`.
+    `of` is a run from `raceway.open`, a dataset like its `contacts`, or `Films` (which include leak
+    and stray). Films fail by `breakdown` (None: never) and conduct by `leak` (None: not at all).
+    `points` is the number of circuit steps per sample, with linear interpolation; None gives
+    `PER_CYCLE` points per period of the voltage of `outer`. `stray` (F) is added to every film.
+    If there is a discharge at a point, voltages of the dataset are values after it. Events have the
+    columns of `EVENT_UNITS`; `energy` includes the energy lost by other films. The peak `current`,
+    the `duration` in which it falls to 1/e and the current density over all Hertz area are NaN
+    without the breakdown's `arc`.
 
     Raises `RunError` if `of` lacks required data, `ValueError` for parameters out of range and
     for steps too long for the voltage of `outer`.
@@ -128,8 +128,9 @@ def _points(coarse, outer, points):
         )
     if points * coarse.capacitance.size > MOST:
         raise ValueError(
-            f"points = {points} a sample and {coarse.capacitance.size} films are more than {MOST:g}"
-            f" in all: a sample takes {longest:g} s, a period of the voltage {shortest:g} s"
+            f"points = {points} per sample and {coarse.capacitance.size} films are more than"
+            f" {MOST:g} in all: a sample takes {longest:g} s, a period of the voltage"
+            f" {shortest:g} s"
         )
     return points
 
@@ -139,7 +140,7 @@ def _need_overlap(time, waveform):
         first, last = waveform.times[0], waveform.times[-1]
         if last <= time[0] or first >= time[-1]:
             raise ValueError(
-                f"the table's times, {first:g} to {last:g} s, must overlap those of the films,"
+                f"the table's times, {first:g} to {last:g} s, must overlap the times of the films,"
                 f" {time[0]:g} to {time[-1]:g} s"
             )
 
@@ -223,7 +224,7 @@ def _events(fine, s: Solution, breakdown):
 
 def _warn_of_late(events, sudden, breakdown):
     """Warn if the steps are so long that films fail far above their strength. Failures at the
-    `sudden` times and those after another film's failure are exempt."""
+    `sudden` times and failures that follow the failure of another film are exempt."""
     gradual = ~np.isin(events.time, sudden) & (events.order == 1)
     field = events.field[gradual].abs().max()
     if breakdown and field > LATE * breakdown.strength:

@@ -69,8 +69,8 @@ TOPICS = {
 
 
 def figures(result: Result) -> dict[str, float | None]:
-    """The figures of `result` by the keys of `TOPICS`, SI units in the names; None where the
-    circuit has none."""
+    """The figures of `result` by the keys of `TOPICS`, which contain the SI units; None for figures
+    that the circuit does not have."""
     data, events = result
     one, fails = events.groupby("discharge"), "threshold_voltage" in data
     energy, length = one["energy"].sum(), float(data.time[-1] - data.time[0])
@@ -164,7 +164,7 @@ def _csv(frame, path):
 
 
 def _at_the_floor(thickness):
-    """Share of the films; None if there are none."""
+    """Share of the films that are at the floor; None without films."""
     there = thickness.notnull()
     low = there & (thickness <= thickness.attrs["floor"])
     return float(low.sum() / there.sum()) if there.any() else None

@@ -92,7 +92,7 @@ def series(capacitance: Floats) -> Series:
 
 def of_run(run: Run, leak: Leak | None = None, stray: float = 0.0) -> Films:
     """The films of `run` from `raceway.open`, with the total capacitance of each contact
-    (`capacitance_total`) if recorded, otherwise with that of the contact patch.
+    (`capacitance_total`) if recorded, otherwise with the capacitance of the contact patch.
 
     `leak` makes them conduct; `stray` (F) is added to every film. Raises `RunError` for a run that
     lacks required data.
@@ -129,10 +129,10 @@ def of_dataset(
     two films between a ball and a ring with two grooves are merged: they are in parallel, and the
     thinner one fails.
 
-    `permittivity` (1) is that of the lubricant at rest, `roughness` (m) that of both surfaces.
-    `balls` has the azimuths of all balls; if it is not given, they are taken from `contacts`. The
-    columns a and b give the Hertz area.
-    `name` is for messages. Raises `RunError` if a column is missing or a value is not a number.
+    `permittivity` (1) is the permittivity of the lubricant at rest, `roughness` (m) the composite
+    roughness. `balls` has the azimuths of all balls; if it is not given, they are taken from
+    `contacts`. The columns a and b give the Hertz area. Messages begin with `name`. Raises
+    `RunError` if a column is missing or a value is not a number.
     """
     if not stray >= 0:
         raise ValueError(f"stray = {stray:g} F must be 0 or more")

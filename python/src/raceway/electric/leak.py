@@ -17,7 +17,7 @@ class Leak:
     asperities with the resistance `metal` (ohm) per contact.
 
     Asperities conduct where they carry more than `share` of the contact's load. None for either
-    means no conduction. `permittivity` (1) of the lubricant is by default that of the run.
+    means no conduction. By default the `permittivity` (1) of the lubricant is taken from the run.
     """
 
     resistivity: float | None = None
@@ -44,8 +44,8 @@ class Leak:
     ) -> tuple[Floats, Floats | None]:
         """(conductance in S, 1 where asperities conduct) of films with `capacitance` (n, 2, Z), F.
 
-        The second is None without `metal`. `contacts` has the column `asperity_share` if metal
-        is requested, otherwise `RunError` with `name`.
+        The second is None without `metal`. With `metal`, `contacts` needs the column
+        `asperity_share`; otherwise `RunError` is raised, with `name` in its message.
         """
         conductance = np.zeros_like(capacitance)
         if self.resistivity is not None:

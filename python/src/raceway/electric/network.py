@@ -27,7 +27,7 @@ OUTER = ("factor", "coupling", "driving", "edges", "start")
 
 
 class Solution(NamedTuple):
-    """n points, each after its discharge."""
+    """Values at n points of time, after a discharge if there is one."""
 
     ball: Floats  # (n, Z) V
     bearing: Floats  # (n,) V
@@ -39,8 +39,8 @@ class Solution(NamedTuple):
 
 
 def solve(films: Films, terms: Terms, breakdown: Breakdown | None) -> Solution:
-    """The network of `films` and the outer circuit `terms`; films fail by `breakdown`, never if
-    None.
+    """Solve the network of `films` and the outer circuit `terms`; films fail by `breakdown`, or
+    never if it is None.
 
     Balls start without charge. Raises `ValueError` for breakdown on a source without resistance,
     `RunError` if a charged ball loses both films.

@@ -18,9 +18,9 @@ class Terms(NamedTuple):
     """An outer circuit at the points of a solution, n of them."""
 
     capacitance: float  # from inner ring to frame, in parallel with the films, F
-    factor: float  # likewise, as a multiple of the bearing's capacitance
+    factor: float  # further capacitance there, as a multiple of the bearing's capacitance
     coupling: float  # from the driving voltage to the inner ring, F
-    conductance: float  # likewise, S; infinite: the inner ring is at the driving voltage
+    conductance: float  # parallel to the coupling, S; infinite: ring at the driving voltage
     driving: Floats  # (n,) V
     edges: Floats  # (k, 3) s and V before and after, where the driving voltage kinks or jumps
     start: float  # V, initial voltage of an inner ring that no voltage drives
@@ -76,8 +76,8 @@ class Motor:
     """The capacitances of a motor: the common-mode voltage `waveform` through `winding_rotor` (F),
     the rotor to the frame through `rotor_frame` (F) and through the other bearing.
 
-    The other bearing has the capacitance `second` (F), or `second_factor` times that of this one.
-    `capacitance` (F) is in parallel with the bearing.
+    The other bearing has the capacitance `second` (F), or `second_factor` times the capacitance of
+    this bearing. `capacitance` (F) is in parallel with the bearing.
     """
 
     waveform: Waveform

@@ -2,8 +2,8 @@
 """A bearing as an element of SPICE: capacitances and leaks that follow a run, with linear
 interpolation between its samples (docs/electric_circuit, Export).
 
-A variable capacitance is written through its charge, Q = C(t) V: a capacitor with a `C=` expression
-would omit the current V dC/dt. Tested with ngspice.
+A variable capacitance is written in terms of its charge, Q = C(t) V: a capacitor with a `C=`
+expression would omit the current V dC/dt. Tested with ngspice.
 """
 
 from collections.abc import Iterator
@@ -25,7 +25,7 @@ NAME = "bearing"
 
 def element(films: Films, name: str = NAME) -> str:
     """Two subcircuits with the terminals inner and outer, as text: `name` with every ball as a
-    node, and `name` followed by `_total` with the capacitance and the leak of the bearing as one.
+    node, and `name` followed by `_total` with the total capacitance and leak of the bearing.
 
     They are equivalent as long as the balls are uncharged. Leaks charge them where they divide the
     voltage differently from the capacitances.

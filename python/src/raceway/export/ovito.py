@@ -2,9 +2,8 @@
 """A run for OVITO: a folder with `bearing.xyz`, an extended XYZ file of all samples, and the
 raceways as `.obj` surfaces.
 
-Columns have OVITO's standard names (species, id, pos, radius, velo); the others become
-properties of their own. If a ball has no film, -1 is written, since not every text reader accepts
-NaN.
+Columns have OVITO's standard names (species, id, pos, radius, velo); the other columns become
+custom properties. If a ball has no film, -1 is written, since not every text reader accepts NaN.
 """
 
 from pathlib import Path

@@ -2,8 +2,8 @@
 """Stiffness and damping of a bearing over load and speed for rotor dynamics, as a table (CSV, JSON)
 and for ROSS, which need not be installed.
 
-ROSS (`ross-rotordynamics`) has our axes: x, y across, z along the shaft, right-handed tilts alpha =
-rx and beta = ry. Its `BearingElement` takes translations alone, without coupling to z.
+ROSS (`ross-rotordynamics`) uses the same axes: x, y across, z along the shaft, right-handed tilts
+alpha = rx and beta = ry. Its `BearingElement` takes translations alone, without coupling to z.
 """
 
 import json
@@ -28,7 +28,7 @@ from raceway.theory.static import FREEDOMS, STRAIGHT
 
 PER_METRE = (1, 1, 1, 0, 0)  # powers of 1/m by row and column of the matrices: a sum of 2 is N/m
 TAKEN = ("xx", "xy", "yx", "yy", "zz")  # entries accepted by ROSS's BearingElement
-ROSS_FREEDOMS = 6  # degrees of freedom of a node: ours and the rotation about z
+ROSS_FREEDOMS = 6  # degrees of freedom of a node: `FREEDOMS` and the rotation about z
 TILTS = ("held", "free")
 NOISE = 1e-9  # rounding error of entries that are 0 by symmetry, as a fraction of the diagonal
 
@@ -65,10 +65,10 @@ def points(
     `four_point` and `double_row` as in `inputs.bearing`; without a lubricant there is no
     damping. `models` is paper or full, `temperature` in degrees C.
     `frequency` of the vibration is in rad/s; by default it is the shaft's speed, as rotor
-    programs assume in their tables. `axial` is in N; `options` are those of `static.equilibrium`
-    (clearance, held, moment). Without them tilts are held at 0. The ring of a file is held along z
-    if there is no axial load (`inputs.held`). Raises `RacewayError`, and
-    `ValueError` for a number out of range.
+    programs assume in their tables. `axial` is in N; `options` (clearance, held, moment) are passed
+    to `static.equilibrium`. Without them tilts are held at 0. The ring of a file is held along z if
+    there is no axial load (`inputs.held`). Raises `RacewayError`, and `ValueError` for a number out
+    of range.
     """
     if models not in LAWS:
         raise ValueError(f"models '{models}' is not one of {', '.join(LAWS)}")
@@ -113,8 +113,8 @@ def points(
 
 def at_rest(carried: Carried, rpm: ArrayLike, **options: Any) -> list[Point]:
     """`points` of a bearing of a shaft at rest (`shaft.rest`) at each `rpm`, under the loads and at
-    the tilts that it has there. The matrices therefore have the axes of the shaft, whatever the
-    load's direction. `options` are those of `points`, such as lubricant and temperature."""
+    the tilts of the shaft at rest. The matrices therefore have the axes of the shaft, whatever the
+    load's direction. `options` such as lubricant and temperature are passed to `points`."""
     x, y, z = carried.load[:3].tolist()
     tilts = dict(zip(FREEDOMS[3:], carried.place[3:].tolist()))
     place = dict(load_azimuth=math.atan2(y, x), held=tilts, clearance=carried.seat.clearance)
@@ -125,12 +125,13 @@ def ross(
     bearing: str, load: float, rpm: ArrayLike, *, tilts: str = "held", **options: Any
 ) -> dict[str, float | list[float]]:
     """Keyword arguments of ROSS's `BearingElement` except the node: kxx, kyy, kxy, kyx, kzz, the
-    same for c and, for several `rpm`, `frequency` in rad/s. All are Python floats or lists of them.
+    corresponding cxx to czz and, for several `rpm`, `frequency` in rad/s. All are Python floats or
+    lists of them.
 
-    `load` in N is radial, along x; `options` are those of `points`. With `tilts` "held" they are
-    entries of the 5 x 5 matrices, and `add_rest` adds the others. "free" gives the stiffness of the
-    ring when only the bearing holds its tilts; then there is no rest to add. Warns if ROSS's
-    smoothing of a table of more than four speeds changes an entry by more than 1 %.
+    `load` in N is radial, along x; `options` are passed to `points`. With `tilts` "held" the
+    arguments are entries of the 5 x 5 matrices, and `add_rest` adds the other entries. "free" gives
+    the stiffness of the ring when only the bearing holds its tilts; then there is no rest to add.
+    Warns if ROSS's smoothing of a table of more than four speeds changes an entry by more than 1 %.
 
     >>> one = ross("6208", 3000.0, 0.0, clearance=10e-6, phases=1)
     >>> [f"{one[name]:.4g}" for name in ("kxx", "kyy", "kzz")]
@@ -140,10 +141,10 @@ def ross(
 
 
 def ross_of(points: Sequence[Point], tilts: str = "held") -> dict[str, float | list[float]]:
-    """Like `ross`, for `points` of one load and rising speed. Raises `ValueError` for others."""
+    """Like `ross`, for `points` at one load, in order of increasing speed, else `ValueError`."""
     speeds = [one.rpm for one in points]
     if len({(one.load, one.axial) for one in points}) != 1 or np.any(np.diff(speeds) <= 0):
-        raise ValueError("ROSS takes the points of one load and of rising speed")
+        raise ValueError("ROSS needs points at one load, in order of increasing speed")
     result: dict[str, Any] = {}
     frequency = [speed * math.pi / 30 for speed in speeds]
     pairs = [translations(one, tilts) for one in points]
@@ -159,7 +160,7 @@ def ross_of(points: Sequence[Point], tilts: str = "held") -> dict[str, float | l
 
 def translations(point: Point, tilts: str = "held") -> tuple[Floats, Floats]:
     """(K in N/m, C in N s/m), both (3, 3), of the ring's translations; `tilts` as in `ross`. Raises
-    `ValueError` for another word, or for free tilts that are not held by anything."""
+    `ValueError` for another word, or if tilts are free and no stiffness holds them."""
     if tilts not in TILTS:
         raise ValueError(f"tilts '{tilts}' is not one of {', '.join(TILTS)}")
     mean = point.over.mean
@@ -186,8 +187,8 @@ def rest(point: Point) -> tuple[Floats, Floats]:
 
 
 def add_rest(rotor: Any, node: int, point: Point) -> None:
-    """Add `rest` to the matrices K0 and C0 of a ROSS `rotor` before its first analysis, because it
-    caches its results. The rest does not change with speed in ROSS, so choose a `point` in the
+    """Add `rest` to the matrices K0 and C0 of a ROSS `rotor` before its first analysis, because the
+    rotor caches results. The rest does not change with speed in ROSS, so choose a `point` in the
     middle of your speed range.
 
     Raises `RacewayError` for a rotor whose nodes do not have six degrees of freedom (ROSS before
@@ -231,8 +232,8 @@ def columns() -> list[str]:
 
 
 def write_csv(points: Sequence[Point], path: FilePath) -> Path:
-    """One row for each point: mean K and C over the ball pass, row by row in x, y, z, rx, ry, and
-    the least and greatest values of K's diagonal. SI units."""
+    """Write one row for each point: mean K and C over the ball pass, row by row in x, y, z, rx, ry,
+    and the least and greatest values of K's diagonal. SI units."""
     lines = [",".join(columns())]
     for one in points:
         mean, least, most = one.over
@@ -243,7 +244,7 @@ def write_csv(points: Sequence[Point], path: FilePath) -> Path:
 
 
 def write_json(points: Sequence[Point], path: FilePath) -> Path:
-    """The same as one JSON object, with matrices as lists of rows, and all least and greatest
+    """Write `points` as one JSON object, with matrices as lists of rows, and all least and greatest
     values."""
     return files.text(path, json.dumps(as_mapping(points), indent=1, allow_nan=False) + "\n")
 
@@ -262,7 +263,7 @@ def as_mapping(points: Sequence[Point]) -> dict[str, Any]:
 def write_ross(
     points: Sequence[Point], path: FilePath, node: int, tag: str = "bearing", tilts: str = "held"
 ) -> Path:
-    """A TOML file that `ross.BearingElement.load` reads."""
+    """Write a TOML file that `ross.BearingElement.load` reads."""
     lines = [f"[BearingElement_{tag}]", f"n = {int(node)}", f'tag = "{tag}"']
     for name, value in ross_of(points, tilts).items():
         numbers = value if isinstance(value, list) else [value]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The runs of `raceway paper`: inputs/paper/cases.yaml with its lists expanded and its names
-converted to those of the decks."""
+converted to names of deck variables."""
 
 import itertools
 from collections.abc import Iterable
@@ -93,7 +93,7 @@ def _case(root, deck, given):
     bearing = inputs.bearing(root / "inputs/bearings" / str(own.get("bearing", 6208)))
     if "entrainment" in ours:
         own["rpm"] = rpm(bearing, ours["entrainment"])
-    if ours.get("clearance_ratio"):  # none is the decks' default: the same run as a case without it
+    if ours.get("clearance_ratio"):  # 0 is the decks' default: the same run as a case without it
         own["clearance"] = ours["clearance_ratio"] * bearing.ball_diameter
     if "total_curvature" in ours:
         own["inner_groove"] = own["outer_groove"] = groove(bearing, ours["total_curvature"])

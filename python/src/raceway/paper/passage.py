@@ -2,7 +2,7 @@
 """Operating points where the lambda ratio passes a given value, by theory: speed and capacitance,
 and the roughness for a given capacitance.
 
-The contact is that of the inner raceway under a ball on the load line, which has the thinnest film.
+The contact is at the inner raceway, with a ball on the load line, where the film is thinnest.
 """
 
 import numpy as np
@@ -34,8 +34,8 @@ def capacitance(
     whole: bool = True,
     printed: bool = False,
 ) -> float:
-    """Capacitance in F where the smallest film is `h_min` in m: of the bearing (`whole`) or of the
-    ball on the load line."""
+    """Capacitance in F at which the smallest film is `h_min` in m: of the bearing (`whole`) or of
+    the ball on the load line."""
     at = speed(bearing, oil, radial_load, h_min, printed)
     if whole:
         return theory.bearing_capacitance(bearing, oil, radial_load, at, printed=printed)

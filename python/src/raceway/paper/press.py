@@ -24,7 +24,7 @@ STATEMENTS = "statements"
 def title(product: str) -> str:
     """Description of a product in one line."""
     if product == STATEMENTS:
-        return "Every statement of the paper that can be checked, with verdict."
+        return "Every statement of the paper that can be checked, with its verdict."
     return (FIGURES | TABLES)[product].__doc__.split("\n")[0]
 
 

@@ -2,7 +2,7 @@
 """Numbers from finished runs: the only place where the paper's products read a run's tables.
 
 Azimuths are degrees from the load line, -180 to 180. In one ball pass the nine balls of a 6208
-sweep the whole ring, so a quantity of one ball around the ring is that of all balls together.
+sweep the whole ring, so the values of all balls together show one ball around the ring.
 """
 
 import re

@@ -42,7 +42,7 @@ def root() -> Path:
 
 @dataclass
 class Outcome:
-    """Outcome of the cases: folders of finished runs, messages of the others."""
+    """Outcome of the cases: folders of finished runs, messages of failed runs."""
 
     folders: dict[Case, Path]
     failures: dict[Case, str]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Change of results over the plausible range of data missing from the paper's text: its oils (table
+"""Change of results over the plausible range of data missing from the paper's text: the oils (table
 2) and the roughness.
 
 The changes come from theory, at 5 kN, 0.41 m/s and no clearance; two runs with other oils show that
@@ -97,7 +97,7 @@ def table(book: Book) -> pd.DataFrame:
 def power(book: Book, what: str, ball: Callable[[Oil], float] | None = None) -> float:
     """Sensitivity of a ball's capacitance to one property of the mineral oil: d log C/d log
     property.
-    `ball` gives its capacitance in F, by default that of its plates."""
+    `ball` gives the capacitance of the ball in F, by default the capacitance of its plates."""
     oil, step, of = book.oils["mineral"], 1.01, ball or _plates(book)
     more, less = (
         of(oil._replace(**{what: getattr(oil, what) * factor})) for factor in (step, 1 / step)

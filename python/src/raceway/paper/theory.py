@@ -93,7 +93,7 @@ def loads(
     bearing: Bearing, radial_load: float, clearance: float = 0.0
 ) -> tuple[Floats, Floats, float]:
     """(psi in degrees, load in N, shift in m) of all balls over a ball pass, `PHASES` positions of
-    Z balls, and the mean shift along the load. The load is that of both raceways, without
+    Z balls, and the mean shift along the load. The load acts on both raceways and excludes the
     centrifugal load."""
     turns = [
         static.equilibrium(

@@ -23,7 +23,7 @@ def loads(axes: Axes, tables: RunTables) -> float:
     drawn unit."""
     largest = tables.contacts["load"].max()
     factor, unit = axis(largest, "N")
-    # outer first and wider: without much centrifugal load the inner curve covers it
+    # the outer curve first and wider: the inner one covers it if there is little centrifugal load
     width = {OUTER: 5, INNER: 1.6}
     for side in (OUTER, INNER):
         for psi, load in tracks(tables, side, "load"):

@@ -23,8 +23,8 @@ def frequencies(resistivity: float, count: int = 400) -> Floats:
 
 
 def bode(point: Point, names: Mapping[str, Any], resistivity: float, path: FilePath) -> None:
-    """Draw modulus and phase of a bearing's impedance in oil of `resistivity` (ohm m) over
-    frequency to the PNG `path`, and those of its plates. Raises `RunError` if it cannot be
+    """Draw modulus and phase of the impedance of a bearing and of its plates alone, in oil of
+    `resistivity` (ohm m), over frequency to the PNG `path`. Raises `RunError` if it cannot be
     written."""
     found = point.capacitors()
     loaded = found.inner.load > 0

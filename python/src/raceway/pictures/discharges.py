@@ -96,7 +96,7 @@ def _voltages(axes, result):
             alpha=0.8,
         )
     axes.set(
-        xlabel=f"time ({unit})", ylabel="size of the bearing voltage (V)", xlim=(time[0], time[-1])
+        xlabel=f"time ({unit})", ylabel="magnitude of bearing voltage (V)", xlim=(time[0], time[-1])
     )
     tops = [float(np.abs(data.bearing_voltage).max()), *np.abs(first["bearing_voltage"])]
     tops.append(1.2 * float(threshold.min()) if threshold.notnull().any() else 0.0)

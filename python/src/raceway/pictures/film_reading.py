@@ -14,8 +14,8 @@ from raceway.theory.film_reading import Reading
 
 
 def reading(curve: Reading, names: Mapping[str, Any], path: FilePath) -> None:
-    """Draw the film thickness that an instrument would read against that of the model, and the
-    error, to the PNG `path`. Raises `RunError` if it cannot be written."""
+    """Draw the film thickness that an instrument would read against the thickness in the model, and
+    the error, to the PNG `path`. Raises `RunError` if it cannot be written."""
     lines = (
         (curve.by_plates, "all capacitance as plates", PALETTE[5], "-"),
         (curve.less_constant, "after subtraction of a constant", PALETTE[0], (0, (4, 2))),

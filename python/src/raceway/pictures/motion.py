@@ -51,7 +51,7 @@ def motion(tables: RunTables, path: FilePath) -> None:
             wspace=0.24,
         )
         try:
-            head(figure, tables, "inner ring, displacement from its place at the start")
+            head(figure, tables, "inner ring, displacement from the initial position")
             for place, panel in zip(grid, panels):
                 panel(figure.add_subplot(place), tables)
             style.save(figure, path)

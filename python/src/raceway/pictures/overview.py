@@ -84,11 +84,11 @@ def _subtitle(figures):
 
 
 def _torque(axes, tables, scale):
-    """Power lost by part times `scale`, one over the speed. Parts beyond the largest `PARTS` and
-    those below a hundredth of the total are drawn as one."""
+    """Power loss by part times `scale`, the reciprocal of the speed. Parts other than the largest
+    `PARTS`, and parts below a hundredth of the total, are drawn as one."""
     samples = np.arange(len(tables.totals))
     lost = {name: tables.totals[key] for name, key in LOSSES.items() if key in tables.totals}
-    # the cage's is known only at the ends of steps
+    # the loss of the cage is known only at the ends of steps
     full = {name: values.interpolate(limit_direction="both") for name, values in lost.items()}
     lost = {name: scale * values.to_numpy(float) for name, values in full.items()}
     whole = sum(lost.values())

@@ -36,7 +36,7 @@ def polar(tables: RunTables, path: FilePath) -> None:
                 figure,
                 tables,
                 "curves: simulation, all balls and samples"
-                + ("    dots: quasi-static theory, as raceway static" if dots else ""),
+                + ("    dots: quasi-static theory, as in raceway static" if dots else ""),
                 size=15,
             )
             grid = figure.add_gridspec(

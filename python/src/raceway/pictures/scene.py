@@ -41,7 +41,7 @@ class Scene:
     turned: Floats  # (n, Z), of the balls about z since the first sample
     ring_turned: Floats  # (n,), of the inner ring
     values: Floats  # (n, Z), values for the colours of balls, NaN where a ball has none
-    load: Floats  # (n, Z), values for the colours of balls, NaN where a ball has none
+    load: Floats  # (n, Z), N, larger contact load of each ball, 0 without contact
 
 
 def scene(

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Picture of a spectrum with the kinematic lines marked: found ones by name, the others with a
-dotted line."""
+"""Picture of a spectrum with the kinematic lines marked: by name if found, otherwise by a dotted
+line."""
 
 from collections.abc import Sequence
 from itertools import cycle

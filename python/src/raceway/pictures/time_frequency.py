@@ -19,7 +19,7 @@ DECADES = 2.5  # range of the colours, below the largest amplitude
 POWER = 0.98  # share of a signal's power below the top of its picture
 MOST = 800  # rows and columns drawn
 LABEL = 0.036  # height of a name, fraction of the axis
-HARMONICS = {"BPFO": (1, 2, 3), "BPFI": (1, 2, 3), "BSF": (2,)}  # number of others, the first ones
+HARMONICS = {"BPFO": (1, 2, 3), "BPFI": (1, 2, 3), "BSF": (2,)}  # shown; of other lines, the first
 
 
 def picture(run: Source, found: xr.DataArray, path: FilePath) -> None:
@@ -70,8 +70,8 @@ def picture(run: Source, found: xr.DataArray, path: FilePath) -> None:
 
 
 def _lines(run, found):
-    """{(name, harmonic): position on the vertical axis} of the lines from the run's own cage
-    speed."""
+    """{(name, harmonic): position on the vertical axis} of the lines that follow from the speed of
+    the cage."""
     which = 0 if found.attrs["orders"] else 1
     return {
         (name, n): place[which]

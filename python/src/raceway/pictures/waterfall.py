@@ -18,7 +18,7 @@ from raceway.runs.tables import RunTables
 from raceway.units import axis
 
 WIDTH = 0.5  # width of a band, in ball pitches
-ROWS = 600  # samples drawn; of more than a page has dots for, some are skipped
+ROWS = 600  # samples drawn, as many as a page can resolve; others are skipped
 IDLE = "#ececec"  # a ball that is not loaded on both raceways
 
 

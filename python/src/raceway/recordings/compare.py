@@ -28,7 +28,7 @@ class Side(NamedTuple):
 
 
 class Pair(NamedTuple):
-    """A line in both; NaN where it was not found."""
+    """A line in run and recording; NaN if it was not found."""
 
     name: str
     harmonic: int
@@ -40,7 +40,7 @@ class Pair(NamedTuple):
 
 
 class Comparison(NamedTuple):
-    """Both sides and their lines."""
+    """Run, recording and their lines."""
 
     run: Side
     recording: Side

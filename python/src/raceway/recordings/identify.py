@@ -96,7 +96,7 @@ def identify(readings: Readings) -> Found:
 
 def _along(names, variances, weak):
     """Number of the unknown along which the valley is traced: the more uncertain of clearance and
-    thrust if there is one, otherwise the most uncertain unknown."""
+    thrust if one of them is not determined, otherwise the most uncertain unknown."""
     first = [k for k, name in enumerate(names) if weak[k] and name in ("clearance", "axial")]
     return max(first or range(len(names)), key=lambda k: variances[k])
 
@@ -124,8 +124,8 @@ class _Interval(NamedTuple):
     places: list[tuple[Floats, Floats]]  # that explain the readings, each with its covariance
 
     def of(self, function, own=0.0):
-        """(best, low, high) of `function`, which has a standard deviation `own` besides that of
-        the place."""
+        """(best, low, high) of `function`, which has a standard deviation `own` in addition to the
+        uncertainty of the place."""
         ends = []
         for place, covariance in self.places:
             slope = _gradient(function, place)
@@ -206,7 +206,7 @@ class _Search:
         return np.array([one.lag for one in self.predicted(place)])
 
     def misfit(self, place, lags=None) -> Misfit:
-        """`prediction.misfit`, with the lags of the cage there unless others are given."""
+        """`prediction.misfit`, with the lags of the cage at `place` unless `lags` are given."""
         lags = self.lags(place) if lags is None else lags
         return misfit(self.readings.readings, self.predicted(place), lags)
 
@@ -249,7 +249,7 @@ class _Search:
         along = _along([*self.readings.unknown], np.diag(around), weak)
         places = [(place, around)]
         if weak.any():
-            # away from the valley the uncertainty is that across it
+            # the points give the uncertainty along the valley, the covariance only across it
             places = [
                 (one, self.covariance(one, weakest=False))
                 for one in self.valley(place, along, limit)
@@ -274,7 +274,7 @@ class _Search:
         def rest(x):
             place = np.array(start)
             place[free] = x
-            # relative to this 1, `ftol` is a change of the sum of squares, not a share of it
+            # with this 1, `ftol` limits the change of the sum of squares, not its relative change
             return np.append(self.residuals(place, lags), 1.0)
 
         place = np.array(start)

@@ -23,7 +23,7 @@ class Order(NamedTuple):
     """Order of a line, a multiple of the shaft's speed."""
 
     value: float
-    uncertainty: float  # one standard deviation, including that of the shaft's speed
+    uncertainty: float  # one standard deviation, including the uncertainty of the shaft's speed
     harmonics: int  # found
 
 

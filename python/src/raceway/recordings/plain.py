@@ -57,9 +57,7 @@ def _femto(path, kind):
     """Hour, minute, second and its fractions, then accelerations in g or a temperature."""
     table = _table(path, None)
     if table.shape[1] != {"acc": 6, "temp": 5}[kind]:
-        raise RunError(
-            f"{path} has {table.shape[1]} columns, an {kind} file of PRONOSTIA has others"
-        )
+        raise RunError(f"{path} has {table.shape[1]} columns, unlike the {kind} files of PRONOSTIA")
     rate = FEMTO_RATE[kind]
     if kind == "temp":
         words = {"units": "°C", "meaning": "temperature beside the outer ring"}
@@ -130,8 +128,8 @@ def read_wav(path: Path) -> Contents:
 
 
 def read_npz(path: Path) -> Contents:
-    """`Contents` of an npz file: a row for each name. CWRU's have DE, FE and BA in g, and speed and
-    rate in the name of the file. Raises `RunError`."""
+    """`Contents` of an npz file: a row for each name. Files of CWRU have DE, FE and BA in g, and
+    speed and rate in the name of the file. Raises `RunError`."""
     try:
         with np.load(path) as file:
             data = {name: file[name] for name in file.files}

@@ -33,7 +33,7 @@ class Model:
     def __init__(self, readings: Readings) -> None:
         self.readings = readings
         path, oil = readings.bearing, readings.lubricant
-        self.bearing = inputs.bearing(path, one_groove="its lines are those of one groove per ring")
+        self.bearing = inputs.bearing(path, one_groove="lines need one groove per ring")
         self._boundary, self._density = inputs.boundary(path), inputs.ball_density(path)
         self._size = inputs.size(path)
         self._near: dict[Point, Equilibrium | None] = {}  # of the last state
@@ -43,13 +43,13 @@ class Model:
         self, state: Mapping[str, float], rows: Sequence[Reading] | None = None
     ) -> list[Predicted]:
         """`Predicted` of each reading, or of the readings `rows`, in a `state`, {name of
-        `readings.STATE`: value}. Raises `NoEquilibrium` where the bearing cannot carry the load."""
+        `readings.STATE`: value}. Raises `NoEquilibrium` if the bearing cannot carry the load."""
         solved: dict[Point, tuple] = {}
         rows = self.readings.readings if rows is None else rows
         return [self._one(one, state, solved) for one in rows]
 
     def _oil(self, point, state):
-        """C; NaN if it is the temperature read."""
+        """Oil temperature in C; NaN if the reading is this temperature."""
         return point.at if point.at is not None else state.get("temperature", math.nan)
 
     def _one(self, reading: Reading, state, solved) -> Predicted:

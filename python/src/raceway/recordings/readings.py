@@ -24,7 +24,7 @@ STATE = {
 }
 DEFAULTS = {"clearance": 0.0, "load": 0.0, "axial": 0.0}
 QUANTITIES = (*orders.LINES, "capacitance", "temperature")
-UNITS = {"capacitance": "F", "temperature": "C"}  # of the others: orders of the shaft
+UNITS = {"capacitance": "F", "temperature": "C"}  # lines are in orders of the shaft
 MORE = ("load_more", "axial_more")
 FILE = ("file", "line", "rate", "nominal", "channel")
 
@@ -225,9 +225,9 @@ def _ranges(given):
 
 
 def series(path: FilePath, inputs_folder: FilePath | None = None) -> Series:
-    """The file of a series at `path`: like that of `read`, but with `series`, a csv file in the
-    same folder, instead of `readings`; `within`, the standard deviation of each quantity; and
-    `drift`, that of each unknown after an hour. Raises `RacewayError`."""
+    """The file of a series at `path`. It has the format of `read`, but instead of `readings` it has
+    `series`, a csv file in the same folder; `within`, the standard deviation of each quantity; and
+    `drift`, the standard deviation of each unknown after an hour. Raises `RacewayError`."""
     data = yaml_file.read(path, ReadingsError)
     try:
         own = {name: data.pop(name, None) for name in ("series", "within", "drift")}
@@ -250,8 +250,8 @@ def series(path: FilePath, inputs_folder: FilePath | None = None) -> Series:
 
 
 def table(path: FilePath, known: Sequence[str], needed: Sequence[str]) -> pd.DataFrame:
-    """The csv file at `path`: rows of numbers, columns among the `known` ones and at least those
-    `needed`; empty cells are NaN. Raises `ReadingsError`."""
+    """The csv file at `path`: rows of numbers in `known` columns, with at least the `needed` ones;
+    empty cells are NaN. Raises `ReadingsError`."""
     try:
         found = pd.read_csv(path)
     except (OSError, ValueError) as error:

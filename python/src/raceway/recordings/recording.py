@@ -50,8 +50,8 @@ class Recording:
     Raises `RunError` for a file that cannot be read, and if neither file nor argument has speed or
     rate.
 
-    `load` (N, NaN if unknown) is the file's; `speed` the `shaft_speed.Speed` found, or None;
-    `channels` maps names to `contents.Channel`.
+    `load` (N, NaN if unknown) is the load in the file, `speed` the `shaft_speed.Speed` found or
+    None; `channels` maps names to `contents.Channel`.
     """
 
     def __init__(
@@ -95,7 +95,7 @@ class Recording:
 
     @property
     def rpm(self) -> float:
-        """Speed of the shaft: the given one, the one found, or that of the file."""
+        """Speed of the shaft: as given, as found, or as stated in the file."""
         return 60 * self.speed.hertz if self.speed else self.nominal_rpm
 
     @property
@@ -110,7 +110,7 @@ class Recording:
 
     @property
     def motion(self) -> Motion:
-        """Mean speeds in rad/s: of the shaft; those of cage and balls are unknown."""
+        """Mean speeds in rad/s; the speeds of cage and balls are unknown."""
         return Motion(self.rpm * math.pi / 30, 0.0, math.nan, math.nan, math.nan)
 
     @property

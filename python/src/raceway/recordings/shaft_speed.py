@@ -3,7 +3,7 @@
 
 The nominal speed of a motor under load is wrong by up to 1 %, which is ten times the slip of a
 cage. Unbalance, misalignment and a flaw of the inner raceway give lines at whole multiples of the
-true one. Mains and other machines cause lines, too: the largest group of consistent multiples
+true speed. Mains and other machines cause lines, too: the largest group of consistent multiples
 counts.
 """
 
@@ -16,7 +16,7 @@ from raceway.arrays import Floats
 from raceway.runs import envelope, spectrum
 
 HARMONICS = 6
-AGREE = 0.04  # largest difference of two lines of one shaft, in units of the resolution
+AGREE = 0.04  # largest difference between two lines of one shaft, in units of the resolution
 FINE = 0.02  # uncertainty of a line in noise, in units of the resolution
 
 

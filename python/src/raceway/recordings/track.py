@@ -41,7 +41,7 @@ class Track(NamedTuple):
 
 
 def track(of: Readings, rows: Sequence[Row], drift: Mapping[str, float]) -> Track:
-    """`Track` of the unknowns of `of` through `rows`; its own readings are not used.
+    """`Track` of the unknowns of `of` through `rows`; the readings in `of` are not used.
 
     `drift` is the standard deviation of each unknown after an hour, in its unit, 0 unless given. At
     the start an unknown may be anywhere in its range. Raises `ValueError` for times that do not

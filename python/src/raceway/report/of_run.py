@@ -36,7 +36,7 @@ CHARTS = {
 
 
 def page(tables: RunTables) -> Page:
-    """The page of the run `tables`. Raises `RunError` for one that is broken or not finished."""
+    """The page of the run `tables`. Raises `RunError` for a broken or unfinished run."""
     figures = summary(tables)
     result = Page(title(tables))
     result.text(f"A run of {figures['host']}, written by raceway report.")

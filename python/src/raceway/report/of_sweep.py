@@ -40,7 +40,7 @@ def page(folder: Path) -> Page:
     result.table(rows, ["number"] * len(head), head)
     if len(table) > LONGEST:
         result.text(f"The first {LONGEST} of {len(table)} points; results.csv has all of them.")
-    result.heading("The command that repeats it")
+    result.heading("Command that repeats the sweep")
     tables = _tables(table[table.attrs["variables"]])
     result.text("This table, then:" if len(tables) == 1 else "Each of these tables, then:")
     for names, rows in tables.items():

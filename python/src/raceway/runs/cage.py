@@ -42,14 +42,14 @@ class CageFigures(NamedTuple):
 
 
 def cage_figures(tables: "RunTables") -> CageFigures | None:
-    """`CageFigures` of a run, None without such a cage.
+    """`CageFigures` of a run, None without a one-piece cage.
 
-    `cage_slip`: 1 minus the cage's speed over that of rolling at contact angle 0, both relative to
-    the outer ring, means of the measured passes. It is the sum of `cage_slip_angle` (rolling at the
-    contact angles of the run), `cage_slip_groove` (balls roll on a circle of their contact ellipse,
-    not at the bottom of the groove) and `cage_slip_play` (the rest: pocket play, which idle balls
-    lose, and creep under drag); these are missing if the record has no contacts. `cage_orbit_m`:
-    largest distance of the cage's centre from its mean position (m). `cage_whirl`,
+    `cage_slip`: 1 minus the cage's speed over its speed for rolling at contact angle 0, both
+    relative to the outer ring, means of the measured passes. It is the sum of `cage_slip_angle`
+    (rolling at the contact angles of the run), `cage_slip_groove` (balls roll on a circle of their
+    contact ellipse, not at the bottom of the groove) and `cage_slip_play` (the rest: pocket play,
+    which idle balls lose, and creep under drag); these are missing if the record has no contacts.
+    `cage_orbit_m`: largest distance of the cage's centre from its mean position (m). `cage_whirl`,
     `cage_whirl_order`: `whirl`. `pocket_play_m`: along the pitch circle (m). `pocket_force_max_N`,
     `..._mean_N`: largest and mean force of a ball on its pocket (N), at the ends of steps.
     """
@@ -91,8 +91,8 @@ def cage_figures(tables: "RunTables") -> CageFigures | None:
 
 def whirl(order: float | None, known: dict[str, float]) -> str | None:
     """Name of a whirl at `order` times the speed of the cage (`whirl_order`): none, irregular, the
-    part that it turns with, forward (the way the cage turns) or backward. `known` has the parts
-    with their speeds over the cage's.
+    part that it turns with, forward (the way the cage turns) or backward. `known` maps parts to
+    their speeds relative to the speed of the cage.
 
     >>> whirl(0.52, {"cage": 1.0, "inner ring": 2.5}), whirl(-3.0, {})
     ('half the speed of the cage', 'backward')

@@ -40,7 +40,7 @@ def over_time(run: Run, background: float = 0.0) -> xr.Dataset:
 def by_raceway(run: Run, bins: int = BINS) -> xr.Dataset:
     """Dataset (raceway, from_load_line) of means over the contacts in each sector of the ring:
     maximum Hertz `pressure` (Pa), relative `permittivity` of the oil at this pressure (eqs 10, 11),
-    `capacitance` of a contact (F); and `contacts`, their number.
+    `capacitance` of a contact (F); and `contacts`, the number of contacts.
 
     `run` is from `raceway.open` and read in blocks. Raises `RunError` for a run without film.
     """

@@ -99,7 +99,7 @@ def of_run(
 ) -> xr.DataArray:
     """`spectrum.of_run` of the envelope of a column of a `ring` of `run`, or of a channel of a
     recording, in a `band` (Hz, Hz) or in the most impulsive one at least three times as wide as
-    BPFI; `attrs["band"]` is that used.
+    BPFI; `attrs["band"]` is the band used.
 
     Raises `RunError` as `spectrum.of_run` does, and for a band beyond half the sampling rate.
     """

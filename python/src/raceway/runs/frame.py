@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearing's own frame: its axis is z, and the seat of its outer ring at the start the origin.
+"""The bearing's own frame: z is its axis, and the origin is the initial seat of its outer ring.
 
-A record has vectors along the lab's axes, and its attribute `axis` is the bearing's. The conversion
-is cyclic, as in the hosts (`lab_axes.h`), so no bit changes.
+A record has vectors along the axes of the lab; its attribute `axis` is the axis of the bearing. The
+conversion is cyclic, as in the hosts (`lab_axes.h`), so no bit changes.
 """
 
 import re
@@ -13,7 +13,7 @@ _PLACE = re.compile(r"(?:ball|cage|ring_origin)_([xyz])")
 
 def own_name(name: str, axis: str) -> str:
     """Name in the bearing's frame of a variable of a record whose bearings have the lab's `axis`.
-    Raises `ValueError` for another axis than x, y or z.
+    Raises `ValueError` for an axis other than x, y or z.
 
     >>> own_name("ring_fy", "x"), own_name("ball_omegax", "x"), own_name("ring_spin", "x")
     ('ring_fx', 'ball_omegaz', 'ring_spin')

@@ -23,7 +23,7 @@ FEW = 1e-2  # fraction of the radial force: a smaller axial force is ripple
 
 
 def friction(tables: RunTables) -> dict[str, Any]:
-    """Means over the window, SI units; None where the run has no value.
+    """Means over the window, SI units; None if the run has no value.
 
     - `friction_torque_N_m`: power loss divided by the relative speed of the rings, as in
       statics; None below `STILL`, with a warning in the summary

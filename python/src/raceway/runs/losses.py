@@ -41,14 +41,14 @@ def losses(run: Run) -> xr.Dataset:
         compat="override",
     )
     data["torque"].attrs = {"units": "N m", "long_name": "friction torque on the inner ring"}
-    data["power_in"].attrs = {"units": "W", "long_name": "power the rings put in"}
+    data["power_in"].attrs = {"units": "W", "long_name": "power supplied by the rings"}
     return data
 
 
 def losses_around(run: Run, bins: int = BINS) -> xr.Dataset:
     """Dataset (raceway, from_load_line): mean power loss of a contact (W) in each sector of the
     ring, for each loss column of the contacts (`friction_power`, `damping_power`, ...), and
-    `contacts`, their number. Reads in blocks. Raises as `losses` does."""
+    `contacts`, the number of contacts. Reads in blocks. Raises as `losses` does."""
     names = _known(run.tables.record.contact_columns, run)
     result = around(run, {name: lambda table, name=name: table[name] for name in names}, bins)
     for name in names:
@@ -57,7 +57,7 @@ def losses_around(run: Run, bins: int = BINS) -> xr.Dataset:
 
 
 def _known(columns, run):
-    """Loss columns among `columns`; without any, an error that names the file."""
+    """Loss columns among `columns`. Raises `RunError`, which names the file, if there are none."""
     if known := [name for name in LOSSES.values() if name in columns]:
         return known
     raise RunError(

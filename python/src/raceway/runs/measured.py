@@ -24,8 +24,8 @@ def measured(tables: RunTables) -> dict[str, float | None]:
     """Means over the window, SI units; None for quantities that the run did not record.
 
     - `force_x_N`, `force_y_N`, `force_z_N`: force of balls and cage on the inner ring
-    - `moment_x_N_m`, `moment_y_N_m`: their moment on it
-    - `shift_z_m`, `tilt_x_rad`, `tilt_y_rad`: its axial displacement and tilt
+    - `moment_x_N_m`, `moment_y_N_m`: moment of these forces on the ring
+    - `shift_z_m`, `tilt_x_rad`, `tilt_y_rad`: axial displacement and tilt of the ring
     - `rpm_inner`, `rpm_outer`: speeds of the rings, positive about the axis
     - `rpm_least`, `rpm_most`: lowest and highest relative speed of the rings
     - `rpm_top`: relative speed at the largest load on the inner raceway

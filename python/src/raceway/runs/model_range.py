@@ -163,7 +163,7 @@ def _films(tables, figures, oil, fluid):
         speed,
         load,
     )
-    # film of the run over that of the law, which includes all other effects on its thickness
+    # film of the run over the film of the law: contains all other effects on the thickness
     scale = [figures["h_min_m"] / film.h_min(r_x, usual), figures["h_c_m"] / film.h_c(r_x, usual)]
     lows = [float(k * min(one[i] for one in found)) for i, k in enumerate(scale)]
     highs = [float(k * max(one[i] for one in found)) for i, k in enumerate(scale)]

@@ -23,16 +23,17 @@ from raceway.theory import kinematics
 QUIET = 0.25  # fraction of the time before an impact, at its start, that contains no entry
 # multiple of the sharpest bend in that quiet time above which an impact begins
 SHARP, ABOVE = 4.0, 1.5
-ONSET = 0.2  # fraction of the sharpest bend of a passage: its first impact
+ONSET = 0.2  # fraction of the sharpest bend of a passage that its first impact exceeds
 STRONG = 0.7  # fraction of the deepest dip above which a passage is under the load
-# fractions of the largest value before the impact and of the bend, above which it is not at rest
+# a signal is not at rest above these fractions of the largest value before the impact and of the
+# sharpest bend
 LEAST, FAINT = 0.02, 0.02
 CALM = (0.3, 0.6)  # fraction of the time from entry to the strong bends that contains no impact
 SMOOTH = 0.5  # bend of that time over its magnitude, below which it is ringing and not noise
 # multiple of the largest jump in the quiet time, and fraction of all, at which an impact begins
 JUMP, FAINTEST = 3.0, 0.12
 RESTLESS = 0.04  # fraction of the dip above which entries may be lost
-REACH = 6.0  # range of the search for the entry over the time from its first sign to there
+REACH = 6.0  # range of the search for the entry over the time from first sign to end of the fit
 FOLDS = 4  # samples in a bin of the folded record
 FEWEST = 32  # samples around an impact
 # Hz, rate of a signal behind its sensor's filter: in runs of a 6206 under 800 N, spalls of 1 to
@@ -69,8 +70,8 @@ def find(
     share: float = 0.5,
 ) -> Passages:
     """`Passages` in evenly sampled `values` (N,), `sample_s` apart, with a ball at the spall every
-    `period_s`: 1/BPFO or 1/BPFI for a ring's acceleration, Z times that for the contact load of one
-    ball.
+    `period_s`: 1/BPFO or 1/BPFI for a ring's acceleration, Z times this period for the contact load
+    of one ball.
 
     A passage lasts from `reach_s` before to `reach_s` after an impact, by default half a period.
     The first quarter of the time before the impact must be quiet, along a straight line. The entry

@@ -47,8 +47,8 @@ class Record:
 
     Arrays are read on demand, from sample `start` to `stop`. Every sample that is read is verified
     by its checksum. `checked` is False for a record from a version without checksums. Raises
-    `RunError` for a folder without record, a file that is broken or of another kind, and an unknown
-    bearing number.
+    `RunError` for a folder without a record, a file that is broken or of another kind, and an
+    unknown bearing number.
     """
 
     def __init__(self, folder: FilePath, bearing: int | None = None) -> None:

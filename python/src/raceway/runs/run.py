@@ -55,10 +55,10 @@ class Run:
     ones (film, angle ...) NaN.
 
     `samples`, a slice without step, selects some samples. The memory for `blocks` and `bearing`
-    does not grow with the length of the run; that for the other datasets does.
+    does not grow with the length of the run; the memory for the other datasets does.
 
-    Raises `RunError` if the record is missing, broken, or of another run than `run.yaml`. An
-    unfinished run can be read up to its latest sample.
+    Raises `RunError` if the record is missing or broken, or if `run.yaml` belongs to another run.
+    An unfinished run can be read up to its latest sample.
     """
 
     def __init__(
@@ -123,7 +123,7 @@ class Run:
 
     @cached_property
     def cage(self) -> xr.Dataset:
-        """Dataset (time, ball) of the cage balls; their `ball` is their own atom number."""
+        """Dataset (time, ball) of the cage balls; `ball` is the atom number of a cage ball."""
         return Recorded(self.tables).cage
 
     @cached_property
@@ -149,7 +149,7 @@ class Run:
         Raises `ValueError` for another name.
         """
         if name not in IN_BLOCKS:
-            raise ValueError(f"no dataset '{name}' comes in blocks: {', '.join(IN_BLOCKS)} do")
+            raise ValueError(f"no dataset '{name}' in blocks; there are {', '.join(IN_BLOCKS)}")
         for part in self.tables.record.blocks(self.tables.first, self.tables.stop):
             yield getattr(Recorded(self.tables.window(slice(*part))), name)
 
@@ -193,7 +193,7 @@ class Run:
         return self.tables.turning.shaft(self.tables.first, self.tables.last)[:samples]
 
     def shaft_speed(self, samples: int | None = None) -> Floats:
-        """Speed (N,) in rad/s of the inner relative to the outer ring, likewise."""
+        """Speed (N,) in rad/s of the inner relative to the outer ring at these samples."""
         return self.tables.turning.shaft_speed(self.tables.first, self.tables.last)[:samples]
 
     def universe(self) -> "Universe":

@@ -28,8 +28,8 @@ def decimated(values: ArrayLike, sample_s: float, rate: float) -> Floats:
 
     A Kaiser-windowed FIR filter without delay is applied first: flat up to 0.4 of the rate, 80 dB
     down above half of it. Its end effects extend over about 25 values at either end.
-    Raises `ValueError` for a rate above that of the values, and if the rates do not have a ratio of
-    integers below 1000.
+    Raises `ValueError` for a rate above the rate of the values, and if the rates do not have a
+    ratio of integers below 1000.
 
     >>> time = np.arange(19200) / 192e3
     >>> kept = decimated(np.sin(2 * np.pi * 5e3 * time), 1 / 192e3, 48e3)
@@ -49,7 +49,8 @@ def decimated(values: ArrayLike, sample_s: float, rate: float) -> Floats:
     if share == 1:
         return values.copy()
     up, down = share.numerator, share.denominator
-    # half the new rate, divided by the rate of the filter, `up` times that of the values
+    # half the new rate, divided by the rate of the filter, which is `up` times the rate of the
+    # values
     edge = 1 / down
     taps, beta = signal.kaiserord(STOPPED, edge * (1 - 2 * PASSED))
     middle = edge * (0.5 + PASSED)
@@ -78,8 +79,8 @@ def of_run(
     values, sample_s, attrs = run.signal(name, ring)
     if not np.ptp(values) > 0:
         raise RunError(
-            f"{run.tables.folder}: {name} of the {ring} ring does not change; a sensor needs one"
-            " that is free, for the outer ring a housing (-var housing springs)"
+            f"{run.tables.folder}: {name} of the {ring} ring does not change; a sensor needs a ring"
+            " that is free, and an outer ring is free in a housing (-var housing springs)"
         )
     if rate is not None:
         try:

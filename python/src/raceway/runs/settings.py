@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Settings of a run by the names of `run.yaml`: from the record and, for those written at the end
-of the run, from `run.yaml` in the same folder.
+"""Settings of a run by the names of `run.yaml`: from the record and, for settings written at the
+end of the run, from `run.yaml` in the same folder.
 
 Load, speed and length are measured as means over the record if the deck did not record them.
 """
@@ -24,7 +24,7 @@ NO_LUBRICANT = ("dry", "none")
 MEASURED = ("load_N", "load_azimuth_rad", "rpm", "samples_per_pass", "passes")
 OF_ALL = ("pair_commands", "named_bearings", "bearing_names")  # of all bearings of a record
 TEXT = ("bearing", "lubricant")
-RAD_S = np.pi / 30  # rad/s per revolution a minute
+RAD_S = np.pi / 30  # rad/s per revolution per minute
 NO_LOAD = 1e-9  # radial load over the forces on rings, below which its direction is rounding error
 
 
@@ -44,8 +44,8 @@ class Settings(dict[str, Any]):
 
 
 def settings(record: Record) -> Settings:
-    """Settings of the run of `record`. Raises `RunError` for a `run.yaml` that is broken or of
-    another run."""
+    """Settings of the run of `record`. Raises `RunError` for a `run.yaml` that is broken or belongs
+    to another run."""
     path = record.path.with_name("run.yaml")
     beside = _said(path)
     end = _the_end(path, beside)

@@ -36,7 +36,7 @@ def settling(tables: RunTables) -> dict[str, float | None]:
     first = last - 2 * half
     totals = tables.totals.loc[first : last - 1]
     losses = [totals[name] for name in LOSSES.values() if name in totals]
-    # the cage's speed is recorded once a step
+    # the cage's speed is recorded once per step
     power = sum(losses).ffill().bfill() if losses else None
     balls = _balls(tables, first, last)
     found = library().call(

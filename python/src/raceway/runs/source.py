@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A bearing with signals: a run of the simulation, or a recording of a real one.
+"""A bearing with signals: a run of the simulation, or a recording of a real bearing.
 
 Spectra, envelopes, pictures and spall lengths need only a `Source`, so that they read
 runs and recordings in the same way.
@@ -51,4 +51,4 @@ class Source(Protocol):
         signal."""
 
     def shaft_speed(self, samples: int) -> Floats:
-        """Speed (`samples`,) in rad/s, likewise."""
+        """Speed (`samples`,) in rad/s of the inner relative to the outer ring at these samples."""

@@ -3,8 +3,8 @@
 kinematics.
 
 A perfect bearing shows BPFO and its harmonics, because its stiffness varies as the balls pass the
-load. The others (FTF, BSF, BPFI) need an irregularity, such as an odd ball or a flaw; without one
-they are reported as not found.
+load. The other lines (FTF, BSF, BPFI) need an irregularity, such as an odd ball or a flaw; without
+one they are reported as not found.
 
 An order is a multiple of the inner ring's speed relative to the outer one. Where that speed
 changes, spectra are over orders (`runs.order_tracking`).
@@ -89,7 +89,7 @@ def of_run(
     run: Source, name: str = "shift", ring: str = "inner", orders: bool | None = None
 ) -> xr.DataArray:
     """`spectrum` of a column of a ring of `run` (from `raceway.open`): `shift`, `x`, `fy`, `mz`,
-    `ay`, `capacitance` ... of the "inner" `ring`; the "outer" one has those of motion and force.
+    `ay`, `capacitance` ... of the "inner" `ring`; the "outer" ring has columns of motion and force.
     For a recording (`raceway.recording`), `name` is a channel.
 
     Its dimension is frequency (Hz), or order if the speed of the shaft changes by more than 1 %;
@@ -159,8 +159,8 @@ def expected(
 
 
 def contact_angle(of: Source) -> float:
-    """Contact angle of a run or recording in rad: that of its contacts. If it has none, the nominal
-    angle of the bearing or, without one, the angle at which balls roll at the cage's speed."""
+    """Contact angle in rad: the mean over the contacts of a run. Without contacts, the nominal
+    angle of the bearing or, if that is 0, the angle at which balls roll at the cage's speed."""
     motion, nominal = of.motion, of.nominal_angle
     if math.isfinite(motion.angle):
         return motion.angle

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of statics for the operating point of a run, for comparison with those of the run.
+"""Figures of statics for the operating point of a run, for comparison with figures of the run.
 
-Statics has the loads, speed, clearance, oil, temperature and models of the run. Its figures are
-means, or largest values, over `PLACES` ball positions within a ball pass. For a deck that does not
-record its variables, the inner ring is held at the measured axial displacement and tilts.
+Statics is solved with the loads, speed, clearance, oil, temperature and models of the run. Its
+figures are means, or largest values, over `PLACES` ball positions within a ball pass. For a deck
+that does not record its variables, the inner ring is held at the measured axial displacement and
+tilts.
 """
 
 import math
@@ -25,7 +26,7 @@ from raceway.theory.bearing import INNER, OUTER
 from raceway.theory.cage_drag import CageRing
 
 PLACES = 4
-# figures by the way they follow from the values at all positions
+# figures, by how they follow from the values at all positions
 MEANS = ("shift_z_m", "load_parameter", "capacitance_F", "friction_torque_N_m", "power_loss_W")
 LARGEST = (
     *("q_max_N", "q_inner_max_N", "q_outer_max_N", "p_max_inner_Pa", "p_max_outer_Pa"),
@@ -49,7 +50,8 @@ class NoStatics(Exception):
 
 def statics(tables: RunTables, figures: Mapping[str, Any]) -> dict[str, Any]:
     """{"statics": {key: figure}, "statics_absent": reason or None} for the run `tables` with the
-    `figures` of its summary; keys and units as there. Raises `RunError` as the summary does."""
+    `figures` of its summary; keys and units are as in the summary. Raises `RunError` as the summary
+    does."""
     try:
         return {"statics": _figures(tables, figures), "statics_absent": None}
     except (NoStatics, InputError, NoEquilibrium, ValueError) as why:
@@ -89,7 +91,7 @@ def _mean(found, key):
 
 
 def _turned(found, tables):
-    """Mean tilts in rad about the axes of the run, from those of statics in the axes of the load
+    """Mean tilts in rad about the axes of the run, from tilts of statics about the axes of the load
     line."""
     azimuth = tables.settings["load_azimuth_rad"]
     x, y = (_mean(found, key) for key in ("tilt_x_rad", "tilt_y_rad"))
@@ -167,7 +169,7 @@ def _point(tables, run):
 
 
 def _cage(record, deck):
-    """The cage of a record that is one ring, with data of the `deck`; None for others."""
+    """The cage of a record if it is one ring, with data of the `deck`; None for other cages."""
     side = record.fixed("ring_raceway").tolist()
     if CAGE_RING not in side:
         return None
@@ -195,7 +197,7 @@ def _place(tables):
 
 
 def _about_load_line(x, y, azimuth):
-    """Components along and across the load line, from those along the axes of the run."""
+    """Components along and across the load line, from components along the axes of the run."""
     return (
         x * math.cos(azimuth) + y * math.sin(azimuth),
         y * math.cos(azimuth) - x * math.sin(azimuth),

@@ -132,7 +132,7 @@ TOPICS = {
     ),
 }
 # smaller values are rounding errors or ball-pass ripple and are not shown in the table
-# fractions of the largest of them
+# fractions of the largest force
 SHOWN = dict.fromkeys(("force_x_N", "force_y_N", "force_z_N"), 1e-2)
 STILL = dict.fromkeys(("shift_z_m", "tilt_x_rad", "tilt_y_rad"), 1e-9)  # m, rad
 STEADY = 1e-3  # fraction of the speed by which a steady speed may vary
@@ -142,8 +142,8 @@ CHECK = "check.json"  # in the run's folder, written by `raceway check`
 
 def summary(tables: RunTables) -> dict[str, Any]:
     """The figures of the run `tables` by name, SI units, text or numbers; None if the run has
-    no value. `absent` has the reason by key for those that the run's models omit. `warnings` is
-    a list of texts: absent figures, and values outside the range of validity (`theory.validity`).
+    no value. `absent` has the reason by key for figures that the run's models omit. `warnings` is a
+    list of texts: absent figures, and values outside the range of validity (`theory.validity`).
 
     Reads the record in blocks; memory grows by one row of numbers for each sample. Raises
     `RunError` for an unfinished run, a broken record, no sample after the start, or no contact in
@@ -212,8 +212,8 @@ def _need_window(tables):
 
 
 def _need_agreement(tables):
-    """Check that the largest loads of the bearing are those of its contacts. A record with
-    checksums needs no such check."""
+    """Check that the largest loads of the bearing agree with the loads of its contacts. A record
+    with checksums needs no such check."""
     record = tables.record
     if record.checked or "load" not in record.contact_columns:
         return
@@ -362,8 +362,8 @@ def _plain(value):
 
 
 def table(figures: Mapping[str, Any]) -> str:
-    """The mapping of `summary` as text, one block per topic, without missing and negligible
-    figures; if `figures` also has those of `statics.statics`, they have a column. Warnings come
+    """The result of `summary` as text, one block per topic, without missing and negligible
+    figures; figures of `statics.statics`, if `figures` has them, are in a column. Warnings come
     last."""
     ranges = figures.get("model_ranges") or {}
     text = lines(

@@ -30,7 +30,7 @@ class RunTables:
     them, or `blocks` reads all in turn. A running or stopped run can be read up to its latest
     sample; it is not `finished`. `bearing` selects one of several by its number, from 1.
 
-    Raises `RunError` if the record is missing, broken, or of another run than `run.yaml`.
+    Raises `RunError` if the record is missing or broken, or if `run.yaml` belongs to another run.
     """
 
     def __init__(
@@ -143,7 +143,7 @@ class RunTables:
 
     @cached_property
     def last(self) -> int:
-        """End of the available samples, at most `stop`; in a growing record the same for all
+        """End of the available samples, at most `stop`; in a growing record it is the same for all
         tables. Raises `RunError` without samples."""
         *_, (_, last) = self.record.blocks(self.first, self.stop)
         return last

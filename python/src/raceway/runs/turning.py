@@ -49,7 +49,7 @@ class Turning:
         return self._ring("ring_angle", side, start, stop, from_start=True)
 
     def speed(self, side: int, start: int = 0, stop: int | None = None) -> Floats:
-        """Speed (N,) in rad/s, likewise."""
+        """Speed (N,) in rad/s of this ring at these samples."""
         return self._ring("ring_spin", side, start, stop)
 
     def _ring(self, name, side, start, stop, from_start=False):
@@ -74,7 +74,7 @@ class Turning:
 
     def passes(self, sample: ArrayLike) -> Floats:
         """Ball passes from the first sample of the record to `sample`, numbers of samples: the
-        cage's angle divided by that between two balls."""
+        cage's angle divided by the angle between two balls."""
         sample = np.asarray(sample)
         if not sample.size:
             return sample.astype(float)

@@ -12,7 +12,7 @@ pictures and neighbour searches. Every frame has double-precision values in `tra
 - `step`, `time` (s), `sample`
 
 Lengths are in metres and times in seconds, whatever MDAnalysis calls them; there is no box, and
-positions are those of the run.
+positions are as in the run.
 """
 
 from typing import Any

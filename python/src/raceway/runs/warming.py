@@ -73,8 +73,8 @@ def heated(tables: RunTables) -> bool:
 
 
 def warm_clearance(tables: RunTables) -> float:
-    """Mean diametral clearance of the run in m: that of the warm parts, otherwise the clearance
-    that was set."""
+    """Mean diametral clearance of the run in m: with warm parts if the run has temperatures,
+    otherwise the clearance that was set."""
     cold = tables.settings["clearance_m"]
     if not heated(tables):
         return cold
@@ -85,8 +85,8 @@ def warm_clearance(tables: RunTables) -> float:
 
 
 def figures(tables: RunTables) -> dict[str, float]:
-    """Figures of `ROWS`, SI units and degrees C; none for a run without heat. Those of the
-    transient only where it has a table."""
+    """Figures of `ROWS`, SI units and degrees C; none for a run without heat. Figures of the
+    transient need its table."""
     if not heated(tables):
         return {}
     found = {

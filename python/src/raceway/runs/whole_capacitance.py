@@ -87,8 +87,8 @@ def over_time(run: Run, filling: Filling | None = None, density: float = 7800.0)
     A contact has the film of the run. Below the load Q_u = m r omega_c^2 (balls of `density` in
     kg/m^3), it has the film of Q_u, extrapolated from the largest load of its raceway at that time
     with the load exponent of eq 9. A gap without load is at least the distance between ball and
-    raceway, from the positions of ball and ring. `filling` is by default that of the run; then
-    separations and capacitances come from its record if present (attribute `source`). The two
+    raceway, from the positions of ball and ring. `filling` is by default the filling of the run;
+    then separations and capacitances come from its record if present (attribute `source`). The two
     grooves of a ring always come from the record and are merged: in parallel, with the thinner film
     and the larger load, without `play`. All samples must fit into memory. Raises `RunError` for a
     run without film, balls or rings, and for two grooves with a `filling` or without a record of

@@ -38,10 +38,10 @@ def by_runs(
     with the models of `case`; fewer if the temperature changes by less than `CLOSE` kelvin.
 
     `command` is a list: program, options, deck; `more` are further variables of the deck. Folders
-    of runs are in `folder`; finished runs are not repeated. `say` gets a line for each
+    of runs are in `folder`; finished runs are not repeated. `say` is called with a line for each
     run. The figures also include `runs` and, for the last run, its temperature in degrees C, its
-    power loss in W, and the ratio to the power loss of statics. `losses_W` are its losses.
-    With three nodes, the friction of a run is divided between the rings as in statics. Raises
+    power loss in W, and the ratio to the power loss of statics. `losses_W` are its losses. With
+    three nodes, the friction of a run is divided between the rings as in statics. Raises
     `RacewayError` for a run that fails or is stopped.
     """
     if case.double_row is not None:

@@ -35,8 +35,8 @@ class Outcome(NamedTuple):
     picked: tuple[Choice, ...]
     variables: dict[str, str]
     errors: dict[str, float]  # relative to the reference, by word of --want; inf if the run fails
-    cost: float  # engine's processor time relative to that of the reference; nan if it fails
-    evaluations: float  # force evaluations relative to those of the reference
+    cost: float  # processor time of the engine relative to the reference; nan if the run fails
+    evaluations: float  # number of force evaluations relative to the reference
     message: str  # error of a failed run
 
     @property

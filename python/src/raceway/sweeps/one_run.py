@@ -75,7 +75,7 @@ def simulate(
             raise RacewayError(f"{name} is {own[name]!r}: a deck's folder must not contain blanks")
     written = files.folder(folder) / source.name
     words += ["-in", str(written), "-log", "none"]
-    heading = f"raceway.simulate wrote this deck. Again: {shlex.join(words)}"
+    heading = f"Written by raceway.simulate. To run it again: {shlex.join(words)}"
     files.text(written, deck_text.text(source, own, heading))
     _run(words, folder / "log.txt", progress, main=deck is None)
 

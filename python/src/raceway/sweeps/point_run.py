@@ -152,7 +152,7 @@ def _whole(folder, variables):
 def _differs(settings, variables):
     for name, key in RECORDED.items():
         if name == "clearance" and settings.get("contact_angle_deg"):
-            continue  # which gives the clearance
+            continue  # the contact angle gives the clearance
         if name in variables and key in settings and not _same(variables[name], settings[key]):
             return f"{key} is {settings[key]}, {name} was {variables[name]}"
     return ""

@@ -109,9 +109,11 @@ def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
     if wrong:
         names = [name for name in variables if name not in OURS]
         some = names if len(names) <= LISTED else [*names[:LISTED], f"{len(names)} in all"]
-        raise TableError(f"{table}: {_some(wrong)}; there is: {', '.join(some)}")
+        text = _some(wrong)
+        text += " Variables: " if text.endswith("?") else "; variables: "
+        raise TableError(f"{table}: {text}{', '.join(some)}")
     if len(lines) == 1:
-        raise TableError(f"{table} has no row below its columns")
+        raise TableError(f"{table} has no rows below its header")
     points, seen, order = [], {}, [name for name in variables if name in columns]
     numbers = {
         row["name"]: row["unit"]
@@ -122,7 +124,7 @@ def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
     for number, cells in lines[1:]:
         cells = [cell.strip() for cell in cells]
         if len(cells) != len(columns):
-            wrong.append(f"line {number}: {len(cells)} cells, {len(columns)} columns")
+            wrong.append(f"line {number}: {len(cells)} cells instead of {len(columns)}")
             continue
         row = dict(zip(columns, cells))
         bad = [name for name in order if not WORD.fullmatch(row[name])]
@@ -160,8 +162,8 @@ def _some(wrong):
 
 
 def folder_name(variables: Mapping[str, str]) -> str:
-    """A readable name that depends only on the variables: load=5000_rpm=477.5. Long names, and
-    those that shorten a path to its last word, end with a digest."""
+    """A readable name that depends only on the variables: load=5000_rpm=477.5. Names that are long
+    or shorten a path to its last word end with a digest."""
     name = "_".join(f"{key}={value}" for key, value in variables.items())
     short = "_".join(f"{key}={value.rsplit('/', 1)[-1]}" for key, value in variables.items())
     if len(name) <= LONGEST and name == short:

@@ -32,7 +32,7 @@ class Choice(NamedTuple):
     group: str  # a set has at most one choice of a group
     without: tuple[tuple[str, str], ...]  # (variable of `JOINED`, part in it)
     settings: tuple[tuple[str, str], ...]
-    parts: tuple[str, ...] | None  # parts of these models; None: those of the reference
+    parts: tuple[str, ...] | None  # parts of these models; None: of the models of the reference
 
 
 def figures(summary: Mapping[str, Any]) -> dict[str, float]:
@@ -45,15 +45,15 @@ def figures(summary: Mapping[str, Any]) -> dict[str, float]:
 
 
 def whole_scene(given: Mapping[str, str], lubricated: bool) -> dict[str, str]:
-    """The deck's variables of a scene: those `given`, and assumed values for the others."""
+    """The deck's variables of a scene: `given` values, and assumed values for other variables."""
     return {**(_DATA["assumed"] if lubricated else {}), **given}
 
 
 def choices(
     scene: Mapping[str, str], lubricated: bool, defaults: Mapping[str, str] | None = None
 ) -> list[Choice]:
-    """The choices for contacts with a film, or for dry ones, except those already made by the
-    deck's variables `scene` and those for parts that the scene lacks; `defaults` are the deck's
+    """The choices for contacts with a film, or for dry ones, except choices already made by the
+    deck's variables `scene` and choices for parts that the scene lacks; `defaults` are the deck's
     own values."""
     return [
         choice

@@ -12,8 +12,8 @@ DATA = {"bearing data", "usual data", *OIL}
 
 def rows() -> list[dict[str, Any]]:
     """{"name", "default", "unit", "range", "of", "meaning", "models"} of each; `of` names the
-    commands that take it, joined by |, or the kind of data, `models` those that take a constant of
-    an oil, "" for all."""
+    commands that take it, joined by |, or the kind of data, `models` the models that use a constant
+    of an oil, "" for all."""
     return core.table("variables")
 
 
@@ -23,7 +23,7 @@ def default(name: str) -> str:
 
 
 def oil() -> dict[str, dict[str, Any]]:
-    """The rows of the data of oils that have a default, by name."""
+    """Rows of oil data that have a default, by name."""
     return {row["name"]: row for row in rows() if row["of"] in OIL and row["default"]}
 
 

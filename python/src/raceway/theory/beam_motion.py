@@ -131,10 +131,10 @@ def rigid(z: Floats, whole: Matrices) -> Rigid:
 
 
 def reduced(whole: Matrices, kept: Sequence[int], modes: int) -> Reduced:
-    """`Reduced` to the nodes `kept` and the lowest `modes` of the rest.
+    """`Reduced` to the nodes `kept` and the lowest `modes` of the other nodes.
 
-    A mode's coordinate is its largest displacement (m). Raises `ValueError` for more modes than
-    the rest has."""
+    A mode's coordinate is its largest displacement (m). Raises `ValueError` for more modes than the
+    other nodes have."""
     import scipy.linalg
 
     n = len(whole.mass)
@@ -163,7 +163,8 @@ def reduced(whole: Matrices, kept: Sequence[int], modes: int) -> Reduced:
 
 
 def frequencies(whole: Matrices | Reduced, springs: Floats, speed: float = 0.0) -> Floats:
-    """(n,) natural frequencies in rad/s, rising, on `springs` (n, n); 0 for free motions.
+    """(n,) natural frequencies in rad/s, in ascending order, on `springs` (n, n); 0 for free
+    motions.
 
     >>> z, pieces = beam.divided([Section(0.1, 0.04)] * 12, [])
     >>> ends = np.zeros(5 * len(z))

@@ -36,7 +36,7 @@ class Layout:
     """Positions of rows and grooves along the axis, m, from the point where loads act; by default
     one row with one groove per ring."""
 
-    rows: tuple[float, ...] = (0.0,)  # planes of the balls, those of the outer ring
+    rows: tuple[float, ...] = (0.0,)  # planes of the balls, relative to the outer ring
     # centres of curvature, by row and groove
     inner: tuple[tuple[float, ...], ...] = ((0.0,),)
     outer: tuple[tuple[float, ...], ...] = ((0.0,),)

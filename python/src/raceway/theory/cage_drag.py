@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Power lost by a cage that is one rigid ring (fix bearing/cage/ring), of the parts with a closed
+"""Power lost by a cage that is one rigid ring (fix bearing/cage/ring), for the parts with a closed
 form: oil sheared in its pockets, film at its guiding land, churning. The friction of balls on their
 pockets follows from the forces of a run and is left out."""
 

@@ -30,8 +30,8 @@ SLIPS = (-1.1, 2.2)
 
 
 def order(bearing: Bearing, state: Equilibrium, models: str = "full") -> float:
-    """Speed of the cage relative to that of the inner ring at an equilibrium `state`, outer ring at
-    rest: the mean over all balls, weighted by load. Raises `ValueError` for other models.
+    """Ratio of the speeds of cage and inner ring at an equilibrium `state`, outer ring at rest: the
+    mean over all balls, weighted by load. Raises `ValueError` for other models.
 
     Each ball rolls at both contacts (Harris, Rolling Bearing Analysis, ch. 10)::
 
@@ -54,12 +54,12 @@ def order(bearing: Bearing, state: Equilibrium, models: str = "full") -> float:
 
 
 def ball_order(bearing: Bearing, state: Equilibrium, models: str = "full") -> float:
-    """Rotation of a ball relative to the cage (BSF), otherwise like `order`.
+    """Rotation of a ball relative to the cage (BSF), in orders of the inner ring, as in `order`.
 
     A ball rolls on the outer raceway about its axis at the angle b, half the sum of both contact
     angles: w_b/w_c = (1 + g cos a_o)/(g cos(b - a_o)). Models paper, in which a ball's axis does
-    not tilt, have no value of their own and use this one. Differential slip adds a fraction
-    (1 - w_c/w) e_i + w_c/w e_o: both rings are slower than the surface of the ball.
+    not tilt, also use this value. Differential slip adds a fraction (1 - w_c/w) e_i + w_c/w e_o:
+    both rings are slower than the surface of the ball.
 
     >>> from raceway.theory import static
     >>> b = Bearing(9, 7.94e-3, 15.55e-3, 23.49e-3, 4.0891e-3, 4.1685e-3)

@@ -2,9 +2,9 @@
 """The gap around a ball as a capacitor, by integrals: I = integral of dA/(h + g), m. Reference for
 `capacitance_outside`; takes a few milliseconds per contact.
 
-The gap g of a loaded contact is Hertz's own (Carlson's integrals, DLMF 19.16; Johnson 1985, ch. 4;
-derived here: docs/electric). Its plane is that of the contact: x along rolling, unbounded, y
-across to the shoulders.
+The gap g around a loaded contact is the exact Hertz gap (Carlson's integrals, DLMF 19.16; Johnson
+1985, ch. 4; derivation in docs/electric). Coordinates lie in the plane of the contact: x along
+rolling, unbounded, y across to the shoulders.
 """
 
 from typing import NamedTuple
@@ -80,8 +80,8 @@ def _gap(one, x, y, beyond):
 def parabola(
     r_x: float, r_y: float, modulus: float, load: float, separation: ArrayLike, width: float
 ) -> Numbers:
-    """I in m around the ellipse, with the groove as a parabola up to y = ± `width` (m); it has the
-    shape of `separation` h (m). All share one gap, which is computed once.
+    """I in m around the ellipse, with the groove as a parabola up to y = ± `width` (m); I has the
+    shape of `separation` h (m). All separations share one gap, which is computed once.
 
     Raises `ValueError` for a load that is not positive.
 

@@ -2,7 +2,7 @@
 """Capacitance of the gap around the contact patch in closed form: I = integral of dA/(h + g) over
 the gap outside the patch, m. The capacitance is eps_0 eps I.
 
-Numbers or arrays of one shape, SI units. All formulas are derived on docs/electric;
+Numbers or arrays of one shape, SI units. All formulas are derived in docs/electric;
 `capacitance_exact` has the corresponding integrals.
 """
 

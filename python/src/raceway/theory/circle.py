@@ -26,7 +26,7 @@ class Reach(NamedTuple):
     curve: Callable[[int], Floats]  # n: second derivatives (..., n, n) for the first n coordinates
     # (..., 2), unit vector from circle to ball in the ring's own section (radial, axial)
     section: Floats
-    line: Floats  # (..., 3), the same in space: also the force's direction on the ring
+    line: Floats  # (..., 3), this vector in space: also the force's direction on the ring
     arm: Floats  # (..., 3), m, from the ring's centre to a point on that line
 
 

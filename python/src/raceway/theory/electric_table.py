@@ -69,7 +69,7 @@ COLUMNS = (  # of `curves`: key, heading, factor
 
 
 def table(result: Mapping[str, Any]) -> str:
-    """The mapping of `figures` as text: one block for each topic, then one row for each ball."""
+    """The result of `figures` as text: one block for each topic, then one row for each ball."""
     shown = dict(result, hertz_area_m2=f"{1e6 * result['hertz_area_m2']:.4g} mm²")
     for key in ("threshold_azimuth_deg", "phase_deg"):
         shown[key] = shown[key] and round(shown[key], 2) + 0.0
@@ -97,7 +97,7 @@ def table(result: Mapping[str, Any]) -> str:
 
 
 def curves(results: Sequence[Mapping[str, Any]]) -> str:
-    """Several mappings of `figures` as text, one line each."""
+    """Several results of `figures` as text, one line each."""
     return several(results, COLUMNS)
 
 

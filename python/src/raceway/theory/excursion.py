@@ -45,7 +45,8 @@ def excursion(
     play: float | None = None,
 ) -> Excursion | None:
     """`Excursion` at the equilibrium `state` of a bearing with one row and one groove per ring,
-    whose inner ring turns at `speed` (rad/s) and whose outer ring is at rest; None for others.
+    whose inner ring turns at `speed` (rad/s) and whose outer ring is at rest; None for other
+    bearings.
 
     Each ball rolls at its own contact angles (`cage_speed.rolling`), balls without load at the mean
     speed. The advance of a ball is R times the integral of 1 - w_c/w over the azimuth; with the

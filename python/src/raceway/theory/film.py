@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Thickness of the elastohydrodynamic film (eqs 6, 7, 9), m. Numbers or arrays that broadcast, SI
-units. The formulas are those of src-package/core/laws/film.h.
+units. The formulas are in src-package/core/laws/film.h.
 
 Every formula is R_x f(U, G, W, kappa) with U = eta U_r/(E' R_x), G = xi E' and W = Q/(E' R_x^2),
 where U_r is the entrainment speed, half the sum of both surface speeds. At zero speed there is no

@@ -61,7 +61,7 @@ def power_law(
     cut: float = CUT,
 ) -> Law:
     """`Law` of Masjedi and Khonsari (`film.h_c`) times `factor`; below the load `cut` in N the
-    thickness is that at `cut`. With 0 the power law is not cut and grows without bound."""
+    thickness keeps its value at `cut`. With 0 the power law is not cut and grows without bound."""
     return Law(False, viscosity, pressure_viscosity, modulus, r_x, kappa, speed, factor, cut=cut)
 
 
@@ -87,8 +87,9 @@ def heated(
     load.
 
     `loading` is L; `peak` is p_max/E' under 1 N, where p_max grows with Q^(1/3). Below the load
-    `cut` in N the factor is that at `cut`. Beyond the range of Gupta's factor, the reduction by
-    pressure is `GUPTA_MOST`. Raises `ValueError` if a power law is cut at another load.
+    `cut` in N the factor keeps its value at `cut`. Beyond the range of Gupta's factor, the
+    reduction by pressure is `GUPTA_MOST`. Raises `ValueError` if a power law is cut at another
+    load.
     """
     if not law.all_regimes and law.cut != cut:
         raise ValueError(f"cut = {cut} N must be the cut of the power law, {law.cut} N")

@@ -20,7 +20,7 @@ class Reading(NamedTuple):
     h_c: Floats  # m
     capacitance: Floats  # F, of the whole bearing
     by_plates: Floats  # m: h_c if the plates were the whole capacitance
-    less_constant: Floats  # m: the same after subtracting all but the plates' share at factor one
+    less_constant: Floats  # m: h_c after subtracting all but the plates' share at factor one
 
 
 def curve(point: Point, factors: ArrayLike = FACTORS) -> Reading:

@@ -31,7 +31,7 @@ class Shares(NamedTuple):
 
 def divided(voltage: Numbers, inner: Numbers, outer: Numbers) -> Shares:
     """`Shares` of a `voltage` between the rings by the capacitances of the films: V_i = V C_o/(C_i
-    + C_o). Both must be positive; raises `ValueError`.
+    + C_o). Raises `ValueError` unless both are positive.
 
     >>> [round(float(one), 6) for one in divided(3.0, 2e-10, 1e-10)]
     [1.0, 2.0]
@@ -54,7 +54,7 @@ def local_gap(separation: Numbers, roughness: float = 0.0, floor: float = 0.0) -
 
 
 def field(voltage: Numbers, gap: Numbers) -> Numbers:
-    """Field in V/m of a `voltage` over a `gap` (m), that of the film or a `local_gap`; with the
+    """Field in V/m of a `voltage` over a `gap` (m), the film thickness or a `local_gap`; with the
     sign of the voltage, infinite if the gap is zero."""
     with np.errstate(divide="ignore", invalid="ignore"):
         return (np.asarray(voltage, float) / np.asarray(gap, float))[()]

@@ -37,8 +37,8 @@ def clearance_change(
 
     `shaft` and `housing` are interferences in diameter (m) of the inner ring on its shaft and of
     the outer ring in its housing; 0 or less, a loose fit, has no effect. `bore` and `outside` are
-    the bearing's diameters, `shaft_bore` that of a hollow shaft, `housing_outside` the housing's,
-    all in m. Raises `ValueError` for diameters out of order.
+    the bearing's diameters, `shaft_bore` is the bore of a hollow shaft and `housing_outside` the
+    outside diameter of the housing, all in m. Raises `ValueError` for diameters out of order.
 
     A 6208 with 10 um on a solid steel shaft: the raceway grows in the ratio of bore to raceway
     diameter.

@@ -7,8 +7,9 @@ rolling
     (`rolling`)
 slip
     differential slip in free rolling under Coulomb's law: the film has a constant coefficient or
-    that of Eyring's stress with its limit (`traction`), asperities carry their share of the load
-    with the boundary coefficient (`sliding`); slip across the grooves under the gyroscopic moment
+    the coefficient of Eyring's stress with its limit (`traction`), asperities carry their share of
+    the load with the boundary coefficient (`sliding`); slip across the grooves under the gyroscopic
+    moment
 spin
     about the contact normals, at the rotation where the moments on the ball balance (`attitude`):
     in closed form, as in a run, or, with `spin_law` "slices", together with slip

@@ -13,7 +13,7 @@ USUAL_DEPTH = 0.18  # fraction of the ball's diameter, for unknown shoulders
 
 
 class HalfWidths(NamedTuple):
-    """Half-widths S of the parabola to both sides of a contact, m; equal at zero contact angle."""
+    """Half-widths S of the parabola on both sides of a contact, m; equal at zero contact angle."""
 
     near: Numbers  # on the side of the nearer shoulder
     far: Numbers
@@ -23,7 +23,7 @@ def depth(
     bearing: Bearing, raceway: int, shoulder: float = np.nan, clearance: float = 0.0
 ) -> float:
     """t in m: height from the groove's bottom to its shoulder of diameter `shoulder` (m); 0.18 of
-    the ball's diameter if that is NaN. The diametral `clearance` (m) is assigned to the outer
+    the ball's diameter if `shoulder` is NaN. The diametral `clearance` (m) is assigned to the outer
     groove.
 
     Raises `ValueError` for a shoulder that is not between the bottom and the centre of the groove.
@@ -46,7 +46,7 @@ def shoulder_angle(
     """theta_b: the shoulder's angle at the centre of a ball that is `gap` (m) from the bottom of
     its groove of radius `groove`, `depth` deep (m), and `offset` (m) from the plane of its centres.
 
-    tan(theta_b) = (r_c sin(theta) - offset)/(R_b - t + gap), cos(theta) = 1 - t/r_c (derived here:
+    tan(theta_b) = (r_c sin(theta) - offset)/(R_b - t + gap), cos(theta) = 1 - t/r_c (derivation in
     docs/electric).
     """
     sine = np.sqrt(depth * (2 * groove - depth))
@@ -66,10 +66,10 @@ def half_widths(
     two. `clearance` is diametral, m.
 
     S = R_b (4 tan(t/4) ± 0.09 gamma) with t = theta_b -/+ angle, + inner, - outer: for the parabola
-    that has the capacitance of the arc (derived here: docs/electric). Zero beyond the shoulder.
+    that has the capacitance of the arc (derivation in docs/electric). Zero beyond the shoulder.
     Within the ellipse the groove already is the parabola, so the excess of the arc is subtracted
-    there: 4 R_b q_a - a from the first term and (q_a/q)^2 from the second, with q = tan(t/4), q_a
-    = tan(a/(4 R_b)).
+    there: 4 R_b q_a - a from the first term and (q_a/q)^2 from the second, with q = tan(t/4), q_a =
+    tan(a/(4 R_b)).
 
     A groove of a four-point bearing ends in the middle plane, where the other groove of its ring
     begins: on the side away from its shoulder t is the contact angle, without the term with 0.09.

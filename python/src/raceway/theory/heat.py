@@ -89,8 +89,8 @@ def network(
     """The heat network of a bearing, for `steady` and `advance`: `capacity` in J/K of inner ring,
     balls, outer ring and housing (0: no housing). Conductances in W/K: `contacts` from the
     inner and the outer ring to all balls, `shaft` from inner ring to ambient, `seat` from outer
-    ring to housing (0: perfect), `housing` from housing to ambient; `ambient` in degrees C. `oil`
-    flows between inner ring, balls and outer ring."""
+    ring to housing (0: no thermal resistance), `housing` from housing to ambient; `ambient` in
+    degrees C. `oil` flows between inner ring, balls and outer ring."""
     inner, outer = contacts
     return dict(
         capacity=capacity,
@@ -167,9 +167,9 @@ def oil_flow(
 
 
 def into_nodes(inner: float, outer: float, balls: float = 0.0, oil: float = 0.0) -> list[float]:
-    """Heat in W into the nodes and the oil of a `network` from the power losses at both raceways,
-    half of each loss into the ring, half into the balls, from those at the `balls` alone, and from
-    those in `oil` that flows."""
+    """Heat in W into the nodes and the oil of a `network`: half of the power loss at each raceway
+    goes into the ring and half into the balls; losses at the `balls` alone and in flowing `oil` are
+    added."""
     return [inner / 2, (inner + outer) / 2 + balls, outer / 2, 0.0, oil]
 
 

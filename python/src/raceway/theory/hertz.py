@@ -2,7 +2,7 @@
 """Elliptical Hertz contact (eq 2).
 
 The ellipse has semi-axis a across the groove and b along rolling; kappa = a/b may be below one.
-All functions take and return numbers or arrays that broadcast, SI units. The formulas are those of
+All functions take and return numbers or arrays that broadcast, SI units. The formulas are in
 src-package/core/laws/hertz.h.
 """
 
@@ -22,7 +22,7 @@ class Ellipse(NamedTuple):
 
     kappa: Numbers  # a/b
     first: Numbers  # complete elliptic integral F of modulus^2 1 - 1/kappa^2
-    second: Numbers  # complete elliptic integral E of the same
+    second: Numbers  # complete elliptic integral E of the same modulus
     radius: Numbers  # R in m, 1/R = 1/R_x + 1/R_y
 
 
@@ -57,7 +57,7 @@ def hamrock_brewe(r_x: Numbers, r_y: Numbers, printed: bool = False) -> Ellipse:
     """
     if np.any(r_y < r_x):
         alpha = r_y / r_x
-        raise ValueError(f"R_y/R_x = {alpha}: the Hamrock-Brewe fit is for values of one and more")
+        raise ValueError(f"R_y/R_x = {alpha}: the Hamrock-Brewe fit needs a ratio of at least 1")
     return Ellipse(*laws.hertz_ellipse(r_x, r_y, PRINTED if printed else HAMROCK_BREWE))
 
 

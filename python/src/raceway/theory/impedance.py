@@ -52,8 +52,9 @@ def of_films(
     frequency: Numbers,
     resistivity: float = np.inf,
 ) -> complex | np.ndarray:
-    """The same from `capacitances` (F) and `paths` (m) of the inner and of the outer films, arrays
-    (..., Z); the frequency has the shape of the leading dimensions. Raises as in `impedance`."""
+    """Z in ohm of a bearing from `capacitances` (F) and `paths` (m) of the inner and of the outer
+    films, arrays (..., Z); the frequency has the shape of the leading dimensions. Raises as in
+    `impedance`."""
     _positive(frequency)
     return 1 / _admittance(capacitances, paths, resistivity, frequency)
 
@@ -71,7 +72,7 @@ def capacitance_of(impedance: complex | np.ndarray, frequency: Numbers) -> Numbe
 
 
 def resistance_of(impedance: complex | np.ndarray) -> Numbers:
-    """R in ohm in parallel with that C: |Z|/cos(phi). Infinite without leakage.
+    """R in ohm in parallel with the C of `capacitance_of`: |Z|/cos(phi). Infinite without leakage.
 
     >>> z = impedance(2e-10, 1e4, 5e5)
     >>> print(f"{capacitance_of(z, 1e4):.3e} F, {resistance_of(z):.3e} ohm")
@@ -128,8 +129,8 @@ def film_scale(capacitance: float, whole: Callable[[float], float]) -> float:
     least, most = whole(THICKEST), whole(THINNEST)
     if not least <= capacitance <= most:
         raise ValueError(
-            f"capacitance = {capacitance} F: films from {THINNEST:g} to {THICKEST:g} times those of"
-            f" the model have {most:.4g} to {least:.4g} F"
+            f"capacitance = {capacitance} F: films from {THINNEST:g} to {THICKEST:g} times as thick"
+            f" as in the model have {most:.4g} to {least:.4g} F"
         )
     log = brentq(
         lambda step: whole(float(np.exp(step))) - capacitance,

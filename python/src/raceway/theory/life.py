@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Rating life of a radial or angular contact ball bearing: ISO 281:2007 and, from the loads of its
-balls, ISO/TS 16281:2008. Lives are for a reliability of 90 %; `RELIABILITY` has factors for others.
+balls, ISO/TS 16281:2008. Lives are for a reliability of 90 %; `RELIABILITY` has factors for other
+values.
 
 The reference life uses the loads of statics or of a run and so includes clearance, tilt, moments
 and centrifugal loads. The life of ISO 281 itself depends only on the load on the whole bearing.
@@ -22,7 +23,7 @@ PERMITTED = 4.2e9  # Pa, for the most loaded contact under the static load ratin
 # kappa up to which a row applies, and its two constants (ISO 281:2007, eqs 31 to 33); the constants
 # of the second row make a_ISO continuous at 0.4 and 1
 _FACTOR = ((0.4, 2.2649, 0.054381), (1.0, 1.9987, 0.19087), (4.0, 1.9987, 0.071739))
-# exponents of the mean loads: for the ring that turns relative to the load, and for the other
+# exponents of the mean loads: for the ring that turns relative to the load, and for the other ring
 # (ISO/TS 16281, eqs 20 and 21)
 POWERS = (3.0, 10 / 3)
 # largest ratio of groove radius to ball diameter, inner and outer, for the ratings of ISO 281
@@ -67,7 +68,7 @@ def basic(dynamic: float, load: ArrayLike) -> np.ndarray:
 
 
 def wide_grooves(bearing: Bearing) -> np.ndarray:
-    """(2,) factors on the ball ratings for grooves wider than `CONFORMITY`, 1 for others: (2 f/(2 f
+    """(2,) factors on the ball ratings for grooves wider than `CONFORMITY`, else 1: (2 f/(2 f
     - 1))^0.41 over its value at `CONFORMITY`, where f is groove radius over ball diameter (Lundberg
     and Palmgren 1947). ISO 281 does not give narrower grooves a higher rating."""
     groove, limit = (
@@ -198,7 +199,7 @@ def minimum_load(factor: float, viscosity: float, rpm: float, mean_diameter: flo
     roll: 1000 k_r (nu n/1000)^(2/3) (d_m/100)^2 with nu in mm2/s and d_m in mm.
 
     `factor` is k_r of the maker's product table, `viscosity` nu in mm2/s, `mean_diameter` the mean
-    of bore and outside diameter in m. The symbols are those of SKF's pages on loads of deep groove
+    of bore and outside diameter in m. Symbols are as in SKF's pages on loads of deep groove
     bearings. The formula is quoted from memory and is for information only.
 
     >>> round(minimum_load(0.025, 46.0, 1500.0, 0.060), 1)

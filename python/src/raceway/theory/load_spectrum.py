@@ -57,7 +57,7 @@ def read(path: FilePath) -> tuple[list[Duty], list[dict[str, float]]]:
     head = [name.strip() for name in rows[0]] if rows else []
     swept = {"point", "status"} <= set(head)
     if not swept and (unknown := [name for name in head if name not in COLUMNS]):
-        raise InputError(f"{path}: there is no column {unknown[0]}; there is: {', '.join(COLUMNS)}")
+        raise InputError(f"{path}: there is no column {unknown[0]}; columns: {', '.join(COLUMNS)}")
     if "rpm" not in head or len(set(head)) < len(head) or len(rows) < 2:
         raise InputError(f"{path}: give each column once, rpm among them, and a row for each point")
     for number, row in enumerate(rows[1:], 1):
@@ -159,7 +159,7 @@ def of_points(
 
 
 def table(found: Mapping[str, Any]) -> str:
-    """The mapping of `of_points` as text."""
+    """The result of `of_points` as text."""
     rows = [["load", "axial", "rpm", "time", "turns", "damage", "P", "L_10r, 10^6"]]
     whole = sum(one["share"] for one in found["points"])
     for one in found["points"]:

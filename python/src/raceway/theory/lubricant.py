@@ -80,7 +80,7 @@ def _usual(name):
 @dataclass(frozen=True)
 class Lubricant:
     """Physical data of an oil: density and 1/xi linear in temperature, permittivity after
-    Clausius-Mossotti. The form of 1/xi is that of FVA 3 at ambient pressure.
+    Clausius-Mossotti. 1/xi depends on temperature as for FVA 3 at ambient pressure.
 
     >>> vg46 = Lubricant(Walther(46.0, 7.04), 862.9, 0.6, 22.57e-9, 14.5e-9, 2.25, 0.15, 1950.0)
     >>> hot = vg46.at(70.0)

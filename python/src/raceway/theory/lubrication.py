@@ -2,9 +2,9 @@
 """Film and capacitance of a bearing in static equilibrium, rolling without slip: statics,
 kinematics and film together.
 
-Each contact has the entrainment speed of pure rolling at its own contact angle, or that of the
-motion of its ball on several grooves (`ball_motion`), the film for its elastic load after Masjedi
-and Khonsari (eqs 6, 7, 9) and the capacitance of eqs 8, 10-12.
+Each contact has the entrainment speed of pure rolling at its own contact angle, or the speed from
+the motion of its ball on several grooves (`ball_motion`), the film for its elastic load after
+Masjedi and Khonsari (eqs 6, 7, 9) and the capacitance of eqs 8, 10-12.
 """
 
 from collections.abc import Callable

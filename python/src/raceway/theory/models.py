@@ -16,8 +16,8 @@ HEADLINES = ("friction_torque_N_m",)  # if absent, a table shows the reason inst
 
 
 def absent(models: str | None, keys: Iterable[str]) -> dict[str, str]:
-    """{key: reason} for those of the figures `keys` that `models` do not have; empty if they have
-    all of them, and for a user's own models (None or another name).
+    """{key: reason} for figures among `keys` that `models` do not have; empty if they have all of
+    them, and for a user's own models (None or another name).
 
     >>> absent("paper", ["friction_torque_N_m", "q_max_N"])
     {'friction_torque_N_m': 'not in models paper'}

@@ -71,15 +71,15 @@ def figures(
     each ball.
 
     `bearing` and `lubricant` are names or paths of data files, looked up in the inputs `folder`
-    (`catalogue.find`); the other arguments are those of `static.equilibrium`, with `rpm` of the
-    inner ring and the load along x. Degrees of freedom that are not `held` are free. `models` is
-    one of `models.STATICS`: "full" has the film in the gap, inlet shear and the friction torque,
-    with the `spin_law` of `friction_torque.losses`; "eyring" also has Eyring's stress with its
-    limit in the film. `temperature` of the lubricant is in degrees C, by default as in its file.
-    `cleanliness` is a word of `cleanliness.CLEANLINESS`. `four_point` in rad makes the bearing a
-    four-point contact bearing with that angle, as its file may also do. Each of `balls` then has a
-    list of `contacts`. `double_row` gives the bearing two rows; `balls` has them one after the
-    other. `dynamic` is C in N of a row and replaces the file's. `supply` is the kind of
+    (`catalogue.find`); the other arguments are as in `static.equilibrium`, with `rpm` of the inner
+    ring and the load along x. Degrees of freedom that are not `held` are free. `models` is one of
+    `models.STATICS`: "full" has the film in the gap, inlet shear and the friction torque, with the
+    `spin_law` of `friction_torque.losses`; "eyring" also has Eyring's stress with its limit in the
+    film. `temperature` of the lubricant is in degrees C, by default as in its file. `cleanliness`
+    is a word of `cleanliness.CLEANLINESS`. `four_point` in rad makes the bearing a four-point
+    contact bearing with that angle, as its file may also do. Each of `balls` then has a list of
+    `contacts`. `double_row` gives the bearing two rows; `balls` has them one after the other.
+    `dynamic` is C in N of a row and replaces the value in the file. `supply` is the kind of
     lubrication, `cage` a cage that is one ring, whose losses count in the friction torque. `absent`
     has the reason by key for figures that the models omit.
 
@@ -220,7 +220,7 @@ def figures(
 
 
 def _wide(body):
-    """The warning about a life whose rating is for narrower grooves."""
+    """The warning about a life whose rating applies to narrower grooves."""
     if min(wide := life.wide_grooves(body)) >= 1 - 1e-9:
         return []
     return [

@@ -147,12 +147,12 @@ CONTACT_COLUMNS = (  # of the table of contacts with several grooves per ring
 
 
 def curves(results: Sequence[Mapping[str, Any]]) -> str:
-    """Several mappings of `figures` as text, one line each."""
+    """Several results of `figures` as text, one line each."""
     return several(results, CURVES)
 
 
 def table(result: Mapping[str, Any]) -> str:
-    """The mapping of `figures` as text: one block for each topic, then one row for each ball."""
+    """The result of `figures` as text: one block for each topic, then one row for each ball."""
     filled = {row.key: result.get(row.key) for rows in TOPICS.values() for row in rows}
     filled.update({key: why for key, why in result["absent"].items() if key in models.HEADLINES})
     filled.update({f"loss_{part}_W": loss for part, loss in (result["losses_W"] or {}).items()})

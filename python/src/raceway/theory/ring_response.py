@@ -128,8 +128,8 @@ def turning_ring(
     """`OverPass` under a radial load along x and an axial one, N, the inner ring at `speed` rad/s.
 
     Without an `oil` there is no damping. "full" `models` also need the `fluid`. `frequency` of the
-    motion is in rad/s, 0 for slow motion. `options` are those of `static.equilibrium`: clearance,
-    moment, held and others. Raises `NoEquilibrium`.
+    motion is in rad/s, 0 for slow motion. `options` (clearance, moment, held and others) are passed
+    to `static.equilibrium`. Raises `NoEquilibrium`.
     """
     film = None
     if oil is not None and speed and models == "full":

@@ -41,7 +41,7 @@ def hysteresis(load: Numbers, b: Numbers, loss: float) -> Numbers:
     """Couple alpha Q 2b/(3 pi) in N m from Q in N and the semi-axis b along rolling in m; `loss` is
     alpha, 0.005 to 0.05 for steel (Schwarz et al. 2023; Johnson 1985, section 9.4).
 
-    The line contact's value; see `hysteresis_strips`.
+    This is the couple of a line contact; see `hysteresis_strips`.
     """
     return laws.hysteresis_couple(loss, load, b)
 

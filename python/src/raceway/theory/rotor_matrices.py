@@ -3,7 +3,7 @@
 
 A node has x, y, z, rx, ry, rz (ROSS since 2.0) or x, y, rx, ry (before), right-handed, z along the
 shaft. M q'' + (C + spin G) q' + K q = f in kg, m, s, N and rad, spin in rad/s. The rotor must be
-free: its bearings are those of the simulation.
+free, because the simulation adds the bearings.
 """
 
 from collections.abc import Sequence
@@ -78,15 +78,15 @@ def bending(
     """Bending of `of`, as in `shaft_bending.bending`, with its own damping and the `damping`
     ratio of every mode.
 
-    The nodes at `kept` (m) respond exactly to steady loads. Stations are these, the centre of mass
-    and `places` (m) anywhere on the rotor. Between two nodes they follow from Timoshenko's beam
-    without loads: exact for an element with constant section. Raises `ValueError` for a
-    kept position without a node, a position off the rotor, too many modes, and damping that couples
+    The nodes at `kept` (m) respond exactly to steady loads. Stations are these nodes, the centre of
+    mass and `places` (m) anywhere on the rotor. Between two nodes they follow from Timoshenko's
+    beam without loads: exact for an element with constant section. Raises `ValueError` for a kept
+    position without a node, a position off the rotor, too many modes, and damping that couples
     them.
     """
     nodes = sorted({node(of, place) for place in kept})
     if not nodes:
-        raise ValueError("needs positions to keep: those of the bearings")
+        raise ValueError("needs positions to keep: the positions of bearings")
     everywhere = range(len(of.z))
     found = shaft_bending.bending(of.z, of.whole, nodes, modes, everywhere, damping)
     stations = [*of.z[nodes], found.body.centre, *places]

@@ -35,7 +35,7 @@ def factor(ratio: Numbers) -> Numbers:
 
 
 def gauss_cut(ratio: Numbers, cut: float = 3.0) -> Numbers:
-    """The same for a Gaussian height that is cut at `cut` sigmas and renormalised, as a reference
+    """`factor` for a Gaussian height that is cut at `cut` sigmas and renormalised, as a reference
     for the gamma film. Raises `ValueError` unless L > `cut`; without the cut the mean is infinite.
 
     >>> [round(float(gauss_cut(L)), 4) for L in (4.0, 5.0, 6.0, 10.0)]

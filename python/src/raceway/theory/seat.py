@@ -46,7 +46,7 @@ class Touch(NamedTuple):
 
     @property
     def carried(self) -> Floats:
-        """(Z,), bool: balls with an inner contact; the others do not hold a ring."""
+        """(Z,), bool: balls with an inner contact; other balls do not hold a ring."""
         return (self.load[: len(self.reach.distance)] > 0).any(0)
 
     @property
@@ -157,7 +157,7 @@ def settle(grooves: Grooves, near: Floats | None = None) -> Floats:
             break
         step = -np.linalg.solve(hessian(now) + floor, slope[..., None])[..., 0]
         step *= np.minimum(1, longest / np.maximum(np.linalg.norm(step, axis=-1), 1e-300))[:, None]
-        step[~left] = 0.0  # these have converged; their rounding errors would delay the others
+        step[~left] = 0.0  # these balls have converged; their rounding errors would delay others
         before, (ball, now) = ball, _moved(grooves, ball, step, slope, now)
         if np.array_equal(before, ball):
             break

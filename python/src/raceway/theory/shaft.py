@@ -35,7 +35,7 @@ class Seat:
     clearance: float = 0.0  # m, diametral
     # (5,), m and rad: displacement of the outer ring from its nominal position, x, y, z, rx, ry
     offset: tuple[float, ...] = (0.0,) * FREEDOMS
-    floating: bool = False  # the outer ring slides along z: no axial load except that of a spring
+    floating: bool = False  # the outer ring slides along z: no axial load except from a spring
     spring: float = 0.0  # N, along z: force of a soft spring on the outer ring, which then slides
     phase: float = 0.0  # rad, azimuth of the first ball
 

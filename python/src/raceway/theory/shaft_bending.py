@@ -2,9 +2,9 @@
 """Reduced bending model of a round shaft, as input for `fix bearing/shaft ... flexible`.
 
 The reduction follows Craig and Bampton (AIAA J. 6 (1968) 1313) in one plane: displacement and
-tilt of kept nodes, and modes of the rest while these are held. Natural modes of the free reduced
-shaft are its two rigid-body motions and the elastic modes, which are mass-orthogonal to them. A
-round shaft has the same modes in both planes.
+tilt of kept nodes, and modes of the other nodes while the kept nodes are held. Natural modes of the
+free reduced shaft are its two rigid-body motions and the elastic modes, which are mass-orthogonal
+to them. A round shaft has the same modes in both planes.
 """
 
 from collections.abc import Sequence
@@ -89,7 +89,8 @@ def bending(
 
 def planes(nodes: int) -> tuple[Floats, Floats]:
     """(5 N, 2 N) matrices, N = `nodes`, that map displacement and slope of a plane to the
-    freedoms of `beam`: the plane of x, where the slope is ry, and that of y, where it is -rx."""
+    freedoms of `beam`: the plane of x, where the slope is ry, and the plane of y, where it is
+    -rx."""
     one, other = np.zeros((FREEDOMS * nodes, 2 * nodes)), np.zeros((FREEDOMS * nodes, 2 * nodes))
     for k in range(nodes):
         one[FREEDOMS * k, 2 * k] = one[FREEDOMS * k + 4, 2 * k + 1] = 1.0

@@ -65,7 +65,7 @@ def modes(shaft: Shaft, rest: Rest, speed: float) -> list[Mode]:
 
 def critical_speeds(shaft: Shaft, rest: Rest, highest: float) -> list[Mode]:
     """Speeds (rad/s) up to `highest` at which the shaft rotates as fast as one of its natural
-    motions whirls, on the bearings' stiffness of `rest`. Motions along the axis have none.
+    motions whirls, on the bearings' stiffness of `rest`. Axial motions have no critical speed.
 
     -w^2 M + i w^2 G + K = 0 has them as eigenvalues w^2 of K u = w^2 (M - i G) u.
     """

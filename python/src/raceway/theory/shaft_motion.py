@@ -17,8 +17,8 @@ FINENESS = 24  # minimum number of elements of a shaft
 def nodes(
     shaft: Shaft, rest: Rest, places: Sequence[float] = ()
 ) -> tuple[Floats, beam_motion.Matrices]:
-    """(z in m, `beam_motion.Matrices`) of the nodes of `rest`, those at `places` (m) and enough
-    others. Raises `ValueError` for a place off the shaft."""
+    """(z in m, `beam_motion.Matrices`) of the nodes of `rest`, of nodes at `places` (m) and of
+    further nodes. Raises `ValueError` for a place off the shaft."""
     z, _ = beam.divided(shaft.sections, [*rest.z, *places])
     longest = z[-1] / FINENESS
     places = [
@@ -67,7 +67,7 @@ def bending(
 
 
 def frequencies(shaft: Shaft, rest: Rest, speed: float) -> Floats:
-    """(5 N,) natural frequencies in rad/s, rising, at the shaft's `speed` in rad/s.
+    """(5 N,) natural frequencies in rad/s, in ascending order, at the shaft's `speed` in rad/s.
 
     >>> from raceway.theory.bearing import Bearing
     >>> from raceway.theory.beam import Section

@@ -19,7 +19,7 @@ class Unloaded(NamedTuple):
 
     speed: Floats  # m/s, of the ball's centre
     since: Floats  # s, since the ball lost its load
-    until: Floats  # s, unloaded time of the ball that regains its load next; 0 for others
+    until: Floats  # s, unloaded time of the ball that regains its load next; 0 for other balls
     frequency: Floats  # 1/s, at which balls regain their load at this place
 
 

@@ -4,8 +4,8 @@ axis of rolling, with Coulomb's law in closed form.
 
 Across the groove the sliding speed is s(z) = (u/R_x) (y0 - z^2/(2 R_d)); z = 0 has the slip
 `slip` (s bar), and a contact with t0 = sqrt(slip/s_e) in [0, 1] has no slip at z = a t0. s is the
-speed of the ball minus that of the ring along the ball's surface motion past the contact. Numbers
-or arrays of one shape, SI.
+speed of the ball minus the speed of the ring along the ball's surface motion past the contact.
+Numbers or arrays of one shape, SI.
 """
 
 from typing import NamedTuple

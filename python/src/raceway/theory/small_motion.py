@@ -3,9 +3,9 @@
 stiffness and damping.
 
 Each ball has two degrees of freedom in the plane through the bearing's axis, and the ring five.
-Springs, dampers and inertia of the balls are assembled in these seven, at one frequency. The
-ball is then eliminated, and the sum over the balls acts on the ring. A damper of a contact
-therefore acts on its share of the ring's motion, like the spring in series with it.
+Springs, dampers and inertia of the balls are assembled in these seven degrees of freedom, at one
+frequency. The ball is then eliminated, and the sum over the balls acts on the ring. A damper of a
+contact therefore acts on its share of the ring's motion, like the spring in series with it.
 """
 
 from typing import NamedTuple
@@ -24,7 +24,7 @@ class Linear(NamedTuple):
     stiffness: Floats  # (Z, 7, 7), second derivatives of the energy, N/m and so on
     approach: Floats  # (C, Z, 7), of the overlaps of a ball's contacts, inner ones first
     along: Floats  # (C, Z), N/m: stiffness of the contacts along their lines of action
-    loaded: Floats  # (Z,), bool: balls with an inner contact; the others do not hold a ring
+    loaded: Floats  # (Z,), bool: balls with an inner contact; other balls do not hold a ring
 
     __repr__ = short
 

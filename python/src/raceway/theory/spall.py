@@ -4,7 +4,7 @@
 A ball that keeps its load hits half-way, where the near flank of its path meets the far one
 (`kinematics.spall_length`). A ball that loses its load flies on and hits the far flank later. Here
 ball and ring are two masses along the load line: the ball between two Hertz contacts, the ring on a
-spring for the other balls. The path over the spall is that of a rigid ball on two edges
+spring for the other balls. The path over the spall is the path of a rigid ball on two edges
 (docs/theory, Flaws of a raceway). The spall lies on the load line, and the ball does not reach its
 bottom. Film, friction and the support of the outer ring are neglected.
 """
@@ -94,7 +94,7 @@ def seconds_to_blow(
 
     ring, ring_v, ball, ball_v = (np.zeros(len(w)) for _ in range(4))  # m outwards, m/s
     lost, struck = np.zeros(len(w), bool), np.zeros(len(w), bool)
-    turns = 0.5 * w - edge  # m from the entry: the path begins to rise
+    turns = 0.5 * w - edge  # m from the entry, where the path begins to rise
     blow = turns / entrained  # for a ball that keeps its load
     found = np.zeros(len(w), bool)
 

@@ -71,8 +71,8 @@ def free_slip(
     load: Numbers, friction: Numbers, a: Numbers, b: Numbers, spin: Floats, curve: Numbers
 ) -> Spin:
     """`with_slip` of contacts that spin at `spin` rad/s, (n,), and slide along rolling so that no
-    force remains in that direction. The slip, between 0 and that of differential slip alone, is
-    found by 20 bisections."""
+    force remains in that direction. The slip, between 0 and its value for differential slip alone,
+    is found by 20 bisections."""
     low, high = np.zeros_like(spin), np.full_like(spin, curve * a**2)
     for _ in range(20):
         middle = (low + high) / 2

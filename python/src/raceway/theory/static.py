@@ -62,8 +62,9 @@ class Contacts(NamedTuple):
 
     @property
     def heavy(self) -> Floats:
-        """True for contacts with a load above `LIGHT`. The others may be balls wedged by their
-        centrifugal load between the outer groove and the edge of the inner one, at any angle."""
+        """True for contacts with a load above `LIGHT`. Other contacts may belong to balls wedged by
+        their centrifugal load between the outer groove and the edge of the inner one, at any
+        angle."""
         return self.load > LIGHT * self.load.max()
 
 
@@ -114,9 +115,9 @@ def equilibrium(
     `clearance` is diametral, m; `phase` the azimuth of the first ball of each row, rad, or of every
     ball if they are not evenly spaced (Z,); `orbital_speed` of all balls or of each (Z,), rad/s,
     gives them the centrifugal load m r omega^2 with m from `ball_density` in kg/m^3; `finite_shift`
-    see above; `film` puts the film in the gap; if a nearby equilibrium `near` is given, the search
-    starts there. Raises `NoEquilibrium` if the ring is free to move or the balls are forced out of
-    their grooves, `ValueError` for an unknown degree of freedom.
+    is explained above; `film` puts the film in the gap; if a nearby equilibrium `near` is given,
+    the search starts there. Raises `NoEquilibrium` if the ring is free to move or the balls are
+    forced out of their grooves, `ValueError` for an unknown degree of freedom.
 
     >>> from raceway.theory.bearing import Bearing
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)

@@ -4,7 +4,7 @@ balances the friction heat.
 
 One node: the whole bearing and its oil at one temperature. Three nodes: inner ring, balls and outer
 ring at separate temperatures, the oil at their mean, and statics with the clearance of the warm
-parts. Oil that flows through the bearing carries heat away, in both.
+parts. In both cases, oil that flows through the bearing carries heat away.
 """
 
 import math
@@ -145,7 +145,7 @@ class Scene:
         self.size, self.supply, self.cage = size, supply, cage
         self.oil_flow = oil_flow
         self.share = 1.0  # factor on the friction of the laws, set by `by_runs`
-        self.near: Equilibrium | None = None  # the last one, where the next search begins
+        self.near: Equilibrium | None = None  # the last equilibrium, where the next search begins
 
     def rest(self, temperature: float, clearance: float) -> Rest:
         """Equilibrium and films with the oil at a temperature in degrees C and a clearance in m."""
@@ -214,7 +214,7 @@ class Scene:
         }
 
     def flow(self, fluid: Fluid, orbit: float) -> heat.OilFlow:
-        """The oil that flows, with balls that orbit at a speed in rad/s."""
+        """The flow of oil, for balls that orbit at a speed in rad/s."""
         oil = self.oil_flow
         if oil is None:
             return heat.STILL
@@ -254,7 +254,7 @@ def _settings(oil):
 
 
 def _carried(found, surfaces):
-    """Figures of oil that flows, with inner ring, balls and outer ring at these temperatures."""
+    """Figures of flowing oil, with inner ring, balls and outer ring at temperatures `surfaces`."""
     flow = found["flow"]
     if not flow.flow:
         return {}
@@ -263,8 +263,8 @@ def _carried(found, surfaces):
 
 
 def three_nodes(scene: Scene, nodes: Nodes, ambient: float, clearance: float) -> dict[str, Any]:
-    """Steady figures with separate temperatures by `Nodes`; the clearance is that of the bearing at
-    `ambient`. Raises `NoEquilibrium` if no steady state is found up to 200 C."""
+    """Steady figures with separate temperatures by `Nodes`; `clearance` is the clearance of the
+    bearing at `ambient`. Raises `NoEquilibrium` if no steady state is found up to 200 C."""
     warm, oil = clearance, ambient + 20.0
     part = 0.6  # under-relaxation: friction decreases as the oil warms, so full steps overshoot
     for _ in range(80):
@@ -393,7 +393,7 @@ class Case:
         return one_node(scene, self.cooling(), self.ambient, self.clearance)
 
     def report(self, scene: Scene, found: Mapping[str, Any]) -> dict[str, Any]:
-        """The mapping of `figures` with the steady figures `found`."""
+        """The result of `figures` with the steady figures `found`."""
         path, oil = self.files()
         level = 500 * scene.bearing.ball_diameter  # mm: the middle of the lowest ball
         known = "reference_speed" in inputs.values(path)
@@ -441,7 +441,7 @@ def figures(*names: Any, **point: Any) -> dict[str, Any]:
 
 
 def table(result: Mapping[str, Any]) -> str:
-    """The mapping of `figures` as text."""
+    """The result of `figures` as text."""
     rows = (row for topic in TOPICS.values() for row in topic)
     shown = {**dict.fromkeys(row.key for row in rows), **result}
     for key in ("reference_speed_rpm", "reference_speed_dry_rpm"):
@@ -452,5 +452,5 @@ def table(result: Mapping[str, Any]) -> str:
 
 
 def curves(results: list[dict[str, Any]]) -> str:
-    """Several mappings of `figures` as text, one line each."""
+    """Several results of `figures` as text, one line each."""
     return several(results, COLUMNS)

@@ -94,7 +94,8 @@ def of_statics(
 
 def held(push: float, radial: float, largest: float) -> list[str]:
     """A text if the balls push the inner ring along its axis with a force `push` (N) that no load
-    balances and that is significant beside the `radial` load and the `largest` contact load."""
+    balances and that is significant relative to the `radial` load and the `largest` contact
+    load."""
     if abs(push) <= COUNTS * max(radial, largest):
         return []
     return [
@@ -112,7 +113,7 @@ def past_shoulder(
 ) -> list[str]:
     """A text for each raceway with contact patches that extend beyond the edge of their groove.
 
-    `angle` (rad) and `semi_axis` a (m) are those of the loaded contacts of the inner and the outer
+    `angle` (rad) and `semi_axis` a (m) belong to the loaded contacts of the inner and the outer
     raceway. The groove ends at the angle theta with cos(theta) = 1 - depth/r_c from its bottom; an
     ellipse reaches to |alpha| + asin(a/r_c).
     """

@@ -65,7 +65,7 @@ def mineral(book: Book) -> tuple[Figure, pd.DataFrame]:
 
 
 def pao(book: Book) -> tuple[Figure, pd.DataFrame]:
-    """Fig 10b: the same, PAO VG48."""
+    """Fig 10b: capacitance on the load line against entrainment speed, PAO VG48."""
     return _by_speed(book, "pao48")
 
 

@@ -55,7 +55,7 @@ def play(book: Book) -> tuple[Figure, pd.DataFrame]:
     figure, (left, right) = panel.page(
         "Free contact angle and free endplay",
         "6208 with other grooves, dry; B = 2 $r_c$/D − 1; "
-        "the clearances are ours; the axis with the paper's is missing",
+        "the clearances were chosen here, because the paper's axis is missing",
         columns=2,
     )
     table, diameter = measured(book), book.bearing.ball_diameter

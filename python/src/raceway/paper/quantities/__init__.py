@@ -3,7 +3,7 @@
 
 Every module's `measure(book, printed)` returns {name: `Quantity`}. With `printed`, the quantities
 affected by eqs 2, 3 and 9 follow from the formulas as printed; the others do not depend on it.
-`measure_whole` returns those that change with the total capacitance or exist only with it.
+`measure_whole` returns the quantities that change with the total capacitance or exist only with it.
 """
 
 from raceway.paper.book import Book
@@ -22,6 +22,6 @@ def measure(book: Book, printed: bool = False) -> dict[str, Quantity]:
 
 
 def measure_whole(book: Book) -> dict[str, Quantity]:
-    """{name: `Quantity`} that involve more capacitance than that of the plates, from the corrected
-    formulas."""
+    """{name: `Quantity`} of the quantities that involve more than the capacitance of the plates,
+    from the corrected formulas."""
     return whole.measure(book)

@@ -27,7 +27,8 @@ def measure(book: Book, printed: bool) -> dict[str, Quantity]:
 
 def of_runs(book: Book, form: str, top: OfRun, mean: OfRun) -> dict[str, Quantity]:
     """The quantities of figs 8, 10 and 11 from `top`, the capacitance of a ball on the load line,
-    and `mean`, that of the bearing, F; `form` is the end of the names of the sets of runs."""
+    and `mean`, the capacitance of the bearing, F; `form` is the end of the names of the sets of
+    runs."""
     runs = book.readings
     by_load = {run.given["load"]: top(run) for run in runs.all("loads" + form)}
     loads, tops = np.array(list(by_load)), np.array(list(by_load.values()))

@@ -97,7 +97,7 @@ def _same(book, q):
         "permittivity_rise": Quantity(
             capacitance.permittivity(pao.permittivity, 2.571e9) / pao.permittivity,
             "",
-            "$ε_r$ at 2.571 GPa over that at rest",
+            "$ε_r$ at 2.571 GPa over $ε_r$ at rest",
         ),
         "permittivity_step": Quantity(
             np.diff(capacitance.permittivity(pao.permittivity, np.linspace(0, 3e9, 301))).min(),

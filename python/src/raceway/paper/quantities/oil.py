@@ -81,7 +81,7 @@ def measure(book: Book, printed: bool) -> dict[str, Quantity]:
             for xi in (20e-9, 25e-9)
         )
         result |= {
-            "piezo_film": Quantity(stiff / soft, "", "$h_{min}$ at ξ = 25 over that at 20 /GPa"),
+            "piezo_film": Quantity(stiff / soft, "", "ratio of $h_{min}$ at ξ = 25 and 20 /GPa"),
             "lambda_heavy_slow": Quantity(
                 slow[0].top(INNER, "lambda"), "", "$Λ_f$ at 5 kN, 0.02 m/s"
             ),

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Total capacitances: the quantities of figs 8 to 12 again, instead of those
-of the plates, and the capacitance of the gap around the plates and of unloaded balls."""
+"""The quantities of figs 8 to 12 from total capacitances instead of capacitances of the plates, and
+the capacitances of the gap around the plates and of unloaded balls."""
 
 import numpy as np
 from scipy.optimize import brentq
@@ -23,7 +23,7 @@ def measure(book: Book) -> dict[str, Quantity]:
 
 
 def _around(book):
-    """Capacitance other than that of the plates."""
+    """Capacitances outside the plates."""
     runs = book.readings.all("loads")
     more = {run.given["load"]: run.whole_top_capacitance() - run.top_capacitance() for run in runs}
     rings = formulas.measure(book, printed=False)["ring_to_ring"].value
