@@ -9,9 +9,8 @@
 
 #include <cmath>
 
-// Lanes are compiled for processors with AVX2 and for those without, but not with sanitizers, not
-// with RACEWAY_ONE_TARGET, not by clang, which refuses such functions, and not for other families of
-// processors.
+// g++ compiles lanes for processors with AVX2 and for those without, but not with sanitizers, not
+// with RACEWAY_ONE_TARGET, and not for other families of processors. clang refuses such functions.
 #if defined(__clang__) && !defined(RACEWAY_ONE_TARGET)
 #define RACEWAY_ONE_TARGET 1
 #endif
