@@ -66,10 +66,10 @@ def test_mark_of_spreadsheets(tmp_path):
     "text, complaint",
     [
         ("", "is empty"),
-        ("load,rpm\n", "no row below its columns"),
+        ("load,rpm\n", "no rows below its header"),
         ("load,share\n1,0\n", "line 2: share is '0', must be a number above 0"),
         ("load,share\n1,half\n", "line 2: share is 'half', must be a number above 0"),
-        ("load,rpn\n1,2\n", "is not a variable of the deck; did you mean rpm?; there is: load,"),
+        ("load,rpn\n1,2\n", "is not a variable of the deck; did you mean rpm? Variables: load,"),
         ("load,load\n1,2\n", "column 'load' occurs 2 times"),
         ("load,out\n1,x\n", "column 'out' cannot be swept"),
         ("load,\n1,2\n", "column '' is not a variable"),

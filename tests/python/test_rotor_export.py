@@ -208,5 +208,5 @@ def test_smoothing_warns():
     with pytest.warns(RunWarning, match="changes cxx by .* of 9, cyy by .*four speeds or fewer"):
         rotor.ross_of(table)
     assert rotor.ross_of(table[:4])["cxx"] == [9.0, 4.0, 1.0, 0.5]
-    with pytest.raises(ValueError, match="one load and of rising speed"):
+    with pytest.raises(ValueError, match="one load, in order of increasing speed"):
         rotor.ross_of(table[::-1])

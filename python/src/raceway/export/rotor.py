@@ -140,10 +140,10 @@ def ross(
 
 
 def ross_of(points: Sequence[Point], tilts: str = "held") -> dict[str, float | list[float]]:
-    """Like `ross`, for `points` of one load and rising speed. Raises `ValueError` for others."""
+    """Like `ross`, for `points` at one load and increasing speed. Raises `ValueError` otherwise."""
     speeds = [one.rpm for one in points]
     if len({(one.load, one.axial) for one in points}) != 1 or np.any(np.diff(speeds) <= 0):
-        raise ValueError("ROSS takes the points of one load and of rising speed")
+        raise ValueError("ROSS needs points at one load, in order of increasing speed")
     result: dict[str, Any] = {}
     frequency = [speed * math.pi / 30 for speed in speeds]
     pairs = [translations(one, tilts) for one in points]

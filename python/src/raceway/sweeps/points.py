@@ -109,9 +109,11 @@ def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
     if wrong:
         names = [name for name in variables if name not in OURS]
         some = names if len(names) <= LISTED else [*names[:LISTED], f"{len(names)} in all"]
-        raise TableError(f"{table}: {_some(wrong)}; there is: {', '.join(some)}")
+        text = _some(wrong)
+        text += "" if text.endswith("?") else "."
+        raise TableError(f"{table}: {text} Variables: {', '.join(some)}")
     if len(lines) == 1:
-        raise TableError(f"{table} has no row below its columns")
+        raise TableError(f"{table} has no rows below its header")
     points, seen, order = [], {}, [name for name in variables if name in columns]
     numbers = {
         row["name"]: row["unit"]
