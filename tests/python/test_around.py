@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Quantities around the ring (regimes, pressure, permittivity, losses) against sums over
-the rows of the run."""
+"""Quantities around the ring (regimes, pressure, permittivity, losses) against sums over the
+rows of the run."""
 
 import numpy as np
 import pytest
@@ -16,7 +16,7 @@ BINS = 12
 
 @pytest.fixture
 def run(folder, small_blocks):
-    """Read in blocks of a few samples: results must not depend on where they end."""
+    """A run read in blocks of a few samples: results must not depend on where blocks end."""
     return raceway.open(folder)
 
 

@@ -39,7 +39,7 @@ def test_make_run_builds_liggghts_alone():
 
 
 def test_every_source_is_compiled_once_for_a_host(everything):
-    """A source without host headers is compiled alone for all hosts; others in one of three
+    """A source without host headers is compiled once for all hosts; others in one of three
     units."""
     made = compiled(everything)
     rooms = ("core/*", "contacts", "deck", "ranks", "styles")

@@ -23,8 +23,8 @@ def entries(pvd):
 
 
 def test_groove_lies_on_its_torus(bearing):
-    """Every point is a groove radius away from the circle of centres, and every quad faces the
-    balls."""
+    """Every point is at a distance of the groove radius from the circle of centres, and every quad
+    faces the balls."""
     for side, clearance in ((INNER, 0.0), (OUTER, 4e-5)):
         points, quads = groove.mesh(bearing, side, clearance)
         radius = np.hypot(points[:, 0], points[:, 1])

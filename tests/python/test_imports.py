@@ -46,5 +46,5 @@ def test_static():
 
 
 def test_plot(folder, tmp_path):
-    """The check does detect the packages that a picture needs."""
+    """The check detects the packages that a picture needs."""
     assert "matplotlib" in loaded("plot", folder, "--out", tmp_path / "picture.png")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Oils over temperature and pressure: published values, slopes, and the deck's own arithmetic."""
+"""Oils over temperature and pressure: published values, slopes, and the arithmetic of the deck."""
 
 from pathlib import Path
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Readers that promise constant memory do not need more for longer runs: each reads a run and one
-nine times as long.
+"""Readers with constant memory do not need more memory for longer runs: each reads a run and a run
+that is nine times as long.
 
 tests/bench/large_runs.py does the same with 2 GB.
 """
@@ -15,7 +15,7 @@ import raceway
 import synthetic
 
 SHORT, LONG = 20, 180  # multiplies the 49 samples of the synthetic run
-# bytes read at once, reduced in proportion to the runs: even the short one has several
+# bytes read at once, reduced in proportion to the runs: even the short run has several blocks
 BLOCK = 1 << 18
 TASKS = """
 from raceway import electrical, losses, regimes, spectrum
@@ -51,7 +51,7 @@ def folders(tmp_path_factory, lubricated):
 
 def peak(folder, task):
     """Largest resident memory in MB of a process that runs `task`."""
-    # VmHWM and not ru_maxrss, which a process inherits from its parent
+    # VmHWM instead of ru_maxrss, which a process inherits from its parent
     code = (
         f"import sys, raceway, raceway.runs.record; raceway.runs.record.BLOCK = {BLOCK}; folder ="
         f" sys.argv[1]\n{task}\nprint(next(line.split()[1] for line in open('/proc/self/status') if"

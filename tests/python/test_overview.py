@@ -13,7 +13,7 @@ from raceway.runs.tables import RunTables
 
 @pytest.fixture
 def axes(monkeypatch):
-    """The panels of the last picture, protected from being closed."""
+    """The panels of the last picture, which is kept from being closed."""
     kept = []
     monkeypatch.setattr(plot.plt, "close", kept.append)
     yield lambda: {panel.get_title(loc="left"): panel for panel in kept[-1].axes}

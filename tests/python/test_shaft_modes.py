@@ -38,7 +38,7 @@ def test_modes_have_the_natural_frequencies(rotor, speed):
 
 
 def test_forward_whirl_rises_with_the_speed_and_backward_whirl_falls(rotor):
-    """The gyroscopic moment of the disc stiffens a forward whirl and softens a backward one."""
+    """The gyroscopic moment of the disc stiffens a forward whirl and softens a backward whirl."""
     still = [one for one in shaft_modes.modes(*rotor, 1.0) if one.whirl][:2]
     fast = [one for one in shaft_modes.modes(*rotor, 2000.0) if one.whirl][:2]
     assert [one.whirl for one in fast] == ["backward", "forward"]
@@ -62,7 +62,7 @@ def shaft_share(ratio):
     Euler-Bernoulli beam on a spring k at each end; `ratio` is k L^3/(E I).
 
     y = cosh(b) cos(b s) + cos(b) cosh(b s), s = -1 ... 1, has no moment at its ends; b follows
-    from the shear there, which is the force of the spring.
+    from the shear force there, which is the force of the spring.
     """
 
     def shear(b):

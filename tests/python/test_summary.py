@@ -29,7 +29,7 @@ absent warnings model_ranges""".split()
 WORDS = ("bearing", "lubricant", "host", "integrator", "models")
 TYPES = dict.fromkeys(WORDS, str) | {"warnings": list}
 TYPES |= dict.fromkeys(("losses_W", "model_ranges", "absent"), dict)
-# the paper's model has none
+# the paper's model has none of these
 LOST = {"friction_torque_N_m", "power_loss_W", "losses_W", "asperity_share"}
 ABSENT = {*LOST, "capacitance_total_F"}
 DRY_NULL = {
@@ -142,8 +142,8 @@ def full(folder, data):
 
 @pytest.mark.parametrize("models, lost", [("paper", LOST), ("film", LOST), ("mine", set())])
 def test_what_a_model_leaves_out(folder, lubricated, models, lost):
-    """Friction of the paper's model is not a friction torque: the summary has no number but states
-    the reason. A user's model reports the losses that its contacts have."""
+    """Friction of the paper's model is not a friction torque: the summary states this reason
+    instead of a number. A user's model reports the losses that its contacts have."""
     own = synthetic.changed(lubricated, models=models)
     figures = summary(RunTables(synthetic.write(folder, own)))
     assert figures["absent"] == dict.fromkeys(figures["absent"], f"not in models {models}")
