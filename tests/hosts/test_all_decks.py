@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every deck of inputs and docs/decks runs, those with `models` with both paper and full; and the
+"""Every deck in inputs and docs/decks runs, decks with `models` with both paper and full; and the
 structure of the decks."""
 
 import re

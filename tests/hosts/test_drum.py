@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Grains together with bearings: docs/decks/in.drum with 4^3 grains for a tenth of a second or
-less."""
+"""Grains together with bearings: docs/decks/in.drum with 4^3 grains, for at most a tenth of a
+second."""
 
 import csv
 import shutil
@@ -52,7 +52,7 @@ def test_bits(alone, tmp_path, host, ranks):
 
 
 def split(folder):
-    """The deck in two halves, and one that continues from the restart file of the first."""
+    """The deck in two halves, and a deck that continues from the restart file of the first half."""
     whole = changed(
         "in.drum",
         [("run ${steps}", "run 550\nwrite_restart ${out}.restart\nrun 250")],

@@ -46,7 +46,7 @@ def test_partition(tmp_path):
     ],
 )
 def test_preload_into_the_stock_program(program, host, styles, tmp_path):
-    """The stock programs of Debian."""
+    """Debian's programs run with the styles loaded by LD_PRELOAD."""
     done = subprocess.run(
         [
             f"/usr/bin/{program}",

@@ -6,7 +6,7 @@ from host import ROOT, liggghts, run, succeed
 
 DECK = "inputs/in.6208"
 SHORT = {"samples": 20, "rpm": 20000, "passes": 2}
-COST = ("wall_s", "processor_s")  # differs from run to run
+COST = ("wall_s", "processor_s")  # these differ from run to run
 
 
 @pytest.mark.parametrize("deck", ["in.6208", "in.dry", "in.nocage", "in.preload"])

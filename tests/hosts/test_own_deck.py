@@ -56,7 +56,7 @@ def words(values):
 
 @pytest.fixture
 def deck(tmp_path):
-    """Writes the deck with the user's `own` lines; its path."""
+    """A function that writes the deck with the user's `own` lines and returns its path."""
     (tmp_path / "bearing").write_text(words(BEARING))
     (tmp_path / "oil").write_text(words(OIL))
 

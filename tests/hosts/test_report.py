@@ -72,7 +72,7 @@ class Parsed(HTMLParser):
 def folder(tmp_path_factory):
     folder = tmp_path_factory.mktemp("report") / "a<b>&c"
     succeed("inputs/in.6208", out=folder.with_name("run"), lubricant="vg68", **SCENE)
-    folder.with_name("run").rename(folder)  # a name with characters special to HTML
+    folder.with_name("run").rename(folder)  # a name with characters that are special in HTML
     assert main(["report", str(folder)]) == 0
     return folder
 
@@ -95,7 +95,7 @@ def test_page_of_a_run(folder):
     for row in cells(shown(figures), TOPICS):
         for cell in row:
             assert cell in page.text
-    assert figures["warnings"]  # 30 kN cause more than 4.2 GPa
+    assert figures["warnings"]  # 30 kN cause a pressure of more than 4.2 GPa
     for warning in figures["warnings"]:
         assert warning in page.text
     load = next(c for c in page.data.values() if c["y"] == "kN" and len(c["lines"]) == 2)
@@ -119,7 +119,7 @@ def test_page_loads_nothing(folder, sweep):
 
 
 def test_command_repeats_the_run(folder, tmp_path):
-    """The command on the page repeats the run, with the same bits of its loads."""
+    """The command on the page repeats the run, with the same bits of all loads."""
     text = Parsed((folder / "report.html").read_text()).text
     (command,) = re.findall(r"build/liggghts -in inputs/in.6208 .*", text)
     words = shlex.split(command)[3:]

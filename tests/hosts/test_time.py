@@ -34,7 +34,7 @@ READ = "atom_style sphere\natom_modify map array sort 0 0.0\nnewton off\n"
 
 
 def end(tmp_path, host, *parts):
-    """Time and positions of rings and a ball at the end of the deck."""
+    """Time, and positions of rings and a ball, at the end of the deck."""
     deck = tmp_path / "in.time"
     deck.write_text("".join(parts) + TELL)
     line = next(x for x in succeed(deck, host=host).text.splitlines() if x.startswith("END "))
@@ -102,7 +102,7 @@ def test_a_driven_ring_whose_speed_jumps(mover, tmp_path):
     other = text[text.index("group balls") :].replace("50*(1", "60*(1")
     read = f"read_restart {tmp_path}/kept\nneighbor 2.0e-3 bin\nneigh_modify delay 0 every 20\n"
     deck.write_text(READ + read + other)
-    outcome = run(deck)  # another speed from a restart file
+    outcome = run(deck)  # another speed after a restart file
     assert outcome.code != 0
     assert "fix inner bearing/ring: the spin speed jumps by 10.5" in outcome.error
 

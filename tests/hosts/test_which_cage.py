@@ -8,7 +8,7 @@ from raceway.runs.run import Run
 from raceway.runs.settings import deck_words
 
 SHORT = {"passes": 1, "settle": 1, "samples": 20, "record": "all"}
-# words of the main deck, and the cage of the run
+# (variables of the main deck, cage of the run)
 CAGES = [
     ({}, "chain"),
     ({"models": "full"}, "chain"),
@@ -95,8 +95,8 @@ def test_a_chain_for_a_ring_is_refused(tmp_path):
 
 
 def test_first_balls_of_many_bearings(tmp_path):
-    """Each cage of a grid starts with a pocket at its own first ball. A ball starts in the middle
-    of it and does not cross half the play, 0.16 mm, in 2 ms."""
+    """Each cage of a grid starts with a pocket at the first ball of its bearing. A ball starts in
+    the middle of its pocket and does not cross half the play, 0.16 mm, in 2 ms."""
     words = {
         "bearings": 5,
         "columns": 3,
@@ -114,7 +114,7 @@ def test_first_balls_of_many_bearings(tmp_path):
 
 
 def test_a_first_ball_elsewhere_goes_on(tmp_path):
-    """A continued run has its pockets where they were."""
+    """A continued run has its pockets at the same places as before."""
     words = {**SHORT, "models": "full", "cage": "ring", "phase": 0.3, "resume": "yes"}
     for folder, passes in (("whole", (2,)), ("parts", (1, 2))):
         for number in passes:

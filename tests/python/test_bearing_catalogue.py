@@ -203,8 +203,7 @@ def test_balls_that_a_maker_states(name):
 @pytest.mark.parametrize("size", [7, 8, 9, 10])
 def test_balls_of_four_points_are_those_of_angular_contact_bearings(size):
     """SKF's ratings of the QJ 2 series, read as ratings of two rows, give the diameters that GMN
-    states for
-    the 72C."""
+    states for the 72C."""
     one = listing.entry(BEARINGS / f"QJ2{size:02}")
     assert 1e3 * one.ball_diameter_m == pytest.approx(GMN[f"72{size:02}C"][0], abs=0.001)
 

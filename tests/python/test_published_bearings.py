@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The theory against published figures. docs/validation.rst lists them with our
-values."""
+"""The theory against published figures. docs/validation.rst lists them with our values."""
 
 from pathlib import Path
 
