@@ -254,7 +254,7 @@ def beside_inputs(tmp_path):
 
 
 def test_decks(beside_inputs):
-    """Decks run one after the other in one folder, since some read files written by earlier decks."""
+    """Decks run one after the other in one folder: some read files written by earlier decks."""
     gallery = (DOCS / "gallery.rst").read_text()  # this page runs the decks that it names
     for path in sorted(DOCS.glob("decks/in.*")):
         if f"docs/decks/{path.name}" not in gallery:

@@ -92,7 +92,7 @@ def test_goes_on(tmp_path, host):
 
 
 def test_settles_by_itself(tmp_path):
-    """By default, with `settle auto` and models full, the record contains how far the run settled."""
+    """With the defaults, `settle auto` and models full, the record states how far it settled."""
     succeed("inputs/in.6208", out=tmp_path, passes=1, models=None, settle=None)
     found = raceway.open(tmp_path)
     assert found.settings["models"] == "full" and found.settings["settled_passes"] >= 2

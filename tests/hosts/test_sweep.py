@@ -391,7 +391,8 @@ def test_scripts_parse(script):
 
 def test_partition_deck(tmp_path):
     """inputs/in.partition: two partitions take four points in turn, each with the result of a
-    separate run. Hosts lock points with a file in the current folder, so this test uses its own folder."""
+    separate run. Hosts lock points with a file in the current folder, so this test uses its
+    own folder."""
     (tmp_path / "inputs").symlink_to(ROOT / "inputs")
     succeed(
         "inputs/in.partition",

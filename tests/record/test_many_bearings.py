@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A record of several bearings: single-bearing figures ask for a choice, and commands take its
+"""A record of several bearings: figures of one bearing need a choice, and commands accept its
 number."""
 
 import json

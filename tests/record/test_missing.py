@@ -34,15 +34,15 @@ def motion_alone(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def load_alone(tmp_path_factory):
-    """The same with the loads of contacts and no other contact column."""
+    """docs/decks/in.smallest with a record that has loads and no other column of contacts."""
     folder = tmp_path_factory.mktemp("load")
     succeed(small(folder, "contacts load"))
     return folder / "run"
 
 
 def copied(folder, to, **changes):
-    """A copy of a run's folder; `samples` are those left in its record, `cut` is the number of
-    bytes kept."""
+    """A copy of the folder of a run; `samples` is the number of samples left in its record, `cut`
+    the number of bytes kept."""
     shutil.copytree(folder, to)
     content = bytearray((to / "record.nc").read_bytes())
     if "samples" in changes:
@@ -81,7 +81,7 @@ def test_a_command_that_needs_contacts(sums, words, capsys):
     ids=lambda words: words[-1],
 )
 def test_contacts_of_one_column(load_alone, words, capsys):
-    """A command that needs more reports so in one line; a report omits its pictures of contacts."""
+    """A command that needs more columns reports this in one line; a report omits such pictures."""
     name, *more = words
     code = main([name, str(load_alone), *more])
     said = capsys.readouterr().err
