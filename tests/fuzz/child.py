@@ -16,7 +16,7 @@ from pathlib import Path
 from fuzz.lab import Finding
 from raceway import cli, data, electric, export, runs, theory
 
-# imported once, not in every child
+# modules are imported once, not in every child
 for package in (data, electric, export, runs, theory):
     for module in pkgutil.iter_modules(package.__path__, f"{package.__name__}."):
         import_module(module.name)

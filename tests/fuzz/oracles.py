@@ -76,7 +76,7 @@ def _near(scene, first, lab, what, changes):
 
 
 def restart(scene, first, lab, draw):
-    """write_restart and read_restart at a sample give the bits of a run split there."""
+    """write_restart and read_restart at a sample give the same bits as a run split there."""
     steps = scene["every"] * draw.randint(1, scene["samples"] - 1)
     whole = lab.figures(scene, "split", split=steps, restart="write")
     (lab.folder / "resumed").mkdir()

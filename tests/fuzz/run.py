@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The fuzzer of the project, for long runs by hand:
+"""The fuzzer of the project, for long runs started by hand:
 
 python tests/fuzz/run.py --seed 1 --cases 1000 --host lammps
 

@@ -13,7 +13,7 @@ FOUND = sorted((Path(__file__).parent / "found").glob("*.yaml"))
 
 @pytest.fixture(scope="module")
 def runs(tmp_path_factory):
-    """Runs for the commands to read."""
+    """Runs that the commands read."""
     return files.runs(tmp_path_factory.mktemp("runs"))
 
 

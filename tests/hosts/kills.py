@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Kill runs at random moments, resume them, and compare every output file with that of an
+"""Kill runs at random moments, resume them, and compare every output file with the file of an
 undisturbed run.
 
     .venv/bin/python tests/hosts/kills.py [N] [--seed S]
@@ -168,7 +168,7 @@ def disturb(scene, out, which, reference, length, dice, *, ranks=(1,)):
         story.codes += (code,)
         if code == 0 and story.kills:
             break
-        if code == 0:  # too late: the run was not disturbed
+        if code == 0:  # the signal came too late to disturb the run
             shutil.rmtree(out)
             attempt = -1
     story.resumed = Path(f"{out}.log").read_text(errors="replace").count("Continuing from")

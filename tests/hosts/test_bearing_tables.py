@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The command `bearing` reads a row of INPUTS/bearings/*.csv like a file of that name, and
-Python reads the same data."""
+"""The command `bearing` reads a row of INPUTS/bearings/*.csv like a file with the name of the row,
+and Python reads the same data."""
 
 import pytest
 from host import ROOT, run, succeed

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Same input, same bits: on 1, 2 or 4 ranks, in one run or two, and through a restart on another
-number of ranks.
+"""The same input gives the same bits on 1, 2 or 4 ranks, in one run or two, and after a restart on
+another number of ranks.
 
 The scene (in.bits) includes film, friction springs, cage, a free inner ring with gyroscopic
 moments, a wobbling outer ring that carries the rails, and capacitance. The box is cut far
@@ -61,7 +61,7 @@ def scene(request, tmp_path_factory):
 
 
 def state(folder):
-    """Every bit of the last sample of contacts, atoms and ring."""
+    """The last sample of contacts, atoms and ring with every bit."""
     return [frames(folder / name)[LAST] for name in ("contacts.dump", "balls.dump")] + [
         (folder / "ring.txt").read_text().splitlines()[-1]
     ]

@@ -94,7 +94,7 @@ def test_models(tmp_path):
 
 
 def test_models_of_an_oil_without_the_numbers(tmp_path):
-    """A lubricant file of the user's own, with only the data that the models of the paper need."""
+    """A lubricant file of a user, with only the data that the models of the paper need."""
     own = tmp_path / "inputs"
     shutil.copytree(ROOT / "inputs", own)
     (own / "lubricants" / "mine").write_text(
@@ -126,7 +126,7 @@ def test_an_oil_of_three_numbers(tmp_path, models, capsys):
     lines = "".join(f"variable {name} index {value}\n" for name, value in OIL.items())
     short.write_text(lines)
     defaults = {name: row["default"] for name, row in variable_table.oil().items()}
-    others = {"pressure_viscosity", "permittivity"}  # data of an oil at one temperature
+    others = {"pressure_viscosity", "permittivity"}  # these are data of an oil at one temperature
     stated = {name: value for name, value in defaults.items() if name not in others}
     whole.write_text(lines + "".join(f"variable {n} index {v}\n" for n, v in stated.items()))
     records = []

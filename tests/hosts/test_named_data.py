@@ -50,7 +50,7 @@ def told(tmp_path, names, head=HEAD, **words):
 
 
 def recorded(tmp_path, **words):
-    """The record of the scene."""
+    """The record of a run of the scene."""
     deck = tmp_path / "in.scene"
     deck.write_text(SCENE)
     succeed(deck, out=tmp_path / "run", **words)

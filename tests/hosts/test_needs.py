@@ -40,7 +40,7 @@ def words(variables):
 
 @pytest.fixture(scope="module", params=[(0, []), (1, ["--keep", *FEW])], ids=["all", "few"])
 def answered(request, tmp_path_factory):
-    """(scene, output of raceway needs, its folder)"""
+    """(scene, output of raceway needs, folder of the output)"""
     number, keep = request.param
     folder = tmp_path_factory.mktemp("needs")
     with pytest.MonkeyPatch.context() as patch:
@@ -52,7 +52,7 @@ def answered(request, tmp_path_factory):
 
 @pytest.fixture
 def undrawn(monkeypatch):
-    """Run from the root, without the picture: `answered` draws it, and it takes a second."""
+    """Run from the root without the picture, which `answered` draws and which takes a second."""
     monkeypatch.chdir(ROOT)
     monkeypatch.setattr("raceway.pictures.needs.picture", lambda found, path: None)
 
@@ -76,7 +76,7 @@ def test_picked_set_keeps_what_is_wanted(answered, tmp_path):
         assert abs(picked[word] / exact[word] - 1) <= most, word
         assert found["best"]["errors"][word] <= most, word
     assert found["best"]["evaluations"] < 0.2
-    times = found["processor_s"]  # three runs for each, no run for both
+    times = found["processor_s"]  # three runs each, and no run is shared
     assert {len(one) for one in times.values()} == {3}
     assert not set(times["reference"]) & set(times["picked"])
     assert (Run(tmp_path / "picked").settings["evaluations"]) == pytest.approx(

@@ -50,7 +50,7 @@ window.addEventListener("load", () => {
 
 
 class Parsed(HTMLParser):
-    """Tags with their attributes, data scripts by id, and the text."""
+    """Tags with their attributes, data scripts by id, and the text of a page."""
 
     def __init__(self, page):
         super().__init__()

@@ -216,7 +216,7 @@ def test_stopped_run_goes_on(liggghts, host, tmp_path):
         end = time.monotonic() + 60
         while not (tmp_path / "restart").exists() and time.monotonic() < end:
             time.sleep(0.002)
-        # the wheel's lmp is a script that starts the program and ends with it
+        # lmp of the wheel is a script that starts the program and ends with it
         stop = (
             ["pkill", "-TERM", "-P", str(process.pid)]
             if host == "wheel"

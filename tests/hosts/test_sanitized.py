@@ -66,7 +66,7 @@ def test_implicit(tmp_path, ranks):
 
 @pytest.mark.parametrize("integrator, step", [("implicit", 2.5e-4), ("verlet", 4e-7)])
 def test_many(tmp_path, integrator, step):
-    """Values and tables of several rings on two ranks that cut two of six bearings."""
+    """Several rings have values and tables on two ranks that cut two of six bearings."""
     case = {
         "bearings": 6,
         "columns": 3,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway.simulate` gives the bits and errors of the deck it writes, run by hand."""
+"""`raceway.simulate` gives the same bits and errors as the deck that it writes, run by hand."""
 
 import os
 import pickle

@@ -37,7 +37,7 @@ def test_alone(host, tmp_path):
 
 
 def test_launcher(tmp_path):
-    """Under mpirun the programs set nothing."""
+    """Under mpirun the programs set no parameters of Open MPI."""
     found = settings("liggghts", tmp_path, ranks=2)
     assert found["ess"] == "pmi"
     assert not OURS.keys() & found.keys()

@@ -45,7 +45,7 @@ def words(*arguments):
 
 
 def sweep(*arguments):
-    """`raceway sweep` in this process, which has the large packages already."""
+    """Run `raceway sweep` in this process, which has imported the large packages already."""
     out, err = io.StringIO(), io.StringIO()
     handlers = {one: signal.getsignal(one) for one in (signal.SIGTERM, signal.SIGHUP)}
     with contextlib.chdir(ROOT), contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
@@ -124,7 +124,7 @@ def test_sweep(table, tmp_path, counter):
     assert "3 finished (3 before), 1 failed" in again.stdout and set(starts(out).values()) == {1}
     sweep(table, "--out", out, "--program", counter, "--retry")
     assert sorted(starts(out).values()) == [1, 1, 1, 2]
-    # gathering is part of a sweep, and also a command
+    # gathering is part of a sweep, and is also a command
     (out / "results.csv").unlink()
     gathered = subprocess.run(
         words("gather", out), cwd=ROOT, env=ENV, text=True, capture_output=True, check=False

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Simulated time and formulas of it continue through restart files and reset_timestep."""
+"""Simulated time and formulas that contain it continue through restarts and reset_timestep."""
 
 import numpy as np
 import pytest
@@ -47,7 +47,7 @@ def test_time_goes_on(host, tmp_path):
     whole = end(tmp_path, host, begin, RUN)
     assert whole[0] == pytest.approx(1000 * STEP, rel=1e-12)
     assert whole[4] == pytest.approx(50 * (1 + 100 * whole[0]), rel=1e-9)
-    near = {"rtol": 1e-9, "atol": 1e-10}  # forces of a new step number are computed again
+    near = {"rtol": 1e-9, "atol": 1e-10}  # with a new step number forces are computed again
     for seam in ("reset_timestep 0\n", "reset_timestep 40000\n"):
         np.testing.assert_allclose(end(tmp_path, host, begin, seam, RUN), whole, **near)
     end(tmp_path, host, begin, f"write_restart {tmp_path}/kept\n")

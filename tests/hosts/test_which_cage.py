@@ -20,7 +20,7 @@ CAGES = [
 
 
 def cage_of(folder):
-    """ring, chain or no, by the bodies of a record."""
+    """The kind of cage (ring, chain or no) from the bodies in a record."""
     record = Run(folder).tables.record
     if 2 in record.fixed("ring_raceway"):
         return "ring"
@@ -31,7 +31,7 @@ def cage_of(folder):
     "words, cage", CAGES, ids=lambda value: value if isinstance(value, str) else "-".join(value)
 )
 def test_main_deck(tmp_path, words, cage):
-    """The record names the cage of the run, so that a repeat has it."""
+    """The record names the cage of the run, so that a repeated run has the same cage."""
     succeed("inputs/in.6208", out=tmp_path, **{**SHORT, **words})
     assert cage_of(tmp_path) == cage
     assert deck_words(Run(tmp_path).settings)["cage"] == cage

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""-var without: parts of the models that a run omits."""
+"""The variable `without`: parts of the models that a run omits."""
 
 import shutil
 
@@ -51,7 +51,7 @@ def test_losses_that_are_gone(tmp_path, whole):
 
 
 def test_no_cage(tmp_path, whole):
-    """The balls move without cage and carry the load."""
+    """The balls move without a cage and carry the load."""
     succeed("inputs/in.6208", out=tmp_path, cage="no", **SCENE)
     bare = Run(tmp_path)
     found = bare.summary()

@@ -302,7 +302,7 @@ _ATOM = {
 
 
 def _kind(settings, caged):
-    """Data of the bearing by their names in the file."""
+    """{name in the file: value} of the data of the bearing."""
     of = {column["name"]: np.nan for column in TABLES["kind"]}
     known = {name.rsplit("_", 1)[0]: value for name, value in settings.items() if name in NUMBERS}
     of |= {name: value for name, value in known.items() if name in of}

@@ -13,7 +13,7 @@ RING, STEEL = 1047.2, 7800.0
 
 
 def drawn(balls=40):
-    """Contacts of balls that range from firmly held to grossly sliding, (2, Z)."""
+    """Contacts (2, Z) of balls, which range from firmly held to grossly sliding."""
     draw = np.random.default_rng(3)
     angle = draw.uniform((0.3, 0.1), (0.9, 0.6), (balls, 2)).T
     load = 10 ** draw.uniform(0.7, 3.3, balls) * np.array([[1.0], [1.2]])

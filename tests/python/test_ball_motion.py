@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The motion of a ball on several grooves: closed forms, and its minimum power by linear
+"""The motion of a ball on several grooves: closed forms, and the minimum power by linear
 programming."""
 
 import numpy as np

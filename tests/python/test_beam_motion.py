@@ -104,7 +104,7 @@ def test_free_spinning_disc():
 
 
 def test_of_a_file(tmp_path):
-    """Discs in the file; a shaft so stiff that it is a rigid body on its bearing stiffnesses."""
+    """Discs are read from the file; the shaft is so stiff that it moves as a rigid body."""
     file = tmp_path / "rotor"
     file.write_text(
         "rpm: 3000\nsteel: {young: 1.0e+12}\nsections: [{length: 0.2, diameter: 0.1}]\n"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway catalogue`, its listing and the clearance classes."""
+"""`raceway catalogue`: its listing and the clearance classes."""
 
 import csv
 import io

@@ -14,7 +14,7 @@ PLACE = np.array([21e-6, -34e-6, 90e-6, 4e-3, -5.8e-3])
 
 
 def axis(tilt):
-    """Axis e for tilts reported as arcsines of its components."""
+    """The axis e, whose components have the reported tilts as arcsines."""
     x, y = np.sin(tilt[1]), -np.sin(tilt[0])
     return np.array([x, y, np.sqrt(1 - x * x - y * y)])
 

@@ -66,7 +66,7 @@ def test_the_second_film_follows_and_discharges_the_bearing():
 
 
 def test_other_balls_keep_their_charge():
-    """A ball charged by an earlier discharge stays charged when another one shorts the rings."""
+    """A ball charged by an earlier discharge stays charged when another ball shorts the rings."""
     capacitance = np.array([[20.0, 60.0], [30.0, 60.0]]) * PICO
     limit = np.array([[1.0, 99.0], [2.0, 99.0]])
     charge = np.array([0.0, 120 * PICO])
@@ -183,7 +183,7 @@ def test_current_of_a_failure():
 
 
 def test_steps_too_long_for_the_voltage_have_a_warning():
-    """A source that charges the bearing within a step: films fail at the source voltage, not at
+    """If the source charges the bearing within a step, films fail at the source voltage instead of
     their breakdown voltage."""
     given = turning()
     limit = WEAK.limit(given).min()

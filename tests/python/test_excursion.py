@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Balls ahead of and behind their cage under moments, by statics."""
+"""Statics of balls that run ahead of their cage or fall behind it under moments."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ SPEED = 157.0
 
 
 def equilibrium(bearing, moment=(0.0, 0.0)):
-    """(bearing, `Equilibrium`) under 3 kN of thrust."""
+    """(bearing, its `Equilibrium` under 3 kN of thrust)."""
     body = inputs.bearing(catalogue.find("bearings", bearing))
     options = dict(moment=moment, held={}, ball_density=7800.0)
     return body, turning(body, SPEED, 0.0, 3000.0, **options)[0]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Files of users: YAML, ROSS matrices, the target files of --out."""
+"""Files of users: YAML, ROSS matrices, files written with --out."""
 
 import io
 import os
@@ -40,7 +40,7 @@ BOMB = "a: &a [x, x]\n" + "".join(
     ],
 )
 def test_broken_yaml(tmp_path, text, message):
-    """Every reader refuses broken YAML with a message and its own type of error."""
+    """Every reader refuses broken YAML with a message and a specific type of error."""
     path = tmp_path / "run.yaml"
     path.write_bytes(text if isinstance(text, bytes) else text.encode())
     readers = {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The film's Maxwell branch: numbers of the 6208, exactness of its step, limits."""
+"""The Maxwell branch of the film: numbers of the 6208, exact steps, limits."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The first lines a user types: data by name, results that fit on a screen, a warning about
+"""The first lines that a user types: data by name, results that fit on a screen, a warning about
 millimetres."""
 
 import numpy as np

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Interference fits: against Lame's equation solved for both tubes at once."""
+"""Interference fits against Lame's equation solved for both tubes at once."""
 
 import math
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Equilibrium under moments and with held degrees of freedom: its equations written independently
-and solved by scipy, balance in space, derivatives, symmetries. Published figures are in
+"""Equilibrium under moments and with held degrees of freedom: independently written equations
+solved by scipy, balance in space, derivatives, symmetries. Published figures are in
 test_published_bearings.py."""
 
 import numpy as np

@@ -60,7 +60,7 @@ def test_distance_is_the_way_to_the_fixed_point():
 
 
 def test_weights():
-    """Numbers without weight are included, but all other numbers do not depend on them."""
+    """Numbers without weight are included, but the other numbers do not depend on them."""
     g, point = affine(slow=(0.9,))
     wide = lambda x: np.append(g(x[:12]), 1e6 * np.sin(1e3 * x[12]))  # noqa: E731
     starts, said = search(wide, np.zeros(13), 4, weights=np.append(2.0 * np.ones(12), 0.0))

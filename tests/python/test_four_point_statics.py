@@ -96,7 +96,7 @@ def test_radial_load_is_carried_by_four_points():
     azimuth = np.array([ball["azimuth_rad"] for ball in found["balls"]])
     carried = (load[0] * np.cos(angle[0]) * np.cos(azimuth)).sum()
     assert carried == pytest.approx(2000.0, rel=1e-9)
-    ring = electric.sum(1)  # the grooves of a ring are next to each other
+    ring = electric.sum(1)  # values of the two grooves of a ring are next to each other
     live = ring.min(0) > 0
     ball = np.where(live, ring.prod(0) / np.where(live, ring.sum(0), 1.0), 0.0)
     assert [one["capacitance_F"] for one in found["balls"]] == pytest.approx(ball, rel=1e-9)

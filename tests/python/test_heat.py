@@ -52,9 +52,9 @@ def test_balance():
 def test_three_nodes():
     found = heat.three_nodes(20.0, 10.0, shaft=1.0, housing=2.0, contact=0.7, ambient=25.0)
     assert (found.inner - 25) + 2 * (found.outer - 25) == pytest.approx(30, rel=1e-12)
-    # the heat flow from the balls into the outer ring plus its own half leaves through the housing
+    # heat from the balls, plus half of the losses of the outer contacts, leaves through the housing
     assert 0.7 * (found.balls - found.outer) + 5 == pytest.approx(2 * (found.outer - 25))
-    # perfect contact: a single temperature, as in the one-node model
+    # with perfect contact there is a single temperature, as in the one-node model
     tight = heat.three_nodes(20.0, 10.0, shaft=1.0, housing=2.0, contact=1e9)
     assert list(tight) == pytest.approx([30.0] * 3, abs=1e-6)
 

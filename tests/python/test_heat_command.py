@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway heat` and its functions: balances hold, limits agree, messages and exit codes."""
+"""`raceway heat` and its functions: balances, limits, messages and exit codes."""
 
 import json
 import re
@@ -85,7 +85,7 @@ def test_film_by_the_bearing_s_own_temperature(bearing, rpm, ratio, monkeypatch)
         film.h_c(r_x, film.group(eta, xi, modulus, r_x, kappa, speed, 2436.2))
         for eta, xi in ((fluid.viscosity, fluid.pressure_viscosity), (0.04, 22e-9))
     ]
-    # the friction model differs from the one behind the printed row
+    # the friction model differs from the model behind the printed row
     assert thick[0] / thick[1] == pytest.approx(ratio, rel=0.12)
 
 

@@ -33,7 +33,7 @@ HEAT = np.array([6.0, 12.0, 6.0, 0.5, 3.0])
 
 
 class Whole:
-    """A network as one symmetric matrix of inner ring, balls, outer ring, housing, oil, ambient and
+    """A network as a symmetric matrix of inner ring, balls, outer ring, housing, oil, ambient and
     inlet. Nodes without a capacity are the limit of a vanishing capacity: their temperatures
     follow from the temperatures of the other nodes."""
 
@@ -41,7 +41,7 @@ class Whole:
         self.net, self.capacity = net, np.array([*net["capacity"], 0.0])
         self.fixed = np.array([net["ambient"], net["inlet"]])
         g = np.zeros((7, 7))
-        # with a perfect seat, housing and outer ring are one: the housing only follows
+        # with a perfect seat, housing and outer ring are one node
         seat, cooled = (net["seat"], 3) if net["seat"] else (1.0, 2)
         oil = [net["convection"] * area for area in net["wetted"]]
         links = {
@@ -98,7 +98,7 @@ class Whole:
 def test_conductance_of_a_contact():
     steel = laws.steel_of_bearings()
     a, b, u = 1.102e-3, 0.1241e-3, 1.203
-    # heat through each point: two half-spaces in contact for the time 2 b sqrt(1 - z^2)/u
+    # at each point two half-spaces are in contact for the time 2 b sqrt(1 - z^2)/u
     along = integrate.quad(lambda z: (1 - z * z) ** 0.25, 0, 1, epsabs=1e-13)[0]
     assert along == pytest.approx(0.87402, abs=5e-6)
     property = float(steel.conductivity * steel.density * steel.heat)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Bearing frequencies against the values of docs/theory, Numbers to reproduce, and rolling without
+"""Bearing frequencies against values of docs/theory, Numbers to reproduce, and rolling without
 slip."""
 
 import numpy as np

@@ -176,8 +176,8 @@ def test_a_rating_on_the_command_line(capsys):
 
 
 def test_load_spectrum(capsys, tmp_path):
-    """One duty in two parts equals that duty; the equivalent load of several is the cubic mean
-    weighted by revolutions, and a steady load of that size gives the same life."""
+    """One duty in two parts equals that duty; the equivalent load of several duties is the
+    cubic mean weighted by revolutions, and a steady load of that size gives the same life."""
     path = tmp_path / "duties.csv"
     common = ["static", "--C", "32.5kN", "--spectrum", str(path)]
 

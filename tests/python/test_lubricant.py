@@ -62,7 +62,7 @@ def test_grades_at_forty(name, cold, density):
 
 
 @pytest.mark.parametrize("name", PHYSICAL)
-def test_grade_limits(name):  # ISO 3448: within 10 % of the number at 40 C
+def test_grade_limits(name):  # ISO 3448: viscosity within 10 % of the grade's number at 40 C
     number = {"pao8": 46, "grease110": 100}.get(name) or float(name[2:])
     assert inputs.fluid(OILS / name).kinematic == pytest.approx(number, rel=0.1001)
 

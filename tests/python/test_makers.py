@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Makers' friction torque: published numbers, limits, continuity."""
+"""Friction torque by makers' formulas: published numbers, limits, continuity."""
 
 import numpy as np
 import pytest

@@ -67,7 +67,7 @@ def test_preload_needs_no_load():
 
 # ---- four points
 def test_two_points_are_an_angular_contact():
-    """A thrust loads one groove of each ring, as in a bearing with one groove per ring."""
+    """A thrust loads only one groove of each ring, like a bearing with one groove per ring."""
     row = static.equilibrium(FOUR, axial_load=3000.0)
     one = static.equilibrium(ANGULAR, axial_load=3000.0, held=STRAIGHT)
     start = (ANGULAR.groove_gap(INNER) + ANGULAR.groove_gap(OUTER)) * np.sin(ANGLE)

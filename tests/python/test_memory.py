@@ -2,7 +2,7 @@
 """Readers with constant memory do not need more memory for longer runs: each reads a run and a run
 that is nine times as long.
 
-tests/bench/large_runs.py does the same with 2 GB.
+tests/bench/large_runs.py tests this with 2 GB.
 """
 
 import subprocess
@@ -38,7 +38,7 @@ WHOLE = "raceway.open(folder).contacts.load()"  # this one does grow
 
 @pytest.fixture(scope="module")
 def folders(tmp_path_factory, lubricated):
-    """The run with its samples repeated."""
+    """{repetitions: folder} of the run with its samples repeated."""
     made = {}
     for times in (SHORT, LONG):
         rings = np.tile(np.array(lubricated["rings"], dtype=float), (times, 1))

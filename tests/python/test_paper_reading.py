@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Numbers from a run folder with known content."""
+"""Numbers read from a run folder with known content."""
 
 from types import SimpleNamespace
 
@@ -25,7 +25,7 @@ def reading(folder):
 
 def test_around(reading, bearing):
     psi, load = reading.around(OUTER, "load")
-    # a load zone with clearance: less than half
+    # with clearance the load zone is less than half of the ring
     assert np.all(np.diff(psi) >= 0) and -95 < psi[0] < -60 and 60 < psi[-1] < 95
     rest = static.equilibrium(bearing, 5000.0, clearance=GAP, phase=0.0)
     # 0.2 %: error of linear interpolation between samples, 24 per ball pass

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Pictures other than the overview: drawn from the right numbers, for every kind of run."""
+"""Pictures other than the overview are drawn from the right numbers, for every kind of run."""
 
 import shutil
 

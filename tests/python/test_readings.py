@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Files of readings: refused files and their messages; lines of recordings; the command."""
+"""Files of readings: refused files, messages, lines of recordings, and the command."""
 
 import json
 import math

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Recordings in the formats of public data sets, generated here: values read, and their lines."""
+"""Recordings in the formats of public data sets, generated here: values and lines are found."""
 
 import json
 
@@ -52,7 +52,7 @@ def mfpt(path, values):
 
 
 def paderborn(path, values):
-    """Time bases and channels as arrays of structures; a speed at 4 kHz."""
+    """Time bases and channels are arrays of structures; the speed is sampled at 4 kHz."""
     slow = np.arange(int(SECONDS * 4000)) / 4000
     bases = [("HostService", np.arange(len(values)) / RATE), ("Mech_4kHz", slow)]
     x = np.array([(name, time) for name, time in bases], [("Raster", "O"), ("Data", "O")])
@@ -63,7 +63,7 @@ def paderborn(path, values):
 
 
 def femto(path, values):
-    """Separated by semicolons, as in some folders of the data set."""
+    """Values are separated by semicolons, as in some folders of the data set."""
     rows = [f"9;39;39;{k};{v / GRAVITY:.9g};0.0" for k, v in enumerate(values)]
     path.write_text("\n".join(rows))
     return {"rpm": 60 * SHAFT}

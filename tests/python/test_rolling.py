@@ -61,7 +61,7 @@ def test_hysteresis(bearing):
     line = rolling.hysteresis(2436.2, b, 0.01)
     assert line == pytest.approx(1.1357e-3, abs=5e-8)
 
-    def strip(z):  # the couple of a line contact's strip, with its own load and half-length
+    def strip(z):  # couple of a strip of the line contact, with the load and width there
         half = np.sqrt(1 - z**2)
         return rolling.hysteresis(0.75 * 2436.2 * half**2, b * half, 0.01)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A rotor of ROSS becomes the file of a flexible shaft.
+"""A rotor of ROSS is converted to the file of a flexible shaft.
 
 ROSS 2.3.0 wrote `ross_rotor.csv`: nonzero entries in the upper half of M0, K0 and G0, for a steel
 shaft of eight elements, 50 mm long and 40 mm thick, with DiskElement.from_geometry(4, steel, 0.02,
@@ -136,7 +136,7 @@ def test_its_own_damping(given):
 
 # ---- refused
 def put(name, *entries):
-    """A change of the entries (row, column, value), symmetric."""
+    """A symmetric change of entries (row, column, value)."""
 
     def change(given):
         for i, j, value in entries:
@@ -179,7 +179,7 @@ def test_refused(given, change, says):
 
 
 def test_damping_that_couples_modes(given):
-    """A damper between two nodes that does not affect rigid-body motions."""
+    """A damper between nodes that does not affect rigid-body motions couples modes."""
     second = np.zeros(54)
     second[[0, 24, 48]] = 1.0, -2.0, 1.0
     other = np.zeros(54)
@@ -232,7 +232,7 @@ def test_npz(npz, found, tmp_path, capsys):
 
 
 def test_toml(monkeypatch, tmp_path, given, capsys):
-    """A saved rotor by ROSS: its bearings are removed, and their nodes are kept."""
+    """A rotor saved by ROSS is read without its bearings, whose nodes are kept."""
     rotor = types.SimpleNamespace(
         M0=given["mass"],
         K0=given["stiffness"],

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Shafts on bearings against beams in closed form and the statics of one bearing."""
+"""Shafts on bearings against closed forms of beams and statics of one bearing."""
 
 import json
 
@@ -126,7 +126,8 @@ def test_everything_balances():
 
 
 def test_one_bearing_is_its_statics():
-    """A short stiff shaft with all loads at the ball plane, and a tilted seat."""
+    """A short stiff shaft on a tilted seat, with all loads in the plane of the balls, has the
+    statics of its bearing."""
     tilt = 5e-4
     seat = Seat(0.05, B6208, 10e-6, offset=(0.0, 0.0, 0.0, tilt, 0.0))
     short = Shaft([Section(0.1, 0.3)])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A shaft as a rigid body with elastic modes, against the beam with all its nodes; and its file."""
+"""A shaft as a rigid body with elastic modes against the beam with all its nodes, and its file."""
 
 from pathlib import Path
 

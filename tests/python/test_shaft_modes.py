@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Names of a shaft's motions, and its critical speeds, against its natural frequencies."""
+"""Names of the motions of a shaft, and critical speeds against natural frequencies."""
 
 import numpy as np
 import pytest
@@ -16,7 +16,7 @@ B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 
 @pytest.fixture(scope="module")
 def rotor():
-    """A heavy disc at the overhung end, on preloaded bearings that are equal in both planes."""
+    """A shaft with a heavy disc at its overhung end, on preloaded bearings equal in both planes."""
     whole = Shaft([Section(0.5, 0.04)], discs=[Disc(0.5, 4.0, 0.04, 0.02)])
     seats = [Seat(0.0, B6208), Seat(0.3, B6208, spring=-800.0)]
     return whole, shaft.rest(whole, seats, [Load(0.1, (0.0, 0.0, 1.0))])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Combined slip and spin in statics: limits, comparison with the closed forms, mistakes."""
+"""Combined slip and spin in statics: limits, comparison with closed forms, mistakes."""
 
 from pathlib import Path
 

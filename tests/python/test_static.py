@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearing's equilibrium against the values of docs/theory, closed forms, and its own equations
-written independently."""
+"""The bearing's equilibrium against values of docs/theory, closed forms, and independently written
+equations of equilibrium."""
 
 import numpy as np
 import pytest
@@ -122,7 +122,7 @@ def test_every_equation_holds(bearing, radial, axial, pd, orbit, finite_shift):
         + (bearing.groove_gap(OUTER) + state.outer.overlap)[:, None] * out
     )
     d = ball - state.shift
-    if finite_shift:  # the distance to the shifted circle itself, along the ring's own radius
+    if finite_shift:  # the distance to the shifted circle, along a radius of the shifted ring
         distance = np.hypot(np.hypot(d[:, 0], d[:, 1]) - bearing.groove_circle(INNER), d[:, 2])
         u_ring = d * [1, 1, 0] / np.hypot(d[:, 0], d[:, 1])[:, None]
     else:

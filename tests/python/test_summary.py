@@ -157,7 +157,7 @@ def test_what_a_model_leaves_out(folder, lubricated, models, lost):
 
 
 def test_friction(folder, lubricated):
-    """The torque of the shaft, the losses by part, and the makers' torques at the same forces."""
+    """Torque of the shaft, losses by part, and makers' torques for the same forces are right."""
     figures = full(folder, lubricated)
     column = synthetic.LUBRICATED.index("load")
     loads = [sum(row[column] for row in frame) for frame in lubricated["contacts"][1:]]
@@ -190,7 +190,7 @@ def test_rings_that_stand_still_have_no_torque(folder, lubricated, speed, has_on
 
 
 def test_makers_see_a_load_that_turns(folder, lubricated):
-    """The mean vector of the load is almost zero, its magnitude is not."""
+    """The mean vector of the load is almost zero, but its mean magnitude is not."""
     turning = forced(
         folder, lubricated, lambda k: (3e3 * np.sin(0.3 * k), 3e3 * np.cos(0.3 * k), 0)
     )
@@ -258,7 +258,7 @@ def test_a_speed_that_changes_is_shown(folder, lubricated):
 
 
 def test_warnings(folder, lubricated):
-    """Warnings of core/raceway/validity.h, at their bounds."""
+    """Warnings of core/raceway/validity.h appear at their bounds."""
     pressure, ratio = (synthetic.LUBRICATED.index(name) for name in ("pressure", "lambda"))
 
     def warned(change):

@@ -51,7 +51,7 @@ def made(tmp_path_factory):
 
 @pytest.fixture
 def folder(made, tmp_path):
-    """A copy, free to be modified, and the truth."""
+    """A copy of the folder, free to be modified, and the truth."""
     return shutil.copytree(made[0], tmp_path / "track"), made[1]
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Total capacitance over a run with known content; runs of the programs are in
-tests/scenarios."""
+"""Total capacitance over a run with known content; tests/scenarios has tests with runs of the
+programs."""
 
 from types import SimpleNamespace
 

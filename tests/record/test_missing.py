@@ -18,7 +18,7 @@ NO_CONTACTS = "record.nc holds no contacts: record them with -var record all"
 
 @pytest.fixture(scope="module")
 def sums(tmp_path_factory):
-    """The main deck with a record of sums only."""
+    """Folder of a run of the main deck with a record of sums only."""
     folder = tmp_path_factory.mktemp("sums") / "run"
     succeed(out=folder, **{**MAIN, "record": "summary", "dumps": "no"})
     return folder
@@ -26,7 +26,7 @@ def sums(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def motion_alone(tmp_path_factory):
-    """docs/decks/in.smallest with a record that has balls and no contacts."""
+    """Folder of a run of docs/decks/in.smallest with a record of balls without contacts."""
     folder = tmp_path_factory.mktemp("motion")
     succeed(small(folder, "contacts none"))
     return folder / "run"
@@ -34,7 +34,7 @@ def motion_alone(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def load_alone(tmp_path_factory):
-    """docs/decks/in.smallest with a record that has loads and no other column of contacts."""
+    """Folder of a run of docs/decks/in.smallest with loads as the only contact column."""
     folder = tmp_path_factory.mktemp("load")
     succeed(small(folder, "contacts load"))
     return folder / "run"

@@ -30,7 +30,7 @@ def library(tmp_path_factory):
 
 
 class Writer:
-    """The C interface as an object."""
+    """A writer with the C interface of netcdf_c.cpp."""
 
     def __init__(self, library, path, batch=4, records=-1, temperature=40.0):
         self.c = ctypes.CDLL(str(library))
@@ -219,8 +219,8 @@ def test_no_room(library):
 
 
 def test_killed(library, path):
-    """A process killed at any moment leaves a readable file, and 30 reads while it grows
-    see complete records."""
+    """A process killed at any moment leaves a readable file, and 30 readers of the growing file see
+    complete records."""
     script = textwrap.dedent(f"""
         import sys
         sys.path.insert(0, {str(HERE)!r})

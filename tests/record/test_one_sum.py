@@ -146,7 +146,7 @@ def deck(law, kind, integrator, out, finer):
 
 
 class Ran:
-    """A scene that has run: its record, and output of computes and of the energy balance by step."""
+    """A scene that has run: its record, and output of computes and the energy balance by step."""
 
     def __init__(self, folder, text, wet=False, host="liggghts", ranks=1):
         self.wet = wet

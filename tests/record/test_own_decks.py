@@ -12,7 +12,7 @@ from raceway.cli import main as command
 RECORD = "fix rec all bearing/record 200 ${out} overwrite yes\n"
 DECKS = {  # {name: (balls, largest rpm, load on the inner ring in N)}
     "in.combined": (None, 1500, 4472),
-    "in.unbalance": (9, 3000, 500),  # growing angles have no mean
+    "in.unbalance": (9, 3000, 500),  # growing angles have no mean value
     "in.ehd": (9, 477.5, 5000),
 }
 

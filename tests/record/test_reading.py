@@ -101,7 +101,7 @@ def test_read_when_used(main_run):
 
 @pytest.mark.parametrize("name", ["load", "ring_fx", "bearing_capacitance", "cage_vx", "time"])
 def test_samples_here_and_there(main_run, name):
-    """An index selects the same values from the file as from the array."""
+    """An index selects the same values from the file as from an array."""
     record = Record(main_run)
     with xr.open_dataset(main_run / "record.nc", engine="scipy") as data:
         values = data[name].to_numpy().astype(float)

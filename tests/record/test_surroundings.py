@@ -29,7 +29,7 @@ fix sums all print {every} "${{s}} ${{a}} ${{b}} ${{c}} ${{d}}" file {out}/sums.
 
 
 def main(folder, **variables):
-    """The record of the main deck, loaded, and a mask of existing contacts."""
+    """The loaded record of a run of the main deck, and a mask of existing contacts."""
     succeed("inputs/in.6208", out=folder, overwrite="yes", settle=1, passes=1, **variables)
     with xr.open_dataset(folder / "record.nc") as data:
         data = data.load()

@@ -16,7 +16,7 @@ CAPACITANCE = "fix cap balls bearing/capacitance 1 permittivity 2.25\n"
 
 
 def recorded(folder, options="", fixes=CAPACITANCE, ranks=1, control="tolerance 1e-9", **case):
-    """The record of a run of in.case with `options`, loaded."""
+    """The loaded record of a run of in.case with `options`."""
     folder.mkdir()
     more = folder / "more"
     more.write_text(fixes + FIX.format(out=folder, options=options))
