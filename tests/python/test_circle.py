@@ -14,7 +14,7 @@ PLACE = np.array([21e-6, -34e-6, 90e-6, 4e-3, -5.8e-3])
 
 
 def axis(tilt):
-    """The axis e, whose components have the reported tilts as arcsines."""
+    """Axis e of a ring whose reported tilts are arcsines of components of e."""
     x, y = np.sin(tilt[1]), -np.sin(tilt[0])
     return np.array([x, y, np.sqrt(1 - x * x - y * y)])
 

@@ -78,7 +78,7 @@ def test_no_word_is_a_number(tmp_path, old, new):
 
 
 def claims(path, shape, kind="<f8", **others):
-    """An .npz file in which the header of M states `shape`, but only few data follow."""
+    """An .npz file in which the header of M states `shape`, but little data follows."""
     head = io.BytesIO()
     np.lib.format.write_array_header_1_0(
         head, {"descr": kind, "fortran_order": False, "shape": shape}

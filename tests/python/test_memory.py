@@ -81,7 +81,7 @@ def growth(folders, task):
 
 
 def test_bounded(folders):
-    """One row per sample of totals, ring and spectrum stays in memory: up to 1 KB of 4.6 KB."""
+    """One row of totals, ring and spectrum per sample stays in memory: up to 1 KB of 4.6 KB."""
     assert growth(folders, TASKS) < 0.3
 
 

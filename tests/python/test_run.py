@@ -14,7 +14,7 @@ from synthetic import spoil
 
 def test_settings(folder, lubricated):
     run = RunTables(folder)
-    assert run.settings["bearing"] == "6208"  # a name, though it looks like a number
+    assert run.settings["bearing"] == "6208"  # a name that looks like a number
     assert run.settings["clearance_m"] == 1e-5
     assert run.lubricated and run.finished
     told = lubricated["settings"]

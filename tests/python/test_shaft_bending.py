@@ -130,7 +130,7 @@ def test_steady_loads_at_kept_places(rotor):
 
 # ---- the file
 def test_file(tmp_path, capsys):
-    """The file has its keywords, numbers to the last digit, and the positions of its stations."""
+    """The file has all keywords, numbers to the last digit, and the positions of its stations."""
     file = tmp_path / "motor.modes"
     words = ["--modes", "3", "--damping", "0.02", "--places", "0.27", "--kept", "0.1"]
     assert main(["shaft", str(MOTOR), "--reduced", str(file), *words]) == 0

@@ -157,7 +157,7 @@ def test_what_a_model_leaves_out(folder, lubricated, models, lost):
 
 
 def test_friction(folder, lubricated):
-    """Torque of the shaft, losses by part, and makers' torques for the same forces are right."""
+    """Torque of the shaft, losses by part, and makers' torques equal values from the contacts."""
     figures = full(folder, lubricated)
     column = synthetic.LUBRICATED.index("load")
     loads = [sum(row[column] for row in frame) for frame in lubricated["contacts"][1:]]

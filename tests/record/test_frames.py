@@ -288,7 +288,7 @@ def test_plain_deck_about_x(tmp_path):
 
 
 def test_direction_without_a_load(tmp_path):
-    """A radial load at rounding level has no direction: that of the displacement is used."""
+    """A radial load at rounding level has no direction; the displacement's direction is used."""
     end = succeed(small(tmp_path, deck=SMALL.replace("run 20000", "run 500")), out=tmp_path)
     assert end.code == 0
     found = []

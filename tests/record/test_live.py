@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Records of a run that is still active or was killed, and their contents in other programs.
+"""Records of runs that are still active or were killed, and their contents in other programs.
 
 .venv/bin/python tests/record/test_live.py [N]     reads N times while runs are active and kills N
 runs
