@@ -156,8 +156,8 @@ def test_record_without_contacts(tmp_path, capsys):
 
 @pytest.mark.skipif(shutil.which("chromium") is None, reason="chromium is not installed")
 def test_in_a_browser(folder, sweep, tmp_path):
-    """Debian's Chromium draws the charts. Dragging a frame zooms, a double click resets the zoom, the
-    mouse reads values, and a menu selects an axis."""
+    """Debian's Chromium draws the charts. Dragging a frame zooms, a double click resets the zoom,
+    the mouse reads values, and a menu selects an axis."""
     for number, path in enumerate((folder / "report.html", sweep / "page.html")):
         page = tmp_path / f"{number}.html"
         page.write_text(path.read_text().replace("</body>", ACTIONS + "</body>"))

@@ -50,7 +50,7 @@ def test_least_power_of_linear_programming():
 def test_light_contacts_are_drawn_over_by_the_heavy_ones():
     """Under a thrust the ball rolls on one inner and one outer groove. Relative to its cage
     it rotates, apart from its spin, about an axis across the line through both contacts. On the
-    other grooves its surface therefore moves at cos(2 alpha) times that speed, and the film is
+    other grooves its surface therefore moves cos(2 alpha) times as fast, and the film is
     entrained at half the sum of this speed and the ring's speed."""
     state = static.equilibrium(FOUR, axial_load=2000.0, clearance=5e-6)
     entrained, rolling = ball_motion.speeds(FOUR, RING, state)

@@ -9,7 +9,7 @@ from raceway.sweeps.host_run import complaint
 
 
 def test_public_names():
-    """Completion offers public names only; the message for a wrong name suggests the nearest name."""
+    """Completion offers public names only; the error for a wrong name suggests the nearest name."""
     assert {name for name in dir(raceway) if not name.startswith("__")} == {
         name for name in raceway.__all__ if not name.startswith("__")
     }

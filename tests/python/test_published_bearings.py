@@ -23,7 +23,7 @@ def test_harris_209():
 
 
 def test_harris_209_geometry():
-    """The printed endplay is 0.174 mm. The exact 0.1726 mm is 0.8 % less, 2 C sin(10 degrees) is
+    """The printed endplay is 0.174 mm. The exact 0.1726 mm is 0.8 % less; 2 C sin(10 degrees) is
     0.1736 mm, so the book seems to round its free angle of 9.94 degrees. Curvature sums equal
     0.202 and 0.138 1/mm to the printed digits."""
     bearing = inputs.bearing(BEARINGS / "harris209")
