@@ -17,7 +17,7 @@ def test_all_are_there():
 
 @pytest.mark.parametrize(("number", "engine", "package"), ROWS)
 def test_named_tests_exist(number, engine, package):
-    """Cells have entries `file: names`, separated by semicolons; a name is part of a test's name."""
+    """Cells have entries `file: names`, separated by semicolons; names are parts of test names."""
     for folder, words in (("tests/physics", engine), ("tests/python", package)):
         for one in words.split("; "):
             name, _, wanted = one.partition(": ")
