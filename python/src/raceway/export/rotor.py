@@ -140,7 +140,7 @@ def ross(
 
 
 def ross_of(points: Sequence[Point], tilts: str = "held") -> dict[str, float | list[float]]:
-    """Like `ross`, for `points` at one load and increasing speed. Raises `ValueError` otherwise."""
+    """Like `ross`, for `points` at one load, in order of increasing speed, else `ValueError`."""
     speeds = [one.rpm for one in points]
     if len({(one.load, one.axial) for one in points}) != 1 or np.any(np.diff(speeds) <= 0):
         raise ValueError("ROSS needs points at one load, in order of increasing speed")

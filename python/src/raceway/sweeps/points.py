@@ -110,8 +110,8 @@ def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
         names = [name for name in variables if name not in OURS]
         some = names if len(names) <= LISTED else [*names[:LISTED], f"{len(names)} in all"]
         text = _some(wrong)
-        text += "" if text.endswith("?") else "."
-        raise TableError(f"{table}: {text} Variables: {', '.join(some)}")
+        text += " Variables: " if text.endswith("?") else "; variables: "
+        raise TableError(f"{table}: {text}{', '.join(some)}")
     if len(lines) == 1:
         raise TableError(f"{table} has no rows below its header")
     points, seen, order = [], {}, [name for name in variables if name in columns]
