@@ -2,11 +2,11 @@
 """Runs the examples of the pages: the decks in docs/decks, every block under a heading "Examples",
 and every Python or console block, in the order of its page.
 
-A block under "Examples" stands in for the lines of docs/decks/in.ehd that give the same command,
-or, with commands of named bearings, for those of inputs/in.6208 with one ball pass; the rest of
-that deck stays. Python and console blocks of a page run in a folder that looks like the built
-tree: a finished run is not replaced by default, so none from an earlier build may be present. They
-may use the run of `make run`, except on pages that make this run themselves.
+A block under "Examples" replaces the lines of docs/decks/in.ehd that give the same command, or,
+with commands of named bearings, the lines of inputs/in.6208 with one ball pass; all other lines of
+that deck stay. Python and console blocks of a page run in a folder that looks like the built
+tree: a finished run is not replaced by default, so no run of an earlier build may be present. The
+blocks may use the run of `make run`, except on pages that make this run.
 """
 
 import os
@@ -33,7 +33,7 @@ FILM_ONLY = (
 NAMED = ("bearing ", "run_bearing ", "bearing_dump ", "pair_style bearing ")
 SHORT = {"out": "out", "settle": 1, "passes": 1, "lubricant": "vg46"}
 MAIN = Path("build/run/6208")
-# they make the main run, or need no run
+# pages that make the main run, or need no run
 APART = ("tutorial.rst", "tutorial_twin.rst", "sweep.rst", "gallery.rst")
 UNDERLINE = re.compile(r"^([=\-~^\"])\1{3,}$")
 
@@ -94,10 +94,10 @@ def not_printed(block, output):
 
 
 def run_session(page, folder):
-    """Run the blocks of a page in `folder`; of each the message if it failed, or nothing.
+    """Run the blocks of a page in `folder`; yields for each its message if it failed, or nothing.
 
-    Console lines after "$ " are commands of `.venv/bin`, what follows has to be in what they print,
-    in that order."""
+    Console lines after "$ " are commands of `.venv/bin`; the lines that follow have to be in their
+    output, in that order."""
     paths = dict(os.environ, PATH=f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}")
     # containers run as root, which Open MPI otherwise refuses
     paths |= dict.fromkeys(("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"), "1")
@@ -117,7 +117,7 @@ def run_session(page, folder):
 
 
 def run_console(commands, folder, paths):
-    """(exit code, output) of shell commands, up to the first one that fails."""
+    """(exit code, output) of shell commands, up to the first command that fails."""
     printed = ""
     for command in warm_python.split(commands):
         if plain := warm_python.words(command):
@@ -140,7 +140,7 @@ def run_console(commands, folder, paths):
 
 
 def key(line):
-    """Key of a line: two lines with one key are the same command."""
+    """Key of a line: two lines with the same key are the same command."""
     word = line.split()
     if word[0] in ("pair_style", "create_bearing", "timestep", "run", "bearing", "run_bearing"):
         return word[0]
@@ -163,7 +163,7 @@ def base_of(block):
 
 
 def deck(base, block):
-    """`base` (lines) with the lines of `block` in their places."""
+    """Lines of `base`, with the lines of `block` in the places of the same commands."""
     if any("bearing/hertz" in line for line in block):
         base = [
             line.replace(" f_cap", "").replace(" c_total[6] c_total[7]", "")
@@ -172,7 +172,7 @@ def deck(base, block):
         ]
     if any(
         "bearing/contact" in line for line in block
-    ):  # another compute: its columns are not the dump's
+    ):  # another compute: it does not have the columns of the dump
         base = [line for line in base if not line.startswith(("dump ", "dump_modify "))]
     if any("axis x" in line for line in block):
         base = [line.replace("x free y free", "y free z free") for line in base]
@@ -214,7 +214,7 @@ def main_run(tmp_path_factory):
 
 @pytest.mark.parametrize("page", sorted(PAGES, key=PAGES.get, reverse=True), ids=lambda p: p.stem)
 def test_page(page, tmp_path, request):
-    """The commands and Python of a page, in order, and what they print."""
+    """Commands and Python of a page run, in order, and print what the page shows."""
     for folder in ("inputs", "docs/decks"):
         shutil.copytree(ROOT / folder, tmp_path / folder)
     (tmp_path / "build").mkdir()
@@ -254,8 +254,8 @@ def beside_inputs(tmp_path):
 
 
 def test_decks(beside_inputs):
-    """One after the other in one folder: decks read files written by earlier ones."""
-    gallery = (DOCS / "gallery.rst").read_text()  # runs the decks that it names
+    """Decks run one after the other in one folder: some read files written by earlier decks."""
+    gallery = (DOCS / "gallery.rst").read_text()  # this page runs the decks that it names
     for path in sorted(DOCS.glob("decks/in.*")):
         if f"docs/decks/{path.name}" not in gallery:
             try_deck(joined(path.read_text()), beside_inputs)
@@ -263,5 +263,5 @@ def test_decks(beside_inputs):
 
 @pytest.mark.parametrize("lines", BLOCKS.values(), ids=BLOCKS)
 def test_block(lines, beside_inputs):
-    """A block under "Examples" in its deck."""
+    """A block under "Examples" runs in its deck."""
     try_deck(deck(base_of(lines), lines), beside_inputs)

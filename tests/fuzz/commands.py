@@ -21,7 +21,7 @@ def line(draw, files):
     for action in draw.sample(options, min(len(options), draw.choice([0, 0, 1, 1, 2, 3]))):
         if not set(action.option_strings) & set(words):
             words += [draw.choice(action.option_strings), *_values(draw, action)]
-    if draw.chance(0.3):  # another value of an option that the line already has
+    if draw.chance(0.3):  # another value for an option that the line already has
         given = [k for k, word in enumerate(words) if word.startswith("--") and k + 1 < len(words)]
         for k in draw.sample(given, min(1, len(given))):
             action = PARSERS[name]._option_string_actions.get(words[k])
@@ -58,7 +58,7 @@ def _value(draw, action, metavar):
 
 
 def _between(draw, low, high):
-    """A random number of a range: half of the draws are small, some are its limits."""
+    """A random number from a range: half of the draws are small, some are at its limits."""
     if draw.chance(0.1):
         return f"{draw.choice([low, high]):.17g}"
     if low < 0 or high <= 0:

@@ -16,8 +16,8 @@ SUMS = "contacts loaded load_inner load_outer pressure".split()
 
 def deck(scene, pose=UPRIGHT, split=None, cuts="* * *", more=(), restart=None):
     """The deck's text. `split`: steps of the first of two runs. `more`: commands that must not
-    affect the motion. `restart`: write a file after the first run ("write"), or begin with one
-    ("read")."""
+    affect the motion. `restart`: write a file after the first run ("write"), or begin from
+    one ("read")."""
     total = scene["every"] * scene["samples"]
     lines = [*_world(scene, pose, cuts)]
     if restart == "read":

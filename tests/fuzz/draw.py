@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Random choices of a case, from its seed."""
+"""Random choices for a case, drawn from its seed."""
 
 import math
 import random
@@ -18,11 +18,11 @@ def grammar(name):
 
 
 class Draw(random.Random):
-    """Random numbers with the words of a grammar."""
+    """Random numbers in the intervals of a grammar."""
 
     def number(self, interval):
-        """A value from [least, most], a whole number if both are, or from [log, least, most];
-        rounded to four digits."""
+        """A value from [least, most], a whole number if both limits are, or from
+        [log, least, most]; rounded to four digits."""
         if interval[0] == "log":
             low, high = map(math.log, interval[1:])
             return float(f"{math.exp(self.uniform(low, high)):.4g}")

@@ -39,7 +39,7 @@ def read(folder, scene, pose):
 
 
 def _order(balls, cage, pose):
-    """Index in the lab of every atom in the scene's order."""
+    """Index in the lab of every atom, in the order of the scene."""
     step = np.arange(balls)
     if pose.sense < 0:
         own_balls, own_cage = (-step) % balls, (-step - 1) % balls
@@ -84,8 +84,8 @@ def _tilts(rings, names, pose):
 
 
 def differences(first, second, tolerance, start=1):
-    """Columns that differ by more than `tolerance` of their largest value, largest first: (share,
-    table, column, sample)."""
+    """(share, table, column, sample) of columns that differ by more than `tolerance` times their
+    largest value, in order of decreasing difference."""
     found = []
     for name, (columns, a) in first.items():
         b = second[name][1]
@@ -93,7 +93,7 @@ def differences(first, second, tolerance, start=1):
             a, b = _loaded(columns, a, b)
             at = columns.index("azimuth")
             b[..., at] -= 2 * np.pi * np.round((b[..., at] - a[..., at]) / (2 * np.pi))
-        if tolerance:  # at the start, rounding decides whether balls that just touch are in contact
+        if tolerance:  # at the start, rounding decides if balls that just touch are in contact
             a, b = a[start:], b[start:]
         if a.shape != b.shape:
             found.append((np.inf, name, f"shape {a.shape} {b.shape}", 0))
@@ -108,8 +108,8 @@ def differences(first, second, tolerance, start=1):
 
 
 def _loaded(columns, a, b):
-    """Contacts of two runs without those near zero load, which rounding opens and closes: only
-    their loads are kept, everything else becomes 0."""
+    """Contacts of two runs. Rounding opens and closes contacts near zero load: only their loads are
+    kept, and all their other columns become 0."""
     load = columns.index("load")
     light = np.minimum(a[..., load], b[..., load]) < 1e-2 * a[..., load].max(initial=0)
     kept = np.arange(len(columns)) == load

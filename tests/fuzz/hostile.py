@@ -76,7 +76,7 @@ def _add(draw, lines):
 
 
 def check(draw, text, lab):
-    """Run a damaged deck: "passed" or "refused"; raises Finding."""
+    """Run a damaged deck and return "passed" or "refused"; raises Finding."""
     text = spoil(draw, text)
     if not affordable(text):
         return "refused"
@@ -97,7 +97,7 @@ def _finite(file):
 
 
 def affordable(text):
-    """Whether its runs and steps are short enough: a simulated second takes minutes."""
+    """Whether runs and steps of a deck are short enough: a simulated second takes minutes."""
     for word, most in (("run", 2e4), ("timestep", 1e-3)):
         for number in re.findall(rf"^{word} (\S+)", text, re.M):
             with suppress(ValueError):

@@ -12,7 +12,7 @@ from fuzz.pose import UPRIGHT
 from host import run
 
 HOSTS = {"liggghts": "liggghts", "lammps": "lammps", "plugin": "wheel", "sanitized": "sanitized"}
-# for a run that takes a tenth of a second alone, and up to a hundred times longer on a busy machine
+# limit for a run that takes 0.1 s on an idle machine, up to a hundred times longer on a busy one
 SECONDS = 600
 CRASH = re.compile(
     r"Segmentation|Aborted|Traceback|terminate called|AddressSanitizer|runtime error|stack smashing"
@@ -29,7 +29,7 @@ HOSTS_OWN = re.compile(r"DumpLocal10init_style|DumpCustom10init_style")
 
 
 class Finding(Exception):
-    """A failure that a case shows."""
+    """A failure found by a case."""
 
 
 class Refused(Exception):
@@ -76,7 +76,7 @@ class Lab:
             message = end.error.splitlines()[0]
             if name == "first" or LATER.search(message):
                 raise Refused(message)
-            raise Finding(f"only {name} refuses: {message}")
+            raise Finding(f"only run {name} is refused: {message}")
         values = figures.read(self.folder / name, scene, pose)
         if bad := figures.finite(values):
             raise Finding(f"not finite: {name}: {', '.join(bad[:8])}")
@@ -87,7 +87,7 @@ def same(first, second, tolerance, what):
     """Check that the figures of two runs agree."""
     if found := figures.differences(first, second, tolerance):
         words = "; ".join(
-            f"{table} {column} by {share:.2g} at sample {sample}"
+            f"{table} {column} differs by {share:.2g} at sample {sample}"
             for share, table, column, sample in found[:6]
         )
         raise Finding(f"{what}: {words}")

@@ -10,8 +10,8 @@ NEEDS = {"film_branch": "film_in_gap", "spin": "differential_slip"}
 
 
 def words(draw, film):
-    """Keywords of pair_style: the parts a law must have, at most one friction law and one
-    tangential law, and some of the rest."""
+    """Keywords of pair_style: the parts that a law must have, at most one friction law and one
+    tangential law, and some of the other parts."""
     slots, chosen = {}, []
     parts = [part for part in LAW if film or not part["film"]]
     for slot in sorted({part["slot"] for part in parts} - {""}):

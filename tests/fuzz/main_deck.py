@@ -15,7 +15,7 @@ from host import run
 
 SHORT = {"passes": 1, "samples": 20, "settle": 0.1}
 WAYS = ("resume", "hosts", "ranks", "summary")
-# variables of the run, not of the bearing
+# variables that describe the run, not the bearing
 TIMING = ("wall_s", "processor_s", "created", "ranks", "host", "program", "evaluations", "history")
 
 
@@ -30,7 +30,7 @@ def variables(draw):
 
 
 def check(draw, folder, host):
-    """Run one case; returns the check that was made. Raises Finding or Refused."""
+    """Run one case and return the check that was made. Raises Finding or Refused."""
     given, way = variables(draw), draw.choice(WAYS)
     first = _run(folder / "first", host, given, first=True)
     if way == "resume":
@@ -67,7 +67,7 @@ def _run(folder, host, given, ranks=1, first=False):
         message = end.error.splitlines()[0]
         if first or LATER.search(message):
             raise Refused(message)
-        raise Finding(f"only {folder.name} refuses: {given}: {message}")
+        raise Finding(f"only run {folder.name} is refused: {given}: {message}")
     return _record(folder)
 
 
@@ -86,7 +86,8 @@ def _same(first, second, given, what):
             continue
         a, b = first[name], second.get(name)
         if b is None or a.shape != b.shape:
-            raise Finding(f"{what}: {given}: {name} {a.shape}, {getattr(b, 'shape', None)}")
+            shapes = f"{a.shape} and {getattr(b, 'shape', None)}"
+            raise Finding(f"{what}: {given}: shapes of {name} differ: {shapes}")
         if not np.array_equal(a, b, equal_nan=a.dtype.kind == "f"):
             off = np.nanmax(abs(a - b)) if a.size else 0
             raise Finding(

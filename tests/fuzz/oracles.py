@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Relations between runs that hold for every scene. Each takes the scene, its figures and
-the lab, and raises a Finding if violated."""
+"""Relations between runs that hold for every scene. Each function takes the scene, its figures and
+the lab, and raises a Finding if the relation is violated."""
 
 import json
 import re
@@ -24,7 +24,7 @@ EXTRA = (
 
 
 def turn(scene, first, lab, draw):
-    """Turn the axis and move the first ball to another direction."""
+    """A bearing with another direction of its axis and of its first ball has the same figures."""
     _posed(scene, first, lab, draw.choice(TURNS), "turned")
 
 
@@ -38,7 +38,7 @@ def move(scene, first, lab, draw):
 
 
 def split(scene, first, lab, draw):
-    """run N, then run M."""
+    """Two runs of N and M steps equal one run of N + M steps."""
     steps = draw.randint(1, scene["every"] * scene["samples"] - 1)
     _near(scene, first, lab, f"split at step {steps}", lambda _: {"split": steps})
 
@@ -76,14 +76,14 @@ def _near(scene, first, lab, what, changes):
 
 
 def restart(scene, first, lab, draw):
-    """write_restart and read_restart at a sample give the bits of a run split there."""
+    """write_restart and read_restart at a sample give the same bits as a run split there."""
     steps = scene["every"] * draw.randint(1, scene["samples"] - 1)
     whole = lab.figures(scene, "split", split=steps, restart="write")
     (lab.folder / "resumed").mkdir()
     (lab.folder / "split" / "half.restart").rename(lab.folder / "resumed" / "half.restart")
     after = lab.figures(scene, "resumed", restart="read")
-    # velocity Verlet evaluates forces at half-step velocities, but at the start of a run at full
-    # ones
+    # velocity Verlet evaluates forces at half-step velocities, but at full-step velocities at the
+    # start of a run
     count = scene["samples"] - steps // scene["every"] + (scene["implicit"] is not None)
     tails = [
         {name: (columns, table[-count:]) for name, (columns, table) in run.items()}
@@ -166,7 +166,7 @@ def rest(scene, first, lab, draw):
     statics.check(scene, lab)
 
 
-# figures of a record's summary that do not depend on position; force and shift may turn
+# figures of a record's summary that do not depend on the pose; force and shift may turn
 SCALARS = (
     "ring_shift_m load_parameter q_max_N q_inner_max_N q_outer_max_N p_max_inner_Pa p_max_outer_Pa "
     "entrainment_speed_m_s h_min_m h_c_m lambda capacitance_F capacitance_top_F "
@@ -191,7 +191,7 @@ def read(scene, first, lab, draw):
     for key in ("error", *SCALARS):
         a, b = (value.get(key) for value in told)
         if not _alike(a, b):
-            raise Finding(f"summary: {key} is {a}, {b} with {pose}")
+            raise Finding(f"summary: {key} is {a} upright but {b} with {pose}")
 
 
 def _alike(a, b):
@@ -217,13 +217,13 @@ def energy(scene, first, lab, draw):
         terms.append(f'fix account all print {steps} "{values}" file ${{out}}/energy.txt screen no')
         end = lab.start("\n".join([*text[:-1], *terms, text[-1], ""]), "energy")
         if end.code:
-            raise Finding(f"only energy refuses: {end.error.splitlines()[0]}")
+            raise Finding(f"only run energy is refused: {end.error.splitlines()[0]}")
         rows = np.loadtxt(lab.folder / "energy" / "energy.txt", comments="#", ndmin=2)
         before, (*account, own) = share, abs(rows[-1])
         share = own / (max(account) + 1e-12)
         if share <= 1e-3:
             return
-    raise Finding(f"energy: {share:.2g} is missing, {before:.2g} with longer substeps")
+    raise Finding(f"energy: a share of {share:.2g} is missing, {before:.2g} with longer substeps")
 
 
 ORACLES = {

@@ -18,7 +18,7 @@ def check(scene, figures, folder):
     for name in ("a", "b", "pressure", "h_min", "lambda", *([] if gap else ["overlap"])):
         if name in of and (of[name][touching] < 0).any():
             raise Finding(f"negative {name}")
-    # a tangential spring returns the energy it stored
+    # a tangential spring returns the energy that it has stored
     for name in ("load", "normal", *([] if springs else ["friction_power"])):
         if (of[name][touching] < -1e-9 * abs(of[name]).max(initial=0)).any():
             raise Finding(f"negative {name} of a contact: {of[name].min()}")
@@ -30,7 +30,7 @@ def check(scene, figures, folder):
 
 
 def _sums(scene, of, touching, ring):
-    """Forces on every ring are sums over its contacts."""
+    """The forces on every ring are sums over its contacts."""
     inner = ring["ring"].argmin(axis=1)
     for side in (0, 1):
         pick = inner if side == 0 else 1 - inner
@@ -59,7 +59,8 @@ def _sums(scene, of, touching, ring):
             off = abs(value - ring[f"f{axis}"][rows, pick]) - slack
             if (off > 0).any():
                 raise Finding(
-                    f"f{axis} of ring {side} is not the sum of its contacts, by {off.max():.3g} N"
+                    f"f{axis} of ring {side} differs from the sum over its contacts by "
+                    f"{off.max():.3g} N more than allowed"
                 )
 
 
@@ -83,4 +84,4 @@ def _close(first, second, what, share=1e-9):
     scale = max(abs(np.asarray(first)).max(initial=0), abs(np.asarray(second)).max(initial=0))
     off = abs(first - second).max(initial=0)
     if off > share * scale + 1e-12:
-        raise Finding(f"{what}: {off:.3g} off, of {scale:.3g}")
+        raise Finding(f"{what}: differs by {off:.3g}, largest value {scale:.3g}")

@@ -37,7 +37,7 @@ class Pose:
 
     @property
     def sense(self):
-        """-1 if the azimuth in the lab falls where that of the scene rises."""
+        """-1 if the azimuth in the lab decreases while the azimuth in the scene increases."""
         return self.hand * self.signs[2]
 
     def polar(self, vector):
@@ -49,13 +49,13 @@ class Pose:
         return [self.hand * value for value in self.polar(vector)]
 
     def azimuth(self, own):
-        """The azimuth in the lab, measured from the axis after the bearing's."""
+        """The azimuth in the lab, measured from the axis that follows the bearing's axis."""
         lab = self.polar([math.cos(own), math.sin(own), 0])
         first, second = (self.axis + 1) % 3, (self.axis + 2) % 3
         return math.atan2(lab[second], lab[first])
 
     def back(self, vectors, axial=False):
-        """Lab vectors, (n, 3), in the scene's frame."""
+        """Components in the scene's frame of vectors (n, 3) in the lab."""
         return (np.asarray(vectors) @ self.matrix) * (self.hand if axial else 1)
 
 

@@ -10,7 +10,7 @@ from fuzz.lab import Finding
 
 
 def check(draw, folder, runs):
-    """Run a command line: "passed" or "refused"; raises Finding."""
+    """Run a command line and return "passed" or "refused"; raises Finding."""
     damage, places, whole = "", runs, draw.choice(runs)
     if draw.chance(0.3):
         place, damage = files.damaged(draw, whole, folder)

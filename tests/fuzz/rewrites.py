@@ -5,7 +5,7 @@ import re
 
 
 def formula(lines, draw):
-    """Replaces a number of a load, speed or position by an equal-style variable."""
+    """Replaces the number of a load, speed or position by an equal-style variable."""
     found, out = 0, []
     for line in lines:
         if line.startswith("fix ring_"):
@@ -56,7 +56,7 @@ def twice(lines, draw):
 
 
 def skin(lines, draw):
-    """Changes neighbour skin and search."""
+    """Changes the neighbour skin and the method of the search."""
     return [
         re.sub(r"^neighbor (\S+) bin", lambda m: f"neighbor {2 * float(m.group(1)):g} nsq", line)
         for line in lines

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The fuzzer of the project, for long runs by hand:
+"""The fuzzer of the project, for long runs started by hand:
 
 python tests/fuzz/run.py --seed 1 --cases 1000 --host lammps
 
@@ -32,7 +32,7 @@ FINDINGS = ROOT / "build" / "fuzz"
 
 
 def judge(name, seed, host, drawn=None, runs=None):
-    """(verdict, message) of a case: a scene under an oracle, a spoilt deck, a command line, a run
+    """(verdict, message) of a case: a scene under an oracle, a damaged deck, a command line, a run
     of the main deck."""
     draw = Draw(f"{seed} {name}")
     with tempfile.TemporaryDirectory() as folder:
@@ -62,7 +62,7 @@ def oracle(seed):
 
 
 def report(name, seed, host, message):
-    """Write a finding with its deck, its scene reduced as far as possible."""
+    """Write a finding with its deck, after reducing its scene as far as possible."""
     FINDINGS.mkdir(parents=True, exist_ok=True)
     found = {"message": message, "oracle": name, "seed": seed, "host": host}
     if name in ORACLES:

@@ -88,7 +88,7 @@ def _time(draw, implicit, bearing):
     every, samples = draw.number(ranges["steps"]), draw.number(ranges["samples"])
     if implicit:
         return {"step": draw.number(ranges["step"]), "every": every, "samples": samples}
-    # a step short enough for velocity Verlet, and more of them
+    # a step short enough for velocity Verlet, and more steps
     step = 1.0e-7 * bearing["diameter"] / 12.6e-3
     return {"step": float(f"{step:.3g}"), "every": 20 * every, "samples": samples}
 

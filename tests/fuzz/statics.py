@@ -33,7 +33,7 @@ def rest(scene):
 
 
 def check(scene, lab):
-    """Loads of all balls on both raceways."""
+    """Compare the loads of all balls on both raceways with statics."""
     still = rest(scene)
     if _theory(still, still["phase"]) is None:
         return False
@@ -59,8 +59,8 @@ def check(scene, lab):
         off = abs(got - wanted).max() / max(wanted.max(), 1e-9)
         if off > SHARE + 3 * settled:
             raise Finding(
-                f"statics: loads of side {side} differ by {off:.2g} of the largest, "
-                f"{wanted.max():.4g} N in Python, {got.max():.4g} N in the run"
+                f"statics: loads of side {side} differ by {off:.2g} of the largest load, which is "
+                f"{wanted.max():.4g} N in Python and {got.max():.4g} N in the run"
             )
     return True
 

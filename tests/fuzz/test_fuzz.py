@@ -13,13 +13,13 @@ FOUND = sorted((Path(__file__).parent / "found").glob("*.yaml"))
 
 @pytest.fixture(scope="module")
 def runs(tmp_path_factory):
-    """Runs for the commands to read."""
+    """Runs that the commands read."""
     return files.runs(tmp_path_factory.mktemp("runs"))
 
 
 @pytest.mark.parametrize("host", CASES)
 def test_a_slice(host, runs):
-    """No failures, and most cases of each grammar are accepted."""
+    """There are no findings, and at least a third of the cases pass."""
     count, found = run.series(range(1, CASES[host] + 1), host, runs=runs)
     assert not found, "\n".join(found)
     assert count["passed"] >= CASES[host] / 3, count

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Kill runs at random moments, resume them, and compare every output file with that of an
+"""Kill runs at random moments, resume them, and compare every output file with the file of an
 undisturbed run.
 
     .venv/bin/python tests/hosts/kills.py [N] [--seed S]
@@ -58,8 +58,8 @@ class Story:
 
 
 def start(scene, out, *, ranks=1):
-    """Run `scene` into `out` in a session of its own, with its output in out.log; resume if a
-    restart file exists."""
+    """Run `scene` into `out` in a separate session, with its output in out.log; resume if a restart
+    file exists."""
     command = [
         str(ROOT / "build" / "liggghts"),
         "-in",
@@ -90,7 +90,7 @@ def start(scene, out, *, ranks=1):
 
 
 def run(scene, out):
-    """Run undisturbed; return the wall time in s."""
+    """Run `scene` undisturbed and return the wall time in s."""
     begun = time.monotonic()
     code = start(scene, out).wait()
     assert code == 0, Path(f"{out}.log").read_text(errors="replace")[-2000:]
@@ -98,7 +98,7 @@ def run(scene, out):
 
 
 def settings(folder):
-    """`run.yaml` without its wall time, which is not a result of the model."""
+    """Lines of `run.yaml` without wall and processor times, which are not results of the model."""
     return [
         line
         for line in (folder / "run.yaml").read_text().splitlines()
@@ -132,8 +132,8 @@ def session(leader):
 
 
 def ended(process, ranks):
-    """Exit code. Open MPI's launcher may lock up while it ends after a signal: it is killed once no
-    ranks are left."""
+    """Exit code when a run ends. Open MPI's launcher may lock up while it ends after a signal: it
+    is killed once no ranks are left."""
     while True:
         try:
             return process.wait(20)
@@ -149,7 +149,7 @@ def disturb(scene, out, which, reference, length, dice, *, ranks=(1,)):
     while attempt < 100:
         attempt += 1
         process = start(scene, out, ranks=ranks[attempt % len(ranks)])
-        # the first start always receives a signal, later ones every other time
+        # the first start always receives a signal, later starts every other time
         if attempt == 0 or dice.random() < 0.5:
             try:
                 process.wait(dice.uniform(0.0, length))
@@ -168,7 +168,7 @@ def disturb(scene, out, which, reference, length, dice, *, ranks=(1,)):
         story.codes += (code,)
         if code == 0 and story.kills:
             break
-        if code == 0:  # too late: the run was not disturbed
+        if code == 0:  # the signal came too late to disturb the run
             shutil.rmtree(out)
             attempt = -1
     story.resumed = Path(f"{out}.log").read_text(errors="replace").count("Continuing from")

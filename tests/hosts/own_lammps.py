@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """In a LAMMPS built from Debian's sources with Open MPI, plugin and package give the bits of
-build/liggghts. `make test-lammps` builds all of them and runs this."""
+build/liggghts. `make test-lammps` builds these programs and runs this file."""
 
 import pytest
 from debian_lammps import OWN

@@ -7,7 +7,7 @@ import re
 import pytest
 from host import BOX, liggghts, run
 
-# mistake: (variables of in.6208, text of the error)
+# {mistake: (variables of in.6208, text of the error)}
 MAIN_DECK = {
     "conformal groove": (
         {"inner_groove": 6.2e-3},
@@ -117,7 +117,7 @@ FOUR_POINT = (
     + GROUPS
 )
 
-# mistake: (deck, text of the error)
+# {mistake: (deck, text of the error)}
 DECKS = {
     "unknown style keyword": (
         BOX + "pair_style bearing/hertz viscosity 0.04\n",
@@ -315,7 +315,7 @@ DECKS = {
 
 
 def wrong(outcome, message):
-    """The run failed with one readable error and made no step."""
+    """Check that the run failed with one readable error and made no step."""
     assert outcome.code != 0, outcome.text[-1500:]
     assert re.search(message, outcome.error), (
         f"no /{message}/ in:\n{outcome.error or outcome.text[-1500:]}"
@@ -340,7 +340,7 @@ def test_deck(name, tmp_path):
     wrong(liggghts(deck), message)
 
 
-# wrong set-ups, in every host
+# wrong set-ups that are tried in every host
 SETUPS = [
     "newton on",
     "periodic box",
@@ -400,7 +400,7 @@ def test_step_that_turns_out_too_large_is_refused(tmp_path):
 
 
 def test_not_a_number_under_an_implicit_step(tmp_path):
-    """Refinement of the step fails; the run stops and reports where."""
+    """Refinement of the step fails; the run stops and reports the fix and the step."""
     deck = tmp_path / "in.nan"
     deck.write_text(
         DRY

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A bearing given by name: its data, and errors that help."""
+"""A bearing given by name: its data, and helpful errors."""
 
 import pytest
 from host import run
@@ -19,7 +19,7 @@ def said(tmp_path, deck, **values):
     return done, [line for line in done.text.splitlines() if line[:3] == "IS "]
 
 
-# Values from formulas in earlier decks: balls, ball diameter, inner radius, both grooves;
+# values from formulas in earlier decks: balls, ball diameter, inner radius, both grooves;
 # outer radius, half a box, mass and inertia of the inner ring, diameter of a cage ball
 NUMBERS = {
     ("6208", "clearance", "1.1e-5"): (

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The command `bearing` reads a row of INPUTS/bearings/*.csv like a file of that name, and
-Python reads the same data."""
+"""The command `bearing` reads a row of INPUTS/bearings/*.csv like a file with the name of the row,
+and Python reads the same data."""
 
 import pytest
 from host import ROOT, run, succeed
@@ -26,7 +26,7 @@ print "NOW ${{b_balls}} ${{b_ball_diameter}}"
 
 
 def table(tmp_path, text=OWN):
-    """The folder `inputs` with that table."""
+    """A folder of inputs with the table `text`."""
     folder = tmp_path / "own"
     (folder / "bearings").mkdir(parents=True)
     (folder / "bearings" / "table.csv").write_text(text, newline="")

@@ -10,7 +10,7 @@ DRAG = "fix drag balls viscous 5.0\n"
 
 def test_a_fix_defined_between_runs_adds_no_impulse(tmp_path):
     """Forces of the previous step are restored after the set-up of every fix, including later
-    ones."""
+    fixes."""
     deck = tmp_path / "in.drag"
     deck.write_text(BITS.replace("timestep 2.0e-7\n", DRAG + "timestep 2.0e-7\n"))
     succeed(deck, out=tmp_path / "whole")
@@ -23,8 +23,8 @@ def test_a_fix_defined_between_runs_adds_no_impulse(tmp_path):
 
 
 def test_report_is_of_the_end_of_the_step(tmp_path):
-    """Reports show the end of the step even if a variable that drives a ring reads the ring's own
-    report in the middle of the step."""
+    """Reports show the end of the step even if a variable that drives a ring reads the report of
+    the same ring in the middle of the step."""
     deck = tmp_path / "in.report"
     deck.write_text(
         BITS.replace(
@@ -54,7 +54,7 @@ def test_report_is_of_the_end_of_the_step(tmp_path):
 
 def test_restart_written_in_a_run_without_setup(tmp_path):
     """`run N pre no` skips the set-up; a restart file written then must still contain the forces of
-    its own step."""
+    that step."""
     deck = tmp_path / "in.pre"
     deck.write_text(BITS.replace("run ${first}\n", "run 100\nrun 300 pre no\n"))
     succeed(deck, out=tmp_path, keep=200)

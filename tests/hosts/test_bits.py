@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Same input, same bits: on 1, 2 or 4 ranks, in one run or two, and through a restart on another
-number of ranks.
+"""The same input gives the same bits on 1, 2 or 4 ranks, in one run or two, and after a restart on
+another number of ranks.
 
-The scene (in.bits) uses everything: film, friction springs, cage, a free inner ring with
-gyroscopic moments, a wobbling outer ring that carries the rails, capacitance. The box is cut far
+The scene (in.bits) includes film, friction springs, cage, a free inner ring with gyroscopic
+moments, a wobbling outer ring that carries the rails, and capacitance. The box is cut far
 from the ring atoms and through the balls; neighbour lists are rebuilt many times and atoms change
 ranks.
 """
@@ -19,7 +19,7 @@ FULL = (
     "gap 1 film_damping branch inlet_shear murch 0.047 0.134 friction mixed 0.12 0.05 heathcote"
     " 1.0e-4 rolling 0.047 0.134 1.0 rolling_hysteresis 0.01 spin 1.0 drag 870 0.1"
 )
-# balls centred in Gothic arches make contact at 35 degrees
+# balls in the middle of Gothic arches make contact at 35 degrees
 SLACK, ANGLE = 6.552e-3 - 6.3e-3, math.radians(35)
 GOTHIC = {
     "arch": SLACK * math.sin(ANGLE),
@@ -61,7 +61,7 @@ def scene(request, tmp_path_factory):
 
 
 def state(folder):
-    """Every bit of the last sample of contacts, atoms and ring."""
+    """The last sample of contacts, atoms and ring with every bit."""
     return [frames(folder / name)[LAST] for name in ("contacts.dump", "balls.dump")] + [
         (folder / "ring.txt").read_text().splitlines()[-1]
     ]
@@ -122,7 +122,7 @@ def test_two_runs_are_one(scene):
     [("during", 1, 1), ("after", 1, 2), ("after", 4, 1), ("during", 2, 4)],
 )
 def test_restart(scene, when, write_ranks, read_ranks):
-    """Restart files written in the middle of a run, or by a command after one."""
+    """Restart files are written in the middle of a run, or by a command after the run."""
     variables, folder = scene
     out = folder / f"{when}{write_ranks}{read_ranks}"
     how = {"keep": 200} if when == "during" else {"first": 200, "write": 1}

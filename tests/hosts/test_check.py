@@ -88,13 +88,13 @@ def test_verlet_takes_half_the_step(tmp_path, monkeypatch):
         {"inner_mass": 20, "rpm": 10000},
         {"surroundings": "flooded", "inner_shoulder_diameter": 0.06},
         {"viscosity": 0.1},
-        {"bearing": 7208, "axial": 2000},  # its clearance follows from the contact angle
+        {"bearing": 7208, "axial": 2000},  # the clearance follows from the contact angle
     ],
     ids=str,
 )
 def test_data_of_ones_own(tmp_path, monkeypatch, own):
     """Bearing and oil data are passed on to the repeated runs. The main deck's means are accurate
-    to 1e-3 by default; without the data they would change by one to twenty per cent."""
+    to 1e-3 by default; without these data they would change by one to twenty per cent."""
     monkeypatch.chdir(ROOT)
     succeed("inputs/in.6208", out=tmp_path, passes=1, **own)
     before = summary(RunTables(tmp_path))

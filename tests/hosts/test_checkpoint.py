@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/checkpoint stops on a signal, resumes, refuses files that do not match, and reports a
-full disk."""
+"""fix bearing/checkpoint stops on a signal, resumes, refuses files that do not match, and reports
+a full disk."""
 
 import os
 import re
@@ -63,7 +63,7 @@ def test_other_settings_are_refused(stopped):
         "belongs to another run" in failed.error
         and "load 5000" in failed.error
         and "load 4000" in failed.error
-        and "spin speed" not in failed.error  # this is the same in both
+        and "spin speed" not in failed.error  # the spin speed is the same in both runs
     )
 
 
@@ -86,7 +86,7 @@ def test_shortened_record_is_refused(stopped):
 
 
 def test_new_run_replaces_an_old_restart_file(stopped):
-    """Without resume the run starts again, and nothing of the old one remains."""
+    """Without resume the run starts again, and nothing of the old run remains."""
     small = {"passes": 1, "samples": 50, "dumps": "yes"}
     succeed("inputs/in.6208", out=stopped, **small)
     assert sorted(path.name for path in stopped.iterdir()) == [

@@ -70,12 +70,12 @@ def test_files(made):
 
 
 def test_rates_hold_the_same_signal(made):
-    """Every fourth sample of the 48 kHz signal, apart from the content that 12 kHz cannot
-    represent."""
+    """The signal at 12 kHz is every fourth sample of the 48 kHz signal, apart from the content that
+    12 kHz cannot represent."""
     fast, slow = (signal_of(made, 2, rate)["X002_DE_time"].ravel() for rate in (48000, 12000))
     low = np.fft.rfft(fast)[: int(0.35 * len(slow))] / len(fast)
     own = np.fft.rfft(slow)[: len(low)] / len(slow)
-    # the ends differ, since a record is not a whole number of periods
+    # the ends differ, since a record does not last a whole number of periods
     assert np.abs(own - low).max() < 0.1 * np.abs(low).max()
 
 
@@ -104,7 +104,7 @@ def test_card(made):
 
 
 def test_goes_on(made, tmp_path, monkeypatch):
-    """Stopped while the files of a record are written: the same command finishes with the same
+    """After a stop while files of a record are written, the same command finishes with the same
     signals."""
 
     def stop(one, *_):

@@ -65,13 +65,13 @@ def test_given(tmp_path, host, ranks):
 
 @pytest.mark.parametrize("host", HOSTS)
 def test_known(tmp_path, host):
-    """Variables of the deck's head, of `vars`, of a bearing and of an oil."""
+    """Variables of the deck's head, of `vars`, of a bearing and of an oil are accepted."""
     words = dict(load=3000, tolerance=1e-9, ball_poisson=0.29, viscosity=0.05)
     succeed("inputs/in.6208", host=host, out=tmp_path, **words, **SHORT)
 
 
 def test_models(tmp_path):
-    """A file of keywords for the pair style; the record and the summary name it."""
+    """`models` names a set of keywords for the pair style; record and summary have this name."""
 
     def commands():
         return raceway.open(tmp_path).tables.record.attrs["pair_commands"]
@@ -94,7 +94,7 @@ def test_models(tmp_path):
 
 
 def test_models_of_an_oil_without_the_numbers(tmp_path):
-    """A lubricant file of the user's own, with only the data that the models of the paper need."""
+    """A lubricant file of a user, with only the data that the models of the paper need."""
     own = tmp_path / "inputs"
     shutil.copytree(ROOT / "inputs", own)
     (own / "lubricants" / "mine").write_text(
@@ -119,13 +119,14 @@ OIL = {"kinematic_viscosity_40": 46, "kinematic_viscosity_100": 6.8, "oil_densit
 
 @pytest.mark.parametrize("models", ["paper", "full", "eyring", "none"])
 def test_an_oil_of_three_numbers(tmp_path, models, capsys):
-    """Viscosities and density of a data sheet are enough. Run and statics have the same defaults
-    for unmeasured properties; a file that states them gives the same run; summaries name them."""
+    """Viscosities and density of a data sheet are enough. Run and statics have the same
+    defaults for unmeasured properties; a file that states the defaults gives the same run, and
+    summaries name them."""
     short, whole = tmp_path / "short", tmp_path / "whole"
     lines = "".join(f"variable {name} index {value}\n" for name, value in OIL.items())
     short.write_text(lines)
     defaults = {name: row["default"] for name, row in variable_table.oil().items()}
-    others = {"pressure_viscosity", "permittivity"}  # data of an oil at one temperature
+    others = {"pressure_viscosity", "permittivity"}  # these are data of an oil at one temperature
     stated = {name: value for name, value in defaults.items() if name not in others}
     whole.write_text(lines + "".join(f"variable {n} index {v}\n" for n, v in stated.items()))
     records = []
@@ -156,7 +157,7 @@ def test_other_spelling_of_the_option(tmp_path):
 
 
 def test_deck_that_includes_the_deck(tmp_path):
-    """The deck's own variables are recognised, and those that it sets itself are not required."""
+    """Variables of the including deck are recognised; variables that it sets are not required."""
     deck = tmp_path / "in.mine"
     deck.write_text(
         "variable mine index 1\nvariable fixed string 2\nvariable more equal 3\n"

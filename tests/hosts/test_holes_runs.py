@@ -30,7 +30,7 @@ SHORT = {"passes": 1, "samples": 20, "settle": 0.1}
 
 
 def outcome(tmp_path, deck, commands, **kwargs):
-    """Output at the end of `deck` with `commands` instead of its run."""
+    """Outcome of `deck` with `commands` instead of its last run."""
     assert deck.count(RUN) == 1
     file = tmp_path / "in.hole"
     file.write_text(deck.replace(RUN, commands))
@@ -47,7 +47,7 @@ def refused(end, message):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_ball_that_leaves_the_box_is_missed(tmp_path, ranks):
-    """LIGGGHTS once deleted balls: 1 of 11 atoms was left, all figures were 0, exit code 0."""
+    """LIGGGHTS once deleted balls: 1 of 11 atoms was left; all figures and the exit code were 0."""
     end = outcome(
         tmp_path,
         SMALLEST,
@@ -58,7 +58,7 @@ def test_a_ball_that_leaves_the_box_is_missed(tmp_path, ranks):
 
 
 def test_a_cage_without_rails(tmp_path):
-    """Cage balls once left the box: 14 of 20 atoms after 200,000 steps, exit code 0."""
+    """Cage balls once left the box: after 200,000 steps 14 of 20 atoms were left, exit code 0."""
     deck = tmp_path / "in.norails"
     text = EHD.replace("fix rails cage bearing/cage 4\n", "").replace(" v_rails", "")
     text = re.sub(r"variable rails equal .*\n", "", text)
@@ -94,14 +94,13 @@ def test_a_step_that_vanishes_is_no_limit(tmp_path):
     ],
 )
 def test_limits_of_an_implicit_step(tmp_path, words, message):
-    """The first step once never ended, and the second gave 2.7 times the load."""
+    """With the first setting the step once never ended; the second gave 2.7 times the load."""
     deck = IMPLICIT.replace("bearing/implicit", f"bearing/implicit {words}")
     refused(outcome(tmp_path, deck, "run 1\n", timeout=20), message)
 
 
 def test_a_cage_without_a_coefficient(tmp_path):
-    """Cage balls that pass through balls cause a warning; with a coefficient there is
-    none."""
+    """Cage balls that pass through balls cause a warning; with a coefficient there is none."""
     for name, text in (
         ("without", EHD.replace("pair_coeff 1 2 sphere", "#")),
         ("with", EHD),
@@ -118,7 +117,7 @@ def test_a_cage_without_a_coefficient(tmp_path):
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 def test_an_ellipse_as_wide_as_the_groove(tmp_path, integrator):
-    """300 kN: `raceway static` refused the load, but a run once continued to 10 GPa."""
+    """Under 300 kN, which `raceway static` refused, a run once continued to 10 GPa."""
     end = liggghts(
         "inputs/in.6208", out=tmp_path, load=3e5, integrator=integrator, timeout=120, **SHORT
     )
@@ -142,7 +141,7 @@ def test_pressure_beyond_iso_76(tmp_path):
 
 
 def test_an_ellipse_past_its_shoulder(tmp_path):
-    """The same text as in `raceway summary`, if the deck gives the shoulders."""
+    """A run warns as `raceway summary` does, if the deck gives the shoulders."""
     words = dict(out=tmp_path, load=1.5e5, **SHORT)
     found = dict(doubts(succeed("inputs/in.6208", **words).text))
     (name,) = (one for one in found if one.startswith("reach of a contact ellipse"))
@@ -244,7 +243,7 @@ run 100
 
 @pytest.mark.parametrize("sanitized", [False, True])
 def test_a_checkpoint_of_nothing_but_the_run(tmp_path, sanitized):
-    """Without counters and files, nothing is copied from an empty pointer."""
+    """If there are no counters and files, nothing is copied from a null pointer."""
     if sanitized and not HOSTS["sanitized"][0].exists():
         pytest.fail("build/sanitized/liggghts is missing: run make sanitized", pytrace=False)
     file = tmp_path / "ck"
@@ -272,7 +271,7 @@ def stopped(tmp_path_factory):
 
 
 def test_every_flipped_bit_of_a_restart_file_is_noticed(stopped, tmp_path):
-    """The host's format has no checksum: 33 of 77 damaged files once went unnoticed."""
+    """The format of the host has no checksum: 33 of 77 damaged files once went unnoticed."""
     out = tmp_path / "run"
     shutil.copytree(stopped, out)
     good = (out / "restart").read_bytes()

@@ -18,7 +18,7 @@ LIBRARY = host.ROOT / "build" / "libraceway_physics.so"
 
 
 def takes_avx2(**environment):
-    """Instruction set used by a process with these variables."""
+    """Whether a process with these variables uses AVX2."""
     ask = f"import ctypes; print(ctypes.CDLL({str(LIBRARY)!r}).takes_avx2())"
     done = subprocess.run(
         [sys.executable, "-c", ask],
@@ -44,7 +44,7 @@ def test_the_variable_is_heeded():
         {"models": "film"},
         {"models": "full", "lubricant": "vg46"},
         {"models": "paper", "lubricant": "dry"},
-        {"models": "full", "spin_law": "slices", "without": "gap"},  # a set that is not listed
+        {"models": "full", "spin_law": "slices", "without": "gap"},  # parts that are not listed
         {"models": "paper", "flaw_outer": "notch -1.5708 1.0e-3 full 1.0e-5 5.0e-5"},
     ],
     ids=lambda scene: "-".join(scene.values()).split()[0],

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A run stopped or killed at a random moment resumes with the bits of an uninterrupted run.
-`kills.py` does the same fifty times."""
+`kills.py` repeats this fifty times."""
 
 import random
 import signal
@@ -13,7 +13,7 @@ from hosts.kills import SCENES, disturb, run
     scope="module", params=SCENES, ids=lambda scene: scene.get("models", scene["integrator"])
 )
 def undisturbed(request, tmp_path_factory):
-    """A scene, its files, and their run time (s)."""
+    """A scene, the folder of its run, and the run time (s)."""
     folder = tmp_path_factory.mktemp("undisturbed") / "run"
     return request.param, folder, run(request.param, folder)
 

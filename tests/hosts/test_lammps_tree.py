@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Raceway as a package of a LAMMPS source tree: installed, refused in an unsuitable tree,
-removed. The trees here contain only the inspected files; own_lammps.py uses a complete one."""
+removed. The trees here contain only the inspected files; own_lammps.py uses a complete tree."""
 
 import subprocess
 
@@ -41,7 +41,7 @@ def tree(request, tmp_path):
 
 
 def make(what, tree):
-    """`make install-tree` or `uninstall-tree`: (exit code, output)."""
+    """(exit code, output) of `make install-tree` or `make uninstall-tree`."""
     done = subprocess.run(
         ["make", "-s", f"{what}-tree", f"LAMMPS={tree}"],
         cwd=ROOT,

@@ -16,7 +16,7 @@ PATCHED = ("finish.cpp", "utils.h", "dump_mesh_vtk.h", "dump_mesh_vtk.cpp")
 
 
 def make(what, tree):
-    """`make install-tree` or `uninstall-tree`: (exit code, output)."""
+    """(exit code, output) of `make install-tree` or `make uninstall-tree`."""
     done = subprocess.run(
         ["make", "-s", f"{what}-tree", f"LIGGGHTS={tree}"],
         cwd=ROOT,
@@ -134,8 +134,8 @@ def test_another_change_of_a_patched_file_is_kept(tree):
 
 
 def test_an_interrupted_installation_is_taken_out(tree):
-    """Killed half-way: the manifest is written first, so that the files installed so far can be
-    removed."""
+    """If an installation is killed half-way, files installed so far can be removed, because the
+    manifest is written first."""
     before = contents(tree)
     assert make("install", tree)[0] == 0
     for name in ("film.h", "create_bearing.cpp"):
@@ -165,7 +165,7 @@ def test_patches_keep_the_times_of_files(tree):
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 def test_main_deck_has_the_same_bits(tmp_path, integrator):
-    """A few fast passes of the main deck: every column of every sample."""
+    """A few fast passes of the main deck agree in every column of every sample."""
     case = {"integrator": integrator, "rpm": 20000, "passes": 1, "samples": 20, "dumps": "yes"}
     succeed("inputs/in.6208", out=tmp_path / "debian", **case)
     succeed("inputs/in.6208", program=PROGRAM, out=tmp_path / "tree", **case)
@@ -178,7 +178,7 @@ def test_main_deck_has_the_same_bits(tmp_path, integrator):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_transient_has_the_same_bits(tmp_path, ranks):
-    """All digits, rings free to tilt, on one rank and on two."""
+    """All digits agree if rings are free to tilt, on one rank and on two."""
     succeed("tests/hosts/in.bits", out=tmp_path / "debian", tilt="free")
     succeed("tests/hosts/in.bits", program=PROGRAM, ranks=ranks, out=tmp_path / "tree", tilt="free")
     for name in ("contacts.dump", "balls.dump"):
@@ -189,15 +189,15 @@ def test_transient_has_the_same_bits(tmp_path, ranks):
 
 
 def test_it_is_the_tree_that_ran(tmp_path):
-    """The program is the host itself, without Debian's LIGGGHTS library."""
+    """The program is built from the tree, without Debian's LIGGGHTS library."""
     libraries = subprocess.run(["ldd", PROGRAM], text=True, capture_output=True, check=True).stdout
     assert "liggghts" not in libraries
     assert os.path.islink(PROGRAM)
 
 
 def test_sources_of_apt_in_one_line(tmp_path):
-    """Private apt sources are derived from the machine's own, in either format, without other
-    suites and repositories."""
+    """Private apt sources are derived from the sources of the machine, in either format, without
+    other suites and repositories."""
     (tmp_path / "sources.list").write_text(
         "# deb x\ndeb [arch=amd64 signed-by=/k.gpg] http://m/debian bookworm main contrib\n"
         "deb http://m/debian bookworm-updates main\ndeb http://n/x nodistro main\n"

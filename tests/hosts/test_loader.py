@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The styles are available however LIGGGHTS is started: after `clear`, by preload, in partitions,
-from Python."""
+"""The styles are available however LIGGGHTS is started: after `clear`, with LD_PRELOAD, in
+partitions, and from Python."""
 
 import os
 import subprocess
@@ -46,7 +46,7 @@ def test_partition(tmp_path):
     ],
 )
 def test_preload_into_the_stock_program(program, host, styles, tmp_path):
-    """The stock programs of Debian."""
+    """Debian's programs run with the styles loaded by LD_PRELOAD."""
     done = subprocess.run(
         [
             f"/usr/bin/{program}",
@@ -73,7 +73,7 @@ def test_preload_into_the_stock_program(program, host, styles, tmp_path):
 
 
 def test_from_python(tmp_path):
-    """Loaded with ctypes (docs: "From Python"); the library's C interface runs the deck."""
+    """The library is loaded with ctypes (docs: "From Python"); its C interface runs the deck."""
     script = textwrap.dedent("""
         import ctypes, sys
         lib = ctypes.CDLL(sys.argv[1], mode=ctypes.RTLD_GLOBAL)

@@ -6,7 +6,7 @@ from host import ROOT, liggghts, run, succeed
 
 DECK = "inputs/in.6208"
 SHORT = {"samples": 20, "rpm": 20000, "passes": 2}
-COST = ("wall_s", "processor_s")  # differs from run to run
+COST = ("wall_s", "processor_s")  # these differ from run to run
 
 
 @pytest.mark.parametrize("deck", ["in.6208", "in.dry", "in.nocage", "in.preload"])
@@ -36,7 +36,7 @@ def test_finished_run_that_cannot_go_on(tmp_path):
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
 def test_more_passes(tmp_path, host, integrator):
-    """The continued run has the bytes of a run with that length from the start."""
+    """The continued run has the same bytes as a run that had this length from the start."""
     scene = {**SHORT, "integrator": integrator, "dumps": "yes", "unbalance": 1e-5}
     succeed(DECK, host=host, out=tmp_path / "whole", **{**scene, "passes": 5})
     for passes in (2, 3, 5):

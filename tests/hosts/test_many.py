@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Many bearings in one box: each has the bits that it has alone, on any number of ranks, however
-the box is cut.
+"""Many bearings in one box: each has the same bits as alone, on any number of ranks, however the
+box is cut.
 
 Twelve bearings in three columns with different loads, speeds and first azimuths, and two
-alternating lubricants. Two ranks are cut between rows of bearings; three through two rows; four
-through the middle column, that is through rings, balls and cages.
+alternating lubricants. Cuts between two ranks lie between rows of bearings, cuts between three
+ranks go through two rows, and cuts between four ranks through the middle column, that is, through
+rings, balls and cages.
 """
 
 import re
@@ -40,7 +41,7 @@ def fleet(folder):
 
 
 def table(folder, ring):
-    """{step: the remaining columns of the row of an inner ring}."""
+    """{step: columns after the first of the row of an inner ring}."""
     found = {}
     for step, rows in frames(folder / "bearings.dump").items():
         mine = [row.split()[1:] for row in rows if int(row.split()[0]) == ring]
@@ -56,7 +57,7 @@ def variables(folder):
 
 
 def atoms(folder, ring):
-    """The last state of the atoms of the bearing with that inner ring, in their order."""
+    """The last state of the atoms of the bearing with the inner ring `ring`, in their order."""
     last = (ring + 1 - ATOMS, ring + 1)
     (rows,) = frames(folder / "last.dump").values()
     mine = sorted(
@@ -100,7 +101,7 @@ def test_ranks(scene, ranks, tmp_path):
 
 @pytest.mark.parametrize("host, ranks", [("lammps", 1), ("wheel", 2)])
 def test_hosts(tmp_path, host, ranks):
-    """The same rows of the table, and the same samples of the record, in every host."""
+    """Every host gives the same rows of the table and the same samples of the record."""
     words = {"bearings": 4, "columns": 2, "time": 2e-3, "record": "all"}
     for folder, where in (("one", {}), ("other", dict(host=host, ranks=ranks))):
         succeed("inputs/in.many", out=tmp_path / folder, **where, **words)
@@ -162,14 +163,14 @@ run 1
         assert {c[1] for c in mine} == {0.0} and len(mine) == live > 2
         assert load == max(c[2] for c in mine) and pressure == max(c[3] for c in mine)
         assert h_min == min(c[4] for c in mine) and film == min(c[5] for c in mine)
-    # two capacitors of each ball in series, summed over balls; the second ones belong to the
-    # outer ring (the next tag), in the same order
+    # the two capacitors of each ball in series, summed over balls; the second capacitors belong to
+    # the outer ring (the next tag), in the same order
     for row in rows:
         inner = [c[7] for c in contacts if c[0] == row[0]]
         outer = [c[7] for c in contacts if c[0] == row[0] + 1]
         assert max(inner) / 2 < row[10] < sum(inner) and row[10] < sum(outer)
     digits = pytest.approx
-    # one has 12 digits, the other the host's %g-like print
+    # one value has 12 digits, the other is printed by the host as with %g
     assert rows[0][2] == digits(said[0], rel=1e-9, abs=1e-9)
     assert rows[3][3] == digits(said[1], rel=1e-9)
     assert rows[3][1] == digits(said[2], rel=1e-9)
@@ -209,7 +210,7 @@ write_dump all custom OUT id x y z vx vy vz omegax omegay omegaz modify &
 
 
 def one_ring(**words):
-    """The deck with these words substituted for the names in capitals."""
+    """The deck `ONE_RING` with `words` in place of the names in capitals."""
     text = ONE_RING
     for name, word in words.items():
         text = text.replace(name.upper(), str(word))
@@ -222,7 +223,7 @@ def one_ring(**words):
     ids=["implicit", "verlet"],
 )
 def test_a_value_of_its_own_is_the_number(move, step, tmp_path):
-    """Loads, speeds and positions from atom-style variables give the bits of numbers."""
+    """Loads, speeds and positions from atom-style variables give the same bits as numbers."""
     by = {
         "number": {"spin": 50, "tilt": 1e-4, "load": -2000, "moment": 50},
         "variable": {"spin": "v_spin", "tilt": "v_tilt", "load": "v_force", "moment": "v_spin"},
@@ -296,7 +297,7 @@ def test_oils_in_turn(tmp_path):
 
 
 def test_alike(tmp_path):
-    """Every bearing equals the first: same load, speed and azimuth."""
+    """Every bearing equals the first: load, speed and azimuth are the same."""
     words = {"bearings": 2, "columns": 2, "fleet": "alike", "lubricant": "vg46", "phase": 0.3}
     succeed(DECK, out=tmp_path, time=2e-3, **words)
     one, other = fleet(tmp_path).values()

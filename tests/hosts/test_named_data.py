@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Data of bearings and oils that plain decks take by name equal those that Python reads: default
-data, rows of a table, a user's files, an oil at its temperature."""
+"""Data of bearings and oils that plain decks take by name equal the data that Python reads: default
+data, rows of a table, files of a user, an oil at its temperature."""
 
 import math
 
@@ -50,7 +50,7 @@ def told(tmp_path, names, head=HEAD, **words):
 
 
 def recorded(tmp_path, **words):
-    """The record of the scene."""
+    """The record of a run of the scene."""
     deck = tmp_path / "in.scene"
     deck.write_text(SCENE)
     succeed(deck, out=tmp_path / "run", **words)
@@ -103,7 +103,7 @@ def test_row_is_a_file(tmp_path, name):
 
 
 def test_four_point(tmp_path):
-    """Radii with the arch, and its offset, in the record."""
+    """The record has radii that include the arch, and the offset of the arch."""
     record = recorded(tmp_path, four_point=35, clearance=4e-6)
     bearing = inputs.bearing(BEARINGS / "6208", four_point=math.radians(35))
     for side, play in (("inner", 0.0), ("outer", 2e-6)):
@@ -115,7 +115,7 @@ def test_four_point(tmp_path):
 @pytest.mark.parametrize("warm", [-20.0, 70.0])
 @pytest.mark.parametrize("name", ["vg32", "vg46", "vg68", "vg100", "pao8", "grease110"])
 def test_oils_at_a_temperature(tmp_path, name, warm):
-    """Walther's or Vogel's viscosity and the other data, as passed to the pair style."""
+    """The pair style receives Walther's or Vogel's viscosity and the other data of the oil."""
     record = recorded(tmp_path, lubricant=name, temperature=warm)
     oil = inputs.fluid(OILS / name, warm)
     assert record.fixed("viscosity")[0] == pytest.approx(oil.viscosity, rel=1e-14)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway needs` with the real program: random scenes, judged by runs of their own."""
+"""`raceway needs` with the real program: random scenes, judged by separate runs."""
 
 import json
 import random
@@ -15,7 +15,7 @@ from raceway.sweeps.scene_parts import REFERENCE, choices, sets, variables
 SEED = 16
 SHORT = {"passes": "1", "settle": "1"}
 WANTED = {"torque": 0.1, "capacitance": 0.05, "load": 0.01}
-# options kept fixed in the second scene, for speed
+# options that are kept fixed in the second scene, for speed
 FEW = ["asperities", "differential_slip", "drag", "inlet_shear", "record", "rolling", "samples"]
 FEW += ["rolling_hysteresis", "film_branch", "spin", "damping", "relative 5e-4", "starvation"]
 FEW += ["cage"]
@@ -40,7 +40,7 @@ def words(variables):
 
 @pytest.fixture(scope="module", params=[(0, []), (1, ["--keep", *FEW])], ids=["all", "few"])
 def answered(request, tmp_path_factory):
-    """(scene, output of raceway needs, its folder)"""
+    """(scene, output of raceway needs, folder of the output)"""
     number, keep = request.param
     folder = tmp_path_factory.mktemp("needs")
     with pytest.MonkeyPatch.context() as patch:
@@ -52,7 +52,7 @@ def answered(request, tmp_path_factory):
 
 @pytest.fixture
 def undrawn(monkeypatch):
-    """Run from the root, without the picture: `answered` draws it, and it takes a second."""
+    """Run from the root without the picture, which `answered` draws and which takes a second."""
     monkeypatch.chdir(ROOT)
     monkeypatch.setattr("raceway.pictures.needs.picture", lambda found, path: None)
 
@@ -62,8 +62,8 @@ def figures(folder):
 
 
 def test_picked_set_keeps_what_is_wanted(answered, tmp_path):
-    """Two runs made by hand: one with the full model, finer than the command's own reference, and
-    one with the settings that it recommends."""
+    """Two runs are made by hand: one with the full model, finer than the reference of the command,
+    and one with the settings that the command recommends."""
     own, found, _ = answered
     assert found["wanted"] == WANTED
     finer = {**REFERENCE, "tolerance": "1e-11", "samples": 500}
@@ -76,7 +76,7 @@ def test_picked_set_keeps_what_is_wanted(answered, tmp_path):
         assert abs(picked[word] / exact[word] - 1) <= most, word
         assert found["best"]["errors"][word] <= most, word
     assert found["best"]["evaluations"] < 0.2
-    times = found["processor_s"]  # three runs each, none of them shared
+    times = found["processor_s"]  # three runs each, and no run is shared
     assert {len(one) for one in times.values()} == {3}
     assert not set(times["reference"]) & set(times["picked"])
     assert (Run(tmp_path / "picked").settings["evaluations"]) == pytest.approx(
@@ -85,7 +85,7 @@ def test_picked_set_keeps_what_is_wanted(answered, tmp_path):
 
 
 def test_warnings_of_the_reference(undrawn, tmp_path, capsys):
-    """A 7205B under radial load alone, with one part to leave out."""
+    """A 7205B under radial load alone, with one part that may be left out."""
     own = words({**SHORT, "bearing": "7205B", "load": "1000", "rpm": "3000"})
     keep = sorted({one.name for one in choices({}, True)} - {"drag"})
     assert main(["needs", "inputs/in.6208", *own, "--keep", *keep, "--out", str(tmp_path)]) == 0
@@ -163,7 +163,7 @@ def test_mistakes(tmp_path, monkeypatch, capsys):
 
 
 def test_sets():
-    """One part of a group, and a part that the models do not have."""
+    """A set has at most one part of a group, and no part that its models do not have."""
     known = choices({}, True)
     every = sets([one for one in known if one.name not in ("cage", "surroundings", "spin")])
     names = [{choice.name for choice in picked} for picked in every]
@@ -185,7 +185,7 @@ def test_sets():
 
 
 def test_parts_of_a_cage_ring_are_choices():
-    """Parts of a one-piece cage are choices, and parts of a land only if a land guides it."""
+    """Parts of a one-piece cage are choices; parts of a land only if a land guides the cage."""
 
     def parts(**scene):
         return {one.name for one in choices(scene, True, {"cage": "yes", "cage_guide": "balls"})}

@@ -18,7 +18,7 @@ def outcome(tmp_path, deck):
 
 @pytest.mark.parametrize("first", ["capacitance", "checkpoint"])
 def test_a_checkpoint_that_samples_comes_after_the_capacitance(tmp_path, first):
-    """In this order it would average the capacitance of the previous sample."""
+    """In the other order the checkpoint would average the capacitance of the previous sample."""
     fixes = {
         "capacitance": "fix cap balls bearing/capacitance 200 permittivity 2.25\n",
         "checkpoint": "variable total equal f_cap\n"

@@ -27,8 +27,8 @@ REFUSED = {
 
 @pytest.mark.parametrize("host", HOSTS)
 def test_formulas(host, tmp_path):
-    """A continued run must have the formulas with which it began, including those of variables that
-    only a formula names."""
+    """A continued run must have the formulas with which it began, including formulas of variables
+    that only another formula names."""
     deck, kept = tmp_path / "in.deck", tmp_path / "kept"
     keep = f"fix keep all bearing/checkpoint 100 {tmp_path}/run"
     deck.write_text(BOX + BEARING + RISING + SCENE + f"{keep}\n{RUN}write_restart {kept}\n")
@@ -46,7 +46,7 @@ def test_formulas(host, tmp_path):
 
 @pytest.mark.parametrize("host", HOSTS)
 def test_builds(host, tmp_path):
-    """The layout of restart files has a number; files of earlier builds have none."""
+    """The layout of restart files has a number, which files of earlier builds do not have."""
     deck, kept = tmp_path / "in.deck", tmp_path / "kept"
     deck.write_text(BOX + BEARING + MOVES + RUN + f"write_restart {kept}\n")
     succeed(deck, host=host)
@@ -67,5 +67,5 @@ def test_builds(host, tmp_path):
     for content in (whole[: number + 8], whole[: number - 2], claims):
         kept.write_bytes(content)
         end = run(deck, host=host)
-        # the last release of LAMMPS looks for the end of the file itself
+        # the last release of LAMMPS checks the end of the file before the styles do
         assert end.code != 0 and re.search("is damaged|Incomplete or corrupted", end.error)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A user's own deck: two bearings about axis x, a bearing and an oil that are not in any table, and
-variables of the deck whose names have another meaning in the package."""
+"""The deck of a user: two bearings about axis x, a bearing and an oil that are not in any table,
+and variables of the deck whose names have another meaning in the package."""
 
 import pytest
 import raceway
@@ -56,7 +56,7 @@ def words(values):
 
 @pytest.fixture
 def deck(tmp_path):
-    """Writes the deck with the user's `own` lines; its path."""
+    """A function that writes the deck with the user's `own` lines and returns its path."""
     (tmp_path / "bearing").write_text(words(BEARING))
     (tmp_path / "oil").write_text(words(OIL))
 

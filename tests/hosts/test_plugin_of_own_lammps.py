@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`make plugin LAMMPS=FOLDER`: what it detects in a folder, and the plugin's message in a LAMMPS it
-does not fit. own_lammps.py builds and runs it (`make test-lammps`)."""
+"""`make plugin LAMMPS=FOLDER`: what it detects in a folder, and the message of the plugin in a
+LAMMPS that it does not fit. own_lammps.py builds and runs such a plugin (`make test-lammps`)."""
 
 import re
 import subprocess
@@ -35,7 +35,7 @@ def installed(folder, version="20230802", flags="-DLAMMPS_BIGBIG"):
 
 
 def settings(folder, to, *more):
-    """(exit code, output, written file)."""
+    """(exit code, output, text of the written file)."""
     done = subprocess.run(
         [sys.executable, SCRIPT, folder, to, *more], text=True, capture_output=True, check=False
     )
@@ -68,7 +68,7 @@ def test_sizes_that_the_user_names(tmp_path):
 
 
 def test_file_stays_if_it_says_so_already(tmp_path):
-    """If it were written again, make would compile everything again."""
+    """If the file were written again, make would compile everything again."""
     to = tmp_path / "to"
     settings(source(tmp_path / "a"), to)
     before = to.stat().st_mtime_ns

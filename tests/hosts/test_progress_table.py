@@ -13,7 +13,7 @@ HEAD += ["p", "GPa", "cage", "rad/s"]
 
 
 def table(text, title):
-    """Rows of numbers below the title."""
+    """Rows of numbers in the table below `title`."""
     lines = text.split(title + "\n")[1].splitlines()
     assert lines[0].split() == HEAD
     rows = []

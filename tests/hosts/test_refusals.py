@@ -32,7 +32,7 @@ timestep 1e-5
 )
 EVERYWHERE, LAMMPS, WHEEL = ("liggghts", "lammps", "wheel"), ("lammps", "wheel"), ("wheel",)
 MAY = "which may change their motion"
-# words of a fix on the atoms of fix bearing/implicit: (text of the error, hosts with that fix)
+# {words of a fix on the atoms of fix bearing/implicit: (text of the error, hosts with that fix)}
 FIXES = {
     "nve/sphere": ("which moves them too", EVERYWHERE),
     "addforce 1 0 0": ("which adds forces", EVERYWHERE),
@@ -78,7 +78,7 @@ def test_fixes_beside_the_implicit_step(tmp_path, host, words):
 
 @pytest.mark.parametrize("clearance, ends", [(4.5e-4, False), (8e-4, False), (1e-3, True)])
 def test_free_play_beyond_the_far_side_of_the_grooves(tmp_path, clearance, ends):
-    """The overlap would have to be 2 (r_c - R_b) = 5.04e-4 m with a ball opposite the load."""
+    """With a ball opposite the load the overlap would have to be 2 (r_c - R_b) = 5.04e-4 m."""
     end = run("inputs/in.6208", out=tmp_path / "run", clearance=clearance, passes=1, samples=20)
     assert (end.code != 0) == ("on the far side of the groove" in end.error) == ends, end.text
 
@@ -97,7 +97,8 @@ def test_cage_that_falls_inwards(tmp_path, mover, gap, weight, ends):
 
 @pytest.mark.parametrize("host", EVERYWHERE)
 def test_types_that_no_pair_coeff_names(tmp_path, host):
-    """One warning for all atoms, even if a run follows; an error under fix bearing/implicit."""
+    """There is one warning for all atoms, even if a second run follows; under fix bearing/implicit
+    there is an error."""
     grains = "".join(
         f"create_atoms {t} single 0 0 0.0{t} units box\nset type {t} diameter 1e-3 density 1000\n"
         for t in (2, 5)
@@ -120,13 +121,13 @@ SHORT = {"passes": 1, "samples": 20, "rpm": 20000}
     "name, value", [("lubricant", ""), ("step", " "), ("tolerance", "5 kN"), ("phase", "1 rad")]
 )
 def test_values_of_variables(tmp_path, deck, name, value):
-    """A value that is empty, or a number with a unit."""
+    """A value that is empty, or a number with a unit, is refused."""
     end = run(f"inputs/{deck}", out=tmp_path / "run", **{name: value})
     assert end.code != 0 and f"-var {name} is " in end.error, end.text
 
 
 def test_resume(tmp_path):
-    """Refused with fewer passes than the run already has, and in another host."""
+    """A run is not resumed with fewer passes than it already has, or in another host."""
     assert run("inputs/in.6208", out=tmp_path, **SHORT | {"passes": 2}).code == 0
     for host, message in {
         "liggghts": "farther than these passes",

@@ -50,7 +50,7 @@ window.addEventListener("load", () => {
 
 
 class Parsed(HTMLParser):
-    """Tags with their attributes, data scripts by id, and the text."""
+    """Tags with their attributes, data scripts by id, and the text of a page."""
 
     def __init__(self, page):
         super().__init__()
@@ -72,7 +72,7 @@ class Parsed(HTMLParser):
 def folder(tmp_path_factory):
     folder = tmp_path_factory.mktemp("report") / "a<b>&c"
     succeed("inputs/in.6208", out=folder.with_name("run"), lubricant="vg68", **SCENE)
-    folder.with_name("run").rename(folder)  # a name with characters special to HTML
+    folder.with_name("run").rename(folder)  # a name with characters that are special in HTML
     assert main(["report", str(folder)]) == 0
     return folder
 
@@ -95,7 +95,7 @@ def test_page_of_a_run(folder):
     for row in cells(shown(figures), TOPICS):
         for cell in row:
             assert cell in page.text
-    assert figures["warnings"]  # 30 kN cause more than 4.2 GPa
+    assert figures["warnings"]  # 30 kN cause a pressure of more than 4.2 GPa
     for warning in figures["warnings"]:
         assert warning in page.text
     load = next(c for c in page.data.values() if c["y"] == "kN" and len(c["lines"]) == 2)
@@ -119,7 +119,7 @@ def test_page_loads_nothing(folder, sweep):
 
 
 def test_command_repeats_the_run(folder, tmp_path):
-    """The command on the page repeats the run, with the same bits of its loads."""
+    """The command on the page repeats the run, with the same bits of all loads."""
     text = Parsed((folder / "report.html").read_text()).text
     (command,) = re.findall(r"build/liggghts -in inputs/in.6208 .*", text)
     words = shlex.split(command)[3:]
@@ -156,8 +156,8 @@ def test_record_without_contacts(tmp_path, capsys):
 
 @pytest.mark.skipif(shutil.which("chromium") is None, reason="chromium is not installed")
 def test_in_a_browser(folder, sweep, tmp_path):
-    """Debian's Chromium draws the charts; dragging a frame zooms, a double click resets, the mouse
-    reads values, a menu selects an axis."""
+    """Debian's Chromium draws the charts. Dragging a frame zooms, a double click resets the zoom,
+    the mouse reads values, and a menu selects an axis."""
     for number, path in enumerate((folder / "report.html", sweep / "page.html")):
         page = tmp_path / f"{number}.html"
         page.write_text(path.read_text().replace("</body>", ACTIONS + "</body>"))

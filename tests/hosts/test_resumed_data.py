@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run continues only with the data it started with."""
+"""A run continues only with the data with which it began."""
 
 import math
 import shutil

@@ -82,8 +82,8 @@ RESUMED = {
 
 
 def written(folder):
-    """All output of a run, {file: samples}: the rows of dumps, and the rows of tables after step 0,
-    where only LAMMPS prints."""
+    """All output of a run, {file: samples}: rows of dumps, and rows of tables after step 0, at
+    which only LAMMPS prints."""
     dumps = {path.name: frames(path) for path in folder.glob("*.dump")}
     tables = {
         path.name: [line for line in path.read_text().splitlines() if line[0] not in "#0"]
@@ -94,8 +94,8 @@ def written(folder):
 
 @pytest.fixture(scope="module")
 def liggghts(tmp_path_factory):
-    """Output of LIGGGHTS: (deck, variables) -> `written` and the folder, computed on first
-    use."""
+    """A function of (deck, variables) that returns the output `written` by LIGGGHTS and the folder,
+    computed on first use."""
 
     @cache
     def get(deck, variables):
@@ -109,8 +109,8 @@ def liggghts(tmp_path_factory):
 @pytest.mark.parametrize("host", LAMMPS)
 @pytest.mark.parametrize("name", SCENES)
 def test_scene(liggghts, name, host, tmp_path):
-    """Every bit of the atoms at the end, every digit of the output, and every figure of the
-    summary."""
+    """Every bit of the atoms at the end, every digit of the output, and every figure of the summary
+    agree."""
     want, folder = liggghts("tests/hosts/in.exact", SCENES[name])
     succeed("tests/hosts/in.exact", host=host, out=tmp_path, **SCENES[name])
     assert "exact.dump" in want
@@ -131,7 +131,7 @@ def test_scene(liggghts, name, host, tmp_path):
 @pytest.mark.parametrize("host", LAMMPS)
 @pytest.mark.parametrize("name", CASES)
 def test_hard_case(liggghts, name, host, tmp_path):
-    """The fix with its defaults, including chaotic cases."""
+    """Cases for the fix with its defaults, including chaotic cases, agree."""
     variables = {
         "samples": 400,
         "sample": 1e-4,
@@ -149,7 +149,7 @@ def test_hard_case(liggghts, name, host, tmp_path):
 )
 @pytest.mark.parametrize("deck", TRANSIENT)
 def test_ranks(liggghts, deck, host, ranks, tmp_path):
-    """Compared with LIGGGHTS on one rank."""
+    """Output on any number of ranks equals that of LIGGGHTS on one rank."""
     want, _ = liggghts(deck, TRANSIENT[deck])
     outcome = succeed(deck, host=host, ranks=ranks, out=tmp_path, **TRANSIENT[deck])
     assert f"{ranks} procs" in outcome.text
@@ -162,7 +162,7 @@ def test_ranks(liggghts, deck, host, ranks, tmp_path):
 )
 @pytest.mark.parametrize("deck", TRANSIENT)
 def test_restart(liggghts, deck, host, write_ranks, read_ranks, tmp_path):
-    """Written in the middle of a run and read on another number of ranks."""
+    """A restart file is written in the middle of a run and read on another number of ranks."""
     want, _ = liggghts(deck, TRANSIENT[deck])
     resume, variables, step = RESUMED[deck]
     succeed(deck, host=host, ranks=write_ranks, out=tmp_path, keep=step, **TRANSIENT[deck])
@@ -216,7 +216,7 @@ def test_stopped_run_goes_on(liggghts, host, tmp_path):
         end = time.monotonic() + 60
         while not (tmp_path / "restart").exists() and time.monotonic() < end:
             time.sleep(0.002)
-        # the wheel's lmp is a script that starts the program and ends with it
+        # lmp of the wheel is a script that starts the program and ends with it
         stop = (
             ["pkill", "-TERM", "-P", str(process.pid)]
             if host == "wheel"

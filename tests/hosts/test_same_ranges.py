@@ -32,7 +32,8 @@ TAKEN = [
     ("bearings/6208", {"four_point": "0", "inner_shoulder_diameter": "0"}),
     ("bearings/6208", {"clearance": "9e-5"}),
     ("bearings/6208", {"price": "12"}),
-    ("bearings/7208", {"inner_conformities": "9"}),  # three letters differ: the user's own name
+    # three letters differ, so this is a name of the user
+    ("bearings/7208", {"inner_conformities": "9"}),
 ]
 
 
@@ -59,7 +60,7 @@ STYLES = {
 
 @pytest.mark.parametrize("words", STYLES)
 def test_range_of_young(tmp_path, words):
-    """Every style takes Young's moduli of the range of bearing data."""
+    """Every style accepts Young's moduli in the range of bearing data."""
     data = {one["name"]: one["range"] for one in rows() if one["of"] == "bearing data"}
     ends = [float(value) for value in data["ball_young"].split()]
     for value, code in ((ends[0], 0), (ends[1], 0), (0.9 * ends[0], 1), (1.1 * ends[1], 1)):

@@ -34,7 +34,7 @@ def test_two_ranks_and_resume(tmp_path):
 
 @pytest.mark.parametrize("deck", ["6208", "preload", "nocage"])
 def test_main_decks(tmp_path, deck):
-    """A few fast passes, at 10 times the usual speed."""
+    """A few passes run at a high speed, 20,000 rpm."""
     succeed(f"inputs/in.{deck}", sanitized=True, out=tmp_path, rpm=20000, passes=1, samples=20)
 
 
@@ -44,8 +44,8 @@ def test_axial_deck():
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_implicit(tmp_path, ranks):
-    """Two bearings, one of them cut by two ranks: a transient with refused steps, a restart and
-    the rest of the run from there."""
+    """Two bearings, one of them cut by two ranks: a transient with refused steps, a restart file,
+    and the remaining run from this file."""
     deck, case = "tests/implicit/in.ranks", {"bearings": 2, "xlo": -0.15, "xhi": 0.18}
     succeed(deck, sanitized=True, ranks=ranks, out=tmp_path, keep=20, **case)
     succeed(
@@ -66,7 +66,7 @@ def test_implicit(tmp_path, ranks):
 
 @pytest.mark.parametrize("integrator, step", [("implicit", 2.5e-4), ("verlet", 4e-7)])
 def test_many(tmp_path, integrator, step):
-    """Values and tables of several rings on two ranks that cut two of six bearings."""
+    """Several rings have values and tables on two ranks that cut two of six bearings."""
     case = {
         "bearings": 6,
         "columns": 3,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway.simulate` gives the bits and errors of the deck it writes, run by hand."""
+"""`raceway.simulate` gives the same bits and errors as the deck that it writes, run by hand."""
 
 import os
 import pickle
@@ -38,11 +38,11 @@ def record(folder):
     "host, ranks", [("liggghts", 1), ("liggghts", 2), ("lammps", 1), ("wheel", 2)]
 )
 def test_bits_of_the_deck_run_by_hand(tmp_path, monkeypatch, host, ranks):
-    """The same bits as the deck it wrote and as the main deck with -var, also from a folder without
-    inputs."""
+    """A call gives the same bits as the deck that it wrote and as the main deck with -var, also
+    from a folder without inputs."""
     monkeypatch.chdir(tmp_path)
     name = None if host == "wheel" else host
-    if host == "wheel":  # as if no source tree were near
+    if host == "wheel":  # as if there were no source tree
         monkeypatch.setitem(raceway.sweeps.host_program.BUILT, "liggghts", Path("build/none"))
     found = raceway.simulate(**POINT, **OIL, out="one", host=name, ranks=ranks)
     written = Path("one/in.6208")
@@ -55,7 +55,7 @@ def test_bits_of_the_deck_run_by_hand(tmp_path, monkeypatch, host, ranks):
     assert given == ["viscosity=0.05"] * 3
     assert re.search(r"^variable load +index 1234.5678901234567 ", written.read_text(), re.M)
     assert pickle.loads(pickle.dumps(found)).summary() == found.summary()
-    # a second call makes no step; with overwrite it makes all of them
+    # a second call makes no step; with overwrite it makes all steps
     for overwrite in (False, True):
         raceway.simulate(**POINT, **OIL, out="one", host=name, overwrite=overwrite)
         assert ("Settling" in Path("one/log.txt").read_text()) == overwrite
@@ -67,9 +67,9 @@ def test_bits_of_the_deck_run_by_hand(tmp_path, monkeypatch, host, ranks):
     [{"load": -1}, {"models": "half"}, {"bearing": "6299"}, {"lubricant": "pao8", "passes": 2}],
 )
 def test_errors_of_the_command_line(tmp_path, wrong):
-    """The host's message is the same as for that deck with -var."""
+    """The host's message is the same as for the main deck with -var."""
     folder = tmp_path / "run"
-    if "passes" in wrong:  # a finished run of other settings
+    if "passes" in wrong:  # a finished run with other settings
         raceway.simulate(out=folder, passes=1)
     own = {"models": None, "settle": None, **wrong}
     shown = run("inputs/in.6208", out=folder, resume="yes", **own).error

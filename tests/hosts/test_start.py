@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How the programs start Open MPI: quickly when started alone, by its own rules when started by a
-launcher, and always with the user's settings."""
+"""How the programs start Open MPI: quickly when started alone, by the rules of Open MPI when
+started by a launcher, and always with the user's settings."""
 
 import re
 import subprocess
@@ -13,8 +13,7 @@ OURS = {"ess_singleton_isolated": "true", "pml": "ob1", "orte_create_session_dir
 
 
 def settings(host, tmp_path, deck="", ranks=1, **environment):
-    """The settings that Open MPI found in the environment, as {name: value}, when it runs
-    `deck`."""
+    """Settings {name: value} that Open MPI finds in the environment when the host runs `deck`."""
     path = tmp_path / "in.deck"
     path.write_text(deck + "\n")
     command = [HOSTS[host][0], "-in", path, "-log", "none", "-screen", "none"]
@@ -38,7 +37,7 @@ def test_alone(host, tmp_path):
 
 
 def test_launcher(tmp_path):
-    """Under mpirun the programs set nothing."""
+    """Under mpirun the programs set no parameters of Open MPI."""
     found = settings("liggghts", tmp_path, ranks=2)
     assert found["ess"] == "pmi"
     assert not OURS.keys() & found.keys()
@@ -51,7 +50,7 @@ def test_other_launchers(name, tmp_path):
 
 
 def test_settings_of_the_user_win(tmp_path):
-    """A setting of the user takes precedence, even one of the two alone."""
+    """A setting of the user takes precedence, even if only one of two is set."""
     found = settings("liggghts", tmp_path, OMPI_MCA_ess_singleton_isolated="0")
     assert (found["ess_singleton_isolated"], found["pml"]) == ("false", "ob1")
     found = settings("liggghts", tmp_path, OMPI_MCA_pml="^cm")

@@ -45,7 +45,7 @@ def words(*arguments):
 
 
 def sweep(*arguments):
-    """`raceway sweep` in this process, which has the large packages already."""
+    """Run `raceway sweep` in this process, which has imported the large packages already."""
     out, err = io.StringIO(), io.StringIO()
     handlers = {one: signal.getsignal(one) for one in (signal.SIGTERM, signal.SIGHUP)}
     with contextlib.chdir(ROOT), contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
@@ -66,7 +66,7 @@ def table(tmp_path):
 
 
 def test_a_deck_of_several_bearings_without_resume(tmp_path):
-    """Columns for each bearing, as in its own summary."""
+    """Results have columns for each bearing, with the values of its summary."""
     (tmp_path / "t.csv").write_text("rpm\n3000\n")
     out = tmp_path / "out"
     done = sweep(tmp_path / "t.csv", "--deck", "docs/decks/in.two_bearings", "--out", out)
@@ -81,7 +81,7 @@ def test_a_deck_of_several_bearings_without_resume(tmp_path):
 
 @pytest.fixture
 def counter(tmp_path):
-    """The program, and a file next to each point's folder with a line for each start."""
+    """A program that adds a line per start to a file next to the folder of the point."""
     path = tmp_path / "counter.sh"
     path.write_text(COUNTER.format(program=ROOT / "build" / "liggghts"))
     path.chmod(0o755)
@@ -112,7 +112,7 @@ def test_sweep(table, tmp_path, counter):
     losses = {f"loss_{part}_W" for part in figures["losses_W"] or ()}
     assert set(figures) - {"losses_W", "model_ranges", "absent"} | losses <= set(results.columns)
     assert one["q_max_N"] == pytest.approx(figures["q_max_N"], rel=1e-15)
-    # the run equals a run of the deck alone
+    # the run equals a run of the deck without a sweep
     succeed(
         "inputs/in.6208", out=tmp_path / "alone", passes=1, samples=20, models=None, settle=None
     )
@@ -124,7 +124,7 @@ def test_sweep(table, tmp_path, counter):
     assert "3 finished (3 before), 1 failed" in again.stdout and set(starts(out).values()) == {1}
     sweep(table, "--out", out, "--program", counter, "--retry")
     assert sorted(starts(out).values()) == [1, 1, 1, 2]
-    # gathering is part of a sweep, and also a command
+    # gathering is part of a sweep, and is also a command
     (out / "results.csv").unlink()
     gathered = subprocess.run(
         words("gather", out), cwd=ROOT, env=ENV, text=True, capture_output=True, check=False
@@ -135,7 +135,7 @@ def test_sweep(table, tmp_path, counter):
 
 def test_shares_of_the_time(tmp_path, capsys):
     """A column `share` is copied to results.csv, from which `--spectrum` computes the life of the
-    runs; statics at the same loads agrees."""
+    runs. Statics under the same loads agrees."""
     path, out = tmp_path / "duties.csv", tmp_path / "out"
     head, rows = "load,rpm,share", ("2000,1500,0.7", "5000,3000,0.3")
     path.write_text("\n".join([f"{head},passes,samples", *(f"{row},1,20" for row in rows)]) + "\n")
@@ -161,7 +161,7 @@ def test_finished_means_the_figures_of_these_variables(table, tmp_path, counter)
     (out / name / "point.yaml").write_text("load: '1'\n")
     sweep(table, "--out", out, "--program", counter)
     assert starts(out)[name] == 2
-    # figures are missing but the run is complete: the figures are computed again, the run is not
+    # figures are missing but the run is complete: figures are computed again without another run
     (out / name / "summary.json").unlink()
     sweep(table, "--out", out, "--program", counter)
     assert (
@@ -278,7 +278,7 @@ def test_check_runs_nothing(table, tmp_path):
 
 
 def slurm(task, tasks, **more):
-    """The variables that Slurm sets in a task of an array."""
+    """The environment with variables that Slurm sets in a task of an array."""
     return {
         **ENV,
         "SLURM_ARRAY_TASK_ID": str(task),
@@ -289,7 +289,7 @@ def slurm(task, tasks, **more):
 
 
 def test_job_array(table, tmp_path, counter):
-    """The script that `--slurm` writes, run task by task as Slurm does."""
+    """The script that `--slurm` writes is run task by task, as Slurm does."""
     out, script = tmp_path / "out", tmp_path / "job.sh"
     done = sweep(table, "--out", out, "--program", counter, "--slurm", script, "--tasks", 2)
     assert done.stdout == f"{script}: 4 points in 2 tasks\n" and not starts(out)
@@ -338,7 +338,8 @@ def test_array_script(table, tmp_path):
 
 @pytest.mark.parametrize("script, tasks", [("run.sh", 1), ("mpi.sh", 2)])
 def test_run_scripts(tmp_path, script, tasks):
-    """Stopped as at a time limit, restarted on one rank, and started once more after the end."""
+    """A run is stopped as by a time limit, restarted on one rank, and started once more after its
+    end."""
     out, settings = tmp_path / "run", ["-var", "passes", "30", "-var", "samples", "100"]
     command = ["bash", f"inputs/cluster/{script}", str(out), *settings]
     environment = {
@@ -356,7 +357,7 @@ def test_run_scripts(tmp_path, script, tasks):
         text=True,
     )
     wait_for((out / "restart").exists)
-    process.terminate()  # --signal=B:TERM@120 reaches the shell only
+    process.terminate()  # the signal of --signal=B:TERM@120 reaches the shell only
     text = process.communicate(timeout=60)[0]
     assert process.returncode == 138, text
     assert "-var resume yes continues from" in text
@@ -389,8 +390,9 @@ def test_scripts_parse(script):
 
 
 def test_partition_deck(tmp_path):
-    """inputs/in.partition: two partitions take four points in turn, each with the result of a run
-    alone. Hosts lock the points with a file in their folder, so this one is the test's own."""
+    """inputs/in.partition: two partitions take four points in turn, each with the result of a
+    separate run. Hosts lock points with a file in the current folder, so this test uses its
+    own folder."""
     (tmp_path / "inputs").symlink_to(ROOT / "inputs")
     succeed(
         "inputs/in.partition",

@@ -8,7 +8,7 @@ from raceway.runs.run import Run
 from raceway.runs.settings import deck_words
 
 SHORT = {"passes": 1, "settle": 1, "samples": 20, "record": "all"}
-# words of the main deck, and the cage of the run
+# (variables of the main deck, cage of the run)
 CAGES = [
     ({}, "chain"),
     ({"models": "full"}, "chain"),
@@ -20,7 +20,7 @@ CAGES = [
 
 
 def cage_of(folder):
-    """ring, chain or no, by the bodies of a record."""
+    """The kind of cage (ring, chain or no) from the bodies in a record."""
     record = Run(folder).tables.record
     if 2 in record.fixed("ring_raceway"):
         return "ring"
@@ -31,7 +31,7 @@ def cage_of(folder):
     "words, cage", CAGES, ids=lambda value: value if isinstance(value, str) else "-".join(value)
 )
 def test_main_deck(tmp_path, words, cage):
-    """The record names the cage of the run, so that a repeat has it."""
+    """The record names the cage of the run, so that a repeated run has the same cage."""
     succeed("inputs/in.6208", out=tmp_path, **{**SHORT, **words})
     assert cage_of(tmp_path) == cage
     assert deck_words(Run(tmp_path).settings)["cage"] == cage
@@ -95,8 +95,8 @@ def test_a_chain_for_a_ring_is_refused(tmp_path):
 
 
 def test_first_balls_of_many_bearings(tmp_path):
-    """Each cage of a grid starts with a pocket at its own first ball. A ball starts in the middle
-    of it and does not cross half the play, 0.16 mm, in 2 ms."""
+    """Each cage of a grid starts with a pocket at the first ball of its bearing. A ball starts in
+    the middle of its pocket and does not cross half the play, 0.16 mm, in 2 ms."""
     words = {
         "bearings": 5,
         "columns": 3,
@@ -114,7 +114,7 @@ def test_first_balls_of_many_bearings(tmp_path):
 
 
 def test_a_first_ball_elsewhere_goes_on(tmp_path):
-    """A continued run has its pockets where they were."""
+    """A continued run has its pockets at the same places as before."""
     words = {**SHORT, "models": "full", "cage": "ring", "phase": 0.3, "resume": "yes"}
     for folder, passes in (("whole", (2,)), ("parts", (1, 2))):
         for number in passes:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""-var without: parts of the models that a run omits."""
+"""The variable `without`: parts of the models that a run omits."""
 
 import shutil
 
@@ -9,9 +9,9 @@ from raceway.errors import RunError
 from raceway.runs.run import Run
 
 SCENE = {"passes": 1, "samples": 20, "lubricant": "vg46", "load": 2000, "models": "full"}
-# a figure or a loss of the summary that the part changes, and its value without the part
+# {part: loss in the summary, which is 0 without the part}
 LOSSES = {"rolling": "rolling", "rolling_hysteresis": "hysteresis", "drag": "drag"}
-# part: (words removed from the pair style, words added instead)
+# {part: (words removed from the pair style, words there without the part)}
 WORDS = {
     "gap": ("gap 1", "rolling_hysteresis 0.01"),
     "film_branch": ("film_damping branch", "gap 1"),
@@ -51,7 +51,7 @@ def test_losses_that_are_gone(tmp_path, whole):
 
 
 def test_no_cage(tmp_path, whole):
-    """The balls move without cage and carry the load."""
+    """The balls move without a cage and carry the load."""
     succeed("inputs/in.6208", out=tmp_path, cage="no", **SCENE)
     bare = Run(tmp_path)
     found = bare.summary()
@@ -63,8 +63,8 @@ def test_no_cage(tmp_path, whole):
 
 
 def test_starvation(tmp_path, whole):
-    """SKF's starvation factor of the rolling couple (10000 EN, 2013), and the inlet of a groove,
-    which leaves at least half of the couple; without them the factor is 1 and the inlet is
+    """The rolling couple has SKF's starvation factor (10000 EN, 2013) and the inlet of a groove,
+    which leaves at least half of the couple. Without starvation the factor is 1 and the inlet is
     flooded."""
     succeed("inputs/in.6208", out=tmp_path / "flooded", without="starvation", **SCENE)
     succeed("inputs/in.6208", out=tmp_path / "starved", **SCENE)
@@ -96,7 +96,7 @@ def test_mistakes(tmp_path, host):
 
 
 def test_models_of_ones_own(tmp_path):
-    """These models need no parts, so there is none to omit."""
+    """These models have no parts, so no part can be omitted."""
     inputs = tmp_path / "inputs"
     shutil.copytree(ROOT / "inputs", inputs)
     (inputs / "models").mkdir()

@@ -61,7 +61,7 @@ def test_groups(tmp_path, host):
 @HOSTS
 @pytest.mark.parametrize("resumed", ["no", "yes"])
 def test_one_command_for_new_and_resumed_runs(tmp_path, host, resumed):
-    """The run of ten steps, and its second half from a restart file."""
+    """A run of ten steps, or its second half from a restart file, gives the same output."""
     new = BOX + RACEWAYS + CREATE + " groups yes\n" + MOVE
     halves = f"run 5\nwrite_restart {tmp_path}/re\nrun 5\n"
     whole = given(tmp_path, "whole", new + halves + LAST, host=host)
@@ -89,7 +89,7 @@ print "NAMES ${names}"
 
 @HOSTS
 def test_dump(tmp_path, host):
-    """A file that is started and continued has the bytes of the host's own commands."""
+    """A file that is started and continued has the same bytes as with the commands of the host."""
     first = BOX + RACEWAYS + CREATE + " groups yes\n" + MOVE
     first += "compute contact balls bearing/contact ball load\n"
     said = {}
@@ -147,8 +147,8 @@ def test_create_refused(tmp_path, words, says):
 
 @HOSTS
 def test_balance(tmp_path, host):
-    """Share of the mean load that contacts do not carry, along the free directions: here y
-    alone."""
+    """The fix gives the share of the mean load that contacts do not carry along the free
+    directions, here y alone."""
     deck = tmp_path / "in.balance"
     text = BOX + RACEWAYS + CREATE + " groups yes\n" + MOVE.replace("x free y free", "y free")
     text += "".join(f"variable b{k} equal f_inner[{k}]\n" for k in (12, 19))
@@ -163,7 +163,7 @@ def test_balance(tmp_path, host):
 
 
 def test_balance_of_a_resumed_run(tmp_path):
-    """Over all samples before and after the restart."""
+    """The share is that of all samples before and after the restart."""
     begin = BOX + RACEWAYS + CREATE + " groups yes\n"
     again = BOX[: BOX.index("region")].replace("boundary f f f\n", "")
     again += f"read_restart {tmp_path}/re\nneighbor 2.0e-3 bin\n"

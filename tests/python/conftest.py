@@ -27,7 +27,7 @@ def dry():
 
 @pytest.fixture(scope="session")
 def written(tmp_path_factory, lubricated, dry):
-    """A folder with both runs on disk."""
+    """The folder that contains both runs."""
     folder = tmp_path_factory.mktemp("written")
     synthetic.write(folder / "run", lubricated)
     synthetic.write(folder / "dry", dry)

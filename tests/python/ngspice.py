@@ -27,7 +27,7 @@ def run(netlist, folder, names):
 
 
 class VectorInfo(ctypes.Structure):
-    """`vector_info` of ngspice's sharedspice.h."""
+    """The structure `vector_info` of sharedspice.h in ngspice."""
 
     _fields_ = [
         ("name", ctypes.c_char_p),

@@ -25,7 +25,7 @@ MECHANICAL = (
 LUBRICATED = MECHANICAL + "h_min h_c lambda regime capacitance".split()
 BALL_COLUMNS = "id type x y z vx vy vz omegax omegay omegaz".split()
 RING_COLUMNS = "step time x y z vx vy vz spin fx fy fz mx my mz".split()
-LOSS = (1e-6, 2e-6)  # arbitrary W of friction and damping per N of load
+LOSS = (1e-6, 2e-6)  # W of friction and of damping per N of load, arbitrary values
 OIL = {
     "viscosity_Pa_s": 0.04,
     "pressure_viscosity_per_Pa": 22e-9,
@@ -155,7 +155,7 @@ def _atoms(bearing, state, cage, spin, inner_ring, outer_ring):
     for kind, offset in ((1, 0.0), (2, np.pi / z)):
         for i, azimuth in enumerate(state.azimuth + offset):
             x, y = radius * np.cos(azimuth), radius * np.sin(azimuth)
-            turn = cage * (1 if kind == 1 else 7)  # the cage balls' speed must not matter
+            turn = cage * (1 if kind == 1 else 7)  # the speed of cage balls must not matter
             own = cage - spin * kinematics.frequencies(bearing).spin
             rows.append([i + 1 + (kind - 1) * z, kind, x, y, 0, -turn * y, turn * x, 0, 0, 0, own])
     rows.append([inner_ring, 3, *state.shift, 0, 0, 0, 0, 0, spin])
@@ -192,7 +192,7 @@ MASS = 8.2e-3  # kg of a ball
 
 def write(folder, data, end=True):
     """Write `data` as returned by `run` to `folder`: record.nc in the layout of fix bearing/record,
-    and run.yaml. A sample is a row of `rings`; contacts and balls repeat after their last frame.
+    and run.yaml. Each row of `rings` is a sample; contacts and balls repeat after their last frame.
     Without `end` the run is still active."""
     folder.mkdir(parents=True, exist_ok=True)
     settings = data["settings"]
@@ -201,7 +201,7 @@ def write(folder, data, end=True):
     last = {name: settings[name] for name in END} | {
         "simulated_s": len(data["rings"]) and data["rings"][-1][1]
     }
-    # a deck prints numbers like C, 1e-06 and not 1.0e-06
+    # a deck prints numbers as C does: 1e-06, not 1.0e-06
     told = words | {k: f"{v:.17g}" for k, v in (numbers | (last if end else {})).items()}
     (folder / "run.yaml").write_text("".join(f"{k}: {v}\n" for k, v in told.items()))
     with netCDF4.Dataset(folder / "record.nc", "w", format="NETCDF3_64BIT_OFFSET") as file:
@@ -217,8 +217,8 @@ def write(folder, data, end=True):
 
 
 def _fill(file, data, end):
-    """Defines all variables; writes those without time and the first sample. Returns all samples as
-    they follow one another in the file."""
+    """Defines all variables; writes the variables without time and the first sample. Returns all
+    samples as they follow one another in the file."""
     settings, count = data["settings"], len(data["rings"])
     file.set_auto_maskandscale(False)
     file.set_fill_off()
@@ -302,7 +302,7 @@ _ATOM = {
 
 
 def _kind(settings, caged):
-    """Data of the bearing by their names in the file."""
+    """{name in the file: value} of the data of the bearing."""
     of = {column["name"]: np.nan for column in TABLES["kind"]}
     known = {name.rsplit("_", 1)[0]: value for name, value in settings.items() if name in NUMBERS}
     of |= {name: value for name, value in known.items() if name in of}

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Quantities around the ring (regimes, pressure, permittivity, losses) against sums over
-the rows of the run."""
+"""Quantities around the ring (regimes, pressure, permittivity, losses) against sums over the
+rows of the run."""
 
 import numpy as np
 import pytest
@@ -16,7 +16,7 @@ BINS = 12
 
 @pytest.fixture
 def run(folder, small_blocks):
-    """Read in blocks of a few samples: results must not depend on where they end."""
+    """A run read in blocks of a few samples: results must not depend on where blocks end."""
     return raceway.open(folder)
 
 
@@ -122,7 +122,7 @@ def test_losses(run, lubricated):
 
 
 def test_torque_of_a_ring_that_turns_the_other_way(tmp_path, lubricated):
-    """In a mirror image spin and moment change sign, the resisting torque and the power do
+    """In a mirror image spin and moment change sign, but the resisting torque and the power do
     not."""
     mirrored = [[*ring[:8], -ring[8], *ring[9:14], -ring[14]] for ring in lubricated["rings"]]
     one = losses.losses(raceway.open(synthetic.write(tmp_path / "a", lubricated)))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Rotation of a ball on both raceways: its angular momentum against the moments of its contacts by
-vectors, and the limits of a light and of a heavy ball."""
+"""Rotation of a ball on both raceways: its angular momentum against the moments of its contacts,
+calculated with vectors, and the limits of a light and of a heavy ball."""
 
 import numpy as np
 import pytest
@@ -13,7 +13,7 @@ RING, STEEL = 1047.2, 7800.0
 
 
 def drawn(balls=40):
-    """Contacts of balls that range from firmly held to grossly sliding, (2, Z)."""
+    """Contacts (2, Z) of balls, which range from firmly held to grossly sliding."""
     draw = np.random.default_rng(3)
     angle = draw.uniform((0.3, 0.1), (0.9, 0.6), (balls, 2)).T
     load = 10 ** draw.uniform(0.7, 3.3, balls) * np.array([[1.0], [1.2]])
@@ -33,9 +33,9 @@ def found(density=STEEL, **contacts):
 
 @pytest.mark.parametrize("ring", [RING, -RING])
 def test_moments_change_the_angular_momentum(ring):
-    """In axes (radial, along the path, axial) that turn with the ball: dL/dt = Omega x L is the sum
-    of all moments about the ball's centre, except the force along rolling that both raceways
-    exert on one another, which a moment across both lines of action leaves out."""
+    """In axes (radial, along the path, axial) that turn with the ball, dL/dt = Omega x L is the sum
+    of all moments about the ball's centre. The moment across both lines of action excludes the
+    force along rolling that both raceways exert on one another."""
     contacts = drawn()
     motion = attitude.balanced(BODY, ring=ring, density=STEEL, **contacts)
     none, turn = attitude.rolling(BODY, contacts["angle"], ring)
@@ -60,7 +60,7 @@ def test_moments_change_the_angular_momentum(ring):
     # the virtual rotation that rolls on both raceways
     spins = turn[1:]
     rotation = np.array([np.ones(radial.shape), zero, zero])
-    # its axial part from the spin at the outer raceway: turn = rotation . normal
+    # its axial part follows from the spin at the outer raceway: turn = rotation . normal
     rotation[2] = (spins[1] - normals[1][0]) / normals[1][2]
     work = (moments * rotation).sum(0) - (change * rotation).sum(0)
     scale = np.abs(contacts["pure"] * spins).sum(0)
@@ -74,7 +74,7 @@ def test_friction_across_follows_the_law_of_slip():
     force = contacts["limit"] * motion.across / np.hypot(motion.across, width)
     assert motion.force == pytest.approx(force, rel=1e-12)
     shares = motion.force.sum(0) / contacts["limit"].sum(0)
-    assert shares.min() < 0.1 and shares.max() > 0.9, "some balls are held, some slide"
+    assert shares.min() < 0.1 and shares.max() > 0.9, "some balls are held, others slide"
     assert np.all(motion.force <= contacts["limit"])
 
 

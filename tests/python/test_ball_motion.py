@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The motion of a ball on several grooves: closed forms, and its minimum power by linear
+"""The motion of a ball on several grooves: closed forms, and the minimum power by linear
 programming."""
 
 import numpy as np
@@ -16,9 +16,9 @@ R, PITCH = FOUR.ball_radius, FOUR.pitch_radius
 
 
 def test_contacts_alike_roll_and_spin():
-    """Four equal contacts: the ball rotates about an axis parallel to the bearing's, rolls at all
-    of them and spins at each with the relative speed of ball and ring times the sine of the
-    angle."""
+    """Four equal contacts: the ball rotates about an axis parallel to the bearing axis, rolls at
+    all contacts and spins at each with the relative speed of ball and ring times the sine
+    of the angle."""
     lines, goal, _ = ball_motion.rates(FOUR, SIDES, ANGLES, RING)
     motion = ball_motion.least(lines, goal, np.repeat([1.0, 1e-4], 4), R)
     gamma = R * np.cos(ANGLE) / PITCH
@@ -31,7 +31,7 @@ def test_contacts_alike_roll_and_spin():
 
 
 def test_least_power_of_linear_programming():
-    """min w |A m - g| as a linear program, for random loads and angles."""
+    """For random loads and angles the least w |A m - g| is the solution of a linear program."""
     draw = np.random.default_rng(3)
     for _ in range(20):
         lines, goal, _ = ball_motion.rates(FOUR, SIDES, ANGLES + draw.normal(0, 0.05, 4), RING)
@@ -48,10 +48,10 @@ def test_least_power_of_linear_programming():
 
 
 def test_light_contacts_are_drawn_over_by_the_heavy_ones():
-    """Under a thrust the ball rolls on one inner and one outer groove. Relative to its cage it
-    rotates about an axis across their line, apart from its spin, so on the other grooves its
-    surface moves cos(2 alpha) as fast, and the film is entrained at half the sum of this speed and
-    the ring's."""
+    """Under a thrust the ball rolls on one inner and one outer groove. Relative to its cage
+    it rotates, apart from its spin, about an axis across the line through both contacts. On the
+    other grooves its surface therefore moves cos(2 alpha) times as fast, and the film is
+    entrained at half the sum of this speed and the ring's speed."""
     state = static.equilibrium(FOUR, axial_load=2000.0, clearance=5e-6)
     entrained, rolling = ball_motion.speeds(FOUR, RING, state)
     heavy, alpha = [1, 2], state.inner.angle[1, 0]
@@ -61,7 +61,7 @@ def test_light_contacts_are_drawn_over_by_the_heavy_ones():
     # for the light outer contact, relative to the heavily loaded line
     other = -state.outer.angle[1, 0]
     drawn = own * (1 + np.cos(alpha + other)) / 2
-    # it spins on one raceway, by the ring's speed times the sine
+    # it spins on one raceway, at the ring's speed times the sine
     spun = RING * np.sin(alpha) * R * np.sin(alpha + other) / 2
     assert np.all(np.abs(entrained[3] - drawn) < spun)
     assert np.all(rolling[3] < 0.6 * entrained[3])

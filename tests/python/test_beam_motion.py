@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Natural frequencies of shafts against ROSS 2.3.0, beams and gyroscopes in closed form."""
+"""Natural frequencies of shafts against ROSS 2.3.0 and closed forms of beams and gyroscopes."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ SPRINGS = (2e8, 3e8, 1e7, 0.0, 0.0)  # N/m and N m/rad, at both ends
 
 @pytest.fixture(scope="module")
 def rotor():
-    """Eight elements of 50 mm, 40 mm thick, and a disc of 0.2 m in the middle."""
+    """A shaft of eight elements, 50 mm long and 40 mm thick, with a disc of 0.2 m in the middle."""
     z, pieces = beam.divided([Section(0.4, 0.04)], np.linspace(0.0, 0.4, 9))
     outer, inner, width = 0.2, 0.04, 0.02
     mass = STEEL.density * np.pi / 4 * (outer**2 - inner**2) * width
@@ -24,7 +24,7 @@ def rotor():
 
 
 def on_springs(count, nodes):
-    """(count, count) springs at coordinates 5 k to 5 k + 4 of `nodes` k."""
+    """Stiffness matrix (count, count) of springs at coordinates 5 k to 5 k + 4 of `nodes` k."""
     whole = np.zeros((count, count))
     for node in nodes:
         at = 5 * node + np.arange(5)
@@ -47,7 +47,7 @@ def test_as_ross(rotor):
 )
 @pytest.mark.parametrize("spin", [0.0, 500.0])
 def test_reduced(rotor, modes, first, second, third, spin):
-    """Frequencies of reduced matrices converge from above, closer with every mode."""
+    """Frequencies of reduced matrices converge from above as the number of modes grows."""
     whole = rotor[1]
     few = beam_motion.reduced(whole, [0, 8], modes)
     assert few.mass.shape == (10 + modes,) * 2 and len(few.frequencies) == modes
@@ -62,7 +62,7 @@ def test_reduced_keeps_the_rigid_body(rotor):
     z, whole = rotor
     few = beam_motion.reduced(whole, [0, 8], 6)
     exact, found = beam_motion.rigid(z, whole), np.zeros(16)
-    found[[0, 5]] = 1.0  # both ends along x: the whole mass
+    found[[0, 5]] = 1.0  # both ends move along x: the whole mass
     assert few.shapes @ found == pytest.approx(np.tile([1, 0, 0, 0, 0], 9), abs=1e-9)
     assert found @ few.mass @ found == pytest.approx(exact.mass, rel=1e-9)
     assert np.abs(few.stiffness @ found).max() < 1e-9 * few.stiffness.max()
@@ -81,7 +81,7 @@ def test_static_deflection_is_exact(rotor):
 
 
 def test_cantilever():
-    """Thin, clamped: 1.8751^2 sqrt(EI/(rho A L^4)) and the next two."""
+    """A thin clamped beam: 1.8751^2 sqrt(EI/(rho A L^4)) and the next two frequencies."""
     z, pieces = beam.divided([Section(1.0, 0.01)], np.linspace(0, 1, 21))
     whole = beam_motion.matrices(z, pieces)
     springs = np.zeros_like(whole.stiffness)
@@ -92,7 +92,7 @@ def test_cantilever():
 
 
 def test_free_spinning_disc():
-    """A free rigid body nutates at I_a/I_t times its spin."""
+    """A free rigid body nutates at I_a/I_t times its spin speed."""
     z, pieces = beam.divided([Section(0.1, 0.02)], [])
     whole = beam_motion.matrices(z, pieces, [Disc(0.0, 5.0, 0.3, 0.2)])
     body = beam_motion.rigid(z, whole)
@@ -104,7 +104,7 @@ def test_free_spinning_disc():
 
 
 def test_of_a_file(tmp_path):
-    """Discs in the file; a shaft so stiff that it is a rigid body on its bearing stiffnesses."""
+    """Discs are read from the file; the shaft is so stiff that it moves as a rigid body."""
     file = tmp_path / "rotor"
     file.write_text(
         "rpm: 3000\nsteel: {young: 1.0e+12}\nsections: [{length: 0.2, diameter: 0.1}]\n"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Geometry against its curvature sums, and the errors of impossible bearings."""
+"""Geometry against its curvature sums, and errors for impossible bearings."""
 
 import dataclasses
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearings of the catalogue: balls derived from ratings, consistent columns, and each under
-one load."""
+"""The bearings of the catalogue: balls derived from ratings, consistent columns, and each
+bearing under one load."""
 
 import csv
 import math
@@ -21,7 +21,7 @@ DEEP, ANGULAR, FOUR_POINT = (
     [row for row in TABLE if row["kind"] == kind]
     for kind in ("deep groove", "angular contact", "four-point contact")
 )
-# Ratio of the maker's C to C by ISO 281 of the balls. With a ratio of 1, JTEKT's three contact
+# Ratio of the maker's C to C of the balls by ISO 281. With a ratio of 1, JTEKT's three contact
 # angles of one size give the same balls. SKF's 6205 has 1.06 with the balls measured by CWRU. With
 # 1, the balls of the QJ have the diameters that GMN states for 7207, 7208, 7209 and 7210.
 DYNAMIC_FACTOR = {"SKF": 1.05, "SKF QJ": 1.0, "JTEKT": 1.0}
@@ -146,7 +146,7 @@ def test_ratings_of_the_balls(name):
 
 def test_contact_angles_of_a_size_have_the_same_balls():
     """The rule uses the ratings of one contact angle only, and JTEKT states ratings of three: 22
-    sizes give the same balls, so these are the maker's as far as ratings can show."""
+    sizes give the same balls, so they are the maker's balls as far as ratings can show."""
     for size in {row["name"][:4] for row in ANGULAR}:
         found = {
             (one.balls, one.ball_diameter_m)
@@ -173,7 +173,7 @@ def test_another_maker_has_the_same_number_of_balls():
     assert other == {"6009": 13, "6010": 14, "6209": 9, "6305": 8}
 
 
-# mm; None where the text layer has lost the figure
+# mm; None if the text layer has lost the figure
 GMN = {
     "6201": (5.953, 22.0),
     "6202": (5.953, 25.3),
@@ -192,7 +192,7 @@ GMN = {
 @pytest.mark.parametrize("name", GMN)
 def test_balls_that_a_maker_states(name):
     """GMN, High precision ball bearings (4000 0813 EN), states ball and pitch diameters of bearings
-    of these sizes. Makers need not agree, but they do."""
+    of these sizes. Makers need not use the same balls, but these do."""
     one = listing.entry(BEARINGS / name)
     ball, pitch = GMN[name]
     assert 1e3 * one.ball_diameter_m == pytest.approx(ball, rel=0.01)
@@ -202,14 +202,15 @@ def test_balls_that_a_maker_states(name):
 
 @pytest.mark.parametrize("size", [7, 8, 9, 10])
 def test_balls_of_four_points_are_those_of_angular_contact_bearings(size):
-    """SKF's ratings of the QJ 2 series, taken as two rows, give the diameters that GMN states for
-    the 72C."""
+    """SKF's ratings of the QJ 2 series, read as ratings of two rows, give the diameters that GMN
+    states for the 72C."""
     one = listing.entry(BEARINGS / f"QJ2{size:02}")
     assert 1e3 * one.ball_diameter_m == pytest.approx(GMN[f"72{size:02}C"][0], abs=0.001)
 
 
 def test_6305_of_another_program():
-    """7 balls of 11.5 mm on 43.5 mm in ISO/TS 16281's reference (see test_published_bearings)."""
+    """The reference for ISO/TS 16281 has 7 balls of 11.5 mm on a pitch diameter of 43.5 mm (see
+    test_published_bearings)."""
     one = listing.entry(BEARINGS / "6305")
     found = (one.balls, 1e3 * one.ball_diameter_m, 1e3 * one.pitch_diameter_m)
     assert found == pytest.approx((7, 11.5, 43.5), rel=2e-3)
@@ -217,8 +218,8 @@ def test_6305_of_another_program():
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_bearing_carries_a_load(name):
-    """Under 0.1 C0 radially, and the same axially if the balls have a contact angle, the balls
-    carry the load below the pressure of C0."""
+    """Under a radial load of 0.1 C0, and the same axial load if the balls have a contact angle, the
+    balls carry the load at less than the pressure that defines C0."""
     path = BEARINGS / name
     data, rated = inputs.bearing(path), inputs.ratings(path)
     inputs.shoulders(path), inputs.boundary(path)

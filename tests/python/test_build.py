@@ -12,7 +12,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def plan(*words):
-    """The commands of `make`, without running them."""
+    """The commands that `make` would run."""
     return subprocess.run(
         ["make", "-n", *words], cwd=ROOT, text=True, capture_output=True, check=True
     ).stdout
@@ -64,7 +64,8 @@ def test_every_source_is_compiled_once_for_a_host(everything):
 
 
 def test_an_edit_of_one_part_makes_few_objects_again(everything):
-    """Counted over all hosts. The compiler lists the headers of each object during the build."""
+    """Objects are counted over all hosts. The compiler lists the headers of each object during the
+    build."""
     again = [
         made
         for made in compiled(everything)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Losses of a cage ring in statics: numbers of two independent programs, and parts left out."""
+"""Losses of a cage ring in statics: numbers from two independent programs, and omitted parts."""
 
 import math
 
@@ -10,7 +10,7 @@ from raceway.theory import cage_drag, kinematics
 from raceway.theory.lubricant import Fluid
 from raceway.theory.operating_point import figures
 
-# 6205 at 1797 rpm, 0.04 Pa s; play 0.2 mm, 0.1 of oil around the cage
+# 6205 at 1797 rpm, 0.04 Pa s; play 0.2 mm, 10 % oil around the cage
 SPEED, ORBIT = 1797 * math.pi / 30, 74.954
 NOTHING = [math.nan] * len(Fluid._fields)
 FLUID = Fluid(*NOTHING)._replace(viscosity=0.04, density=870.0)
@@ -40,7 +40,7 @@ def test_parts(bearing, part):
 
 
 def test_land_of_the_inner_ring(bearing):
-    """It turns against the ring, 0.250 W."""
+    """The cage lags behind the inner ring: the loss is 0.250 W."""
     assert power(bearing, cage(bearing, "land", inner=True)) == pytest.approx(0.250, rel=5e-3)
 
 
@@ -51,7 +51,7 @@ def test_sum_and_nothing(bearing):
 
 
 def test_shear_at_a_contact_angle(bearing):
-    """The spin has a part about the pocket's axis, which resists twice."""
+    """The spin has a component about the pocket's axis, which is resisted twice."""
     angle = 0.5
     flat, tilted = (power(bearing, cage(bearing, "shear"), a) for a in (0.0, angle))
     spins = [kinematics.frequencies(bearing, a, SPEED).spin for a in (0.0, angle)]

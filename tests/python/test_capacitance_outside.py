@@ -13,10 +13,10 @@ from raceway.theory.groove_width import HalfWidths
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests/bench"))
-import capacitance_error  # noqa: E402  it is in no package
+import capacitance_error  # noqa: E402  not in a package
 
 SEPARATIONS = np.array([30e-9, 70e-9, 300e-9, 1e-6])
-DEPTH = 2.3e-3  # m, of the 6208's grooves in the tables of values
+DEPTH = 2.3e-3  # m, depth of the 6208's grooves in the tables of values
 MIDDLE = capacitance_error.bearing("7.938 mm", 0.515)
 SMALL = capacitance_error.bearing("3.968 mm", 0.53)
 
@@ -34,7 +34,7 @@ def rigid(bearing, raceway, separation, widths, angle=0.0):
     return capacitance_outside.rigid(ellipse, r_x, bearing.ball_radius, groove, separation, widths)
 
 
-# I in mm of the parabola to ± width at SEPARATIONS, from an independent integration
+# I in mm of the parabola up to ± width at SEPARATIONS, from an independent integration
 @pytest.mark.parametrize(
     ("name", "raceway", "width", "load", "a", "b", "printed"),
     [
@@ -77,7 +77,7 @@ def test_circular_groove(bearing, raceway, width, integral, form):
     widths = groove_width.half_widths(bearing, raceway, DEPTH)
     assert [1e3 * width for width in widths] == pytest.approx([width, width], abs=6e-4)
     found = 1e3 * capacitance_exact.arc(bearing, raceway, 900.0, SEPARATIONS, DEPTH)
-    assert found == pytest.approx(integral, abs=1.0)  # a unit of the last printed digit
+    assert found == pytest.approx(integral, abs=1.0)  # one unit of the last printed digit
     assert 1e3 * closed(bearing, raceway, 900.0, SEPARATIONS, widths) == pytest.approx(
         form, abs=0.06
     )
@@ -120,8 +120,8 @@ def test_beside_is_universal():
 
 
 def test_gap_is_hertz_s(bearing):
-    """Limits: zero at the ellipse, the gap of the undeformed bodies far away, the gap of a line
-    contact in between."""
+    """Limits: zero at the edge of the ellipse, the gap between the undeformed bodies far away, and
+    the gap of a line contact in between."""
     r_x, r_y = bearing.effective_radii(INNER)
     one = capacitance_exact.contact(r_x, r_y, bearing.effective_modulus, 900.0)
     turn = np.linspace(0, np.pi / 2, 7)
@@ -130,7 +130,7 @@ def test_gap_is_hertz_s(bearing):
     far = 200 * one.a
     undeformed = far**2 / (2 * r_x) - one.overlap
     assert capacitance_exact.gap(one, far, 0.0) == pytest.approx(undeformed, rel=1e-6)
-    # a long ellipse of the same b: g = b^2/(2 R_x) (xi sqrt(xi^2 - 1) - arccosh xi)
+    # a long ellipse with the same b: g = b^2/(2 R_x) (xi sqrt(xi^2 - 1) - arccosh xi)
     long = capacitance_exact.contact(r_x, 4e4 * r_x, bearing.effective_modulus, 1e6)
     xi = 1.7
     line = long.b**2 / (2 * r_x) * (xi * np.sqrt(xi * xi - 1) - np.arccosh(xi))
@@ -164,7 +164,7 @@ def test_at_a_contact_angle(bearing, angle):
             form = closed(bearing, raceway, load, SEPARATIONS, widths, angle)
             exact = capacitance_exact.arc(bearing, raceway, load, SEPARATIONS, DEPTH, angle)
             assert form == pytest.approx(exact, rel=0.013)
-            # around the ellipse, as in the capacitors
+            # the part around the ellipse, as in the capacitors
             ellipse = hertz.exact(*bearing.effective_radii(raceway, angle))
             a, _ = hertz.semi_axes(ellipse, bearing.effective_modulus, load)
             widths = groove_width.half_widths(bearing, raceway, DEPTH, angle, semi_axis=a)
@@ -246,7 +246,7 @@ def test_permittivity_of_a_film():
 @pytest.mark.parametrize("row", [("12.6 mm", 0.505, OUTER), ("3.968 mm", 0.54, OUTER),
                                  ("7.938 mm", 0.505, INNER)])  # fmt: skip
 def test_the_closed_form_keeps_its_promise(row):
-    """The worst rows of tests/bench/capacitance_error.py."""
+    """In the worst rows of tests/bench/capacitance_error.py errors stay below the stated bound."""
     assert capacitance_error.errors(*row).inside < capacitance_error.PROMISE
 
 

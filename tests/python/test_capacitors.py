@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The capacitors of a whole bearing: published values, limits, and the transition through loss of
+"""The capacitors of a whole bearing: published values, limits, and the transition at loss of
 contact."""
 
 import numpy as np
@@ -27,7 +27,7 @@ def point(bearing, load, rpm, clearance, filling, **options):
 
 @pytest.fixture(scope="module")
 def heavy(bearing):
-    """A 6208 at 3 kN and 1500 rpm, by the filling of its gaps."""
+    """Capacitors of a 6208 at 3 kN and 1500 rpm for each filling of its gaps."""
     return {
         kind: point(bearing, 3000, 1500, 0.0, Filling(kind, shoulders=SHOULDERS))
         for kind in ("flooded", "cavitated", "dry")
@@ -77,8 +77,8 @@ def test_fills_are_exact_by_symmetry(heavy):
 
 
 def test_plates_are_the_paper_s(bearing, heavy):
-    """Plates equal those of `lubrication.lubricate` if both raceways are loaded; for h -> 0 the
-    films dominate."""
+    """The capacitance of the plates equals that from `lubrication.lubricate` if both raceways are
+    loaded; for h -> 0 the films dominate."""
     spin = 1500 * np.pi / 30
     state, _ = lubrication.turning(bearing, spin, 3000.0, ball_density=7850.0)
     films = lubrication.lubricate(bearing, state, OIL, spin)
@@ -89,8 +89,8 @@ def test_plates_are_the_paper_s(bearing, heavy):
 
 
 def test_through_loss_of_contact(bearing):
-    """One separation, and a continuous capacitance; without the ball's own load the
-    film would grow without bound."""
+    """Around loss of contact the separation is constant and the capacitance continuous; without the
+    quiet load of the ball the film would grow without bound."""
     r_x, r_y = bearing.effective_radii(INNER)
     kappa, modulus = hertz.exact(r_x, r_y).kappa, bearing.effective_modulus
     speed = kinematics.entrainment(bearing, 50.0, 0.0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway catalogue`, its listing and the clearance classes."""
+"""`raceway catalogue`: its listing and the clearance classes."""
 
 import csv
 import io
@@ -31,7 +31,7 @@ def names(capsys, *arguments):
 
 
 def test_one_bearing(capsys):
-    """6205: values stated by SKF and CWRU, in SI units."""
+    """The 6205 has the values stated by SKF and CWRU, in SI units."""
     [row] = found(capsys, "6205")
     assert row == {
         "name": "6205",
@@ -142,7 +142,7 @@ def test_own_folder(capsys, tmp_path):
 
 @pytest.mark.parametrize("name", ["7205B", "6208"])
 def test_file_to_edit(capsys, tmp_path, name):
-    """A row or a file with its sources, which does not overwrite an existing file."""
+    """A row or a file is written with its sources, and no existing file is overwritten."""
     path = tmp_path / "new" / "mine"
     assert main(["catalogue", name, "--file", str(path)]) == 0
     known = catalogue.find("bearings", name)
@@ -164,8 +164,8 @@ def test_message_of_many_names():
 
 
 def test_page_shows_what_is_printed(capsys, tmp_path):
-    """The table on docs/catalogue.rst, the balls of its last Python example, and its table with one
-    row."""
+    """docs/catalogue.rst shows the printed table; its last Python example gives the stated balls,
+    and its table with one row can be read."""
     page = (ROOT / "docs" / "catalogue.rst").read_text()
     command, _, rest = page.partition("$ .venv/bin/raceway ")[2].partition("\n")
     shown = [line[3:] for line in rest.partition("\n\n*Z*")[0].splitlines()]

@@ -14,14 +14,14 @@ PLACE = np.array([21e-6, -34e-6, 90e-6, 4e-3, -5.8e-3])
 
 
 def axis(tilt):
-    """Axis e for tilts reported as arcsines of its components."""
+    """Axis e of a ring whose reported tilts are arcsines of components of e."""
     x, y = np.sin(tilt[1]), -np.sin(tilt[0])
     return np.array([x, y, np.sqrt(1 - x * x - y * y)])
 
 
 def test_exact_circle_is_the_nearest_of_its_points():
-    """Points of the circle rotated by scipy; the nearest by a fine search and a parabola through
-    three of them."""
+    """scipy rotates the circle's points; the nearest is found by a fine search and a parabola
+    through three points."""
     e = axis(PLACE[3:])
     turn, _ = Rotation.align_vectors([e], [[0, 0, 1]])
     phi = np.linspace(0, 2 * np.pi, 40001)
@@ -35,7 +35,7 @@ def test_exact_circle_is_the_nearest_of_its_points():
         k = int(np.argmin(squared))
         low, mid, high = squared[[k - 1, k, k + 1]]
         least = mid - (high - low) ** 2 / (8 * (high - 2 * mid + low))
-        # the parabola has an error of (step r)^4/s^2 of the square, 1e-9 of it here
+        # the parabola's error in the square is (step r)^4/s^2, relative 1e-9 here
         assert distance**2 == pytest.approx(least, rel=1e-7)
         assert line == pytest.approx(
             (centre - points[k]) / np.sqrt(mid), abs=2 * np.pi / 40000 * RADIUS / distance
@@ -63,7 +63,8 @@ def test_both_agree_without_shift_and_tilt():
 
 @pytest.mark.parametrize("reach", [circle.straight, circle.exact])
 def test_derivatives(reach):
-    """Central differences over 0.1 um and 1 urad: (step/distance)^2 is 2e-7, rounding 1e-9."""
+    """Central differences over 0.1 um and 1 urad have errors of (step/distance)^2, 2e-7, and of
+    1e-9 due to rounding."""
     now = reach(BALL, PLACE, AZIMUTH, RADIUS)
     for k in range(7):
         step = np.zeros(7)
@@ -83,8 +84,8 @@ def test_derivatives(reach):
 
 
 def test_conjugate_moment():
-    """The work of a fixed moment in a small rotation of the axis, M . (e x de), for a small change
-    of one tilt."""
+    """The conjugate moment is the work of a fixed moment in a small rotation of the axis,
+    M . (e x de), per change of one tilt."""
     moment, tilt = np.array([3.0, -7.0, 0.0]), PLACE[3:]
     for k in range(2):
         step = 1e-6 * np.eye(2)[k]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearing in its circuit without breakdown: closed forms, points, leakage."""
+"""The bearing in its circuit without breakdown: closed forms, intermediate points, leakage."""
 
 import numpy as np
 import pytest
@@ -102,7 +102,7 @@ def test_a_film_relaxes_with_its_resistivity_times_permittivity():
 
 
 def exact(given, outer):
-    """Voltages of the inner ring (n,) from scipy's integrator with charges as unknowns; C and G
+    """Voltages of the inner ring (n,) from scipy's integrator with charges as unknowns; C and G are
     linear between points."""
 
     def voltages(t, charge):
@@ -135,7 +135,7 @@ def exact(given, outer):
 
 
 def test_leak_and_resistance_are_of_second_order():
-    """The error relative to an integrator of scipy falls to a quarter at half the step."""
+    """Half the step reduces the error relative to an integrator of scipy to a quarter."""
     outer = Source(Sine(10.0, 150.0), 2e7, 20 * PICO)
     coarse = turning(n=41, z=2)
     tau = np.array([4e-3, 7e-3]).reshape(1, 2, 1)
@@ -146,7 +146,7 @@ def test_leak_and_resistance_are_of_second_order():
         data = circuit.run(coarse, outer, points=points).data
         errors.append(np.abs(data.bearing_voltage.to_numpy()[::points] - reference).max())
     assert errors[0] < 0.01 * np.abs(reference).max()
-    # the kinks of C(t) are points, so they do not spoil the order
+    # the kinks of C(t) are at points, so they do not spoil the order
     assert [a / b for a, b in zip(errors, errors[1:])] == pytest.approx([4, 4], abs=0.6)
 
 
@@ -159,6 +159,6 @@ def test_a_metal_contact_shorts_its_film_without_ringing():
     film = data.film_voltage.to_numpy()
     shorted = np.abs(film[5:, 1, 0])
     assert (shorted < 1e-5).all()
-    assert (np.diff(shorted) <= 1e-17).all()  # falls to the rounding of 10 V
-    # ball 2 keeps the division by its capacitances
+    assert (np.diff(shorted) <= 1e-17).all()  # it falls to the rounding of 10 V
+    # the voltage across ball 2 is still divided by its capacitances
     np.testing.assert_allclose(film[:, 1, 1] / film[:, 0, 1], 50 / 80, rtol=1e-12)

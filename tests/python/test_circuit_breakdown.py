@@ -42,7 +42,7 @@ def test_a_film_that_fails_by_hand():
     given = steady([20 * PICO, 60 * PICO], [30 * PICO, 60 * PICO], thickness=thickness)
     result = circuit.run(given, Floating(10.0, 10 * PICO), Breakdown(50e6))
     (event,) = result.events.itertuples()
-    # 12 and 30 pF in series, 10 pF in parallel: 520 pC on the ring
+    # two balls of 12 and 30 pF, and 10 pF in parallel: 520 pC on the ring
     assert (event.ball, event.raceway, event.order) == (1, "inner", 1)
     assert event.film_voltage == pytest.approx(6.0)  # against 5 V
     assert event.bearing_voltage_after == pytest.approx(520 / (30 + 30 + 10))
@@ -66,7 +66,7 @@ def test_the_second_film_follows_and_discharges_the_bearing():
 
 
 def test_other_balls_keep_their_charge():
-    """A ball charged by an earlier discharge stays charged when another one shorts the rings."""
+    """A ball charged by an earlier discharge stays charged when another ball shorts the rings."""
     capacitance = np.array([[20.0, 60.0], [30.0, 60.0]]) * PICO
     limit = np.array([[1.0, 99.0], [2.0, 99.0]])
     charge = np.array([0.0, 120 * PICO])
@@ -97,7 +97,8 @@ def test_other_balls_keep_their_charge():
 
 @pytest.mark.parametrize("seed", range(6))
 def test_charges_redistribute_as_a_network_of_conductors(seed):
-    """Against a dense system with the charge through every broken film as an unknown."""
+    """The result equals that of a dense system in which the charge through every broken film is an
+    unknown."""
     rng = np.random.default_rng(seed)
     z = 5
     capacitance, charge = rng.uniform(10, 90, (2, z)) * PICO, rng.normal(0, 100, z) * PICO
@@ -122,8 +123,7 @@ def test_charges_redistribute_as_a_network_of_conductors(seed):
 
 
 def test_threshold_is_where_it_fails():
-    """Just below the threshold voltage of the samples no film fails, just above it one
-    does."""
+    """Just below the threshold voltage of the samples no film fails; just above it one fails."""
     given = turning()
     least = circuit.run(given, Source(Constant(0.0), 1.0), WEAK).data.threshold_voltage
     share = series(given.capacitance).ball[:, None] / given.capacitance
@@ -160,8 +160,7 @@ def test_events_have_units_and_places():
 
 
 def test_current_of_a_failure():
-    """The inner film of one ball fails: its own capacitance is in parallel with the
-    rest."""
+    """The inner film of one ball fails: its capacitance is in parallel with all others."""
     inner, outer, rest, arc = 60 * PICO, 40 * PICO, 25 * PICO, 3.0
     given = steady([inner], [outer], thickness=np.array([[[100e-9], [900e-9]]]))
     events = circuit.run(given, Floating(10.0, rest), Breakdown(35e6, "smooth", arc=arc)).events
@@ -184,7 +183,7 @@ def test_current_of_a_failure():
 
 
 def test_steps_too_long_for_the_voltage_have_a_warning():
-    """A source that charges the bearing within a step: films fail at the source voltage, not at
+    """If the source charges the bearing within a step, films fail at the source voltage instead of
     their breakdown voltage."""
     given = turning()
     limit = WEAK.limit(given).min()

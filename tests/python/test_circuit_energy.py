@@ -12,7 +12,7 @@ from raceway.electric.waveforms import Sine
 
 @pytest.mark.parametrize("name", [name for name in CASES if name != "open film"])
 def test_charge_is_conserved(name):
-    """Charges carried by currents equal the charges from the voltages to rounding."""
+    """Charges carried by currents equal charges calculated from voltages, to rounding."""
     given, outer, breakdown = CASES[name]
     result = circuit.run(given, outer, breakdown, points=1)
     assert breakdown is None or len(result.events)
@@ -38,7 +38,7 @@ def test_energy_is_balanced(name):
 
 
 def test_each_term_of_the_energy_is_of_second_order():
-    """Errors relative to a step 64 times shorter, since the balance itself is an identity."""
+    """Errors are relative to a step 64 times shorter, since the balance itself is an identity."""
     given = turning(n=41, z=3, conductance=2e-9)
     outer = Source(Sine(10.0, 150.0), 1e6)
     names = ["source_work", "mechanical_work", "leak_heat", "resistor_heat"]

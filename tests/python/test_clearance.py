@@ -10,8 +10,8 @@ from raceway import clearance
 
 @pytest.mark.parametrize("groove", [6.804e-3, 6.93e-3, 7.056e-3, 7.182e-3])  # table A.1
 def test_free_angle_and_endplay_close_the_triangle(bearing, groove):
-    """The groove centres, C apart, are radially closer by half the clearance and axially by half
-    the endplay."""
+    """The groove centres, C apart, are closer radially by half the clearance and displaced axially
+    by half the endplay."""
     open_groove = dataclasses.replace(bearing, inner_groove=groove, outer_groove=groove)
     c, pd = clearance.groove_distance(open_groove), 60e-6
     assert c / open_groove.ball_diameter == pytest.approx(2 * groove / 12.6e-3 - 1, rel=1e-12)

@@ -20,7 +20,7 @@ from raceway.runs.tables import RunTables
 
 
 def figures(folder):
-    """Figures of a run with those of statics at its operating point."""
+    """Figures of a run, and figures of statics at its operating point."""
     tables = RunTables(folder)
     found = summary(tables)
     return found | statics(tables, found)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Columns and keywords of the law, as the tables of C++ have them."""
+"""Columns and keywords of the law, as defined by the C++ tables."""
 
 import math
 import subprocess

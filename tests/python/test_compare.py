@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run compared with its own signal, written to a file at a lower rate, and with another speed."""
+"""A run compared with its own signal, written to a file at a lower rate or at another speed."""
 
 import json
 
@@ -16,7 +16,7 @@ SHAFT, SAMPLES = 477.5 / 60, 12000  # Hz
 
 @pytest.fixture(scope="module")
 def run(tmp_path_factory, lubricated, bearing):
-    """A ring whose resonance is excited at BPFO."""
+    """A run with a ring whose resonance is excited at BPFO."""
     settings = dict(lubricated["settings"], sample_s=1e-4)
     passes = SAMPLES // settings["samples_per_pass"]
     time = settings["sample_s"] * np.arange(1, SAMPLES + 1)
@@ -38,7 +38,7 @@ def run(tmp_path_factory, lubricated, bearing):
 
 
 def write(tmp_path, run, share=0.5):
-    """The run's own signal at a lower rate, and the rate."""
+    """The file with the run's own signal at a lower rate, and the rate."""
     rate = share / run.settings["sample_s"]
     values = sensor.decimated(spectrum.signal_of(run, "shift"), run.settings["sample_s"], rate)
     np.savez(tmp_path / "own.npz", shift=values)
@@ -46,7 +46,7 @@ def write(tmp_path, run, share=0.5):
 
 
 def test_a_run_beside_itself(tmp_path, run):
-    """Lines, amplitudes and levels agree."""
+    """Lines, amplitudes and levels of both agree."""
     path, rate = write(tmp_path, run)
     rpm = run.motion.shaft * 30 / np.pi
     same = recording.Recording(path, run.geometry, rpm=rpm, rate=rate)

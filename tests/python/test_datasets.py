@@ -42,7 +42,7 @@ def test_coordinates(folder, lubricated):
     assert run.contacts["raceway"].to_numpy().tolist() == ["inner", "outer"]
     assert run.balls["ball"].to_numpy().tolist() == list(range(1, 10))
     assert run.cage["ball"].to_numpy().tolist() == list(range(10, 19))
-    # the load points to -y: a ball there is at azimuth -90 degrees, 0 from the load line
+    # the load points to -y: a ball there has the azimuth -90 degrees and is at 0 from the load line
     turned = np.mod(run.balls["azimuth"] + np.pi / 2 + np.pi, 2 * np.pi) - np.pi
     np.testing.assert_allclose(run.balls["from_load_line"], turned, atol=1e-12)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway decks`: every listed file can be copied, and no user file is overwritten."""
+"""`raceway decks`: every listed file can be copied, and no file of the user is overwritten."""
 
 from pathlib import Path
 

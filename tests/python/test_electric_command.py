@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway electric` and its functions: figures agree with each other and with statics, the inverse
-recovers the films, pictures, messages and exit codes."""
+"""`raceway electric` and its functions: agreement of figures with each other and with statics,
+films from measured values, pictures, messages and exit codes."""
 
 import csv
 import json
@@ -94,7 +94,7 @@ def test_threshold_is_where_the_field_is_the_strength(point):
 
 
 def test_warnings():
-    """An ellipse beyond the shoulder; touching surfaces."""
+    """An ellipse beyond the shoulder and touching surfaces cause warnings."""
     heavy = electric_point.solve("6208", "vg46", axial=20e3, clearance=20e-6, rpm=1500.0)
     assert any("reaches" in one for one in electric_point.figures(heavy)["warnings"])
     slow = electric_point.solve("6208", "vg46", load=3000.0, rpm=1.0)
@@ -105,7 +105,7 @@ def test_warnings():
 
 
 def test_impedance_and_leak(point):
-    """High frequency: all capacitance; low frequency: the leak."""
+    """At a high frequency the impedance is capacitive, at a low frequency it is the leak."""
     capacitance = electric_point.figures(point)["capacitance_total_F"]
     fast = electric_point.figures(point, Ask(frequency=1e7, resistivity=1e9))
     assert fast["impedance_ohm"] == pytest.approx(1 / (2e7 * np.pi * capacitance), rel=1e-6)

@@ -33,7 +33,7 @@ def blows(hertz, carrier=None, depth=0.0, loud=1.0):
 
 @pytest.fixture(scope="module")
 def noisy():
-    """Impacts at 107.3 Hz with hum of ten times and noise of half their amplitude."""
+    """Impacts at 107.3 Hz, with hum of ten times and noise of half the impacts' amplitude."""
     noise = np.random.default_rng(3).normal(0, 0.5, len(TIME))
     return blows(107.3) + 10 * np.sin(2 * np.pi * 50 * TIME) + noise
 
@@ -45,8 +45,8 @@ def test_the_band_is_where_it_rings(noisy):
 
 
 def test_rate_of_the_blows(noisy):
-    """Accurate to a thousandth of the resolution of 0.5 Hz without noise; noise adds a few
-    hundredths."""
+    """Without noise the rate is accurate to a thousandth of the resolution of 0.5 Hz; noise adds a
+    few hundredths."""
     band = envelope.best_band(noisy, 1 / RATE, narrowest=400)
     one = spectrum.spectrum(envelope.of_values(noisy, 1 / RATE, *band[:2]), 1 / RATE)
     found = spectrum.find(one, 107.3)
@@ -56,7 +56,7 @@ def test_rate_of_the_blows(noisy):
 
 
 def test_sidebands_of_what_modulates():
-    """1 + d cos: sidebands of d/2 times the line between them."""
+    """A modulation 1 + d cos causes sidebands of d/2 times the line between them."""
     signal = blows(160.0, carrier=25.0, depth=0.6)
     one = spectrum.spectrum(envelope.of_values(signal, 1 / RATE, 5e3, 9e3), 1 / RATE)
     middle, below, above = (spectrum.find(one, hertz) for hertz in (160.0, 135.0, 185.0))
@@ -65,7 +65,7 @@ def test_sidebands_of_what_modulates():
 
 
 def test_noise_is_not_impulsive():
-    """The kurtosis of N noise values scatters by 2/sqrt(N): five times that is never reached."""
+    """The kurtosis of N noise values scatters by 2/sqrt(N) and never reaches five times as much."""
     noise = np.random.default_rng(4).normal(size=len(TIME))
     for band in envelope.bands(noise, 1 / RATE):
         count = len(TIME) * (band.high - band.low) / RATE

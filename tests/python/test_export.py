@@ -15,7 +15,7 @@ from raceway.theory.bearing import INNER, OUTER
 
 
 def entries(pvd):
-    """(time, part, path) of a .pvd."""
+    """(time, part, path) of the entries of a .pvd file."""
     return [
         (float(one.get("timestep")), int(one.get("part")), pvd.parent / one.get("file"))
         for one in ElementTree.parse(pvd).getroot().iter("DataSet")
@@ -23,8 +23,8 @@ def entries(pvd):
 
 
 def test_groove_lies_on_its_torus(bearing):
-    """Every point is a groove radius away from the circle of centres, and every quad faces the
-    balls."""
+    """Every point is at a distance of the groove radius from the circle of centres, and every quad
+    faces the balls."""
     for side, clearance in ((INNER, 0.0), (OUTER, 4e-5)):
         points, quads = groove.mesh(bearing, side, clearance)
         radius = np.hypot(points[:, 0], points[:, 1])
@@ -75,7 +75,7 @@ def test_inner_raceway_moves_and_turns(folder, lubricated, tmp_path, bearing):
         way = np.arctan2(*(mesh.points[0, [1, 0]] - ring[2:4][::-1])) - np.arctan2(
             *at_rest[0, [1, 0]]
         )
-        # single precision of 25 mm, twice
+        # two roundings of 25 mm to single precision
         assert np.angle(np.exp(1j * (way - ring[10] * time))) == pytest.approx(0, abs=1e-4)
         assert mesh.points.astype(float).mean(axis=0)[:2] == pytest.approx(ring[2:4], abs=1e-8)
     still = meshio.read(listed[2][2])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film thickness against its own logarithmic slopes, Hamrock-Dowson, and eq 6 computed by hand."""
+"""Film thickness against its logarithmic slopes, Hamrock-Dowson, and eq 6 computed by hand."""
 
 import numpy as np
 import pytest
@@ -15,7 +15,7 @@ def group(bearing, side=INNER, speed=0.725, load=2436.2):
 
 
 def test_by_hand():
-    # kappa = 1: the exponents are the printed ones
+    # for kappa = 1 the exponents equal the printed values
     g = film.Group(speed=1e-11, material=4500.0, load=1e-4, kappa=1.0)
     assert film.h_min(1.0, g) == pytest.approx(
         1.637 * 10 ** (-11 * 0.711) * 4500**0.65 * 10 ** (4 * 0.09) * (1 - 0.974 * np.exp(-0.676)),

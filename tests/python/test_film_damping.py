@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The film's Maxwell branch: numbers of the 6208, exactness of its step, limits."""
+"""The Maxwell branch of the film: numbers of the 6208, exact steps, limits."""
 
 import numpy as np
 import pytest
@@ -54,7 +54,7 @@ def test_step(top):
     assert one.stiffness == pytest.approx(0.44 * k * h_c / elastic, rel=1e-14)
     assert one.time == pytest.approx(1.33 * b / SPEEDS, rel=1e-14)
     approach = 1e-3
-    # two half steps equal one; a long step is the dashpot, a short one the spring
+    # two half steps equal one; a long step gives the dashpot, a short step the spring
     half = film_damping.advance(5.0, one, approach, one.time / 2)[0]
     twice = film_damping.advance(half, one, approach, one.time / 2)[0]
     assert twice == pytest.approx(film_damping.advance(5.0, one, approach, one.time)[0], rel=1e-14)

@@ -93,8 +93,8 @@ def test_all_regimes_tend_to_their_asymptotes():
 
 
 def test_all_regimes_near_the_power_law_at_load(inner):
-    """Section 2 of the theory: about 1.15 times the film of Masjedi and Khonsari at a 6208's
-    loads."""
+    """Section 2 of the theory: at loads of a 6208 the film is about 1.15 times the film of Masjedi
+    and Khonsari."""
     modulus, r_x, r_y, kappa, _ = inner
     for speed in SPEEDS:
         both = (

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Voltages, impedances and rough films against their own algebra and printed values."""
+"""Voltages, impedances and rough films against algebraic identities and printed values."""
 
 import numpy as np
 import pytest
@@ -66,7 +66,7 @@ def test_impedance_and_back():
 
 
 def test_leak_of_one_fill():
-    """R C = rho eps_0 eps in any geometry."""
+    """The product R C is rho eps_0 eps in any geometry."""
     area, gap, around = 1e-6, 2e-7, 2.0
     paths = area / gap + around
     r = impedance.leak(1e10, paths)
@@ -101,7 +101,7 @@ def test_rough_films():
 
 def test_clipped_film():
     found = rough_film.clipped(np.array([0.0, 2.5, 30.0]), 0.05)
-    # half of a film without a mean gap is closed, no part of a thick one
+    # without a mean gap half of the film is closed; of a thick film nothing is closed
     assert found.closed == pytest.approx([0.5199, 0.00714, 0.0], abs=6e-5)
     assert found.factor[2] == pytest.approx(rough_film.factor(30.0), rel=1e-4)
     z = (np.arange(400_000) + 0.5) / 400_000 * 12 + 0.05  # gaps in sigmas

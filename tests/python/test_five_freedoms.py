@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Equilibrium under moments and with held degrees of freedom: its equations written independently
-and solved by scipy, balance in space, derivatives, symmetries. Published figures are in
+"""Equilibrium under moments and with held degrees of freedom: independently written equations
+solved by scipy, balance in space, derivatives, symmetries. Published figures are in
 test_published_bearings.py."""
 
 import numpy as np
@@ -112,8 +112,8 @@ def harris(
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("name", LOADS)
 def test_against_harris_equations(bearing, name, kind):
-    """The equations hold at our position. With one groove scipy's `root`, started a micrometre and
-    0.1 mrad away, converges to it."""
+    """The equations hold at our position. With one groove, `root` of scipy converges to it from a
+    start a micrometre and 0.1 mrad away."""
     bearing, case = KINDS[kind](bearing), LOADS[name]
     if kind != "one groove":  # balls with play between four grooves have no definite position
         case = case | {"orbital_speed": 900.0}
@@ -156,8 +156,8 @@ def test_against_harris_equations(bearing, name, kind):
 
 @pytest.mark.parametrize("name", LOADS)
 def test_exact_circle_balances_in_space(bearing, name):
-    """Contacts recomputed from ball centres in the frame of the rotated ring: overlaps, forces on
-    ball and ring, moments across the ring's axis."""
+    """Contacts are recomputed from ball centres in the frame of the rotated ring. Overlaps agree,
+    and forces on ball and ring and moments across the ring's axis balance."""
     case = LOADS[name]
     state = static.equilibrium(bearing, finite_shift=True, **case)
     u = np.stack([np.cos(state.azimuth), np.sin(state.azimuth), 0 * state.azimuth], 1)
@@ -216,8 +216,8 @@ def test_exact_circle_balances_in_space(bearing, name):
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("finite_shift", [False, True])
 def test_gradient_and_hessian(bearing, finite_shift, kind):
-    """Central differences of the energy, with the balls settled at every position: 10 nm steps at
-    overlaps near 20 um."""
+    """Gradient and Hessian equal central differences of the energy, with the balls settled at every
+    position: 10 nm steps at overlaps near 20 um."""
     bearing = KINDS[kind](bearing)
     azimuth = np.tile(0.1 + 2 * np.pi * np.arange(9) / 9, len(bearing.layout.rows))
     balance = Balance(
@@ -237,15 +237,14 @@ def test_gradient_and_hessian(bearing, finite_shift, kind):
         step = 1e-8 * np.eye(5)[k]
         ends = balance.at(place + step), balance.at(place - step)
         slope, curve = ((one - other) / 2e-8 for one, other in zip(ends[0][:2], ends[1][:2]))
-        # energy of 0.05 J with errors of 1e-15 J, and (1e-8/2e-5)^2 of the third derivative
+        # errors: 1e-15 J in an energy of 0.05 J, and (1e-8/2e-5)^2 of the third derivative
         assert gradient[k] == pytest.approx(slope, abs=1e-6 * np.abs(gradient).max() + 1e-3)
         assert hessian[:, k] == pytest.approx(curve, rel=1e-5, abs=1e-5 * np.abs(hessian).max())
 
 
 def test_stiffness_is_load_per_displacement(bearing):
     """One additional newton, or newton metre, along each degree of freedom moves the ring by the
-    inverse of `stiffness`, apart from the change of contact stiffness with the angle, which it
-    neglects."""
+    inverse of `stiffness`, which neglects the change of contact stiffness with the angle."""
     base = dict(radial_load=2000.0, axial_load=1000.0, moment=(10.0, -4.0), clearance=10e-6)
     state = static.equilibrium(bearing, **base)
     compliance = np.linalg.inv(state.stiffness)
@@ -271,7 +270,7 @@ def test_turning_and_mirroring(bearing):
     assert other.inner.load == pytest.approx(one.inner.load, rel=1e-7)
     assert other.shift == pytest.approx(turn.apply(one.shift), abs=1e-13)
     assert np.append(other.tilt, 0) == pytest.approx(turn.apply(np.append(one.tilt, 0)), abs=1e-11)
-    # in the bearing's plane: axial load, moments, tilts and angles change sign
+    # mirrored in the bearing's plane: axial load, moments, tilts and angles change sign
     below = static.equilibrium(
         bearing, moment=(-10.0, 4.0), phase=0.1, **{**case, "axial_load": -1000.0}
     )
@@ -282,7 +281,7 @@ def test_turning_and_mirroring(bearing):
 
 
 def test_held_tilt_gives_back_its_moment(bearing):
-    """A held tilt of 20 arc-minutes needs a moment; that moment, applied, gives 20 arc-minutes."""
+    """A held tilt of 20 arc-minutes needs a moment; applying that moment gives 20 arc-minutes."""
     tilt = np.radians(20 / 60)
     for finite_shift in (False, True):
         held = static.equilibrium(
@@ -296,7 +295,7 @@ def test_held_tilt_gives_back_its_moment(bearing):
         assert held.tilt == pytest.approx([0.2 * tilt, tilt], rel=1e-12)
         e = np.array([np.sin(tilt), -np.sin(0.2 * tilt), 0])
         e[2] = np.sqrt(1 - e @ e)
-        # only the part across the axis does work; a moment in the plane of x and y with that part
+        # only the component across the axis does work: a moment in x and y with this component
         needed = -held.moment
         needed = (needed - needed[2] / e[2] * e)[:2] if finite_shift else needed[:2]
         free = static.equilibrium(
@@ -307,8 +306,8 @@ def test_held_tilt_gives_back_its_moment(bearing):
 
 
 def test_imposed_displacement(bearing):
-    """Held in all directions: the loads are those of Hertz at the displacement, with the ball on
-    the load line compressed by 30 um."""
+    """If the ring is held in all directions, loads follow from the displacement by Hertz; the ball
+    on the load line is compressed by 30 um."""
     state = static.equilibrium(bearing, held={"x": 30e-6, "y": 0, "z": 0, "rx": 0, "ry": 0})
     assert state.inner.overlap[0] + state.outer.overlap[0] == pytest.approx(30e-6, rel=1e-10)
     assert state.residual == 0
@@ -326,8 +325,8 @@ def test_held_straight_is_the_default_and_needs_a_moment(bearing):
 
 
 def test_pure_rolling_speed(bearing):
-    """`turning` against an equilibrium by hand: the orbit speed at the mean angle, and the angles
-    at that orbit speed."""
+    """`turning` agrees with an equilibrium calculated by hand: the orbit speed is that of the mean
+    angle, and the angles are those at this orbit speed."""
     from raceway.theory.lubrication import orbit, turning
 
     state, speed = turning(bearing, 1000.0, 0.0, 2000.0, clearance=30e-6)
@@ -401,8 +400,8 @@ def test_wrong_hold(bearing, held, said):
     ],
 )
 def test_light_loads(bearing, case):
-    """Under 1 N the last digits of distances correspond to 1e-10 N: this ends the search, rather
-    than the tolerance of the force."""
+    """Under 1 N the last digits of distances correspond to 1e-10 N, which ends the search before
+    the tolerance of the force is reached."""
     state = static.equilibrium(bearing, **case)
     assert state.residual < 1e-8
     load = np.array(

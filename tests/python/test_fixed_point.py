@@ -7,7 +7,7 @@ from raceway.core import library
 
 
 def search(g, x, values, reach=1e9, weights=None):
-    """Starting points x and the result of the library after each value of the map `g`."""
+    """Starting points x, and the library's result after each value of the map `g`."""
     starts, images, said = [], [], []
     weights = np.ones(len(x)) if weights is None else weights
     for _ in range(values):
@@ -29,7 +29,7 @@ def search(g, x, values, reach=1e9, weights=None):
 
 
 def affine(seed=3, slow=(0.9, -0.8, 0.6), n=12):
-    """A map with a few slow modes, whose other modes converge after one value, and its fixed
+    """A map with a few slow modes, while all other modes converge after one value; and its fixed
     point."""
     numbers = np.random.default_rng(seed)
     modes = numbers.normal(size=(n, n))
@@ -41,7 +41,8 @@ def affine(seed=3, slow=(0.9, -0.8, 0.6), n=12):
 
 
 def test_slow_modes_take_a_value_each():
-    """Like GMRES: one value for the fast modes, then one for each slow mode, and one more."""
+    """As in GMRES, the search needs one value for the fast modes, one for each slow mode, and one
+    more."""
     g, point = affine()
     starts, said = search(g, np.zeros(12), 5)
     assert np.abs(starts[-1] - point).max() < 1e-8 < 1e-2 < np.abs(starts[3] - point).max()
@@ -59,7 +60,7 @@ def test_distance_is_the_way_to_the_fixed_point():
 
 
 def test_weights():
-    """Numbers without weight are included, but the others do not depend on them."""
+    """Numbers without weight are included, but the other numbers do not depend on them."""
     g, point = affine(slow=(0.9,))
     wide = lambda x: np.append(g(x[:12]), 1e6 * np.sin(1e3 * x[12]))  # noqa: E731
     starts, said = search(wide, np.zeros(13), 4, weights=np.append(2.0 * np.ones(12), 0.0))
@@ -69,7 +70,7 @@ def test_weights():
 
 
 def test_reach():
-    """If residuals do not change, the search continues along them, as far as allowed."""
+    """If residuals do not change, the search continues along them as far as `reach` allows."""
     step = np.array([1e-3, -2e-3, 0.0])
     starts, said = search(lambda x: x + step, np.zeros(3), 3, reach=0.5)
     for k in (2, 3):

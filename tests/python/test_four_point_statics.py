@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of four-point contact and double row bearings against those with one groove per ring."""
+"""Figures of four-point contact and double row bearings against bearings with one groove per
+ring."""
 
 import json
 from dataclasses import replace
@@ -63,8 +64,8 @@ def grooves(found, key):
 
 @pytest.mark.parametrize("way", [1, -1])
 def test_thrust_is_that_of_an_angular_contact(way):
-    """A thrust loads one groove of each ring: all figures are those of a bearing with that groove
-    alone."""
+    """A thrust loads one groove of each ring: all figures equal the figures of a bearing with that
+    groove alone."""
     found = figures(axial=way * 1000.0, rpm=RPM)
     state, films = thrust()
     load = grooves(found, "q_N")
@@ -95,7 +96,7 @@ def test_radial_load_is_carried_by_four_points():
     azimuth = np.array([ball["azimuth_rad"] for ball in found["balls"]])
     carried = (load[0] * np.cos(angle[0]) * np.cos(azimuth)).sum()
     assert carried == pytest.approx(2000.0, rel=1e-9)
-    ring = electric.sum(1)  # the grooves of a ring are next to each other
+    ring = electric.sum(1)  # values of the two grooves of a ring are next to each other
     live = ring.min(0) > 0
     ball = np.where(live, ring.prod(0) / np.where(live, ring.sum(0), 1.0), 0.0)
     assert [one["capacitance_F"] for one in found["balls"]] == pytest.approx(ball, rel=1e-9)
@@ -124,7 +125,7 @@ def test_life_of_a_bearing_that_its_file_rates(stated):
     dynamic = rated.dynamic / 2**0.7  # of one row
     want = life.reference(body(), dynamic, state.inner.load, state.outer.load, ANGLE)
     assert found["life_reference_Mrev"] == pytest.approx(want, rel=1e-6)
-    # two equal grooves: twice the failure rate
+    # two equally loaded grooves have twice the failure rate
     both = operating_point.figures(stated, held={"rx": 0.0, "ry": 0.0}, load=2000.0)
     load = grooves(both, "q_N")
     one = life.reference(body(), dynamic, load[0, 0], load[1, 0], ANGLE)
@@ -194,7 +195,7 @@ def test_bad_files(stated):
 
 def test_stiffness_of_two_rows_and_four_points():
     """Rows far apart share a radial load and a thrust; tilting loads the rows in opposite
-    directions. Four points under a thrust act like one groove per ring, also in a table for rotor
+    directions. Under a thrust four points act like one groove per ring, also in a table for rotor
     programs."""
     apart, oil = 0.2, {"lubricant": "vg46", "phases": 2}
     rows = DoubleRow(apart, 0.0, "back_to_back")
@@ -215,8 +216,8 @@ def test_stiffness_of_two_rows_and_four_points():
 
 
 def test_two_rows_live_as_the_standard_says():
-    """C of two rows is 2^0.7 times that of one (ISO 281). Under twice the load each row has the
-    life of one, and both together 2^-0.9 times that."""
+    """C of two rows is 2^0.7 times C of one row (ISO 281). Under twice the load each row has the
+    life of a single row, and both together have 2^-0.9 times that life."""
     options = {"held": {"rx": 0.0, "ry": 0.0}, "folder": ROOT / "inputs"}
     one = operating_point.figures("6208", load=1000.0, **options)
     two = operating_point.figures("6208", load=2000.0, double_row=DoubleRow(0.02), **options)
@@ -227,7 +228,8 @@ def test_two_rows_live_as_the_standard_says():
 
 
 def test_four_points_on_a_shaft():
-    """`raceway shaft` accepts their file: a short stiff shaft on one gives its statics."""
+    """`raceway shaft` accepts files of four-point contact bearings: a short stiff shaft on one such
+    bearing gives the bearing's statics."""
     four = inputs.bearing(catalogue.find("bearings", "QJ208"))
     beam = shaft.Shaft([Section(0.02, 0.2)], Steel(young=2.1e14))
     loads = [shaft.Load(0.01, (500.0, 0.0, 1000.0), (2.0, 1.0))]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Friction torque of the 6208 by statics: the parts against the figures in the sections of the
-theory, spin in closed form, limits. Statics with the film in the gap."""
+"""Friction torque of the 6208 by statics: the parts against figures of the theory, spin in
+closed form, limits; statics with the film in the gap."""
 
 from pathlib import Path
 
@@ -32,7 +32,7 @@ def found(bearing, rpm, load=5000.0, axial=0.0, fluid=FLUID, surfaces=None, **op
 
 @pytest.fixture(scope="module")
 def none_skids():
-    """Unloaded balls roll, as in the figures of those sections."""
+    """Unloaded balls roll, as in the figures of the theory."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(skidding, "rotation", lambda slowing, rate, time: 1.0)
         yield
@@ -40,7 +40,7 @@ def none_skids():
 
 @pytest.fixture(scope="module")
 def table(bearing, none_skids):
-    """Torque of each part in N mm at four speeds, SKF's factors on rolling."""
+    """Torque of each part in N mm at four speeds, with SKF's factors on rolling."""
     rows = []
     for rpm in SPEEDS:
         factors = makers.skf(BOUNDARY, 5000.0, 0.0, rpm, 46.0)
@@ -71,13 +71,13 @@ def test_coulomb_slip(bearing, none_skids):
 
 def test_mixed_slip(table):
     """In full film Eyring's law with its limit is 5 to 20 % below Coulomb's 0.05; asperities raise
-    it at 48 rpm. With other laws for the asperity share that figure varies from 75 to 114."""
+    slip at 48 rpm. With other laws for the asperity share the torque there is 75 to 114 N mm."""
     assert table["slip"][1:] == pytest.approx([56, 55, 58], rel=0.04)
     assert table["slip"][0] == pytest.approx(114, rel=0.04)
 
 
 def test_torque_near_skf_s(bearing):
-    """5 kN, 0.04 Pa s, without fitting: within 35 % at 48 to 9549 rpm."""
+    """At 5 kN, 0.04 Pa s and 48 to 9549 rpm both torques agree within 35 %, without fitting."""
     for rpm in (191.0, *SPEEDS):
         one = figures("6208", "mineral", ROOT / "inputs", load=5000.0, rpm=rpm, models="full")
         assert one["friction_torque_N_m"] == pytest.approx(one["torque_skf_N_m"], rel=0.35)
@@ -139,7 +139,8 @@ def test_reversed_and_hot(bearing):
      (9549.0, -10, -3.0, 73)],
 )  # fmt: skip
 def test_film_in_the_gap(bearing, rpm, shift, top, third):
-    """Change in per cent of radial displacement, top and third ball; no centrifugal load."""
+    """Change in per cent of the radial displacement and of the loads of the top and the third ball,
+    without centrifugal load."""
     dry = equilibrium(bearing, 5000.0)
     wet = equilibrium(bearing, 5000.0, film=FilmInGap(ISOTHERMAL, rpm * np.pi / 30))
     change = [

@@ -34,7 +34,7 @@ def test_reference_speed():
 
 @pytest.mark.parametrize("name", BOUNDARIES)
 def test_reference_speed_near_the_catalogue_s(name):
-    """Oil to the middle of the lowest ball; without drag the speed is above the catalogue's."""
+    """Oil to the middle of the lowest ball; without drag the speed is above the catalogue speed."""
     ball = {"6208": 12.6, "6205": 7.94, "6306": 12.3}[name]
     found = heat.reference_speed(BOUNDARIES[name], ball / 2)
     assert found == pytest.approx(CATALOGUE[name], rel=0.30)
@@ -52,9 +52,9 @@ def test_balance():
 def test_three_nodes():
     found = heat.three_nodes(20.0, 10.0, shaft=1.0, housing=2.0, contact=0.7, ambient=25.0)
     assert (found.inner - 25) + 2 * (found.outer - 25) == pytest.approx(30, rel=1e-12)
-    # the heat flow from the balls into the outer ring plus its own half leaves through the housing
+    # heat from the balls, plus half of the losses of the outer contacts, leaves through the housing
     assert 0.7 * (found.balls - found.outer) + 5 == pytest.approx(2 * (found.outer - 25))
-    # perfect contact: a single temperature, as in the one-node model
+    # with perfect contact there is a single temperature, as in the one-node model
     tight = heat.three_nodes(20.0, 10.0, shaft=1.0, housing=2.0, contact=1e9)
     assert list(tight) == pytest.approx([30.0] * 3, abs=1e-6)
 
@@ -67,7 +67,7 @@ def test_clearance_by_temperature(bearing):
 
 
 def test_flash(bearing):
-    """2 and 8 K at 477.5 and 9549 rpm; the middle of the film is 0.3 and 41 K hotter."""
+    """The flash is 2 and 8 K at 477.5 and 9549 rpm; the film's middle is 0.3 and 41 K hotter."""
     r_x, r_y = bearing.effective_radii(INNER)
     modulus, ellipse = bearing.effective_modulus, hertz.exact(r_x, r_y)
     a, b = hertz.semi_axes(ellipse, modulus, 2436.2)

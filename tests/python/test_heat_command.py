@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway heat` and its functions: balances hold, limits agree, messages and exit codes."""
+"""`raceway heat` and its functions: balances, limits, messages and exit codes."""
 
 import json
 import re
@@ -64,8 +64,8 @@ def test_three_nodes_balance_and_tend_to_one():
 @pytest.mark.parametrize(("rpm", "ratio"), [(48.0, 2.3), (477.5, 1.95), (1910.0, 1.1),
                                             (9549.0, 0.22)])  # fmt: skip
 def test_film_by_the_bearing_s_own_temperature(bearing, rpm, ratio, monkeypatch):
-    """VG 46, 20 C ambient, ISO 15312: central thickness relative to that with 0.04 Pa s and 22/GPa,
-    both without inlet shear. Friction as in the printed row, with flooded inlets."""
+    """VG 46, 20 C ambient, ISO 15312: central thickness relative to the thickness with 0.04 Pa s
+    and 22/GPa, both without inlet shear. Friction as in the printed row, with flooded inlets."""
 
     def flooded(body, size, fluid, ring, models, supply):
         starved = laws.skf_starvation(
@@ -85,7 +85,7 @@ def test_film_by_the_bearing_s_own_temperature(bearing, rpm, ratio, monkeypatch)
         film.h_c(r_x, film.group(eta, xi, modulus, r_x, kappa, speed, 2436.2))
         for eta, xi in ((fluid.viscosity, fluid.pressure_viscosity), (0.04, 22e-9))
     ]
-    # the friction model differs from the one behind the printed row
+    # the friction model differs from the model behind the printed row
     assert thick[0] / thick[1] == pytest.approx(ratio, rel=0.12)
 
 

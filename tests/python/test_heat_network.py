@@ -33,15 +33,15 @@ HEAT = np.array([6.0, 12.0, 6.0, 0.5, 3.0])
 
 
 class Whole:
-    """A network as one symmetric matrix of inner ring, balls, outer ring, housing, oil, ambient and
-    inlet. Nodes without a capacity are a limit of a capacity of 0: their temperatures follow from
-    the others'."""
+    """A network as a symmetric matrix of inner ring, balls, outer ring, housing, oil, ambient and
+    inlet. Nodes without a capacity are the limit of a vanishing capacity: their temperatures
+    follow from the temperatures of the other nodes."""
 
     def __init__(self, net):
         self.net, self.capacity = net, np.array([*net["capacity"], 0.0])
         self.fixed = np.array([net["ambient"], net["inlet"]])
         g = np.zeros((7, 7))
-        # with a perfect seat, housing and outer ring are one: the housing only follows
+        # with a perfect seat, housing and outer ring are one node
         seat, cooled = (net["seat"], 3) if net["seat"] else (1.0, 2)
         oil = [net["convection"] * area for area in net["wetted"]]
         links = {
@@ -66,7 +66,7 @@ class Whole:
         return np.array([*heat[:2], heat[2] + heat[3], 0.0, heat[4]])
 
     def all_of(self, slow, heat):
-        """Temperatures of the five nodes, from those with a capacity."""
+        """Temperatures of the five nodes, from the temperatures of nodes with a capacity."""
         heat = self.into(heat)
         at = np.empty(5)
         at[self.slow] = slow
@@ -78,7 +78,7 @@ class Whole:
         return at
 
     def leaving(self, slow, heat):
-        """W to ambient, and carried away by the oil."""
+        """Heat flow in W to ambient and into the oil."""
         at, flow = self.all_of(slow, heat), self.net["flow"]
         away = -self.g[:5, 5] @ (at - self.net["ambient"])
         return away + flow * (at[4] - self.net["inlet"])
@@ -98,7 +98,7 @@ class Whole:
 def test_conductance_of_a_contact():
     steel = laws.steel_of_bearings()
     a, b, u = 1.102e-3, 0.1241e-3, 1.203
-    # heat through each point: two half-spaces in contact for the time 2 b sqrt(1 - z^2)/u
+    # at each point two half-spaces are in contact for the time 2 b sqrt(1 - z^2)/u
     along = integrate.quad(lambda z: (1 - z * z) ** 0.25, 0, 1, epsabs=1e-13)[0]
     assert along == pytest.approx(0.87402, abs=5e-6)
     property = float(steel.conductivity * steel.density * steel.heat)
@@ -108,7 +108,7 @@ def test_conductance_of_a_contact():
 
 
 def test_capacity_of_a_ring(bearing):
-    """Against the volume of thin cylinders; both rings of the 6208 have 136 J/K."""
+    """Capacity follows from the volume of thin cylinders: 136 J/K for both rings of the 6208."""
     steel = laws.steel_of_bearings()
     total = 0.0
     for inner, bottom, groove, seat, shoulder in (
@@ -181,14 +181,14 @@ def test_heat_that_grows_evenly(net):
 
 
 def spread(net, loss):
-    """A loss in W over the nodes, and over the oil if it flows."""
+    """A loss in W distributed over the nodes, and over the oil if it flows."""
     oil = 0.1 * loss if net["flow"] else 0.0
     return np.array(heat.into_nodes(0.6 * loss - oil, 0.4 * loss, oil=oil))
 
 
 def jump(net, losses, start, **control):
-    """Temperatures from jumps (time in s and C of the nodes) with losses `losses`(T) in W, and
-    the last state."""
+    """Rows of a run with jumps (time in s and temperatures of the nodes in C) under losses
+    `losses`(T) in W, and the last state."""
     state = library().records["HeatStateOf"]()
     for k in range(4):
         state.at[k] = state.law[k] = start
@@ -207,7 +207,7 @@ def jump(net, losses, start, **control):
 
 
 def integrated(net, losses, start, times):
-    """The same integrated by scipy, without jumps."""
+    """Temperatures without jumps, integrated by scipy."""
     whole = Whole(net)
 
     def rate(_, t):
@@ -218,7 +218,7 @@ def integrated(net, losses, start, times):
 
 
 def fall(t):
-    """A loss like that with an oil: it falls with temperature, then grows by mixed friction."""
+    """A loss in W as in an oil: it falls with temperature, then grows by mixed friction."""
     return 30 * np.exp(-(t - 20) / 40) + 0.08 * t
 
 
@@ -253,7 +253,7 @@ def test_jumps_to_the_steady_state(name):
 
 @pytest.mark.parametrize(("share", "end"), [(0.9, 2), (1.1, 3)])
 def test_run_away(share, end):
-    """Losses that grow linearly, at 0.9 and 1.1 of the total conductance."""
+    """Losses grow linearly, at 0.9 and 1.1 times the total conductance."""
     net = NETS["none"]
     _, hot = heat.steady(net, heat.into_nodes(0.6, 0.4))
     slope = share / (hot[:3].mean() - 20)  # W/K

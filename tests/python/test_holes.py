@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Files that were once read silently, or caused a traceback: each is refused or causes a
+"""Files that were once read silently, or caused a traceback: each is now refused or causes a
 warning."""
 
 import json
@@ -55,7 +55,7 @@ def test_a_broken_point(points, content):
 @pytest.mark.parametrize("content", [b"[1]", b"text", b'"text"', b"3", b"\xff", 9000 * b"["])
 @pytest.mark.parametrize("name", ["summary.json", "failed.json"])
 def test_broken_figures(points, name, content):
-    """Without figures the point is run again."""
+    """A point without figures is run again."""
     (points / "c" / name).write_bytes(content)
     assert state(points / "c", {"load": "3"}) == ("pending", "")
     assert gather(points).set_index("point").loc["c", "status"] == "pending"
@@ -68,8 +68,8 @@ def test_a_failure_without_a_message(points):
 
 @pytest.mark.parametrize("finished", [True, False])
 def test_a_point_that_was_stopped_in_its_measurement(folder, finished):
-    """Its run.yaml is complete except for the end: such a point once counted as finished, and then
-    always failed."""
+    """The point's run.yaml is complete except for its end. Such a point once counted as finished,
+    and then always failed."""
     (folder / "point.yaml").write_text("load: '5000'\n")
     if not finished:
         spoil(folder, "^step_s: .*\n", "")
@@ -120,7 +120,7 @@ def test_many_unknown_columns_in_one_message(tmp_path):
 
 
 def test_the_page_of_points_with_other_variables(points):
-    """Sweeps in the form written by `raceway needs`: a table of each kind, and no cell is nan."""
+    """A sweep as `raceway needs` writes it: the page has a table of each kind, without nan."""
     (points / "d").mkdir()
     (points / "d" / "point.yaml").write_text("models: full\nwithout: gap+drag\n")
     text = page(points).write(points / "page.html").read_text()

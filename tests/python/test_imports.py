@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A command imports the large packages that it needs, and no others."""
+"""A command imports only those large packages that it needs."""
 
 import subprocess
 import sys
@@ -37,7 +37,7 @@ def test_help_loads_none(command):
 
 
 def test_summary(folder):
-    # scipy: elliptic integrals, for the range of the film by the model
+    # scipy has the elliptic integrals for the range of the film
     assert loaded("summary", folder) <= {"numpy", "pandas", "scipy", "yaml"}
 
 
@@ -46,5 +46,5 @@ def test_static():
 
 
 def test_plot(folder, tmp_path):
-    """The check does detect the packages that a picture needs."""
+    """The check detects the packages that a picture needs."""
     assert "matplotlib" in loaded("plot", folder, "--out", tmp_path / "picture.png")

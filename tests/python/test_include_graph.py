@@ -8,7 +8,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))
-import include_graph  # noqa: E402  it is next to the tests, in no package
+import include_graph  # noqa: E402  next to the tests, not in a package
 
 
 def tree(folder, files):

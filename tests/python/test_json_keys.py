@@ -12,9 +12,9 @@ from raceway.cli import _parser, main
 twin = test_compare.run  # a run long enough for an envelope
 
 UNITS = "m m2 kg s h rad deg rpm Hz N Pa F V A J W K C ohm Mrev order"
-# their entries have their own units (docs/static)
+# entries of these matrices have different units (docs/static)
 MATRIX = "^(stiffness|damping|place)(_|$)"
-# a unit at the end, or several of one compound: _rad_s, _N_m_rad, _kg_m2
+# a unit at the end, or the last of a compound unit: _rad_s, _N_m_rad, _kg_m2
 NAMED = re.compile(f"_(per_)?({'|'.join(UNITS.split())})$|^rpm(_|$)|{MATRIX}")
 # numbers without a unit: counts, shares, ratios and factors
 PLAIN = set(
@@ -60,7 +60,7 @@ def words(folder, tmp_path, twin):
 
 
 def numbers(value, keys=(), beside=()):
-    """(keys down to a number or list of numbers, keys beside the last one)."""
+    """(keys that lead to a number or list of numbers, keys beside the last one)."""
     if isinstance(value, dict):
         for key, one in value.items():
             yield from numbers(one, (*keys, key), value.keys())

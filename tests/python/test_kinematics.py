@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Bearing frequencies against the values of docs/theory, Numbers to reproduce, and rolling without
+"""Bearing frequencies against values of docs/theory, Numbers to reproduce, and rolling without
 slip."""
 
 import numpy as np
@@ -20,8 +20,8 @@ def test_every_ball_passes_both_rings(bearing):
 
 
 def test_entrainment_from_the_surfaces(bearing):
-    """Relative to the contact, both surfaces at either raceway move at (ring - cage) times the
-    raceway's radius."""
+    """Relative to the contact, both surfaces at each raceway move at (ring - cage) times the
+    radius of the raceway."""
     spin = 50.0
     cage = spin * kinematics.frequencies(bearing).cage
     speed = kinematics.entrainment(bearing, spin)

@@ -22,7 +22,7 @@ PHRASES = (
 
 
 def glossary():
-    """{term: keys of output that it has} of the glossary, each term once."""
+    """{term: its keys in outputs} of the glossary, which has each term once."""
     text = (ROOT / "docs/design.rst").read_text().split(".. _glossary:")[1]
     block = re.search(r":widths:.*\n\n((?:   .+\n)+)", text)[1]
     lines = re.sub("^   ", "", block, flags=re.M).splitlines(keepends=True)

@@ -29,8 +29,8 @@ def test_basic_life_as_published(load, rpm, hours):
     [((3000, 0), 0.0, 1255.9), ((3000, 0), 10e-6, 1161.8), ((1500, 2500), 20e-6, 859.1)],
 )
 def test_reference_life(loads, clearance, want):
-    """Computed independently of this package, with contact stiffness held at angle 0: 5e-4 where
-    the ring moves along its axis, the last digit elsewhere."""
+    """The lives were computed independently of this package, with the contact stiffness of angle 0.
+    They agree within 5e-4 if the ring moves along its axis, otherwise to the last digit."""
     rest = static.equilibrium(B6208, *loads, clearance=clearance)
     found = life.reference(B6208, C, rest.inner.load, rest.outer.load)
     assert found == pytest.approx(want, abs=5e-4 * want if loads[1] else 0.06)
@@ -38,9 +38,9 @@ def test_reference_life(loads, clearance, want):
 
 @pytest.mark.parametrize("side", ["inner_groove", "outer_groove"])
 def test_life_falls_where_pressure_rises(side):
-    """Grooves with radii from 0.505 to 0.6 ball diameters, radial and combined load: a wider groove
-    never gives a longer life, and above 0.53 each step of 4 % shortens it by at least 1 %. The
-    grooves of the catalogue are no wider than ISO 281 assumes."""
+    """Grooves with radii from 0.505 to 0.6 ball diameters, under radial and combined load: a wider
+    groove never gives a longer life, and above 0.53 each step of 4 % shortens life by at least
+    1 %. The grooves of the catalogue are no wider than ISO 281 assumes."""
     for loads in ((3000.0,), (1500.0, 2500.0)):
         lives = []
         for groove in 12.6e-3 * np.array([0.505, 0.52, 0.53, 0.55, 0.575, 0.6]):
@@ -58,7 +58,7 @@ def test_ratings_of_the_catalogue_are_kept():
 
 
 def test_reference_life_is_that_of_the_rating_under_its_own_load():
-    """Under a radial load that half the balls carry, at zero clearance, ISO/TS 16281 gives
+    """Under a radial load carried by half of the balls, at zero clearance, ISO/TS 16281 gives
     (C/P)^3: C is defined by this distribution. The standard's constants satisfy it to 2 %."""
     rest = static.equilibrium(B6208, 3000.0)
     found = life.reference(B6208, C, rest.inner.load, rest.outer.load)
@@ -77,7 +77,7 @@ def test_reference_life_is_that_of_the_rating_under_its_own_load():
     ],
 )
 def test_factor(kappa, dirt, want):
-    """Agreement to half a unit in the last of four digits."""
+    """The factor agrees to half a unit in the last of four digits."""
     assert life.factor(kappa, dirt) == pytest.approx(want, rel=2.7e-4)
 
 
@@ -117,7 +117,8 @@ def test_whole_life():
 
 
 def test_duties():
-    """One duty gives its own life; ten per cent at a tenth of the life use half of it."""
+    """A single duty gives its own life. Duties with a tenth of the life in 10 % of the revolutions
+    halve the life."""
     assert life.of_duties([123.0], [1.0]) == pytest.approx(123.0)
     assert life.of_duties([900.0, 100.0], [0.9, 0.1]) == pytest.approx(500.0)
     with pytest.raises(ValueError, match="add up to 1"):
@@ -138,7 +139,7 @@ def test_static_safety():
 
 
 def test_command(capsys):
-    """`raceway static` prints life figures for a bearing with ratings, and none without."""
+    """`raceway static` prints life figures only for bearings with ratings."""
     words = "static --bearing {} --load 3000 --rpm 1500 --lubricant vg46 --json".format
     assert cli.main(words("6208").split()) == 0
     found = json.loads(capsys.readouterr().out)
@@ -162,9 +163,9 @@ def rated(capsys, words):
 
 
 def test_a_rating_on_the_command_line(capsys):
-    """--C replaces the file's value: both lives grow with its cube, and a bearing without ratings
-    gets a life. Under a radial load without clearance ISO/TS 16281 agrees with the basic life
-    within 2 %."""
+    """--C replaces the value of the file: both lives grow with its cube, and a bearing without
+    ratings also has a life. Under a radial load without clearance ISO/TS 16281 agrees with the
+    basic life within 2 %."""
     one, two = (rated(capsys, f"--load 3kN --rpm 1500 --C {c}") for c in ("16kN", "32000"))
     for key in ("life_L10_Mrev", "life_reference_Mrev", "life_L10_h"):
         assert two[key] == pytest.approx(8 * one[key], rel=1e-12)
@@ -175,8 +176,8 @@ def test_a_rating_on_the_command_line(capsys):
 
 
 def test_load_spectrum(capsys, tmp_path):
-    """One duty in two parts equals that duty; the equivalent load of several is the cubic mean
-    weighted by revolutions, and a steady load of that size gives the same life."""
+    """One duty in two parts equals that duty; the equivalent load of several duties is the
+    cubic mean weighted by revolutions, and a steady load of that size gives the same life."""
     path = tmp_path / "duties.csv"
     common = ["static", "--C", "32.5kN", "--spectrum", str(path)]
 
@@ -209,8 +210,8 @@ SWEPT = "point,status,load,share,equivalent_load_N,life_reference_Mrev,dynamic_r
 
 
 def test_spectrum_of_a_sweep(capsys, tmp_path):
-    """P of results.csv is the mean (sum q n P^3/sum q n)^(1/3) of the points' loads; a rating does
-    not change it, and the life is the life at that load."""
+    """The equivalent load of results.csv is the mean (sum q n P^3/sum q n)^(1/3) of the points'
+    loads. It does not depend on a rating, and the life is the life under this load."""
     path = tmp_path / "results.csv"
     path.write_text(
         SWEPT + "a,finished,2000,7,1990,1,30e3,1500\nb,finished,5000,3,4990,1,30e3,3000\n"
@@ -264,8 +265,8 @@ def test_a_spectrum_that_is_none(capsys, tmp_path, text, said):
 
 
 def test_equivalent_load_of_a_thrust():
-    """P does not depend on the sign of either load and grows with both, except for the jump at
-    e."""
+    """P does not depend on the sign of either load, and grows with both except for the jump at the
+    limit e."""
     deep = dict(angle=0.0, balls=9, ball_diameter=12.6e-3)
     steep = dict(deep, angle=np.radians(40))
     assert equivalent(2000.0, 0.0, **deep) == 2000 == equivalent(-2000.0, 50.0, **deep)
@@ -300,8 +301,8 @@ def test_ratings_that_are_none(tmp_path, line, says):
 
 
 def test_minimum_load(tmp_path, capsys):
-    """k_r of the file; the minimum load grows with the 2/3 power of viscosity and speed. A file
-    without k_r gives none."""
+    """k_r is read from the file; the minimum load grows with the 2/3 power of viscosity and speed.
+    Without k_r there is no minimum load."""
     once = life.minimum_load(0.025, 46.0, 1500.0, 0.06)
     assert life.minimum_load(0.025, 92.0, 6000.0, 0.06) == pytest.approx(4 * once, rel=1e-12)
     assert life.minimum_load(0.025, 1000.0, 1.0, 0.1) == pytest.approx(25.0, rel=1e-12)

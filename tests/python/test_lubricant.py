@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Oils over temperature and pressure: published values, slopes, and the deck's own arithmetic."""
+"""Oils over temperature and pressure: published values, slopes, and the arithmetic of the deck."""
 
 from pathlib import Path
 
@@ -62,7 +62,7 @@ def test_grades_at_forty(name, cold, density):
 
 
 @pytest.mark.parametrize("name", PHYSICAL)
-def test_grade_limits(name):  # ISO 3448: within 10 % of the number at 40 C
+def test_grade_limits(name):  # ISO 3448: viscosity within 10 % of the grade's number at 40 C
     number = {"pao8": 46, "grease110": 100}.get(name) or float(name[2:])
     assert inputs.fluid(OILS / name).kinematic == pytest.approx(number, rel=0.1001)
 

@@ -21,8 +21,8 @@ STRAIGHT = dict.fromkeys(("x", "y", "rx", "ry"), 0.0)
 @pytest.mark.parametrize("finite_shift", [False, True])
 @pytest.mark.parametrize("arrangement, way", [("back_to_back", 1.0), ("face_to_face", -1.0)])
 def test_double_row_is_two_rows(arrangement, way, finite_shift):
-    """Each row has its own position on the ring; forces and moments add up, and so do
-    stiffnesses."""
+    """Each row has its own position on the ring; forces, moments and stiffnesses of both rows
+    add up."""
     spacing, preload = 0.02, 4e-6
     two = ANGULAR.double_row(DoubleRow(spacing, preload, arrangement), ANGLE)
     place = np.array([6e-6, -3e-6, 2e-6, 1e-4, 2e-4])
@@ -39,7 +39,7 @@ def test_double_row_is_two_rows(arrangement, way, finite_shift):
         one = static.equilibrium(ANGULAR, held=dict(zip(static.FREEDOMS, own)), **options)
         force += turn.T @ [*one.force, *one.moment[:2]]
         stiffness += turn.T @ one.stiffness @ turn
-    # for circles the two planes are not exactly `turn`
+    # for circles `turn` does not exactly describe the two planes
     within = 1e-3 if finite_shift else 1e-7
     got = np.array([*found.force, *found.moment[:2]])
     assert got == pytest.approx(force, rel=within, abs=1e-6 + within * np.abs(force).max())
@@ -67,7 +67,7 @@ def test_preload_needs_no_load():
 
 # ---- four points
 def test_two_points_are_an_angular_contact():
-    """A thrust loads one groove of each ring, as in a bearing with one groove per ring."""
+    """A thrust loads only one groove of each ring, like a bearing with one groove per ring."""
     row = static.equilibrium(FOUR, axial_load=3000.0)
     one = static.equilibrium(ANGULAR, axial_load=3000.0, held=STRAIGHT)
     start = (ANGULAR.groove_gap(INNER) + ANGULAR.groove_gap(OUTER)) * np.sin(ANGLE)
@@ -85,7 +85,7 @@ def share(found, groove):
 
 
 def test_reversal_switches_grooves_without_a_jump():
-    """Under preload, from one side to the other: position and loads follow the stiffness
+    """If a thrust on a preloaded bearing reverses, position and loads follow the stiffness
     throughout."""
     thrust = np.linspace(-800.0, 800.0, 65)
     options = {"clearance": -4e-6, "held": STRAIGHT}
@@ -102,8 +102,8 @@ def test_reversal_switches_grooves_without_a_jump():
 
 
 def test_balls_switch_one_by_one_under_radial_load():
-    """Loaded balls leave their second grooves at different thrusts. Half the step in the thrust
-    halves the change of any load: nothing jumps."""
+    """Loaded balls leave their second grooves at different thrusts. Halving the step in
+    the thrust halves the largest change of a load: nothing jumps."""
     thrusts = np.linspace(-2400, 2400, 25)
     rests = [static.equilibrium(FOUR, 2000.0, one) for one in thrusts]
     loads = np.array([one.inner.load for one in rests])

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Readers that promise constant memory do not need more for longer runs: each reads a run and one
-nine times as long.
+"""Readers with constant memory do not need more memory for longer runs: each reads a run and a run
+that is nine times as long.
 
-tests/bench/large_runs.py does the same with 2 GB.
+tests/bench/large_runs.py tests this with 2 GB.
 """
 
 import subprocess
@@ -15,7 +15,7 @@ import raceway
 import synthetic
 
 SHORT, LONG = 20, 180  # multiplies the 49 samples of the synthetic run
-# bytes read at once, reduced in proportion to the runs: even the short one has several
+# bytes read at once, reduced in proportion to the runs: even the short run has several blocks
 BLOCK = 1 << 18
 TASKS = """
 from raceway import electrical, losses, regimes, spectrum
@@ -38,7 +38,7 @@ WHOLE = "raceway.open(folder).contacts.load()"  # this one does grow
 
 @pytest.fixture(scope="module")
 def folders(tmp_path_factory, lubricated):
-    """The run with its samples repeated."""
+    """{repetitions: folder} of the run with its samples repeated."""
     made = {}
     for times in (SHORT, LONG):
         rings = np.tile(np.array(lubricated["rings"], dtype=float), (times, 1))
@@ -51,7 +51,7 @@ def folders(tmp_path_factory, lubricated):
 
 def peak(folder, task):
     """Largest resident memory in MB of a process that runs `task`."""
-    # VmHWM and not ru_maxrss, which a process inherits from its parent
+    # VmHWM instead of ru_maxrss, which a process inherits from its parent
     code = (
         f"import sys, raceway, raceway.runs.record; raceway.runs.record.BLOCK = {BLOCK}; folder ="
         f" sys.argv[1]\n{task}\nprint(next(line.split()[1] for line in open('/proc/self/status') if"
@@ -81,7 +81,7 @@ def growth(folders, task):
 
 
 def test_bounded(folders):
-    """One row per sample of totals, ring and spectrum stays in memory: up to 1 KB of 4.6 KB."""
+    """One row of totals, ring and spectrum per sample stays in memory: up to 1 KB of 4.6 KB."""
     assert growth(folders, TASKS) < 0.3
 
 

@@ -27,8 +27,8 @@ def test_the_figure_lies_inside(folder):
 
 @pytest.mark.parametrize("given, ends", [(1.5e-7, (1.5e-7, 1.5e-7)), (1e-7, (0.5e-7, 3e-7))])
 def test_film_parameter(tmp_path, lubricated, given, ends):
-    """0.5 to 3 times the roughness in the file, 0.1 um; a roughness set by the user has its own
-    range."""
+    """The range of the roughness in the file, 0.1 um, is 0.5 to 3 times this value; a roughness set
+    by the user is taken as exact."""
     folder = write(tmp_path, changed(lubricated, roughness_m=given))
     ranges = summary(RunTables(folder))["model_ranges"]
     film_range, ratio = ranges["h_min_m"], ranges["lambda"]
@@ -37,7 +37,7 @@ def test_film_parameter(tmp_path, lubricated, given, ends):
 
 
 def test_values_given_outright_have_no_range(tmp_path, lubricated):
-    """The film's range is then that of the laws alone, computed here for the top contact."""
+    """The range of the film then follows from the laws alone, computed here for the top contact."""
     own = changed(lubricated, viscosity_Pa_s=0.05, pressure_viscosity_per_Pa=2e-8)
     tables = RunTables(write(tmp_path, own))
     figures = summary(tables)
@@ -64,7 +64,7 @@ def test_laws_of_asperities_and_torque(folder):
     laws = [asperity.olver_spikes(1.41), asperity.clarke(1.41), asperity.zhou_hoeprich(1.41)]
     assert found["asperity_share"][:2] == pytest.approx((min(laws), max(laws)), rel=1e-12)
     assert found["friction_torque_N_m"][:2] == (0.08, 0.12)
-    figures["models"] = "paper"  # its torque has no rolling resistance
+    figures["models"] = "paper"  # the torque of this model has no rolling resistance
     assert "friction_torque_N_m" not in model_ranges(tables, figures)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Variables of datasets as attributes, and second names for those that are not valid in Python."""
+"""Variables of datasets as attributes, and second names for names that are not valid in Python."""
 
 import pytest
 import raceway

@@ -22,7 +22,8 @@ def said(capsys, *words):
 
 @pytest.mark.parametrize("command", OF)
 def test_several_values_are_the_points_one_by_one(capsys, command):
-    """Every combination, in the order of the options; one point is an object, not a list."""
+    """A command computes every combination, in the order of the options; a single point is an
+    object, not a list."""
     given = [word for name, values in VALUES.items() for word in (f"--{name}", *values)]
     together = json.loads(said(capsys, command, *OF[command], *given, "--json"))
     alone = [

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The overview: drawn for every kind of run, and from the right numbers."""
+"""The overview is drawn for every kind of run, and from the right numbers."""
 
 import matplotlib.image
 import numpy as np
@@ -13,7 +13,7 @@ from raceway.runs.tables import RunTables
 
 @pytest.fixture
 def axes(monkeypatch):
-    """The panels of the last picture, protected from being closed."""
+    """The panels of the last picture, which is kept from being closed."""
     kept = []
     monkeypatch.setattr(plot.plt, "close", kept.append)
     yield lambda: {panel.get_title(loc="left"): panel for panel in kept[-1].axes}
@@ -63,7 +63,7 @@ def test_lost_contact_breaks_the_line(tmp_path, axes):
     panel = axes()["Contact load around the ring"]
     steps = np.concatenate([np.diff(line.get_xdata()) for line in panel.lines])
     assert np.isnan(steps).any()
-    # the path of a ball in one sample
+    # the path of a ball from one sample to the next
     assert np.nanmax(np.abs(steps)) == pytest.approx(2 * np.pi / 9 / 8, rel=1e-6)
 
 

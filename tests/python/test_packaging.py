@@ -27,7 +27,7 @@ def numbers(version):
 
 @pytest.mark.parametrize("needed", PROJECT["dependencies"])
 def test_what_is_installed_already_stays(needed):
-    """Only lower bounds: `pip install raceway` must not change a newer version."""
+    """Requirements are lower bounds only: `pip install raceway` must not change a newer version."""
     name, least = re.fullmatch(r"([a-z]+)>=([\d.]+)", needed).groups()
     assert numbers(LOCK[name]) >= numbers(least)
 

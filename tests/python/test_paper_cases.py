@@ -18,7 +18,7 @@ cases:
   free: {deck: inputs/in.axial, with: {total_curvature: 0.08, clearance_ratio: 0.0035}}
 products: {8a: [few], 9: [few, same], A.4: [free]}
 """
-# logs that it ran, and fails for the load in the file `bad`
+# logs its call, and fails for the load in the file `bad`
 PROGRAM = """#!/bin/sh
 echo "$@" >> runs.txt
 bad=$(cat bad 2>/dev/null || echo none)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Numbers from a run folder with known content."""
+"""Numbers read from a run folder with known content."""
 
 from types import SimpleNamespace
 
@@ -25,10 +25,10 @@ def reading(folder):
 
 def test_around(reading, bearing):
     psi, load = reading.around(OUTER, "load")
-    # a load zone with clearance: less than half
+    # with clearance the load zone is less than half of the ring
     assert np.all(np.diff(psi) >= 0) and -95 < psi[0] < -60 and 60 < psi[-1] < 95
     rest = static.equilibrium(bearing, 5000.0, clearance=GAP, phase=0.0)
-    # 0.2 %: linear interpolation between samples, 24 per ball pass
+    # 0.2 %: error of linear interpolation between samples, 24 per ball pass
     assert reading.top(OUTER, "load") == pytest.approx(rest.outer.load[0], rel=2e-3)
     assert load.max() <= rest.outer.load[0] * (1 + 1e-9)
 
@@ -59,7 +59,7 @@ def test_coulomb_use(reading):
 
 
 def test_cage_contact_share(reading):
-    """Cage balls half-way between balls; one of them touches its neighbour in every sample."""
+    """Cage balls are half-way between balls; one of them touches its neighbour in every sample."""
     angle, count = 2 * np.pi * np.arange(9) / 9, 9
 
     def places(turn, push):

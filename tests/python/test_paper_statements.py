@@ -59,8 +59,8 @@ def test_judge():
 
 
 def test_judged_with_all_of_the_capacitance():
-    """Statements with rules for the total capacitance use those, others the same rules with other
-    numbers; without any the verdict is unchanged."""
+    """Statements with rules for the total capacitance use those rules, others their usual rules
+    with the new numbers; without such numbers the verdict is unchanged."""
     corrected = {"a": Quantity(1.0, "F", "plates"), "b": Quantity(5.0, "", "number")}
     whole = {"a": Quantity(3.0, "F", "all"), "c": Quantity(2.0, "F", "around")}
     same = Statement("1", "...", "", ("a < 2",), ("a",), "")
@@ -88,7 +88,7 @@ def test_verdicts_that_are_stated():
 
 
 def test_known_formulas():
-    """The printed formulas of stiffness, from the bearing's data alone (docs/errata)."""
+    """Printed formulas of stiffness are evaluated from the bearing's data alone (docs/errata)."""
     book = SimpleNamespace(
         bearing=inputs.bearing(ROOT / "inputs/bearings/6208"),
         oils={name: inputs.oil(ROOT / "inputs/lubricants" / name) for name in ("mineral", "pao48")},

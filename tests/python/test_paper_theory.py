@@ -36,7 +36,7 @@ def test_contact_is_the_formulas(bearing, printed):
 def test_loads_balance_the_ring(bearing):
     psi, load, _ = theory.loads(bearing, 5000.0)
     assert psi.shape == load.shape == (theory.PHASES, bearing.balls)
-    # 0.1 %: contacts of a displaced ring point slightly off the radius
+    # 0.1 %: contact normals of a displaced ring deviate slightly from the radius
     assert (load * np.cos(np.radians(psi))).sum(1) == pytest.approx(5000.0, rel=1e-3)
     # Harris, without the effect of finite shift
     assert theory.largest_load(bearing, 5000.0) == pytest.approx(2436.2, rel=1e-3)
@@ -60,7 +60,8 @@ def test_bearing_is_the_sum_of_balls(bearing):
 def test_speed_of_a_film(bearing):
     at = passage.speed(bearing, OIL, 5000.0, 123e-9)
     found = theory.contact(bearing, OIL, INNER, theory.largest_load(bearing, 5000.0), at).h_min
-    assert found == pytest.approx(123e-9, rel=1e-9)  # exponent of the speed from two logarithms
+    # the exponent of the speed follows from two logarithms
+    assert found == pytest.approx(123e-9, rel=1e-9)
 
 
 @pytest.mark.parametrize("whole", [True, False])

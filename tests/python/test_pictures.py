@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Pictures other than the overview: drawn from the right numbers, for every kind of run."""
+"""Pictures other than the overview are drawn from the right numbers, for every kind of run."""
 
 import shutil
 
@@ -96,8 +96,8 @@ def test_bands_of_a_long_run_are_thinned(folder, monkeypatch):
 
 
 def test_scene(folder, lubricated, bearing):
-    """Touching bodies with overlap d are drawn with overlap factor * d; colours are the contacts'
-    values."""
+    """Touching bodies with an overlap d are drawn with the overlap factor * d; colours show the
+    values of the contacts."""
     run, samples, factor = RunTables(folder), np.array([3, 10, 20]), 20.0
     what = scene(run, samples, "load", factor)
     pitch = bearing.pitch_radius
@@ -241,7 +241,7 @@ def test_without_ffmpeg(folder, tmp_path, monkeypatch):
 
 
 def test_ffmpeg_gets_every_picture(folder, tmp_path, monkeypatch):
-    """A stand-in counts its input: raw pictures of the expected size, all different."""
+    """A stand-in for ffmpeg keeps its input: raw pictures of the expected size, all different."""
     program = tmp_path / "ffmpeg"
     program.write_text(
         '#!/bin/sh\necho "$@" > said\ncat > fed\nfor last; do :; done\ncp fed "$last"\n'

@@ -27,12 +27,12 @@ def test_points(tmp_path):
         "load=5e3_rpm=477.5_lubricant=dry",
         "load=20_rpm=100_lubricant=pao48",
     ]
-    # as written, in the deck's order
+    # values as written, in the order of the deck's variables
     assert found[0].variables == {"load": "5e3", "rpm": "477.5", "lubricant": "dry"}
 
 
 def test_words_of_another_meaning(tmp_path):
-    """A variable whose default is a word, and a bearing whose name ends like a unit."""
+    """A variable whose default is a word and a bearing whose name ends like a unit are accepted."""
     path = tmp_path / "table.csv"
     path.write_text("bearing,load,rpm\n6205N,5kN,1500\n")
     known = {"bearing": "6208", "load": "left", "rpm": "1"}
@@ -52,7 +52,7 @@ def test_long_names():
 
 
 def test_names_of_paths():
-    """Two files with the same name in different folders."""
+    """Files with the same name in different folders give different names."""
     names = {folder_name({"bearing": path, "load": "1"}) for path in ("a/own", "b/own", "own")}
     assert len(names) == 3 and not any("/" in name for name in names)
 

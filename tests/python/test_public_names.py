@@ -38,7 +38,7 @@ def public(module):
 
 
 def plain(member):
-    """The function behind a method, property or cached property of a class; None for another
+    """The function behind a method, property or cached property of a class; None for any other
     member."""
     for wrapped in ("__func__", "fget", "func", "__wrapped__"):
         member = getattr(member, wrapped, member)
@@ -46,7 +46,7 @@ def plain(member):
 
 
 def without_hint(function):
-    """Names of the parameters without annotation, and "return"; `self` and `cls` need none."""
+    """Names of the parameters without annotation, and "return"; `self` and `cls` are not listed."""
     signature = inspect.signature(function)
     names = [
         name
@@ -66,7 +66,7 @@ def test_hints(name):
 def test_docstrings(name):
     module = importlib.import_module(name)
     assert module.__doc__
-    # documented by the class for a constructor
+    # the docstring of a class documents its constructor
     bare = [key for key, one in public(module) if not (one.__doc__ or key.endswith("__init__"))]
     assert bare == []
 

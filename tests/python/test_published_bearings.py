@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The theory against published figures. docs/validation.rst lists them with our
-values."""
+"""The theory against published figures. docs/validation.rst lists them with our values."""
 
 from pathlib import Path
 
@@ -24,9 +23,9 @@ def test_harris_209():
 
 
 def test_harris_209_geometry():
-    """Endplay 0.174 mm: the exact 0.1726 mm is 0.8 % less, 2 C sin(10 degrees) is 0.1736 mm, so the
-    book's free angle (9.94 degrees) seems to be rounded. Curvature sums 0.202 and 0.138 1/mm to the
-    digits printed."""
+    """The printed endplay is 0.174 mm. The exact 0.1726 mm is 0.8 % less; 2 C sin(10 degrees) is
+    0.1736 mm, so the book seems to round its free angle of 9.94 degrees. Curvature sums equal
+    0.202 and 0.138 1/mm to the printed digits."""
     bearing = inputs.bearing(BEARINGS / "harris209")
     assert clearance.free_endplay(bearing, 15e-6) == pytest.approx(0.174e-3, rel=1e-2)
     sums = [
@@ -38,20 +37,20 @@ def test_harris_209_geometry():
 
 def test_6205_frequencies():
     """Case Western Reserve University Bearing Data Center, drive end 6205-2RS JEM: 9 balls of
-    0.3126 in on a 1.537 in pitch. Its 4.7135 for the ball counts both raceways and is twice our
-    ball spin frequency."""
+    0.3126 in on a pitch diameter of 1.537 in. The published 4.7135 for the ball counts both
+    raceways and is twice our ball spin frequency."""
     inch = 25.4e-3
     ball, pitch = 0.3126 * inch, 1.537 * inch
     bearing = Bearing(9, ball, (pitch - ball) / 2, (pitch + ball) / 2, 0.52 * ball, 0.52 * ball)
     ours = kinematics.frequencies(bearing)
-    # the digits published; the last of BSF follows from dimensions of four digits
+    # to the published digits; the last digit of BSF follows from dimensions with four digits
     assert ours.inner == pytest.approx(5.4152, abs=5e-5)
     assert ours.outer == pytest.approx(3.5848, abs=5e-5)
     assert ours.cage == pytest.approx(0.3983, abs=5e-5)
     assert 2 * ours.spin == pytest.approx(4.7135, abs=1e-4)
 
 
-ISO = {  # um, um, mrad: radial shift, axial shift, tilt; of loads N, N, N m and clearance m
+ISO = {  # (loads in N, N, N m, clearance in m), (radial and axial shift in um, tilt in mrad)
     "radial": ((1000.0, 0.0, None, 0.0), (15.1101, None, None)),
     "axial": ((0.0, 1000.0, None, 0.0), (None, 133.5381, None)),
     "radial, clearance": ((1000.0, 0.0, None, 10e-6), (21.223, None, None)),
@@ -65,11 +64,12 @@ ISO = {  # um, um, mrad: radial shift, axial shift, tilt; of loads N, N, N m and
 @pytest.mark.parametrize("name", ISO)
 def test_iso_16281(name):
     """Reference figures in a test of github.com/minzhun/ISO16281 (Test_BallBearing.py), a program
-    of ISO/TS 16281 checked against a commercial one: 7 balls of 11.5 mm on 43.5 mm, grooves 0.52
-    and 0.53, E 210 GPa, a ball on the load line, moment about the load's line. Its lever of tilt
-    and moment is half the pitch diameter; the groove's centres are at 21.98 mm. The test corrects
-    for both: our moment is larger by that ratio, and our tilt smaller. 1e-4: ISO/TS 16281 rounds
-    the constant of the contact stiffness to 1.48 (5e-5 in deflection); figures of five digits.
+    for ISO/TS 16281 checked against a commercial program: 7 balls of 11.5 mm on a pitch diameter of
+    43.5 mm, grooves 0.52 and 0.53, E 210 GPa, a ball on the load line, moment about the load line.
+    Its lever of tilt and moment is half the pitch diameter, while the groove's centres are at
+    21.98 mm. This test corrects for both: our moment is larger by that ratio, and our tilt is
+    smaller. Tolerance 1e-4: ISO/TS 16281 rounds the constant of the contact stiffness to 1.48
+    (5e-5 in deflection), and figures have five digits.
     """
     (radial, axial, moment, pd), (shift, along, tilt) = ISO[name]
     ball, pitch = 11.5e-3, 43.5e-3

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Files of readings: refused files and their messages; lines of recordings; the command."""
+"""Files of readings: refused files, messages, lines of recordings, and the command."""
 
 import json
 import math
@@ -58,7 +58,7 @@ def test_mistakes(tmp_path, old, new, says):
 
 @pytest.mark.parametrize("name", orders.LINES)
 def test_an_angle_gives_its_line(name):
-    """The inverse of the kinematics."""
+    """The contact angle of a line is the inverse of the kinematics."""
     from raceway import catalogue, inputs
 
     body = inputs.bearing(catalogue.find("bearings", "6205"))
@@ -91,9 +91,10 @@ def test_a_line_of_a_recording(tmp_path):
 
 
 def test_an_error_of_the_cage_is_common_to_its_lines():
-    """Two lines of the cage, which both read its speed with the same relative error, are one
-    reading with that error over sqrt(2), besides the model's error and the play of the pockets
-    (Sherman-Morrison formula). A wide range of slip costs as much as it widens the lines."""
+    """Two lines of the cage, which both give its speed with the same relative error, count as one
+    reading with this error divided by sqrt(2), besides the error of the model and the play of
+    the pockets (Sherman-Morrison formula). A wide range of slip costs as much as it widens the
+    lines."""
     read, within, more = 0.4, 1e-4, 1e-3
     points = [Point(1797.0)] * 2
     rows = [
@@ -140,7 +141,8 @@ def test_mistakes_in_a_table_of_lines(tmp_path, text, options, says):
 
 
 def test_unknowns_of_a_table_of_lines(tmp_path):
-    """Quantities that neither the table nor an option gives; a contact angle sets the clearance."""
+    """Quantities given neither by the table nor by an option are unknown; a contact angle sets the
+    clearance."""
     path = lines(tmp_path, "speed_Hz,ftf_Hz,load_N\n30,11.9,5\n")
     given = line_table.read(path, "6205")
     assert set(given.unknown) == {"clearance", "axial", "temperature"}
@@ -149,9 +151,9 @@ def test_unknowns_of_a_table_of_lines(tmp_path):
 
 
 def test_lines_of_hidden_clearance_and_thrust(tmp_path, capsys, monkeypatch):
-    """Lines from statics, without errors: one line determines only a curve through the true state,
-    a ball's spin and a second load determine the angle; the intervals include the true clearance,
-    thrust and angle, and zero slip."""
+    """For lines from statics, without errors, one line determines only a curve through the true
+    state; the ball's spin and a second load determine the angle; the intervals include the true
+    clearance, thrust and angle, and zero slip."""
     monkeypatch.setattr(identify, "TRIED", 2)
     monkeypatch.setattr(identify, "VALLEY", 4)
     true = {"clearance": 8e-6, "axial": 90.0}
@@ -201,7 +203,7 @@ def test_loads_that_no_state_carries_are_left_out(tmp_path):
 
 
 def test_command(tmp_path, capsys):
-    """Prints the settings of a deck; a reading that no clearance explains is reported."""
+    """The command prints settings of a deck, and reports a reading that no clearance explains."""
     path = str(write(tmp_path))
     assert main(["identify", path]) == 0
     said = capsys.readouterr().out

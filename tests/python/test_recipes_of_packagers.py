@@ -24,7 +24,7 @@ VERSION = re.search(r'"(.+)"', (ROOT / "src-package/core/settings/raceway_versio
 
 @pytest.fixture
 def spack(monkeypatch):
-    """Directives of the Spack package, (name, arguments), and its class."""
+    """Directives (name, arguments) of the Spack package, and its class."""
     asked = []
     stub = types.ModuleType("spack.package")
     for name in ("license", "version", "extends", "depends_on"):

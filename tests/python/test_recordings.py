@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Recordings in the formats of public data sets, generated here: values read, and their lines."""
+"""Recordings in the formats of public data sets, generated here: values and lines are found."""
 
 import json
 
@@ -14,7 +14,7 @@ from raceway.recordings.contents import GRAVITY, POUND
 from scipy import io
 from scipy.io import wavfile
 
-# Hz, Hz, BPFO over shaft speed: for a contact angle, not the nominal value
+# Hz, Hz, BPFO over shaft speed (with a contact angle, not the nominal value)
 RATE, SHAFT, ORDER = 48000.0, 29.87, 3.5972
 SECONDS = 4.0
 
@@ -25,7 +25,7 @@ def bearing():
 
 
 def struck(rate=RATE, order=ORDER, seconds=SECONDS):
-    """Impacts at `order` that excite 4 kHz, a shaft with harmonics, mains and noise, m/s^2."""
+    """Impacts at `order` that excite 4 kHz, with shaft harmonics, mains hum and noise, in m/s^2."""
     time = np.arange(int(seconds * rate)) / rate
     since = (order * SHAFT * time) % 1 / (order * SHAFT)
     shaft = sum(np.sin(2 * np.pi * n * SHAFT * time + n) / n for n in (1, 2, 3))
@@ -52,7 +52,7 @@ def mfpt(path, values):
 
 
 def paderborn(path, values):
-    """Time bases and channels as arrays of structures; a speed at 4 kHz."""
+    """Time bases and channels are arrays of structures; the speed is sampled at 4 kHz."""
     slow = np.arange(int(SECONDS * 4000)) / 4000
     bases = [("HostService", np.arange(len(values)) / RATE), ("Mech_4kHz", slow)]
     x = np.array([(name, time) for name, time in bases], [("Raster", "O"), ("Data", "O")])
@@ -63,7 +63,7 @@ def paderborn(path, values):
 
 
 def femto(path, values):
-    """Separated by semicolons, as in some folders of the data set."""
+    """Values are separated by semicolons, as in some folders of the data set."""
     rows = [f"9;39;39;{k};{v / GRAVITY:.9g};0.0" for k, v in enumerate(values)]
     path.write_text("\n".join(rows))
     return {"rpm": 60 * SHAFT}
@@ -94,8 +94,8 @@ LOAD = {"OuterRaceFault_vload_4.mat": 100 * POUND, "N18_M07_F10_KA01_1.mat": 100
 
 @pytest.mark.parametrize("name", FORMATS)
 def test_a_format(name, tmp_path, bearing):
-    """Values in SI units, rate, load, the true speed if the file has only a nominal one, and the
-    line."""
+    """Values in SI units, rate, load and line are read; the true speed is found if the file has
+    only a nominal speed."""
     rate = 25600.0 if name.startswith("acc") else RATE
     values = struck(rate)
     words = FORMATS[name](tmp_path / name, values)
@@ -116,8 +116,8 @@ def test_a_format(name, tmp_path, bearing):
 
 
 def test_the_true_speed_near_a_nominal_one(tmp_path, bearing, capsys):
-    """A file without a speed: the true speed is found 1 % from the nominal one, and the lines equal
-    those of a file with the true speed."""
+    """If a file has no speed, the true speed is found 1 % from the nominal speed, and lines equal
+    the lines of a file with the true speed."""
     columns(tmp_path / "a.csv", struck())
     for away in (0.99, 1.01):
         found = recording.Recording(tmp_path / "a.csv", bearing, nominal=60 * SHAFT * away)
@@ -140,8 +140,8 @@ def test_the_true_speed_near_a_nominal_one(tmp_path, bearing, capsys):
 @pytest.mark.parametrize("head", [True, False])
 @pytest.mark.parametrize("names", [["a_m_s2"], ["time_s", "a_m_s2", "b_g"]])
 def test_separators(tmp_path, bearing, mark, head, names):
-    """One or several columns, with or without a heading, after a comment; numbers with decimal
-    points or, between semicolons, with decimal commas."""
+    """Files may have one or several columns, with or without a heading, after a comment; numbers
+    have decimal points or, between semicolons, decimal commas."""
     values = struck(seconds=0.05)
     table = np.column_stack([np.arange(len(values)) / RATE, values, values])[:, -len(names) :]
     mark, point = (";", "," if names[1:] else ".") if mark == ";," else (mark, ".")
@@ -156,8 +156,8 @@ def test_separators(tmp_path, bearing, mark, head, names):
 
 
 def test_a_run_and_its_recording_are_one(tmp_path, lubricated):
-    """A column of a run, written to a file and read back: the same spectrum to the last bit, the
-    same lines."""
+    """A column of a run that is written to a file and read back has the same spectrum to the last
+    bit and the same lines."""
     run = raceway.open(synthetic.write(tmp_path / "run", lubricated))
     values = spectrum.signal_of(run, "shift")
     sample_s = run.settings["sample_s"]
@@ -172,7 +172,7 @@ def test_a_run_and_its_recording_are_one(tmp_path, lubricated):
 
 
 def test_length_of_a_spall_in_a_recording(tmp_path, bearing):
-    """A ball over two edges, entry to impact 2 ms, as found by `passages.find`."""
+    """A ball that passes over two edges within 2 ms is found by `passages.find`."""
     rpm, rate = 300.0, 1e5
     np.savez(tmp_path / "quiet.npz", a=np.zeros(64))
     period = (

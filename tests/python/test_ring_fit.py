@@ -34,7 +34,7 @@ def test_exact_data():
 
 
 def test_errors_are_those_of_the_noise():
-    """Most deviations due to noise are within three standard errors, and of that size."""
+    """Deviations due to noise are of the size of the standard errors and within four of them."""
     force = FORCE + np.random.default_rng(1).normal(size=FORCE.shape)
     found = ring_fit.fitted(PLACE, SPEED, force)
     off = np.abs(found.damping - DAMPING) / found.damping_error
@@ -45,7 +45,7 @@ def test_errors_are_those_of_the_noise():
 
 
 def test_of_a_run():
-    """Velocities from the positions; a ball-pass force is fitted as well."""
+    """Velocities follow from positions; a force at the ball pass frequency is fitted as well."""
     passing = 2 * np.pi * 178.2
     force = FORCE + 20.0 * np.cos(passing * TIME + 0.3)[:, None]
     found = ring_fit.of_run(of_rings(force), ("x", "y", "z"), since=1e-4, lines=[passing])

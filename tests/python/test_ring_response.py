@@ -36,7 +36,7 @@ def test_without_dampers_it_is_the_stiffness(combined):
 
 @pytest.mark.parametrize("frequency, mass", [(0.0, 0.0), (2000.0, 0.0), (20000.0, MASS)])
 def test_springs_and_dampers_in_series(radial, frequency, mass):
-    """Under a radial load balls move along their radii: one spring and one damper on each side."""
+    """Under a radial load balls move along their radii, with a spring and a damper on each side."""
     c = np.array([800.0, 300.0])
     found = small_motion.response(
         radial.linear, np.broadcast_to(c[:, None], (2, 9)), frequency, ball_mass=mass
@@ -82,7 +82,7 @@ def test_negative_numbers(radial):
 
 
 def test_over_a_ball_pass():
-    """Mean, least and greatest across the load, over 16 phases."""
+    """Mean, least and greatest stiffness across the load, over 16 phases."""
     found = ring_response.turning_ring(B6208, 3000.0, phases=16)
     assert found.mean.stiffness[1, 1] == pytest.approx(1.2220e8, rel=5e-4)
     assert found.least.stiffness[1, 1] == pytest.approx(1.1142e8, rel=1e-3)

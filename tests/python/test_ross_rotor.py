@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A rotor of ROSS becomes the file of a flexible shaft.
+"""A rotor of ROSS is converted to the file of a flexible shaft.
 
-`ross_rotor.csv` was written by ROSS 2.3.0: nonzero entries of M0, K0 and G0, upper half,
-for a steel shaft of eight elements of 50 mm, 40 mm thick, with DiskElement.from_geometry(4, steel,
-0.02, 0.04, 0.2), and bearings of kxx 2e8 and kyy 3e8 at both ends.
+ROSS 2.3.0 wrote `ross_rotor.csv`: nonzero entries in the upper half of M0, K0 and G0, for a steel
+shaft of eight elements, 50 mm long and 40 mm thick, with DiskElement.from_geometry(4, steel, 0.02,
+0.04, 0.2), and bearings with kxx 2e8 and kyy 3e8 at both ends.
 """
 
 import csv
@@ -21,7 +21,7 @@ from raceway.theory.beam import Section
 FILE = Path(__file__).parent / "ross_rotor.csv"
 Z = np.linspace(0.0, 0.4, 9)  # m
 SPRINGS = (2e8, 3e8)  # N/m, at both ends
-FREQUENCIES = {  # Hz, by spin in rad/s, of ROSS: two pairs of bending
+FREQUENCIES = {  # in Hz by ROSS, for a spin in rad/s: two pairs of bending modes
     0.0: (265.2845, 267.7216, 1059.7397, 1078.9096),
     1000.0: (265.2594, 267.7468, 961.1215, 1186.4734),
 }
@@ -59,8 +59,8 @@ def springs(count, ends, sizes=SPRINGS):
 
 @pytest.mark.parametrize("spin", FREQUENCIES)
 def test_its_matrices_are_ours(found, spin):
-    """Frequencies of ROSS to the printed digits, which also check the sign of the gyroscopic
-    terms."""
+    """Frequencies equal those of ROSS to the printed digits, which also checks the sign of the
+    gyroscopic terms."""
     held = springs(45, (0, 40), (*SPRINGS, 1e7))
     ours = beam_motion.frequencies(found.whole, held, spin) / (2 * np.pi)
     for want in FREQUENCIES[spin]:
@@ -69,8 +69,8 @@ def test_its_matrices_are_ours(found, spin):
 
 @pytest.mark.parametrize("spin", FREQUENCIES)
 def test_bending_pairs(found, spin):
-    """Frequencies of the reduced rotor on its bearings: within 1e-3 for the first, 5e-3 for the
-    second."""
+    """Frequencies of the reduced rotor on its bearings agree within 1e-3 for the first pair and
+    5e-3 for the second."""
     few = rotor_matrices.bending(found, (0.0, 0.4), modes=4)
     n, ends = len(few.mass) + 2, [int(np.argmin(np.abs(few.z - at))) for at in (0.0, 0.4)]
     mass = np.diag(np.tile([few.body.mass, few.body.transverse, *few.mass], 2))
@@ -89,7 +89,7 @@ def test_bending_pairs(found, spin):
 
 
 def test_four_degrees_of_freedom(found, given):
-    """Older matrices, in x, y, rx and ry, give the same rotor across its axis."""
+    """Older matrices, in x, y, rx and ry, give the same lateral motion of the rotor."""
     four = np.sort(np.concatenate([6 * np.arange(9) + k for k in (0, 1, 3, 4)]))
     for name in ("mass", "stiffness", "gyroscopic"):
         given[name] = given[name][np.ix_(four, four)]
@@ -100,8 +100,8 @@ def test_four_degrees_of_freedom(found, given):
 
 
 def test_a_station_between_nodes(given):
-    """Displacement and tilt at the station equal those of a beam with a node there, that is of an
-    element with bending and shear."""
+    """Displacement and tilt at the station equal the values of a beam with a node there, that is,
+    an element with bending and shear."""
     place, ends = 0.17, (0.0, 0.4)
     z, pieces = beam.divided([Section(0.4, 0.1)], Z)
     thick = beam_motion.matrices(z, pieces)
@@ -136,7 +136,7 @@ def test_its_own_damping(given):
 
 # ---- refused
 def put(name, *entries):
-    """A change of the entries (row, column, value), symmetric."""
+    """A symmetric change of entries (row, column, value)."""
 
     def change(given):
         for i, j, value in entries:
@@ -179,7 +179,7 @@ def test_refused(given, change, says):
 
 
 def test_damping_that_couples_modes(given):
-    """A damper between two nodes that does not affect rigid-body motions."""
+    """A damper between nodes that does not affect rigid-body motions couples modes."""
     second = np.zeros(54)
     second[[0, 24, 48]] = 1.0, -2.0, 1.0
     other = np.zeros(54)
@@ -232,7 +232,7 @@ def test_npz(npz, found, tmp_path, capsys):
 
 
 def test_toml(monkeypatch, tmp_path, given, capsys):
-    """A saved rotor by ROSS: its bearings are removed, and their nodes are kept."""
+    """A rotor saved by ROSS is read without its bearings, whose nodes are kept."""
     rotor = types.SimpleNamespace(
         M0=given["mass"],
         K0=given["stiffness"],

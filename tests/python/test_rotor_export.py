@@ -22,8 +22,8 @@ from raceway.units import prefixed
 B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 CASE = dict(axial=2500.0, clearance=20e-6, phases=1)
 OILED = dict(lubricant="vg46", temperature=70.0, models="paper", **CASE)
-# Hz, the first six of the rotor below at 6000 rpm, from a run of ROSS 2.3.0 with these arguments:
-# with its BearingElement alone, and with the remaining terms added to K0
+# the first six natural frequencies in Hz of the rotor below at 6000 rpm, by ROSS 2.3.0 with these
+# arguments: with its BearingElement alone, and with the remaining terms added to K0
 ROSS_HELD = (267.5332352, 267.852525, 677.395444, 1008.881426, 1152.218606, 2721.708329)
 ROSS_WHOLE = (273.4117005, 273.8277096, 675.3206635, 1012.398655, 1155.409870, 2639.294152)
 
@@ -40,8 +40,8 @@ def oiled():
 
 @pytest.fixture(scope="module")
 def shaft():
-    """A shaft of ROSS's steel: eight elements of 50 mm, 40 mm thick, and a disc of 0.2 m in the
-    middle."""
+    """A shaft of ROSS's steel: eight elements, 50 mm long and 40 mm thick, and a disc of 0.2 m in
+    the middle."""
     steel = Steel(211e9, 211e9 / (2 * 81.2e9) - 1, 7810.0)
     z, pieces = beam.divided([Section(0.4, 0.04)], np.linspace(0.0, 0.4, 9))
     mass = 7810.0 * np.pi / 4 * (0.2**2 - 0.04**2) * 0.02
@@ -51,14 +51,14 @@ def shaft():
 
 
 def whirl(shaft, five):
-    """Hz at 6000 rpm with the (5, 5) springs `five` at both ends."""
+    """Natural frequencies in Hz at 6000 rpm, with the (5, 5) springs `five` at both ends."""
     springs = np.zeros_like(shaft.stiffness)
     springs[:5, :5], springs[-5:, -5:] = five, five
     return beam_motion.frequencies(shaft, springs, 200 * np.pi)[:6] / (2 * np.pi)
 
 
 def test_as_ross(shaft, point):
-    """The arguments by name, and with the remaining terms: whirl of ROSS 2.3.0 and of our beam."""
+    """Our beam whirls as in ROSS 2.3.0, with the arguments alone and with the remaining terms."""
     named, five = rotor.ross_of([point]), np.zeros((5, 5))
     for name in ("xx", "xy", "yx", "yy", "zz"):
         five["xyz".index(name[0]), "xyz".index(name[1])] = named["k" + name]
@@ -69,7 +69,7 @@ def test_as_ross(shaft, point):
 
 
 def test_arguments(point, oiled):
-    """One speed gives plain floats without frequency; several give lists, with frequency in
+    """One speed gives plain floats without frequency; several speeds give lists, with frequency in
     rad/s."""
     one, many = rotor.ross_of([point]), rotor.ross_of(oiled)
     assert all(type(value) is float for value in one.values()) and "frequency" not in one
@@ -84,7 +84,7 @@ def test_arguments(point, oiled):
 
 
 def test_free_tilts():
-    """Without moments the ring has the compliance of one with free tilts."""
+    """Without moments the compliance is that of a ring with free tilts."""
     here = rotor.points("6208", 1500.0, 0.0, axial=2500.0, phases=1, moment=(0.0, 0.0))[0]
     found, _ = rotor.translations(here, "free")
     step, loads = 10.0, np.eye(3) * 10.0
@@ -108,7 +108,7 @@ def test_free_tilts():
 
 
 def test_add_rest(point):
-    """The remaining terms are added to the node's rows of K0 and C0."""
+    """The remaining terms are added to the rows of the node in K0 and C0."""
     there = types.SimpleNamespace(number_dof=6, K0=np.ones((24, 24)), C0=np.zeros((24, 24)))
     rotor.add_rest(there, 2, point)
     added, mean = there.K0 - 1, point.over.mean

@@ -14,7 +14,7 @@ from synthetic import spoil
 
 def test_settings(folder, lubricated):
     run = RunTables(folder)
-    assert run.settings["bearing"] == "6208"  # a name, though it looks like a number
+    assert run.settings["bearing"] == "6208"  # a name that looks like a number
     assert run.settings["clearance_m"] == 1e-5
     assert run.lubricated and run.finished
     told = lubricated["settings"]
@@ -130,7 +130,7 @@ def test_contacts(folder, lubricated):
 
 
 def test_balls(folder, lubricated):
-    """Positions and velocities of balls, cage balls and rings, to the bit."""
+    """Positions and velocities of balls, cage balls and rings are read to the bit."""
     rows = RunTables(folder).balls.sort_values(["sample", "id"])
     expected = [sorted(frame) for frame in lubricated["balls"]]
     assert np.array_equal(rows[synthetic.BALL_COLUMNS].to_numpy(), np.concatenate(expected))
@@ -156,7 +156,7 @@ def test_pair_needs_both_raceways(tmp_path, lubricated):
 
 
 def test_pairs_are_in_series(folder):
-    """The sum over the balls is the record's capacitance of the bearing."""
+    """The sum over the balls equals the bearing's capacitance in the record."""
     run = RunTables(folder)
     total = run.pairs.groupby("sample")["capacitance"].sum()
     np.testing.assert_allclose(total, run.bearing_capacitance, rtol=1e-13)

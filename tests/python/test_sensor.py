@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Rates and filter of a sensor, on signals with a known answer."""
+"""Rates and filter of a sensor, for signals with a known response."""
 
 import numpy as np
 import pytest

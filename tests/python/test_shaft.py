@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Shafts on bearings against beams in closed form and the statics of one bearing."""
+"""Shafts on bearings against closed forms of beams and statics of one bearing."""
 
 import json
 
@@ -29,7 +29,7 @@ def clamped(pieces, loads):
 
 @pytest.mark.parametrize("number", [1, 3])
 def test_cantilever(number):
-    """F L^3/3EI + F L/kAG and slope F L^2/2EI, in both planes, for any number of elements."""
+    """The deflection is F L^3/3EI + F L/kAG and the slope F L^2/2EI, for any number of elements."""
     pieces = [THIN._replace(length=0.3 / number)] * number
     loads = np.zeros(5 * (number + 1))
     loads[-5:-2] = 700.0, -300.0, 5000.0
@@ -42,7 +42,7 @@ def test_cantilever(number):
 
 
 def test_own_weight():
-    """w L^4/8EI + w L^2/2kAG: exact at the nodes with the end moments of a uniform load."""
+    """With the end moments of a uniform load w L^4/8EI + w L^2/2kAG is exact at the nodes."""
     pieces = [THIN._replace(length=0.15)] * 2
     end = clamped(pieces, beam.weight(pieces, [0.0, -9.81, 0.0]))[-1]
     w = 9.81 * STEEL.density * beam.area(THIN)
@@ -51,7 +51,7 @@ def test_own_weight():
 
 
 def test_rigid_motions_cost_nothing():
-    """Energy of a shift and of a small rotation about x and y, compared with bending energy."""
+    """A shift and a small rotation about x and y need no energy, compared with bending energy."""
     z, pieces = beam.divided([THIN, Section(0.1, 0.02, 0.01)], [0.05])
     whole = beam.stiffness(pieces)
     moves = np.zeros((5, len(z), 5))
@@ -65,7 +65,7 @@ def test_rigid_motions_cost_nothing():
 
 @pytest.mark.parametrize("clearance", [-10e-6, 0.0, 10e-6])
 def test_lever_rule(clearance):
-    """A shaft 0.2 m thick is rigid compared with its bearings."""
+    """A shaft 0.2 m thick is rigid compared with its bearings: the lever rule gives their loads."""
     seats = [Seat(0.1, B6208, clearance), Seat(0.4, B6208, clearance, floating=True)]
     found = shaft.rest(Shaft([Section(0.5, 0.2)]), seats, [Load(0.2, (600.0, -3000.0, 0.0))])
     shares = np.array([one.load[:2] for one in found.bearings])
@@ -73,7 +73,8 @@ def test_lever_rule(clearance):
 
 
 def test_simply_supported():
-    """With bearings that tilt freely: F L^3/48EI + F L/4kAG between them, slope F L^2/16EI."""
+    """If bearings tilt freely, the deflection between them is F L^3/48EI + F L/4kAG and the slope
+    F L^2/16EI."""
     seats = [Seat(0.0, B6208, 20e-6), Seat(0.3, B6208, 20e-6, floating=True)]
     found = shaft.rest(Shaft([THIN]), seats, [Load(0.15, (0.0, -3000.0, 0.0))])
     assert found.z == pytest.approx([0, 0.15, 0.3])
@@ -98,7 +99,7 @@ def test_a_bearing_stiffens_its_own_slope():
 
 
 def test_everything_balances():
-    """Forces and moments of shaft, gravity and bearings about the origin."""
+    """Forces of loads, gravity and bearings balance, and so do moments about the origin."""
     sections = [Section(0.2, 0.05), Section(0.3, 0.03, 0.01)]
     seats = [
         Seat(0.05, B6208, 5e-6),
@@ -125,7 +126,8 @@ def test_everything_balances():
 
 
 def test_one_bearing_is_its_statics():
-    """A short stiff shaft with all loads at the ball plane, and a tilted seat."""
+    """A short stiff shaft on a tilted seat, with all loads in the plane of the balls, has the
+    statics of its bearing."""
     tilt = 5e-4
     seat = Seat(0.05, B6208, 10e-6, offset=(0.0, 0.0, 0.0, tilt, 0.0))
     short = Shaft([Section(0.1, 0.3)])
@@ -151,8 +153,8 @@ def test_preload_by_a_spacer():
 
 @pytest.mark.parametrize("push", [-300.0, 300.0])
 def test_preload_by_a_spring(push):
-    """The spring's force goes through both bearings; the sliding bearing is in the state that its
-    load gives."""
+    """The force of the spring goes through both bearings; the sliding bearing is in equilibrium
+    under its load."""
     seats = [Seat(0.1, B6208, 20e-6), Seat(0.3, B6208, 20e-6, spring=push)]
     found = shaft.rest(Shaft([Section(0.4, 0.2)]), seats, [Load(0.2, (0.0, -1.0, 0.0))])
     assert [one.load[2] for one in found.bearings] == pytest.approx([push, -push], rel=1e-6)
@@ -182,7 +184,7 @@ def test_command(capsys, tmp_path):
     found = json.loads(capsys.readouterr().out)
     first, second = found["bearings"]
     assert first["load_z_N"] == 0.0 and second["load_z_N"] == pytest.approx(400.0, rel=1e-6)
-    # about the second bearing: the belt's lever is 0.06 m, the shaft's 0.3 m; its tilts take 9 N m
+    # moments about the second bearing: levers are 0.06 m (belt) and 0.3 m; tilts take 9 N m
     held = first["moment_y_N_m"] + second["moment_y_N_m"]
     assert first["load_x_N"] == pytest.approx((held - 1500 * 0.06) / 0.3, rel=1e-6)
     assert second["life_reference_h"] > 0 and second["tilt_rad"] < 1e-3
@@ -193,8 +195,8 @@ def test_command(capsys, tmp_path):
 
 
 def test_several_speeds(capsys):
-    """Each entry is the shaft at that speed; figures below the accuracy of the equilibrium are
-    0."""
+    """Each entry equals the shaft at that speed; figures below the accuracy of the equilibrium
+    are 0."""
     speeds = ["1500", "9000"]
     assert main(["shaft", str(MOTOR), "--rpm", *speeds, "--json"]) == 0
     both = json.loads(capsys.readouterr().out)

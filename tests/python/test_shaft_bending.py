@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A shaft as a rigid body with elastic modes, against the beam with all its nodes; and its file."""
+"""A shaft as a rigid body with elastic modes against the beam with all its nodes, and its file."""
 
 from pathlib import Path
 
@@ -16,7 +16,7 @@ SPRINGS = np.diag([2e8, 3e8, 1e7, 4e3, 3e3])  # N/m and N m/rad, of a bearing
 
 @pytest.fixture(scope="module")
 def rotor():
-    """(z, matrices) of a shaft with a disc off its middle and an overhang."""
+    """(z, matrices) of a shaft with an overhang and a disc away from its middle."""
     z, pieces = beam.divided([Section(0.4, 0.03), Section(0.1, 0.02)], np.linspace(0, 0.5, 41))
     return z, beam_motion.matrices(z, pieces, [Disc(0.15, 4.0, 0.02, 0.011)])
 
@@ -32,8 +32,8 @@ def reduced(rotor, modes, kept=RINGS):
 
 
 def motions(found, place):
-    """(4, 2 (2 + n)) x, y, rx, ry of a position from x, slope, modes in one plane, then the
-    other."""
+    """Matrix (4, 2 (2 + n)) from x, slope and modes in one plane, then in the other plane, to x, y,
+    rx and ry of a position."""
     k = node(found.z, place)
     plane = np.array(
         [
@@ -53,7 +53,7 @@ def motions(found, place):
 
 
 def system(found):
-    """Matrices in those coordinates, and the bearings' springs."""
+    """Matrices in the coordinates of `motions`, and the springs of the bearings."""
     body = found.body
     mass = np.diag(np.tile([body.mass, body.transverse, *found.mass], 2))
     stiffness = np.diag(np.tile([0.0, 0.0, *found.stiffness], 2))
@@ -75,8 +75,8 @@ def on_springs(z, count):
 
 @pytest.mark.parametrize("spin", [0.0, 1000.0])
 def test_bending_pairs(rotor, spin):
-    """The first within 1e-3 of the whole beam, the second within 5e-3, with the splitting by
-    spin."""
+    """The first pair is within 1e-3 of the whole beam, the second within 5e-3, including the
+    splitting by spin."""
     z, whole = rotor
     exact = beam_motion.frequencies(whole, on_springs(z, 5 * len(z)), spin)
     found = beam_motion.frequencies(*system(reduced(rotor, 4)), spin)
@@ -130,7 +130,7 @@ def test_steady_loads_at_kept_places(rotor):
 
 # ---- the file
 def test_file(tmp_path, capsys):
-    """The keywords of the file, numbers to the last digit, and the positions of its stations."""
+    """The file has all keywords, numbers to the last digit, and the positions of its stations."""
     file = tmp_path / "motor.modes"
     words = ["--modes", "3", "--damping", "0.02", "--places", "0.27", "--kept", "0.1"]
     assert main(["shaft", str(MOTOR), "--reduced", str(file), *words]) == 0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Names of a shaft's motions, and its critical speeds, against its natural frequencies."""
+"""Names of the motions of a shaft, and critical speeds against natural frequencies."""
 
 import numpy as np
 import pytest
@@ -16,7 +16,7 @@ B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 
 @pytest.fixture(scope="module")
 def rotor():
-    """A heavy disc at the overhung end, on preloaded bearings that are equal in both planes."""
+    """A shaft with a heavy disc at its overhung end, on preloaded bearings equal in both planes."""
     whole = Shaft([Section(0.5, 0.04)], discs=[Disc(0.5, 4.0, 0.04, 0.02)])
     seats = [Seat(0.0, B6208), Seat(0.3, B6208, spring=-800.0)]
     return whole, shaft.rest(whole, seats, [Load(0.1, (0.0, 0.0, 1.0))])
@@ -38,7 +38,7 @@ def test_modes_have_the_natural_frequencies(rotor, speed):
 
 
 def test_forward_whirl_rises_with_the_speed_and_backward_whirl_falls(rotor):
-    """The gyroscopic moment of the disc stiffens a forward whirl and softens a backward one."""
+    """The gyroscopic moment of the disc stiffens a forward whirl and softens a backward whirl."""
     still = [one for one in shaft_modes.modes(*rotor, 1.0) if one.whirl][:2]
     fast = [one for one in shaft_modes.modes(*rotor, 2000.0) if one.whirl][:2]
     assert [one.whirl for one in fast] == ["backward", "forward"]
@@ -62,7 +62,7 @@ def shaft_share(ratio):
     Euler-Bernoulli beam on a spring k at each end; `ratio` is k L^3/(E I).
 
     y = cosh(b) cos(b s) + cos(b) cosh(b s), s = -1 ... 1, has no moment at its ends; b follows
-    from the shear there, which is the force of the spring.
+    from the shear force there, which is the force of the spring.
     """
 
     def shear(b):

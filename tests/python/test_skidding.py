@@ -35,7 +35,8 @@ def test_turned_mirrored_and_two_rows():
 
 
 def test_rotation():
-    """A constant excess moment, one that falls to a steady rotation, and sufficient traction."""
+    """Rotation under a constant excess moment, under a moment that falls until the rotation is
+    steady, and with sufficient traction."""
     time, rate = np.array([0.0, 0.3, 1.0, 9.0, np.inf]), np.full(5, 2.0)
     found = skidding.rotation(lambda x: 0.2 + 0 * x, rate, time)
     assert found == pytest.approx(np.clip(1 - 0.4 * time, 0, 1), abs=1e-12)

@@ -29,7 +29,7 @@ def test_free_rolling(bearing):
         assert sliding.free_power(LOAD, FRICTION, SPEED, a, r_d, r_x) == pytest.approx(
             power, abs=5e-6
         )
-        # the printed numbers use the rounded slope 3.80, the formula the exact one
+        # the printed numbers use the rounded slope 3.80, the formula the exact slope
         assert a**2 / (7.60 * r_d * r_x) == pytest.approx(creep, abs=5e-6)
         assert sliding.creep(a, r_d, r_x) == pytest.approx(creep, rel=6e-4)
         free = sliding.free_slip(SPEED, a, r_d, r_x)
@@ -102,7 +102,7 @@ def test_spring_in_series():
     tau = secant / spring
     steady = secant * distance
     assert tau == pytest.approx(6e-5, rel=0.02)
-    # a short step gives the spring, a long one the slip law, and two half steps equal one
+    # a short step gives the spring, a long step the slip law, and two half steps equal one step
     force, slope = sliding.in_series(0.0, distance, secant, spring, 1e-9)
     assert force == pytest.approx(spring * distance * 1e-9, rel=1e-4)
     assert slope == pytest.approx(spring * 1e-9, rel=1e-4)
@@ -172,8 +172,8 @@ def test_bair_winer():
 @pytest.mark.parametrize(("speed", "h_c", "slide_roll"), [(0.0725, 32e-9, 0.08),
                                                           (14.4946, 1309e-9, 0.016)])  # fmt: skip
 def test_slide_roll_where_eyring_reaches_coulomb(bearing, speed, h_c, slide_roll):
-    """Eyring's tau alone, with Roelands's viscosity, is 0.05 p at about this slide-roll ratio (mean
-    pressure)."""
+    """At about this slide-roll ratio Eyring's tau alone, with Roelands' viscosity at the mean
+    pressure p, is 0.05 p."""
     r_x, r_y = bearing.effective_radii(INNER)
     pressure = 2 / 3 * hertz.pressure(hertz.exact(r_x, r_y), bearing.effective_modulus, LOAD)
     eta = lubricant.roelands(0.04, 22e-9, pressure)
@@ -190,8 +190,8 @@ def test_mixed():
 @pytest.mark.parametrize("speed", [0.0724764, 0.724764, 2.899, 14.4946])
 def test_one_speed_for_the_film(bearing, speed):
     """The power of free rolling under Eyring's law, from one coefficient at the mean speed, is
-    within 3 % of the quadrature at 0.04 Pa s, and within 10 % in a hot oil that is far from its
-    limit."""
+    within 3 % of the quadrature at 0.04 Pa s, and within 10 % in a hot oil far from its limiting
+    stress."""
     a, b, r_d, r_x = contact(bearing)
     edge = sliding.edge_slip(speed, a, r_d, r_x)
     peak = 1.5 * LOAD / (np.pi * a * b)

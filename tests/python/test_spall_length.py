@@ -25,8 +25,8 @@ def test_a_ball_that_keeps_its_load_strikes_half_way(bearing, raceway):
 
 @pytest.mark.parametrize("raceway", [INNER, OUTER])
 def test_a_rounded_edge_is_heard_sooner(bearing, raceway):
-    """A ball that keeps its load rises from half-way minus the edge radius; a ball that has lost
-    its load flies to the far flank, whose position does not depend on the rounding."""
+    """A ball that keeps its load begins to rise half-way, earlier by the edge radius. A ball that
+    has lost its load flies to the far flank, whose position does not depend on the rounding."""
     edge, both = 5e-5, np.array([0.5e-3, 2.5e-3])
     sharp, rounded = (
         spall.seconds_to_blow(bearing, raceway, both, SPIN, LOAD, 0.2, edge=one)
@@ -41,8 +41,9 @@ def test_a_rounded_edge_is_heard_sooner(bearing, raceway):
 
 @pytest.mark.parametrize("raceway", [INNER, OUTER])
 def test_flight_of_a_ball_that_loses_its_load(bearing, raceway):
-    """A ring that does not follow, and a ball light enough to be in equilibrium until it leaves: it
-    leaves at its share of the drop rate, and the centrifugal load curves its path."""
+    """If the ring does not follow, and the ball is light enough to be in equilibrium until it
+    leaves the raceway, it leaves at its share of the drop rate; the centrifugal load curves its
+    path."""
     orbit = SPIN * kinematics.frequencies(bearing).cage
     rest = static.equilibrium(bearing, LOAD, orbital_speed=orbit)
     approach = rest.inner.overlap[0] + rest.outer.overlap[0]
@@ -94,7 +95,7 @@ def test_times_of_no_spall(bearing):
 
 
 def path(length, speed=2.3, periods=6):
-    """(seconds, drop of a rigid ball's centre in m) over a spall with sharp edges, once a
+    """(seconds, drop of a rigid ball's centre in m) over a spall with sharp edges, once per
     period."""
     time = np.arange(int(periods * PERIOD / SAMPLE)) * SAMPLE
     way = speed * ((time - 0.123 * PERIOD) % PERIOD - 0.5 * PERIOD)
@@ -104,7 +105,8 @@ def path(length, speed=2.3, periods=6):
 @pytest.mark.parametrize("length", [0.5e-3, 1e-3, 2e-3])
 @pytest.mark.parametrize("noise", [0.0, 2e-4])
 def test_known_length(length, noise):
-    """Sharp edges, noise of 2e-4 of the drop: within 1 % plus half a sample at the impact."""
+    """With sharp edges and noise of 2e-4 of the drop the length is found within 1 % plus half a
+    sample at the impact."""
     _, drop = path(length)
     random = np.random.default_rng(1)
     values = 3.0 - drop / drop.max() + noise * random.normal(size=len(drop))
@@ -117,8 +119,8 @@ def test_known_length(length, noise):
 
 @pytest.mark.parametrize("share, error", [(0.5, 0.04), (0.2, 0.02)])
 def test_a_housing_that_rings(share, error):
-    """The drop as the force on a mass on a spring, 4 kHz, 4 % damped, which distorts the square
-    root."""
+    """The drop acts as a force on a mass on a spring, 4 kHz with 4 % damping, which distorts the
+    square root."""
     from scipy import signal
 
     _, drop = path(1e-3)

@@ -23,8 +23,8 @@ def wave(frequency, amplitude=1.0, samples=4000, phase=0.3):
 
 @pytest.mark.parametrize("frequency", [17.3, 100.0, 100.06, 100.125, 333.33])
 def test_a_sine(frequency):
-    """Anywhere between two bins of 0.25 Hz. The parabola has errors of 1e-3 of a bin in position
-    and 3e-4 in height."""
+    """A sine may be anywhere between two bins of 0.25 Hz. The parabola has errors of 1e-3 of a bin
+    in position and 3e-4 in height."""
     one = spectrum.spectrum(5.0 + 0.1 * np.arange(4000) * SAMPLE + wave(frequency, 2.0), SAMPLE)
     assert one.attrs["resolution"] == pytest.approx(0.25)
     found, difference, height, prominence, note = spectrum.find(one, frequency * 1.001)
@@ -35,8 +35,8 @@ def test_a_sine(frequency):
 
 
 def test_a_faint_line_beside_a_strong_one():
-    """A line of 5e-4 of the height of another, 12 bins away. The side lobes there, 2.5e-5, are 5 %
-    of the line and shift it by 0.05 to 0.1 bins."""
+    """A line has 5e-4 of the height of another line, 12 bins away. The side lobes there, 2.5e-5,
+    are 5 % of the faint line and shift it by 0.05 to 0.1 bins."""
     one = spectrum.spectrum(wave(100.0) + wave(103.0, 5e-4), SAMPLE)
     assert spectrum.find(one, 103.0)[0] == pytest.approx(103.0, abs=0.1 * 0.25)
     assert spectrum.find(spectrum.spectrum(wave(100.0), SAMPLE), 103.0)[-1] != ""
@@ -76,7 +76,7 @@ def test_no_signal(values):
 
 
 def write(tmp_path, lubricated, orders, passes=60, samples_per_pass=24):
-    """A run whose ring moves along the load with amplitudes {order of the shaft: m}."""
+    """A run whose ring moves along the load, with amplitudes {order of the shaft: m}."""
     settings = lubricated["settings"]
     samples, shaft = passes * samples_per_pass, 477.5 / 60
     time = np.arange(1, samples + 1) * settings["sample_s"]
@@ -114,9 +114,9 @@ def test_lines_of_a_run(tmp_path, lubricated, bearing):
     for key, line in found.items():
         if key in expected:
             difference, amplitude = expected[key]
-            # 1e-3 of a bin, which is 1/60 of a ball pass, relative to at least 3.5 shaft orders
+            # 1e-3 of a bin (1/60 of the ball pass frequency), relative to at least 3.5 shaft orders
             assert line.difference == pytest.approx(difference, abs=2e-5) and line.note == ""
-            # leakage of the strong lines: 2.5e-5 of 4e-7
+            # leakage of the strong lines is 2.5e-5 of 4e-7
             assert line.amplitude == pytest.approx(amplitude, rel=1e-2)
             assert line.found == pytest.approx(line.expected * (1 + line.difference), rel=1e-12)
             assert line.by_cage == pytest.approx(line.order * 477.5 / 60, rel=1e-15)
@@ -125,8 +125,8 @@ def test_lines_of_a_run(tmp_path, lubricated, bearing):
 
 
 def test_a_line_is_not_taken_for_its_neighbour(tmp_path, lubricated, bearing):
-    """BPFO x3 and BPFI x2 of a 6208 are 1.7 % apart; a search of that width must not find one as
-    the other."""
+    """BPFO x3 and BPFI x2 of a 6208 are 1.7 % apart; a search of that width must not mistake
+    one for the other."""
     run = raceway.open(
         write(tmp_path, lubricated, {3 * kinematics.frequencies(bearing).outer: 4e-7})
     )

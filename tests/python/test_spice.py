@@ -25,8 +25,8 @@ def leaky():
 
 
 def compare(given, outer, lines, tmp_path, wanted, step=4e-6):
-    """Run the netlist `lines` with the element of `given`, and compare the vectors `wanted`, by
-    ngspice's name, with the circuit's dataset."""
+    """Run the netlist `lines` with the element of `given`, and compare the vectors `wanted`, as
+    named by ngspice, with the circuit's dataset."""
     tran = f".tran {step:g} {given.time[-1]:g} 0 {step:g} uic\n"
     found = ngspice.run(
         f"test\n{spice.element(given)}\n{lines}\n{OPTIONS}{tran}.end\n", tmp_path, list(wanted)
@@ -71,7 +71,7 @@ def test_inverter(leaky, tmp_path):
 
 
 def test_source_with_a_resistance(tmp_path):
-    """Without leakage the bearing as one element is equivalent: balls stay uncharged."""
+    """Without leakage balls stay uncharged, and the bearing as one element is equivalent."""
     outer = Source(Table([0, 1e-3, 2e-3, 6e-3], [0, 10, -10, 5]), 2e6)
     for element in ("bearing", "bearing_total"):
         compare(
@@ -115,7 +115,7 @@ def test_files_of_a_run(folder, tmp_path, capsys):
     time, capacitance, leak = np.loadtxt(lines.splitlines()).T
     np.testing.assert_array_equal(time, raceway.open(folder).contacts.time[::2])
     np.testing.assert_array_equal(capacitance, series(given.capacitance).bearing)
-    # a uniform lubricant: every film and all of them together have the same R C
+    # in a uniform lubricant every film and all films together have the same R C
     np.testing.assert_allclose(leak * capacitance, 1e9 * 8.8541878128e-12 * 2.2, rtol=1e-12)
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearing's equilibrium against the values of docs/theory, closed forms, and its own equations
-written independently."""
+"""The bearing's equilibrium against values of docs/theory, closed forms, and independently written
+equations of equilibrium."""
 
 import numpy as np
 import pytest
@@ -51,8 +51,8 @@ def test_load_parameter_of_any_ball_phase(bearing, relative, low, high):  # docs
 @pytest.mark.parametrize("axial", [50.0, -3000.0])
 @pytest.mark.parametrize("pd", [0.0, 30e-6])
 def test_thrust(bearing, axial, pd):
-    """All balls carry the same load: F_a = Z Q sin(alpha), groove centres C
-    (cos(alpha_0)/cos(alpha)) apart (Harris 7.33)."""
+    """All balls carry the same load: F_a = Z Q sin(alpha); the distance of the groove centres is
+    C cos(alpha_0)/cos(alpha) (Harris 7.33)."""
     free, c = clearance.free_contact_angle(bearing, pd), clearance.groove_distance(bearing)
 
     def load(angle):
@@ -122,7 +122,7 @@ def test_every_equation_holds(bearing, radial, axial, pd, orbit, finite_shift):
         + (bearing.groove_gap(OUTER) + state.outer.overlap)[:, None] * out
     )
     d = ball - state.shift
-    if finite_shift:  # the distance to the shifted circle itself, along the ring's own radius
+    if finite_shift:  # the distance to the shifted circle, along a radius of the shifted ring
         distance = np.hypot(np.hypot(d[:, 0], d[:, 1]) - bearing.groove_circle(INNER), d[:, 2])
         u_ring = d * [1, 1, 0] / np.hypot(d[:, 0], d[:, 1])[:, None]
     else:
@@ -168,8 +168,8 @@ def test_preload_without_load_is_centred(bearing):
 
 
 def test_circle_keeps_its_shape_under_a_finite_shift(bearing):
-    """A ball x_t off the ring's diameter is x_t^2/(2 r) further from its axis, which relieves
-    the ball at 80 degrees."""
+    """A ball at a distance x_t from the ring's diameter is x_t^2/(2 r) further from the ring's
+    axis, which relieves the ball at 80 degrees."""
     straight, circle = equilibrium(bearing, 5000.0), equilibrium(bearing, 5000.0, finite_shift=True)
     sideways = circle.shift[0] * np.sin(np.radians(80))
     squeeze = (circle.inner.overlap + circle.outer.overlap)[2]

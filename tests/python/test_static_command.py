@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway static`: figures equal to the library's, tables, messages, exit codes, data files."""
+"""`raceway static`: figures equal to those of the library, tables, messages, exit codes, data
+files."""
 
 import json
 from pathlib import Path
@@ -125,8 +126,8 @@ def test_balls_that_slide_under_their_gyroscopic_moment(capsys):
 
 @pytest.mark.parametrize("axial", [300, 500, 600])
 def test_balls_without_load_have_no_contact_angle(capsys, axial):
-    """Balls that barely touch the inner ring lie at its edge, at more than 60 degrees; all balls
-    with more than 1 % of the largest load are below the nominal contact angle."""
+    """Balls that barely touch the inner ring lie at its edge, at more than 60 degrees; the contact
+    angle of all balls with more than 1 % of the largest load is below the nominal angle."""
     found = figures(capsys, *ANGULAR, "--axial", str(axial))
     angles = [(ball["angle_inner_rad"], ball["q_inner_N"]) for ball in found["balls"]]
     loaded = [angle for angle, load in angles if load > 0.01 * found["q_inner_max_N"]]
@@ -148,7 +149,7 @@ def test_table(capsys):
     ):
         assert said in text
     balls = text.split("\nBalls\n")[1].split("\n\n")[0].splitlines()
-    # a heading, nine balls, in columns
+    # a heading and nine balls, in columns
     assert len(balls) == 10 and len({len(line) for line in balls}) == 1
 
 

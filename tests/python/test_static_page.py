@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The Python sessions that docs/static.rst shows; its commands are tested by
-tests/docs/test_examples.py."""
+"""Python sessions that docs/static.rst shows; tests/docs/test_examples.py tests its commands."""
 
 import doctest
 from pathlib import Path

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Stiffness of a 6208 against values computed independently of this package.
 
-The book takes each contact's stiffness at zero angle, the package at its actual angle, which
-changes results by up to 5e-4. Printed digits are accurate to half a unit in the last.
+The book takes the stiffness of each contact at zero angle, the package at the actual angle, which
+changes results by up to 5e-4. Printed values are accurate to half a unit in the last digit.
 """
 
 import numpy as np
@@ -39,7 +39,7 @@ def test_matrix(loads, clearance, shift, entries):
 
 
 def test_over_a_ball_pass():
-    """Least, mean and greatest along and across the load, over 16 phases of the ball pass."""
+    """Least, mean and greatest values along and across the load, over 16 phases of a ball pass."""
     phases = np.arange(16) / 16 * 2 * np.pi / 9
     found = np.array(
         [np.diag(static.equilibrium(B6208, 3000.0, phase=p).stiffness)[:2] for p in phases]

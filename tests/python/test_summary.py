@@ -29,7 +29,7 @@ absent warnings model_ranges""".split()
 WORDS = ("bearing", "lubricant", "host", "integrator", "models")
 TYPES = dict.fromkeys(WORDS, str) | {"warnings": list}
 TYPES |= dict.fromkeys(("losses_W", "model_ranges", "absent"), dict)
-# the paper's model has none
+# the paper's model has none of these
 LOST = {"friction_torque_N_m", "power_loss_W", "losses_W", "asperity_share"}
 ABSENT = {*LOST, "capacitance_total_F"}
 DRY_NULL = {
@@ -142,8 +142,8 @@ def full(folder, data):
 
 @pytest.mark.parametrize("models, lost", [("paper", LOST), ("film", LOST), ("mine", set())])
 def test_what_a_model_leaves_out(folder, lubricated, models, lost):
-    """Friction of the paper's model is not a friction torque: the summary has no number but states
-    the reason. A user's model reports the losses that its contacts have."""
+    """Friction of the paper's model is not a friction torque: the summary states this reason
+    instead of a number. A user's model reports the losses that its contacts have."""
     own = synthetic.changed(lubricated, models=models)
     figures = summary(RunTables(synthetic.write(folder, own)))
     assert figures["absent"] == dict.fromkeys(figures["absent"], f"not in models {models}")
@@ -157,7 +157,7 @@ def test_what_a_model_leaves_out(folder, lubricated, models, lost):
 
 
 def test_friction(folder, lubricated):
-    """The torque of the shaft, the losses by part, and the makers' torques at the same forces."""
+    """Torque of the shaft, losses by part, and makers' torques equal values from the contacts."""
     figures = full(folder, lubricated)
     column = synthetic.LUBRICATED.index("load")
     loads = [sum(row[column] for row in frame) for frame in lubricated["contacts"][1:]]
@@ -190,7 +190,7 @@ def test_rings_that_stand_still_have_no_torque(folder, lubricated, speed, has_on
 
 
 def test_makers_see_a_load_that_turns(folder, lubricated):
-    """The mean vector of the load is almost zero, its magnitude is not."""
+    """The mean vector of the load is almost zero, but its mean magnitude is not."""
     turning = forced(
         folder, lubricated, lambda k: (3e3 * np.sin(0.3 * k), 3e3 * np.cos(0.3 * k), 0)
     )
@@ -258,7 +258,7 @@ def test_a_speed_that_changes_is_shown(folder, lubricated):
 
 
 def test_warnings(folder, lubricated):
-    """Warnings of core/raceway/validity.h, at their bounds."""
+    """Warnings of core/raceway/validity.h appear at their bounds."""
     pressure, ratio = (synthetic.LUBRICATED.index(name) for name in ("pressure", "lambda"))
 
     def warned(change):

@@ -43,7 +43,8 @@ def test_mistakes(values, window, says):
 
 @pytest.mark.parametrize("sign", [1, -1])
 def test_even_angles(sign):
-    """A line of constant order in a run-up from 10 to 30 revolutions per second is one sine."""
+    """At even angles a line of constant order in a run-up from 10 to 30 revolutions per second is
+    one sine."""
     time = np.arange(10000) * SAMPLE
     angle = sign * 2 * np.pi * (10 * time + 10 * time**2)
     values, step = order_tracking.at_even_angles(np.cos(ORDER * angle), angle)

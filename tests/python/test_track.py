@@ -25,7 +25,8 @@ ROWS = 12
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory):
-    """Oil that warms up while the clearance shrinks; noise of the stated size, one gap."""
+    """A folder with readings of oil that warms up while the clearance shrinks, with noise of the
+    stated size and one gap; and the truth."""
     folder = tmp_path_factory.mktemp("track")
     random = np.random.default_rng(4)
     time = 600.0 * np.arange(ROWS)
@@ -50,7 +51,7 @@ def made(tmp_path_factory):
 
 @pytest.fixture
 def folder(made, tmp_path):
-    """A copy, free to be modified, and the truth."""
+    """A copy of the folder, free to be modified, and the truth."""
     return shutil.copytree(made[0], tmp_path / "track"), made[1]
 
 
@@ -97,7 +98,7 @@ def test_times_must_rise(folder, capsys):
 
 
 def test_a_linear_reading_is_kalmans():
-    """Mean and covariance for several readings at once."""
+    """Mean and covariance equal those of a Kalman filter, for several readings at once."""
     random = np.random.default_rng(1)
     mean, root, shows = (random.normal(size=one) for one in (3, (3, 3), (2, 3)))
     covariance, noise, read = root @ root.T, np.array([0.3, 0.7]), random.normal(size=2)

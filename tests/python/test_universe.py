@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The run in MDAnalysis: every column of every frame in double precision, and what single
-precision loses."""
+"""The run in MDAnalysis: every column of every frame in double precision, and the loss
+in single precision."""
 
 import pickle
 

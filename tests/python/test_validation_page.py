@@ -17,7 +17,7 @@ def test_all_are_there():
 
 @pytest.mark.parametrize(("number", "engine", "package"), ROWS)
 def test_named_tests_exist(number, engine, package):
-    """`file: names`, several separated by semicolons: each name is part of the name of a test."""
+    """Cells have entries `file: names`, separated by semicolons; names are parts of test names."""
     for folder, words in (("tests/physics", engine), ("tests/python", package)):
         for one in words.split("; "):
             name, _, wanted = one.partition(": ")

@@ -74,9 +74,9 @@ def test_a_shoulder_that_is_none(tmp_path):
 
 @pytest.mark.parametrize("name", ["static", "electric", "heat"])
 def test_a_ring_held_along_its_axis(name, capsys):
-    """An angular contact bearing under radial load alone: text and JSON of every command have the
-    force that holds its ring. With that force as an axial load there is balance and no warning; a
-    deep groove bearing has no such force."""
+    """For an angular contact bearing under radial load alone, text and JSON of every command state
+    the force that holds its ring. With that force as an axial load the ring is in equilibrium
+    without a warning; a deep groove bearing has no such force."""
 
     def said(*more):
         point = ["--rpm", "3000", "--lubricant", "vg46", "--load", "1000"]
@@ -90,5 +90,6 @@ def test_a_ring_held_along_its_axis(name, capsys):
     angular = ["--bearing", "7205B"]
     (text,) = said(*angular)
     force = {"N": 1.0, "kN": 1e3}[text.split()[11].strip(",")] * float(text.split()[10])
-    assert 900 < force < 1.14e3  # e F_r of ISO 281 at 40 degrees is the induced force by rule
+    # the rule for the induced force is e F_r, with e of ISO 281 at 40 degrees
+    assert 900 < force < 1.14e3
     assert said(*angular, "--axial", str(force)) == said() == []

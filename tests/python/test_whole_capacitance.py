@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Total capacitance over a run with known content; runs of the programs are in
-tests/scenarios."""
+"""Total capacitance over a run with known content; tests/scenarios has tests with runs of the
+programs."""
 
 from types import SimpleNamespace
 
@@ -49,7 +49,7 @@ def test_unknown_surroundings():
 
 
 def test_columns_of_the_record_come_first(folder, monkeypatch):
-    """They are used if a record contains the total capacitance and no other filling is
+    """Columns of a record are used if it contains the total capacitance and no other filling is
     requested."""
     run = raceway.open(folder)
     own = whole_capacitance.over_time(run)
@@ -68,7 +68,7 @@ def test_columns_of_the_record_come_first(folder, monkeypatch):
 
 
 def test_threshold_is_the_least_of_the_balls(folder):
-    """Compared with the ball-by-ball formula: E h (C_i + C_o)/C of the other film."""
+    """The threshold equals the least value of E h (C_i + C_o)/C of the other film, ball by ball."""
     run = raceway.open(folder)
     whole = whole_capacitance.over_time(run)
     found = whole_capacitance.fields(run, whole, 1.0, strength=2e7)
@@ -79,8 +79,7 @@ def test_threshold_is_the_least_of_the_balls(folder):
 
 
 def test_the_circuit_takes_it(folder):
-    """The circuit's own series connection, threshold and local thickness equal those of this
-    module."""
+    """Series connection, threshold and local thickness of the circuit equal those of the module."""
     run = raceway.open(folder)
     whole = whole_capacitance.over_time(run)
     contacts = whole_capacitance.contacts_of(run, whole)

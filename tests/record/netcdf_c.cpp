@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A netCDF file with one dimension and variable of each kind, for the tests: plain functions behind
-// a C interface.
+// A C interface to a netCDF file with one dimension and one variable of each kind, for the tests.
 #include "../../src-package/core/record/netcdf_file.cpp"
 #include "../../src-package/core/record/netcdf_header.cpp"
 

@@ -103,7 +103,7 @@ def test_a_sample_is_found_wherever_it_is_read(folder, tmp_path):
 
 def test_a_record_without_checksums(tmp_path):
     """Records without checksums are read and reported as unchecked; their sums are compared with
-    contacts."""
+    sums over their contacts."""
     synthetic.write(tmp_path, synthetic.run(passes=1, samples_per_pass=12))
     run = raceway.open(tmp_path)
     run.summary()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A bearing in any pose in the lab has the figures of the same scene with its axis along z.
+"""A bearing in any pose in the lab has the same figures as with its axis along z.
 
 Records are rotated, not decks: integrators stop at a tolerance, which would hide small errors.
 """
@@ -63,7 +63,7 @@ def scene(request, tmp_path_factory):
 
 
 def written(source, folder, pose, commands):
-    """{command or file: its output} for the run in `source` in a `pose`."""
+    """{command or file: its output} for the run in `source`, turned to a `pose`."""
     turned.write(source, folder / "run", pose)
     before = {path.name for path in (folder / "run").iterdir()}
     found = {}
@@ -87,8 +87,8 @@ def written(source, folder, pose, commands):
 
 
 def figures(folder):
-    """{name: array} of everything that readers compute from the run in `folder`, and of parts of
-    the run."""
+    """{name: array} of everything that readers compute from the run in `folder`, and of data of the
+    run."""
     run = raceway.open(folder)
     run = run if len(run.bearing_numbers) == 1 else run.select(2)
     found = {
@@ -115,7 +115,7 @@ def figures(folder):
 
 
 def of_data_set(run):
-    """{name: array} of the quantities of `run` in a data set: its lines, and signals of sensors."""
+    """{name: array} of quantities of `run` in a data set: lines of the bearing, sensor signals."""
     found = {
         f"label {line}": np.array(place)
         for (line, _), place in spectrum.places(run, harmonics=1).items()
@@ -127,7 +127,7 @@ def of_data_set(run):
 
 
 def of_circuit(run):
-    """{name: array} of an inverter's circuit with the bearing of `run`, its discharges included."""
+    """{name: array} of an inverter's circuit with the bearing of `run`, including discharges."""
     result = circuit.run(run, MOTOR_OF_INVERTER, Breakdown(70e6, arc=1.0), Leak(1e9))
     assert len(result.events) > 10
     tables = {"circuit": result.data, "event": result.events}
@@ -139,7 +139,7 @@ def of_circuit(run):
     }
 
 
-VECTORS = {  # names with {} for x, y, z: whether axial
+VECTORS = {  # {name with {} for x, y, z: whether the vector is axial}
     "{}": False,
     "v{}": False,
     "a{}": False,
@@ -156,7 +156,7 @@ ABOUT_AXIS = {"spin", "cage_speed", "cage_speed_rad_s", "rpm_inner", "rpm_outer"
 
 
 def moved(found, pose):
-    """The `figures` of the scene in a `pose` in its bearing's frame."""
+    """The `figures` found in a scene with a `pose`, in the frame of the bearing."""
     new = {}
     for name, values in found.items():
         part, _, key = name.partition(" ")
@@ -185,8 +185,8 @@ def moved(found, pose):
 
 
 def worst(found, wanted):
-    """[(error relative to the largest value, or to the vector's, name)] of figures that differ by
-    more than 1e-12."""
+    """[(error relative to the largest value or to the largest of the vector, name)] of figures that
+    differ by more than 1e-12."""
     wrong = []
     for name, one in wanted.items():
         if one is None or found[name] is None:
@@ -210,8 +210,8 @@ def largest(values):
 
 
 def components(name, known):
-    """Names of the components of the vector that contains `name`, of the spectrum that contains
-    its value, or `name` itself."""
+    """Names of all components of the vector that contains `name`, of the spectrum that contains its
+    value, or `name` alone."""
     part, _, key = name.partition(" ")
     if part == "line" and key.endswith("amplitude"):
         return ["spectrum"]
@@ -248,7 +248,7 @@ def test_axis(scene, tmp_path):
 
 
 def test_run_about_x(tmp_path):
-    """The same scene run about z and about x: all figures agree except the cost."""
+    """If the same scene runs about z and about x, all figures except the cost agree."""
     change = [("run 2000", "run 500")]
     about_x = [
         ("bearing/ehd ", "bearing/ehd axis x "),
@@ -267,8 +267,8 @@ def test_run_about_x(tmp_path):
 
 
 def test_plain_deck_about_x(tmp_path):
-    """The main deck with its style's *axis*: warming, a one-piece cage and the record have the
-    same bits, apart from the order of the axes."""
+    """In the main deck with *axis* in its pair style, warming, a one-piece cage and the record have
+    the same bits, apart from the order of the axes."""
     words = {"lubricant": "vg46", "rpm": 3000, "models": "full", "cage": "ring", "heat": "yes"}
     words |= {"passes": 1, "samples": 40, "axial": 300, "warm_time": 20}
     text = (ROOT / "inputs" / "in.6208").read_text()
@@ -288,7 +288,7 @@ def test_plain_deck_about_x(tmp_path):
 
 
 def test_direction_without_a_load(tmp_path):
-    """A radial load at rounding level gives no direction: that of the displacement is taken."""
+    """A radial load at rounding level has no direction; the displacement's direction is used."""
     end = succeed(small(tmp_path, deck=SMALL.replace("run 20000", "run 500")), out=tmp_path)
     assert end.code == 0
     found = []
@@ -303,7 +303,7 @@ def test_direction_without_a_load(tmp_path):
 
 
 def test_run_up_names_the_spall(tmp_path):
-    """in.run_up: BPFO in orders, at the value from the run's own cage."""
+    """In in.run_up BPFO is found in orders, at the value calculated from the cage of the run."""
     folder = tmp_path / "run"
     deck = tmp_path / "deck"
     deck.write_text(scenes.changed("in.run_up", [("run 15000", "run 8000")]))

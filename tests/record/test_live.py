@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Records of a run that is still active or was killed, and their contents in other programs.
+"""Records of runs that are still active or were killed, and their contents in other programs.
 
 .venv/bin/python tests/record/test_live.py [N]     reads N times while runs are active and kills N
 runs
@@ -28,7 +28,7 @@ CASE = {"passes": 600, "samples": 100, "within": 5}
 
 
 def start(folder):
-    """The main deck for several seconds."""
+    """Start the main deck for a run of several seconds."""
     words = [HOSTS["liggghts"][0], "-in", "inputs/in.6208", "-log", "none", "-var", "out", folder]
     for name, value in {**QUICK, **CASE}.items():
         words += ["-var", name, str(value)]
@@ -49,7 +49,7 @@ def wait_for(path, process):
 
 
 def look(folder):
-    """Number of samples that can be read, each complete, by xarray alone and by the package."""
+    """Number of complete samples that can be read by xarray alone and by the package."""
     with xr.open_dataset(folder / "record.nc") as data:
         n = data.sizes["time"]
         steps, loads = data["step"].values, data["load"].max(("raceway", "ball")).values
@@ -81,8 +81,8 @@ def read_while_it_grows(folder, readers):
 
 
 def kill(folder, whole, dice):
-    """Samples left by a run that was killed at a random moment; they equal those of a complete
-    run."""
+    """Number of samples left by a run that was killed at a random moment. They equal the samples of
+    a complete run."""
     process = start(folder)
     wait_for(folder / "record.nc", process)
     time.sleep(dice.uniform(0.0, 0.6))

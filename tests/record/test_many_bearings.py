@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A record of several bearings: single-bearing figures ask for a choice, and commands take its
+"""A record of several bearings: figures of one bearing need a choice, and commands accept its
 number."""
 
 import json
@@ -35,7 +35,7 @@ COMMANDS = [
 
 @pytest.fixture(scope="module")
 def many(tmp_path_factory):
-    """inputs/in.many with two bearings."""
+    """Folder of a run of inputs/in.many with two bearings."""
     folder = tmp_path_factory.mktemp("many")
     words = dict(bearings=2, columns=2, time=6e-3, ramp=1e-3, record="all")
     succeed("inputs/in.many", out=folder / "run", **words)

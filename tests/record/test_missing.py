@@ -18,7 +18,7 @@ NO_CONTACTS = "record.nc holds no contacts: record them with -var record all"
 
 @pytest.fixture(scope="module")
 def sums(tmp_path_factory):
-    """The main deck with a record of sums only."""
+    """Folder of a run of the main deck with a record of sums only."""
     folder = tmp_path_factory.mktemp("sums") / "run"
     succeed(out=folder, **{**MAIN, "record": "summary", "dumps": "no"})
     return folder
@@ -26,7 +26,7 @@ def sums(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def motion_alone(tmp_path_factory):
-    """docs/decks/in.smallest with a record that has balls and no contacts."""
+    """Folder of a run of docs/decks/in.smallest with a record of balls without contacts."""
     folder = tmp_path_factory.mktemp("motion")
     succeed(small(folder, "contacts none"))
     return folder / "run"
@@ -34,15 +34,15 @@ def motion_alone(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def load_alone(tmp_path_factory):
-    """The same with the loads of contacts and no other contact column."""
+    """Folder of a run of docs/decks/in.smallest with loads as the only contact column."""
     folder = tmp_path_factory.mktemp("load")
     succeed(small(folder, "contacts load"))
     return folder / "run"
 
 
 def copied(folder, to, **changes):
-    """A copy of a run's folder; `samples` are those left in its record, `cut` is the number of
-    bytes kept."""
+    """A copy of the folder of a run; `samples` is the number of samples left in its record, `cut`
+    the number of bytes kept."""
     shutil.copytree(folder, to)
     content = bytearray((to / "record.nc").read_bytes())
     if "samples" in changes:
@@ -81,7 +81,7 @@ def test_a_command_that_needs_contacts(sums, words, capsys):
     ids=lambda words: words[-1],
 )
 def test_contacts_of_one_column(load_alone, words, capsys):
-    """A command that needs more reports so in one line; a report omits its pictures of contacts."""
+    """A command that needs more columns reports this in one line; a report omits such pictures."""
     name, *more = words
     code = main([name, str(load_alone), *more])
     said = capsys.readouterr().err

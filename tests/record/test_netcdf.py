@@ -30,7 +30,7 @@ def library(tmp_path_factory):
 
 
 class Writer:
-    """The C interface as an object."""
+    """A writer with the C interface of netcdf_c.cpp."""
 
     def __init__(self, library, path, batch=4, records=-1, temperature=40.0):
         self.c = ctypes.CDLL(str(library))
@@ -67,7 +67,7 @@ def expected(n):
 
 
 def holds(path, n):
-    """The file has these n records when read with xarray."""
+    """Check that the file has n records with the expected values when read with xarray."""
     with xr.open_dataset(path, engine="scipy") as data:
         for found, wanted in zip((data["time"], data["x"], data["load"]), expected(n)):
             assert np.array_equal(found.to_numpy(), wanted, equal_nan=True)
@@ -107,7 +107,7 @@ def test_scipy(library, path, mapped):
 
 
 def test_libnetcdf(library, path):
-    """The reference implementation, through netCDF4."""
+    """The reference implementation, used through netCDF4, reads the file."""
     import netCDF4  # slow to import
 
     writer = Writer(library, path)
@@ -124,7 +124,7 @@ def test_libnetcdf(library, path):
 
 
 def test_growing(library, path):
-    """A reader never sees more than was written, and everything once writing has stopped."""
+    """A reader never sees more than was written, and sees everything once writing has stopped."""
     writer, seen = Writer(library, path, batch=3), 0
     for k in range(30):
         writer.write(k, k + 1)
@@ -219,8 +219,8 @@ def test_no_room(library):
 
 
 def test_killed(library, path):
-    """A process killed at any moment leaves a readable file, and 30 reads while it grows
-    see complete records."""
+    """A process killed at any moment leaves a readable file, and 30 readers of the growing file see
+    complete records."""
     script = textwrap.dedent(f"""
         import sys
         sys.path.insert(0, {str(HERE)!r})

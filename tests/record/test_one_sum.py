@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every figure of a bearing or a ring is the sum or the extreme of its contacts, and the power
-supplied by shaft and loads is the losses plus the stored energy's growth: all models, types of
-bearing, integrators and hosts."""
+"""Every figure of a bearing or a ring is the sum or the extreme over its contacts, and the power
+supplied by shaft and loads equals the losses plus the rate of energy storage, for all models, types
+of bearing, integrators and hosts."""
 
 import numpy as np
 import pytest
@@ -40,7 +40,7 @@ COMBINED = "x free y free z free rx free ry free"
 LOADS = {RADIAL: (0, -2000, 0), COMBINED: (0, -1000, 3000)}  # N
 MASS, TRANSVERSE = 0.2, 6.5e-5  # kg, kg m^2 of the inner ring
 RING = "x y z vx vy vz tilt_1 tilt_2 mz spin".split()
-# type: (motion of the inner ring, distance of two grooves from the middle plane, cage, bearings)
+# {type: (motion of the inner ring, distance of grooves from the middle plane, cage, bearings)}
 KINDS = {
     "radial": (RADIAL, 0.0, False, 1),
     "cage": (RADIAL, 0.0, True, 1),
@@ -70,7 +70,7 @@ FINER = {
     "dry, spring": 2,
     "paper, spring": 2,
     "full, no friction": 2,
-}  # losses of a falling dry ring are peaks, and the branch returns the energy it took
+}  # losses of a falling dry ring are peaks, and the branch returns the energy that it has taken
 
 
 def test_every_loss_of_a_contact_is_one_of_bearings_and_rings():
@@ -146,7 +146,7 @@ def deck(law, kind, integrator, out, finer):
 
 
 class Ran:
-    """A scene: its record, and by step the output of the computes and of the energy balance."""
+    """A scene that has run: its record, and output of computes and the energy balance by step."""
 
     def __init__(self, folder, text, wet=False, host="liggghts", ranks=1):
         self.wet = wet
@@ -171,7 +171,7 @@ class Ran:
         }
 
     def contacts(self, step):
-        """{column: array (raceway, ball)}, NaN where there is no contact; losses and loads 0."""
+        """{column: array (raceway, ball)}; without contact values are NaN, losses and loads 0."""
         at = self.steps.index(step)
         over_time = [n for n in CONTACTS if n in self.values and self.values[n].ndim == 3]
         return {n: self.values[n][at] for n in over_time}
@@ -205,13 +205,13 @@ def ran(scene, runs):
 
 
 def same(one, other, terms=()):
-    """Check equality to 1e-13 of the value, or of the largest of its terms."""
+    """Whether values are equal to 1e-13 of the value or of the largest of its terms."""
     scale = max([abs(one), abs(other), *(abs(term) for term in np.ravel(terms))])
     return one == other or abs(one - other) <= 1e-13 * scale or (np.isnan(one) and np.isnan(other))
 
 
 def figures(contacts, inner, balls, wet):
-    """{name: (figure, its terms)} of these balls' contacts, from the definitions of the columns."""
+    """{name: (figure, its terms)} of the contacts of `balls`, as columns are defined."""
     c = {name: values[:, balls] for name, values in contacts.items()}
     live = c["load"] > 0
     found = {"contacts": (live.sum(), ())}
@@ -335,20 +335,20 @@ def test_each_ball_has_one_drag(ran):
 
 
 def losses(data):
-    """W, by sample."""
+    """Losses in W of each sample."""
     names = [f"bearing_{row['name']}" for row in TABLES["bearing"]]
     names = [name for name in names if name.endswith("_power") and name in data]
     return sum(data[name].sum("bearing").to_numpy() for name in names)
 
 
 def latter_half(data):
-    """First and last sample, a multiple of four apart."""
+    """First and last sample of the latter half, a multiple of four samples apart."""
     last = len(data["time"]) - 1
     return last - last // 8 * 4, last
 
 
 def integrals(data, power, every):
-    """J over the latter half of the samples, using every `every`-th one."""
+    """Energies in J over the latter half of the samples, from every n-th sample, n in `every`."""
     first, last = latter_half(data)
     time = data["time"].to_numpy()
     return [np.trapezoid(power[first : last + 1 : n], time[first : last + 1 : n]) for n in every]
@@ -356,8 +356,8 @@ def integrals(data, power, every):
 
 @scenes([scene for scene in SCENES if scene[2] == "verlet"])
 def test_power_in_is_losses_plus_what_the_host_stores(ran, scene):
-    """Under velocity Verlet, with the host's energies. Constant loads do work by the
-    displacement."""
+    """Under velocity Verlet the stored energy is computed by the host. The work of constant loads
+    follows from the displacement."""
     data, steps = ran.record, ran.steps
     moves = data["ring_raceway"] == 0
     ring = {name: data[f"ring_{name}"][:, moves].to_numpy() for name in RING}
@@ -380,9 +380,9 @@ def test_power_in_is_losses_plus_what_the_host_stores(ran, scene):
 
 @scenes([scene for scene in SCENES if scene[2] == "implicit"])
 def test_power_in_is_losses_plus_what_is_stored(ran):
-    """From the balance of fix bearing/implicit. A sum over samples is accurate to the difference
-    between every other and every fourth sample; the integrator's own error is LOST in the
-    balance."""
+    """The energies are those of the balance of fix bearing/implicit. A sum over samples is accurate
+    to the difference between sums over every second and every fourth sample; the error of the
+    integrator is `missing` in the balance."""
     data, steps = ran.record, ran.steps
     first, last = latter_half(data)
     sums = integrals(data, losses(data), (1, 2, 4))

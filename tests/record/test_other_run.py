@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A record and a run.yaml of different runs are refused; those of the same run are not."""
+"""A record and a run.yaml of different runs are refused; files of the same run are not."""
 
 import shutil
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Records of other decks than the main one, with any bearing and load: every command reads them."""
+"""Every command reads records of decks other than the main deck, with any bearing and load."""
 
 import json
 
@@ -10,9 +10,9 @@ from host import ROOT, succeed
 from raceway.cli import main as command
 
 RECORD = "fix rec all bearing/record 200 ${out} overwrite yes\n"
-DECKS = {  # name: (balls, largest rpm, load on the inner ring, N)
+DECKS = {  # {name: (balls, largest rpm, load on the inner ring in N)}
     "in.combined": (None, 1500, 4472),
-    "in.unbalance": (9, 3000, 500),  # growing angles have no mean
+    "in.unbalance": (9, 3000, 500),  # growing angles have no mean value
     "in.ehd": (9, 477.5, 5000),
 }
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Frequencies, ball passes and speeds from the motion of a run's own balls and rings: angular
-contact, either ring rotating, either sense, a changing speed."""
+"""Frequencies, ball passes and speeds from the motion of balls and rings in a run: angular contact,
+rotation of either ring in either sense, a changing speed."""
 
 import numpy as np
 import pytest
@@ -26,7 +26,7 @@ def run(request, tmp_path_factory):
 
 def angles(run):
     """(cage, inner, outer): angles in rad (time,) through which the balls, on average, and the
-    rings turned."""
+    rings have turned."""
     x, y = (run.balls[name].transpose("time", "ball").to_numpy() for name in "xy")
     cage = np.unwrap(np.arctan2(y, x), axis=0).mean(1)
     data = run.tables.record.read(["ring_angle"])["ring_angle"]
@@ -43,8 +43,8 @@ def test_ball_passes_are_angles_of_the_cage(run):
 
 
 def test_lines_are_those_of_its_balls_and_rings(run):
-    """FTF, BPFO, BPFI and the shaft from the angles; BSF from the spins of the balls relative to
-    the cage: within 0.1 %."""
+    """FTF, BPFO, BPFI and the shaft line follow from the angles, BSF from the spins of the balls
+    relative to the cage, within 0.1 %."""
     (cage, inner, outer), balls = angles(run), run.balls.sizes["ball"]
     seconds = float(run.balls["time"][-1] - run.balls["time"][0])
     turned = [one[-1] / (2 * np.pi * seconds) for one in (cage, inner, outer)]
@@ -69,7 +69,7 @@ def test_lines_are_those_of_its_balls_and_rings(run):
 
 def test_rotation_of_balls_that_are_not_recorded(tmp_path):
     """A thrust causes a contact angle in a radial bearing; a record without contacts and balls, as
-    in data sets, has the cage speed alone."""
+    in data sets, has the cage speed only."""
     case = dict(axial=1000, load=300, clearance=30e-6, models="full", settle="auto")
     found = []
     for kind in ("all", "summary"):
@@ -78,13 +78,13 @@ def test_rotation_of_balls_that_are_not_recorded(tmp_path):
     whole, short = found
     (_, own), (_, told) = (spectrum.places(one, own=False)["BSF", 1] for one in found)
     assert np.isnan(short.motion.angle) and np.degrees(whole.motion.angle) > 10
-    # BSF changes by a third of the change of the cage speed, whose slip is below 1e-3
+    # BSF changes by a third of the change in cage speed, and the slip of the cage is below 1e-3
     assert told == pytest.approx(own, rel=3e-4)
     assert spectrum.contact_angle(short) == pytest.approx(whole.motion.angle, abs=np.radians(0.5))
 
 
 def test_speed_at_the_largest_load(run):
-    """Also during a speed ramp, for which the summary has the range of speeds."""
+    """The summary has the speed at the largest load and the range of speeds, also during a ramp."""
     figures = summary(run.tables)
     data = run.tables.record.read(["ring_spin"])["ring_spin"]
     sides = list(run.tables.record.fixed("ring_raceway"))

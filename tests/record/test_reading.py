@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""raceway.open on records of real runs: the main deck's, and that of a deck with one additional
-line."""
+"""raceway.open on records of real runs: the main deck, and a deck with one additional line."""
 
 import re
 
@@ -26,7 +25,7 @@ def main_run(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def one_line(tmp_path_factory):
-    """docs/decks/in.smallest plus one line."""
+    """Folder of a run of docs/decks/in.smallest with one additional line."""
     folder = tmp_path_factory.mktemp("small")
     succeed(small(folder))
     return folder / "run"
@@ -37,7 +36,7 @@ def close(found, wanted):
 
 
 def test_summary_is_of_its_contacts_and_balls(main_run):
-    """Loads, films, capacitance, cage speed and losses, computed from every contact and ball."""
+    """Loads, films, capacitance, cage speed and losses equal values from every contact and ball."""
     run = raceway.open(main_run)
     figures, contacts, balls = run.summary(), run.contacts.load(), run.balls.load()
     load = contacts["load"]
@@ -102,7 +101,7 @@ def test_read_when_used(main_run):
 
 @pytest.mark.parametrize("name", ["load", "ring_fx", "bearing_capacitance", "cage_vx", "time"])
 def test_samples_here_and_there(main_run, name):
-    """An index selects the same values from the file as from the array."""
+    """An index selects the same values from the file as from an array."""
     record = Record(main_run)
     with xr.open_dataset(main_run / "record.nc", engine="scipy") as data:
         values = data[name].to_numpy().astype(float)
@@ -136,7 +135,7 @@ def test_commands_on_one_line(one_line, words, tmp_path, capsys):
 
 
 def test_what_nobody_told(one_line):
-    """Load, speed and direction are the measured ones for a deck that does not state them."""
+    """If a deck does not state load, speed and direction, the measured values are used."""
     run = raceway.open(one_line)
     settings = run.settings
     assert settings["rpm"] == pytest.approx(50 * 30 / np.pi, rel=1e-12)
@@ -185,7 +184,7 @@ def test_a_summary_has_the_figures(tmp_path):
 
 
 def test_unfinished(tmp_path):
-    """A run that stops half-way can be read, but its figures are refused."""
+    """A run that has stopped half-way can be read, but its figures are refused."""
     folder = tmp_path / "run"
     succeed(small(tmp_path, deck=SMALL.replace("run 20000", "run 5000")))
     text = (folder / "run.yaml").read_text()

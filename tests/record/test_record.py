@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/record agrees with the host's dumps, gives the same bytes on any number of ranks, and
-a continued run writes the bytes of an undisturbed one."""
+"""fix bearing/record agrees with the host's dumps and gives the same bytes on any number of ranks,
+and a continued run writes the same bytes as an undisturbed run."""
 
 import re
 
@@ -126,7 +126,7 @@ def test_what_the_bearing_is(main):
     "host, ranks", [("liggghts", 2), ("liggghts", 4), ("lammps", 2), ("wheel", 2)]
 )
 def test_ranks(host, ranks, tmp_path):
-    """The same bytes when the main deck's box is cut through the bearing."""
+    """The record has the same bytes if the box of the main deck is cut through the bearing."""
     for n in (1, ranks):
         succeed(host=host, ranks=n, out=tmp_path / str(n), **MAIN)
     one = (tmp_path / "1" / "record.nc").read_bytes()
@@ -224,7 +224,7 @@ def test_several_runs(tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_resume(ranks, tmp_path):
-    """From a restart file in the middle: later samples are cut off."""
+    """A run resumes from a restart file in its middle: later samples are cut off."""
     whole, parts = tmp_path / "whole", tmp_path / "parts"
     for folder in (whole, parts):
         folder.mkdir()
@@ -277,7 +277,7 @@ MANY = {"bearings": 6, "columns": 3, "time": 4e-3, "ramp": 1e-3}
 
 @pytest.fixture(scope="module")
 def many(tmp_path_factory):
-    """in.many, with all digits in its table."""
+    """Runs of in.many with all digits in its table, on 1, 2 and 4 ranks."""
     folder = tmp_path_factory.mktemp("many")
     deck = folder / "in.many"
     text = (ROOT / "inputs" / "in.many").read_text()
@@ -296,7 +296,7 @@ def test_many_on_any_ranks(many):
 
 
 def test_many_is_its_table(many):
-    """A row of compute bearing/ring per inner ring and sample."""
+    """The record equals the table, a row of compute bearing/ring per inner ring and sample."""
     names = (
         "ring x y spin fx fy torque contacts balls load pressure h_min lambda orbit friction_power"
     )

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A summary warns where a contact ellipse extends beyond the shoulder of its groove, if the
-bearing's file has shoulder diameters."""
+"""A summary warns if a contact ellipse extends beyond the shoulder of its groove and the bearing's
+file has shoulder diameters."""
 
 import pytest
 import raceway
@@ -33,6 +33,6 @@ def test_shoulder(variables, warned, tmp_path):
     warnings = [text for text in summary(RunTables(tmp_path))["warnings"] if "shoulder" in text]
     assert bool(warnings) == warned
     contacts = raceway.open(tmp_path).contacts
-    if warned:  # from the largest angle and the longest ellipse of all samples
+    if warned:  # the warning uses the largest angle and the longest ellipse of all samples
         assert warnings[0].startswith("the contact ellipse of the inner raceway reaches")
         assert float(abs(contacts.angle).max()) > 0.4

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """fix bearing/capacitance ... surroundings: the total capacitance of a running bearing in the
-record, in the fix's own output and in computes."""
+record, in the output of the fix and in computes."""
 
 import numpy as np
 import pytest
@@ -29,7 +29,7 @@ fix sums all print {every} "${{s}} ${{a}} ${{b}} ${{c}} ${{d}}" file {out}/sums.
 
 
 def main(folder, **variables):
-    """The record of the main deck, loaded, and a mask of existing contacts."""
+    """The loaded record of a run of the main deck, and a mask of existing contacts."""
     succeed("inputs/in.6208", out=folder, overwrite="yes", settle=1, passes=1, **variables)
     with xr.open_dataset(folder / "record.nc") as data:
         data = data.load()
@@ -37,18 +37,18 @@ def main(folder, **variables):
 
 
 def series(values):
-    """Both raceways of a ball, by sample and ball."""
+    """Capacitance of both raceways of a ball in series, by sample and ball."""
     return 1 / (1 / values).sum(axis=1)
 
 
 def azimuth(data):
-    """rad from the load line, by sample and ball, in (-pi, pi]."""
+    """Azimuth in rad from the load line, by sample and ball, in (-pi, pi]."""
     return np.angle(1j * (data["ball_x"].values + 1j * data["ball_y"].values))
 
 
 @pytest.fixture(scope="module")
 def loaded(tmp_path_factory):
-    """3 kN, 1500 rpm, no clearance, for each kind of surroundings."""
+    """Records at 3 kN and 1500 rpm without clearance, for each kind of surroundings."""
     folder = tmp_path_factory.mktemp("loaded")
     named = {"load": 3000, "rpm": 1500} | OIL | SHOULDERS
     return {
@@ -76,8 +76,8 @@ def test_every_ball_has_both_capacitors(loaded):
     np.testing.assert_array_equal(plates == 0, ~live)
     np.testing.assert_array_equal(total, plates + outside)
     np.testing.assert_array_equal(np.isnan(data["h_c"].values), ~live)
-    # far from contact the separation is the gap between the rigid surfaces, under light loads a
-    # film
+    # far from contact the separation is the gap between the rigid surfaces, under light loads the
+    # film thickness
     separation = data["separation"].values
     assert separation[~live].max() > 5e-6
     np.testing.assert_array_equal((data["h_c"].values >= separation)[live], True)
@@ -91,7 +91,7 @@ def test_every_ball_has_both_capacitors(loaded):
 
 
 def test_t6_balls_by_azimuth(loaded):
-    """Capacitance of a ball (pF) at 0, 40 and 80 degrees from the load; linear between samples."""
+    """Capacitance of a ball (pF) at 0, 40 and 80 degrees from the load, interpolated linearly."""
     known = {
         "none": (44.9, 33.3, 6.27),
         "flooded": (65.5, 52.9, 22.0),
@@ -108,7 +108,7 @@ def test_t6_balls_by_azimuth(loaded):
 
 
 def test_t6_the_bearing(loaded):
-    """pF, a ball on the load line: plates 124, about 248 flooded, about 214 cavitated."""
+    """With a ball on the load line, in pF: plates 124, about 248 flooded, about 214 cavitated."""
     known = {"none": 124, "flooded": 248, "cavitated": 214}
     for word, truth in known.items():
         data, _ = loaded[word]
@@ -126,7 +126,7 @@ def test_t5_what_fills_the_gap(loaded):
 
 
 def test_t6_light_and_fast(tmp_path):
-    """400 N, 6000 rpm, 12 um: in pF, 9.4 for plates, 101 flooded, 77 cavitated."""
+    """At 400 N and 6000 rpm with 12 um clearance, in pF: plates 9.4, 101 flooded, 77 cavitated."""
     named = {"load": 400, "rpm": 6000, "clearance": 12e-6} | OIL | SHOULDERS
     found = {}
     for word in ("flooded", "cavitated"):
@@ -142,9 +142,9 @@ def test_t6_light_and_fast(tmp_path):
 @pytest.mark.parametrize("rpm", [477.5, 9549])
 @pytest.mark.parametrize("models", ["paper", "film"])
 def test_t7_loss_and_return_of_contact(tmp_path, rpm, models):
-    """Clearance 12 um. The largest change of a contact's capacitance over a sample in which contact
-    is lost or regained falls to about a quarter with a quarter of the sampling interval: the
-    capacitance is continuous there. The mean does not change."""
+    """With 12 um clearance, the largest change of a contact's capacitance over a sample in which
+    contact is lost or regained falls to about a quarter with a quarter of the sampling interval:
+    the capacitance is continuous there. The mean does not change."""
     steps, means = [], []
     for samples in (200, 800):
         data, live = main(
@@ -191,8 +191,8 @@ def recorded(folder, options="", **more):
 
 
 def test_within_a_step(tmp_path):
-    """Record and fix share one evaluation; ends of steps do not depend on instants; finer steps
-    give the same."""
+    """Record and fix share one evaluation, ends of steps do not depend on instants, and finer steps
+    give the same values."""
     coarse = recorded(tmp_path / "coarse", "within 4", sample=4e-4, samples=20)
     plain = recorded(tmp_path / "plain", sample=4e-4, samples=20)
     fine = recorded(
@@ -220,7 +220,8 @@ def test_within_a_step(tmp_path):
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 def test_computes_and_the_fix(tmp_path, integrator):
-    """Values for each ball, each ring and in total; the balls of a ring need not touch it."""
+    """Computes and the fix have values for each ball, each ring and in total; the balls of a ring
+    need not touch it."""
     steps = {"implicit": 1, "verlet": 250}[integrator]
     fix = f"fix cap balls bearing/capacitance {steps} permittivity 2.2 surroundings dry\n"
     fix += f"fix rec all bearing/record {steps} {tmp_path}/run/rec\n"
@@ -249,8 +250,8 @@ def test_computes_and_the_fix(tmp_path, integrator):
 
 @pytest.mark.parametrize("host, ranks", [("liggghts", 2), ("liggghts", 4), ("lammps", 2)])
 def test_same_bits_with_velocity_verlet(tmp_path, host, ranks):
-    """Velocities of rings on other ranks are half a step old: gaps are evaluated with the
-    contacts."""
+    """Velocities of rings on other ranks are half a step old, so gaps are evaluated together with
+    the contacts."""
     fix = "fix cap balls bearing/capacitance 250 permittivity 2.2 surroundings flooded\n"
     named = {"integrator": "verlet", "substeps": 250, "samples": 8}
     found = [

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The synthetic record for the tests of the reader has the layout of a real one."""
+"""The synthetic record for the tests of the reader has the layout of a real record."""
 
 import pytest
 import synthetic
@@ -8,7 +8,7 @@ from host import succeed
 
 
 def layout(folder):
-    """Dimensions except time, {variable: (dimensions, type, attributes)}, {attribute: type};
+    """(dimensions except time, {variable: (dimensions, type, attributes)}, {attribute: type})
     without checksums, which synthetic records do not have."""
     with xr.open_dataset(folder / "record.nc", engine="scipy", decode_cf=False) as data:
         data = data.drop_vars("checksum", errors="ignore")

@@ -10,13 +10,13 @@ CASE = "tests/implicit/in.case"
 TILTED = (
     "x free y free z free rx free ry free spin speed 50 force 0 -5000 1000 moment 5 0 0 ramp 3.0e-3"
 )
-ANGLE_A_SAMPLE = 2 * np.pi / 9 / 200  # rad, of a ball in the main deck
+ANGLE_A_SAMPLE = 2 * np.pi / 9 / 200  # rad, motion of a ball per sample in the main deck
 FIX = "fix rec all bearing/record 1 {out}/rec {options}\n"
 CAPACITANCE = "fix cap balls bearing/capacitance 1 permittivity 2.25\n"
 
 
 def recorded(folder, options="", fixes=CAPACITANCE, ranks=1, control="tolerance 1e-9", **case):
-    """The record of a run of in.case with `options`, loaded."""
+    """The loaded record of a run of in.case with `options`."""
     folder.mkdir()
     more = folder / "more"
     more.write_text(fixes + FIX.format(out=folder, options=options))
@@ -27,8 +27,8 @@ def recorded(folder, options="", fixes=CAPACITANCE, ranks=1, control="tolerance 
 
 @pytest.fixture(scope="module")
 def coarse_and_fine(tmp_path_factory):
-    """Host steps of 0.8 ms with 8 samples each, compared with host steps of 0.1 ms, 1 degree of
-    orbit, both with an error of 0.1 nm per internal step."""
+    """Records with host steps of 0.8 ms and 8 samples per step, and with host steps of 0.1 ms, or 1
+    degree of orbit, both with an error of 0.1 nm per internal step."""
     folder = tmp_path_factory.mktemp("within")
     case = {"control": "tolerance 1e-10"}
     coarse = recorded(folder / "coarse", "within 8", sample=8e-4, samples=20, **case)
@@ -51,12 +51,12 @@ def test_every_column_is_what_finer_steps_give(coarse_and_fine):
     for name, truth in fine.data_vars.items():
         if "time" not in truth.dims or name in ("step", "regime", "mu", "checksum"):
             continue
-        # available at the ends of steps only
+        # these are available at the ends of steps only
         if name in ("bearing_cage_force", "bearing_cage_power"):
             continue
         found, truth = coarse[name].values[60:], truth.values[60:]
         there = np.isfinite(truth) & np.isfinite(found)
-        # contacts at the edge of the load zone may close a sample earlier or later
+        # contacts at the edge of the load zone may close one sample earlier or later
         assert (np.isfinite(truth) != np.isfinite(found)).mean() < 0.01, name
         if not there.any() or not np.abs(truth[there]).max():
             continue
@@ -70,7 +70,7 @@ def test_every_column_is_what_finer_steps_give(coarse_and_fine):
 
 
 def test_ends_of_steps_are_those_of_a_record_without_instants(tmp_path):
-    """Ends of steps and balls agree to the bit."""
+    """Values at the ends of steps, and balls, agree to the bit."""
     with_them = recorded(tmp_path / "with", "within 5", sample=4e-4, samples=10)
     without = recorded(tmp_path / "without", sample=4e-4, samples=10)
     assert (tmp_path / "with/balls.dump").read_bytes() == (
@@ -83,8 +83,8 @@ def test_ends_of_steps_are_those_of_a_record_without_instants(tmp_path):
 
 
 def test_shares_the_evaluation_with_the_capacitance(tmp_path):
-    """Loads, films and capacitances of both are the same numbers, and equal those of a record
-    alone."""
+    """Loads, films and capacitances of record and fix are the same numbers; the record has the same
+    numbers if the fix does not evaluate within steps."""
     cap = (
         "fix cap balls bearing/capacitance 1 permittivity 2.25 within 6"
         f" contacts {tmp_path}/run/instants.txt\n"
@@ -101,8 +101,8 @@ def test_shares_the_evaluation_with_the_capacitance(tmp_path):
 
 
 def test_within_a_sample_everything_agrees(tmp_path):
-    """At instants, too, totals are sums over the contacts, and the ring's force is that of the
-    balls."""
+    """Also at instants within a step totals are sums over the contacts, and the force on the ring
+    is the force of the balls."""
     data = recorded(tmp_path / "run", "within 10", sample=4e-4, samples=20).isel(
         time=slice(101, None)
     )
@@ -139,7 +139,7 @@ def test_ranks(ranks, tmp_path):
 
 @pytest.mark.parametrize("host", ["lammps", "wheel"])
 def test_hosts(host, tmp_path):
-    """Samples within steps exist in every host; the bits of a step are the host's own."""
+    """Samples within steps exist in every host; the bits of a step depend on the host."""
     for name in ("liggghts", host):
         succeed("inputs/in.6208", host=name, out=tmp_path / name, samples=100, passes=1)
     one, other = (
@@ -194,15 +194,15 @@ def share(name, found, truth, where):
 
 
 def test_the_main_deck_is_accurate_enough(tmp_path):
-    """The default tolerance and ten samples per step, compared with a picometre and one step per
-    sample: these are the errors of columns stated in docs/output.rst."""
+    """Errors with the default tolerance and ten samples per step, relative to a tolerance of 1 pm
+    and one step per sample, are within the errors of columns stated in docs/output.rst."""
     case = {"passes": 1, "record": "all"}
     succeed("inputs/in.6208", out=tmp_path / "run", **case)
     succeed("inputs/in.6208", out=tmp_path / "fine", tolerance=1e-12, within=1, **case)
     found = xr.open_dataset(tmp_path / "run" / "record.nc").load()
     truth = xr.open_dataset(tmp_path / "fine" / "record.nc").load()
     assert np.ptp(found["step"].values) == 20 and np.ptp(truth["step"].values) == 200
-    # one run begins to measure at the end of a step of ten samples, the other at once
+    # one run begins to measure at the end of a step of ten samples, the other run at once
     azimuth = truth["azimuth"].values[0] - found["azimuth"].values[0]
     shift = int(np.rint(-np.nanmedian(azimuth) / ANGLE_A_SAMPLE))
     assert 0 <= shift < 10
