@@ -17,7 +17,7 @@ struct CagePockets {
     int claim;    // in RingSum; -1: none yet
   };
   struct Land {
-    int i_cage, i_ring;    // of a cage of this rank, and of the ring that guides it
+    int i_cage, i_ring;    // local indices of a cage of this rank and of the ring that guides it
     tag_t cage, ring;
     int claim, ring_claim;
   };

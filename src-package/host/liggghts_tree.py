@@ -6,9 +6,9 @@ compiler needs, or remove them.
     python3 src-package/host/liggghts_tree.py install TREE
     python3 src-package/host/liggghts_tree.py uninstall TREE
 
-The styles register themselves like those of the host: its Make.sh collects the headers that name a
-style. Sources are copied flat into TREE/src, where the host compiles all sources; a
-machine file MAKE/Makefile.raceway is added. TREE/src/raceway.manifest lists all changes.
+The styles register themselves like the host's own styles: its Make.sh collects the headers that
+name a style. Sources are copied flat into TREE/src, where the host compiles all sources; a machine
+file MAKE/Makefile.raceway is added. TREE/src/raceway.manifest lists all changes.
 """
 
 import sys
