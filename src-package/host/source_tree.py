@@ -168,7 +168,6 @@ def install(host, tree):
         if not patch.applies(text):
             raise Refused(
                 f"{path} is not the file of {host.version}: the passage to patch has been changed"
-                " patched"
             )
     new = host.added(src)
     for name in new:

@@ -53,7 +53,7 @@ class LinkChain {
     return true;
   }
 
-  // Call once the answers of both ends of every link are set.
+  // Call it once the answers at both ends of every link are set.
   void factor()
   {
     const int n = static_cast<int>(links.size());
@@ -106,7 +106,7 @@ class LinkChain {
     bool circle;
   };
 
-  // The other link at this end of a link, -1: none.
+  // The other link at this end of a link; -1 if there is none.
   int neighbour(int i, int end) const
   {
     const Pair &p = of_body_[links[i].end[end].body];

@@ -17,7 +17,7 @@ struct UsualData {
   // Radius of a raceway at the bottom of a groove of radius `groove`.
   double inner_radius(double groove) const { return 0.5 * pitch_diameter - groove + reach(groove); }
   double outer_radius(double groove) const { return 0.5 * pitch_diameter + groove - reach(groove); }
-  // Diameter of cage balls that leave a ball the clearance `play` along the pitch circle.
+  // Diameter of cage balls that leave each ball the clearance `play` along the pitch circle.
   double cage_ball_diameter(double play) const
   {
     return 2.0 * pitch_diameter * std::sin(0.5 * M_PI / balls) - ball_diameter - play;
@@ -30,8 +30,8 @@ struct UsualData {
   }
 };
 
-// The inner ring as a hollow cylinder with shoulders 0.18 ball diameters above the bottom of the
-// groove: an estimate.
+// Estimate of the inner ring as a hollow cylinder with shoulders 0.18 ball diameters above the
+// bottom of the groove.
 struct RingCylinder {
   double bore_diameter, width, outer_radius;
 

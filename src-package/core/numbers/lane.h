@@ -46,7 +46,7 @@ constexpr int lanes = 4;
 // Code for AVX2 assumes that a Lane is aligned to 32 bytes, but its type requires only 16 if the
 // target lacks AVX2. Structs of lanes passed between functions therefore have alignas(sizeof(T)).
 typedef double Lane __attribute__((vector_size(8 * lanes)));
-using LaneMask = decltype(Lane() < Lane());    // of a comparison: 0 or all bits
+using LaneMask = decltype(Lane() < Lane());    // result of a comparison: 0 or all bits
 
 RACEWAY_INLINE Lane all_lanes(double a) { return Lane{a, a, a, a}; }
 

@@ -99,7 +99,7 @@ void BearingInstants::put_back()
   std::swap(b_.kept, kept_end_);
 }
 
-// Moves everything to the share s of the internal step.
+// Moves everything to the fraction s of the internal step.
 RACEWAY_LANES void BearingInstants::move(double h, double s)
 {
   const Cubic at(s, h);

@@ -30,7 +30,7 @@ class BearingSystem {
   // Starts the residual M (V_base - V) + h frame; `fresh`: sets the blocks to the masses and the
   // rest to 0.
   void start(double h, bool fresh);
-  // Right-hand sides of the border and, if fresh, the part of D without contacts, at share s of the
+  // Right-hand sides of the border and, if fresh, the part of D without contacts, at the fraction s of
   // step. Positions follow velocities over `follows` seconds.
   void add_border(double h, double follows, double s, bool fresh);
   // Keeps the residuals and, if fresh, the matrix of raceways and inertia, without cages and
