@@ -27,7 +27,7 @@ RACEWAY_LANES void BearingInstants::contacts(int k, bool whole_states,
                                              std::vector<ContactAtInstant> &to) const
 {
   to.resize(b_.contact_at.size());
-  ContactAtInstant nobody;    // for lanes without a ball
+  ContactAtInstant nobody;    // used for lanes without a ball
   for (int group = 0; group < b_.n_contacts; ++group) {
     const int at = (k - 1) * b_.n_contacts + group;
     const ContactLook &look = looks_[at];
@@ -124,7 +124,7 @@ RACEWAY_LANES void BearingInstants::move(double h, double s)
       b_.kept[k].now[m] = b_.kept[k].from[m] + (kept_end_[k].now[m] - b_.kept[k].from[m]) * s;
 }
 
-// s: share of the host's step.
+// s: fraction of the host's step.
 RACEWAY_LANES Failure BearingInstants::look_at(int k, double s)
 {
   Stage stage;
