@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Kinds of lubrication: inlet length of a rolling contact, SKF's starvation constant
-// K_rs, and share of oil in the space around the balls (docs/tribology, Kinds of lubrication).
+// Kinds of lubrication: inlet length of a rolling contact, SKF's starvation constant K_rs, and
+// share of oil in the space around the balls (docs/tribology, Kinds of lubrication).
 #ifndef RACEWAY_LUBRICATION_H
 #define RACEWAY_LUBRICATION_H
 
@@ -12,13 +12,14 @@ enum class LubricationKind { bath, jet, mist, grease, minimal };
 constexpr const char *lubrication_kinds = "bath jet mist grease minimal";
 
 struct Lubrication {
-  double inlet = 0.0;            // in semi-axes b; 0: flooded, 1: the shortest
+  double inlet = 0.0;            // inlet length in semi-axes b; 0: flooded, 1: the shortest
   double replenishment = 0.0;    // K_rs; 0: no starvation
   double share = 0.0;            // X, volume fraction of oil
 };
 
 // Mean share of the balls' volume below the level of an oil bath at rest, over their path. The
-// level is above the lowest raceway, in ball diameters; `pitch` is the pitch radius in ball radius.
+// level is counted from the lowest raceway, in ball diameters; `pitch` is the pitch radius in ball
+// radii.
 inline double immersed_share(double level, double pitch)
 {
   constexpr int points = 720;
