@@ -414,7 +414,7 @@ FREE = "y free z free ry free rz free spin speed 100"
 @pytest.mark.parametrize(
     "text, says",
     [
-        ("FILE mass 4", "mass, inertia and centre of a flexible shaft are those of"),
+        ("FILE mass 4", "mass, inertia and centre of a flexible shaft come from"),
         ("FILE centre 0.1", "mass, inertia and centre of a flexible shaft are those of"),
         ("FILE ry fixed", "needs its displacements across and its tilts 'free'"),
         ("FILE load 0.25 0 1 0", "a load is at 0.25 m, and"),

@@ -116,7 +116,7 @@ class SlipSlices {
   static constexpr int slices = 24, borders = slices + lanes;    // the last three are unused
 
   // Values at the borders of the slices: z; z^2, minus the excess of the mean of both ends of a
-  // slice over the mean within it; the Gauss point of the chord, over b. Value of a slice: the load.
+  // slice over the mean within it; the Gauss point of the chord, over b. Values by slice: the load.
   struct Table {
     double z[borders], z2[borders], chord[borders], load[slices];
   };
