@@ -26,9 +26,9 @@ namespace {
 // Data of a bearing sent by its home to all ranks.
 struct Piece {
   enum Kind { kind, ball, cage, ring } what;
-  double bearing, tag;    // the bearing by its name
+  double bearing, tag;    // name of the bearing; tag
   int raceway;
-  double of[of_kind::N];    // of a bearing; of a ring: origin, pocket play, guide, phase
+  double of[of_kind::N];    // data of a bearing; for a ring: origin, pocket play, guide, phase
 };
 
 bool before(const Piece &a, const Piece &b)

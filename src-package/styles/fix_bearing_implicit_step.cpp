@@ -156,7 +156,7 @@ void FixBearingImplicit::initial_integrate(int)
   time_ += update->dt;
 }
 
-// The host's step in equal substeps, as few as the control allows.
+// Makes the host's step in equal substeps, as few as the control allows.
 void FixBearingImplicit::advance(OwnBearing &p)
 {
   const double whole = update->dt;
@@ -226,6 +226,6 @@ void FixBearingImplicit::give_up(const OwnBearing &p, double h) const
           text(o.last) + " m, estimated error " + text(o.error) + " m, tolerance " +
           text(o.tolerance) + " m; " +
           (o.solved() ? "the error is too large" : cause(o.failure, who)) +
-          ". Load too high, rings apart, or the start overlaps");
+          ". Is the load too high, are the rings apart, or do bodies overlap at the start?");
   std::abort();
 }
