@@ -15,7 +15,7 @@ using raceway::RingProgram;
 using raceway::ShaftModes;
 using raceway::Vec3;
 
-static constexpr double near_enough = 1e-6;    // m, of a station
+static constexpr double near_enough = 1e-6;    // m, distance from a station
 
 Deflection FixBearingShaft::deflection(double at) const { return {modes().station(at), bend_}; }
 
