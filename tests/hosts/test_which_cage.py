@@ -88,7 +88,7 @@ fix cage cage bearing/cage b
 
 def test_a_chain_for_a_ring_is_refused(tmp_path):
     deck = tmp_path / "in.deck"
-    for word, says in (("", None), ("cage ring", "is a ring: fix bearing/${NAME_cage_style}")):
+    for word, says in (("", None), ("cage ring", "is a ring: use fix bearing/${NAME_cage_style}")):
         deck.write_text(NAMED.format(word, BOX))
         done = run(deck)
         assert (says in done.error) if says else done.code == 0, done.text[-500:]
