@@ -22,8 +22,8 @@ struct CagePockets {
     int claim, ring_claim;
   };
   raceway::CageRing of;
-  std::vector<Cell> cells;    // by tag of the ball
-  std::vector<Land> lands;    // by tag of the cage
+  std::vector<Cell> cells;    // in order of the ball's tag
+  std::vector<Land> lands;    // in order of the cage's tag
 };
 
 }    // namespace bearing

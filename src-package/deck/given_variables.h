@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Variables that a user sets with -var, and those that a deck defines.
+// Variables that a user sets with -var, and variables that a deck defines.
 #ifndef BEARING_GIVEN_VARIABLES_H
 #define BEARING_GIVEN_VARIABLES_H
 

@@ -6,7 +6,7 @@
 // rank. After a neighbour build every contact claims a term in the sum of its ring. A rank sends
 // its claims on another rank's rings once, and then only six numbers per claim in each step; the
 // ring's owner adds them by source, then by ascending tag of the partner. A ring with all claims
-// on its own rank is summed directly, in the order of the calls, which is the same order.
+// on its own rank is summed directly, in the order of the calls, which equals that order.
 #ifndef BEARING_RING_SUM_H
 #define BEARING_RING_SUM_H
 

@@ -25,7 +25,7 @@ struct Body {
   Vec3 x;
 };
 
-// Balls and rings of all ranks, by tag.
+// Balls and rings of all ranks, in order of their tags.
 std::vector<Body> bodies_of(LAMMPS *lmp, const PairCoefficients &coefficients)
 {
   const Atom &atom = *lmp->atom;

@@ -110,7 +110,7 @@ RingState ContactEvaluator::groove_of(const RacewayContact &c) const
   return ring;
 }
 
-// Finds the possible contacts among those of one groove, entries `first` to `end` of by_groove_.
+// Finds the possible contacts of one groove, which has the entries `first` to `end` of by_groove_.
 void ContactEvaluator::find_near(int first, int end)
 {
   near_.clear();

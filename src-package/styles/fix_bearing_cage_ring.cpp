@@ -149,7 +149,7 @@ void FixBearingCageRing::find_cells()
   const std::vector<int> cages = atoms_that(*atom, [this](int j) { return moves(j); });
   for (int i = 0; i < atom->nlocal; ++i) {
     if (atom->type[i] != ball_type_) continue;
-    // a ball is nearer to the centre of its own bearing than to any other
+    // a ball is nearer to the centre of its own bearing than to any other bearing's
     const int cage = nearest(*atom, i, 2.0 * all_.of.pitch, cages);
     if (cage < 0)
       BRG_ONE(bearing::name_of(*this) + ": ball " + std::to_string(atom->tag[i]) +

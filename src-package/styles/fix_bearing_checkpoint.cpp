@@ -206,7 +206,7 @@ void FixBearingCheckpoint::init()
 }
 
 // Commands that determine a run: the bearings (first line), the pair style, data of named
-// bearings, the package's fixes except those that only write or watch, and the formulas of
+// bearings, the package's fixes except fixes that only write or watch, and the formulas of
 // variables in them.
 std::vector<std::string> FixBearingCheckpoint::deck() const
 {

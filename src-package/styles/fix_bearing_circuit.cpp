@@ -64,7 +64,7 @@ void FixBearingCircuit::init()
 void FixBearingCircuit::setup(int)
 {
   if (settings_.within > 1) find_integrators();
-  if (restored_) {    // values that the restart file omits, recomputed from those it has
+  if (restored_) {    // recomputes values that the restart file omits from values that it has
     last_time_ = time_of(last_step_);
     static_cast<CircuitPoint &>(state_) = point(balls_, last_time_);
     restored_ = false;

@@ -45,7 +45,7 @@ class FixBearingCircuit : public Fix {
     double metal = 0.0;    // S, of asperities
     double area = 0.0;     // m^2, of the contact patch, if the arc model needs it
 
-    // Adds another film between the same ball and ring: the locally thinner one breaks down.
+    // Adds another film between the same ball and ring; the locally thinner film breaks down.
     void add(const Film &beside);
   };
   struct BallFilms {

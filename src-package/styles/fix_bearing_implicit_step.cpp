@@ -77,7 +77,7 @@ void FixBearingImplicit::build()
   };
   all.unpacked.assign(readers_.size() > 1 ? (instants_.number - 1) * all.bearings.size() : 1, {});
   // A solver shared by identical bearings stays in the caches. With an energy balance or instants,
-  // which belong to one bearing beyond its step, each bearing has its own.
+  // which belong to one bearing beyond its step, each bearing has its own solver.
   const bool shared = !energy_wanted_ && instants_.number < 2;
   using Kind = std::tuple<const void *, size_t, int>;    // distinguishes most kinds
   std::map<Kind, std::vector<std::pair<int, BearingIntegrator *>>> kinds;

@@ -323,7 +323,7 @@ void FixBearingRecord::open()
   refuse(bearing::write_run_yaml(folder_, about_, {}));
 }
 
-// The fix bearing/heat of each bearing; empty if there is none at all.
+// Finds the fix bearing/heat of each bearing; the list is empty if there is no such fix.
 void FixBearingRecord::find_heats()
 {
   heats_.clear();

@@ -137,7 +137,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   } imposed_;
   // count of numbers in a restart file
   static constexpr size_t numbers_kept = 1 + sizeof(Imposed) / sizeof(double);
-  Values now_, before_;                 // values of all rings; those of the previous step
+  Values now_, before_;                 // values of all rings in this and the previous step
   std::vector<int> own_;                // indices of the values given per ring
   std::vector<Values> per_ring_;        // these values by local atom
   bool called_back_ = false;            // the host moves per_ring_ with the atoms

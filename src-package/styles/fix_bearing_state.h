@@ -72,7 +72,8 @@ class FixBearingState : public Fix {
     return i < atom->nlocal ? comm->me : per_atom_[i].owner;
   }    // rank; for ghosts as of the last forward_axes()
   std::vector<PerAtom> &per_atom() { return per_atom_; }
-  // In the set-up of a run: axes and angles of rings are constant unless a fix declares otherwise.
+  // Called in the set-up of a run: axes and angles of rings are constant unless a fix declares
+  // otherwise.
   void keep_axes() { axes_turn_ = false; }
   void follow_axes() { axes_turn_ = true; }
   void ghost_reach(double cut)

@@ -27,7 +27,7 @@ BearingBodies::BearingBodies(const BearingModel &of) : model(of)
   }
 }
 
-// Puts balls on the same raceways next to each other, and cage balls on the same rails, too.
+// Puts balls on the same raceways next to each other, and likewise cage balls on the same rails.
 void BearingBodies::place()
 {
   using Key = std::vector<std::pair<int, const void *>>;

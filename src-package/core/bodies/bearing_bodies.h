@@ -120,7 +120,7 @@ class BearingBodies {
   };
   std::vector<BallProfiles> ball_profiles;
   std::vector<TurnRowT<Lane>> ball_rows;
-  std::vector<BallTurns> turns;    // of groups with profiled balls
+  std::vector<BallTurns> turns;    // orientations in groups with profiled balls
   std::vector<int> turns_at;       // by group, -1: none
   std::vector<RailTrack> rail_tracks;
   std::vector<int> pocket_of;     // by cage, then ball; a ball stays in its pocket
@@ -140,7 +140,7 @@ class BearingBodies {
   std::vector<BalancedContact> balanced;    // by group of contacts, empty without a balance
   std::vector<RingBody> rings;              // rings of the model, then one per shaft
   std::vector<Carried> on_shafts;
-  // Free degrees of freedom of rings and rigid shafts, then those of flexible shafts, then modes.
+  // Free degrees of freedom of rings and rigid shafts, then of flexible shafts, then modes.
   std::vector<Coordinate> border;
   std::vector<Coupling> couplings;    // due to supports
   std::vector<ShaftBend> bends;

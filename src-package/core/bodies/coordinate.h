@@ -17,7 +17,7 @@ struct Coordinate {
   // Velocity at the start of the step, at the base of the stage, after the first stage, and now.
   const double *from, *base, *first, *now;
   bool tilts = false;
-  bool of_cage = false;    // its errors are treated like those of cage balls
+  bool of_cage = false;    // its errors are treated like the errors of cage balls
   // Displacement per unit, m or m/rad; for a tilt without the displacement of the balls, for a spin
   // 0 except for a cage, whose pockets move along the pitch circle.
   double lever = 1.0;

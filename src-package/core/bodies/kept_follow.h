@@ -12,7 +12,7 @@
 
 namespace raceway {
 
-struct alignas(32) KeptSlopes {    // of four contacts, from the last evaluation with derivatives
+struct alignas(32) KeptSlopes {    // four contacts in the last evaluation with derivatives
   Vec3L normal, along, across,
       lever;         // lever: from the centre of the ring or its shaft to the contact, m
   Lane slope;        // slope of a profile along the path (profiled_contact.h)

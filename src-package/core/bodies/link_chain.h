@@ -62,7 +62,7 @@ class LinkChain {
     exit_.clear();
     done_.assign(n, false);
     for (int pass = 0; pass < 2;
-         ++pass)    // open chains first, from their ends; the others are circles
+         ++pass)    // open chains first, from their ends; all others are circles
       for (int i = 0; i < n; ++i) {
         if (done_[i]) continue;
         const bool open_0 = neighbour(i, 0) < 0, open_1 = neighbour(i, 1) < 0;

@@ -19,8 +19,8 @@ struct FilmFailure {
 // Local thinning of a film, in standard deviations of the roughness.
 constexpr double film_peaks = 3.0;
 
-// Local thickness of a film, m: `thickness` minus `less` (m) for the roughness of the surfaces; at
-// least `floor` (m).
+// Local thickness of a film, m: `thickness` reduced by `less` (m) for the roughness of the
+// surfaces; at least `floor` (m).
 inline double local_thickness(double thickness, double less, double floor)
 {
   return std::fmax(thickness - less, floor);

@@ -12,7 +12,7 @@
 
 namespace raceway {
 
-enum class PermittivityAt { maximum, mean, two_thirds };    // of the Hertz contact pressure
+enum class PermittivityAt { maximum, mean, two_thirds };    // the Hertz contact pressure used
 enum class Surroundings { none, flooded, dry, cavitated };
 
 // Settings of the capacitor.
@@ -22,7 +22,7 @@ struct CapacitorModel {
   PermittivityAt at = PermittivityAt::maximum;
   bool rough = false;
   Surroundings surroundings = Surroundings::none;
-  double permittivity_outlet = 1.0;    // of the medium in the downstream half, if cavitated
+  double permittivity_outlet = 1.0;    // relative, medium in the downstream half if cavitated
   double inner_shoulder = 0.0, outer_shoulder = 0.0;    // m, diameters; 0: default depth
 
   bool surrounded() const { return surroundings != Surroundings::none; }

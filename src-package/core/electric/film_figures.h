@@ -26,7 +26,7 @@ struct SampledFilm {
   double roughness = 0.0;      // m, composite
   double paths = 0.0;          // m, resistivity of the oil over the film's resistance
 
-  // Adds another film between the same ball and ring; the thinner of the two fails.
+  // Adds another film between the same ball and ring; the thinner one fails.
   void add(const SampledFilm &beside)
   {
     if (!(beside.capacitance > 0.0)) return;

@@ -23,9 +23,9 @@ using BearingFilms = std::vector<BallFilms>;    // by ball
 
 // Elements between the rings, at one point.
 struct OuterPoint {
-  double beside = 0.0;         // from the inner ring to the frame, F
-  double coupling = 0.0;       // from the inner ring to the driving voltage, F
-  double conductance = 0.0;    // likewise, S; infinite: the ring has the driving voltage
+  double beside = 0.0;         // F, from the inner ring to the frame
+  double coupling = 0.0;       // F, from the inner ring to the driving voltage
+  double conductance = 0.0;    // S, as coupling; infinite: the ring has the driving voltage
   double driving = 0.0;        // V
 
   bool stiff() const { return std::isinf(conductance); }
@@ -37,7 +37,7 @@ struct NodeValues {
   double ring = 0.0;
 };
 
-// Charges through the resistances in a step, C: through the films of each ball towards the outer
+// Charges that pass the resistances in a step, C: through the films of each ball towards the outer
 // ring, and from the driving voltage.
 struct StepCharges {
   std::vector<double> inner, outer;

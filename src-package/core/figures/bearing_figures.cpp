@@ -110,8 +110,8 @@ unsigned parts_with(bool raceway::LawFacts::*fact)
   return parts;
 }
 
-// The losses of all laws, or only those with the given `usual`. A law of rolling friction has all
-// of them: 0 if a part is absent.
+// Adds the losses with the given `usual`. A law of rolling friction has all of them, with 0 if a
+// part is absent.
 void add_losses(std::vector<Figure> &list, bool usual)
 {
   const unsigned couples = parts_with(&raceway::LawFacts::couples);

@@ -94,7 +94,7 @@ class BallProfile {
     return overlap;
   }
 
-  // Overlap reduced by pits; `energy` (J) and `follows` are those of ProfiledContact.
+  // Overlap reduced by pits; `energy` (J) and `follows` as in ProfiledContact.
   double pits(double d, const BallView &view, BallSlopes &b, double &energy, double &follows) const
   {
     if (pits_.empty()) return d;

@@ -62,7 +62,7 @@ inline double pocket_stiffness(bool spherical, double ball_radius, double play, 
 }
 
 // Stiffness of a cage that touches its land, N/m^1.5: along the circle the radii differ by the
-// play; across it the curvature of the land is assumed to be that of the circle.
+// play; across it the curvature of the land is assumed to equal the curvature of the circle.
 inline double land_stiffness(const LandGap &land, double Eprime)
 {
   const double r = land.radius;
@@ -93,7 +93,7 @@ inline int pocket_at(const CageRing &cage, const CageMotion &m, const Vec3 &d)
   return k % cage.pockets;
 }
 
-// Direction from the cage's centre to that of a pocket.
+// Direction from the cage's centre to the centre of a pocket.
 inline Vec3 pocket_axis(const CageRing &cage, const CageMotion &m, int pocket)
 {
   const double turn = 2.0 * 3.14159265358979323846;

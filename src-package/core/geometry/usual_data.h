@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A bearing from its usual data; radii as in raceway.inputs. SI units.
 //
-// The pitch diameter is that of the ball centres in contact with both raceways at the contact
-// angle, so a contact angle above 0 determines the clearance.
+// The pitch diameter is the diameter of the circle of ball centres in contact with both raceways at
+// the contact angle, so a contact angle above 0 determines the clearance.
 #ifndef RACEWAY_USUAL_DATA_H
 #define RACEWAY_USUAL_DATA_H
 

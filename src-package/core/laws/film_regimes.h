@@ -57,7 +57,7 @@ struct MoesRaceway {
   {
   }
 
-  // At zero contact angle they are exact, like the constants of a raceway.
+  // Geometry factors at a contact angle, exact at zero contact angle like a raceway's constants.
   template <class T>
   RACEWAY_INLINE MoesShapeT<T> shape(const T &cos_angle, const T &rolling_radius,
                                      double radial_radius) const

@@ -29,7 +29,7 @@ struct GrainMeeting {
 };
 
 // Advances a contact by dt (s) and returns the energy lost in it (J): the work of the bodies on the
-// contact minus the energy stored in the springs. Velocities are those of the half step. With the
+// contact minus the energy stored in the springs. Velocities are taken at the half step. With the
 // mean of forces and moments at both ends, this is the loss in velocity Verlet, apart from the
 // change of the grains' levers in a step.
 inline double advance(GrainContact &c, const GrainLaw &law, const GrainMeeting &m, double dt)

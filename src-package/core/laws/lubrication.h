@@ -39,7 +39,7 @@ inline Lubrication lubrication(LubricationKind kind, double level, double pitch,
 {
   constexpr double groove = 3.0;    // an inlet in a bearing's groove (Balan et al. 2015)
   constexpr double oil = 3e-8, grease = 6e-8;          // K_rs, SKF
-  const double air = std::fmin(1.2 / density, 1.0);    // the density of air relative to that of oil
+  const double air = std::fmin(1.2 / density, 1.0);    // density of air over density of oil
   switch (kind) {
     case LubricationKind::bath: {
       const double share = immersed_share(level, pitch);

@@ -301,8 +301,8 @@ static RACEWAY_INLINE T changed(const ErrorWeights &w, const T &from, const T &f
 // whose pockets throw balls outside the loaded arc to and fro between the raceways. A position
 // error changes the load by the stiffness of the contacts, but by no more than the load. `share` is
 // the stiffness over the largest one; the load varies as its cube, and the largest load is `full`
-// (m) times two thirds of the largest stiffness. The error of a free ball may be 200 times that of
-// a loaded one.
+// (m) times two thirds of the largest stiffness. The error of a free ball may be 200 times the
+// error of a loaded one.
 static RACEWAY_INLINE Lane of_load(const Lane &share, const Lane &off, double full)
 {
   const Lane by_stiffness = share * off, by_load = share * share * share * (full / 1.5),

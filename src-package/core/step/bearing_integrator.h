@@ -121,7 +121,7 @@ class BearingIntegrator {
   const BearingInstants &instants() const { return instants_; }
 
   void keep_energy(bool yes);
-  const Energy &spent() const { return energy_; }    // of all accepted steps, without `stored`
+  const Energy &spent() const { return energy_; }    // sums over accepted steps, without `stored`
   const Energy &energy();                            // including `stored`
 
  private:

@@ -72,7 +72,7 @@ class BearingSystem {
   std::vector<Column> B_, C_;    // group by group, column by column
   DenseLU border_;
   std::vector<double> y_, forces_;    // border, links
-  // Matrix and motions of the columns: those of the border, or separate if a shaft is flexible.
+  // Matrix and motions of the columns: those of the border, or separate ones with flexible shafts.
   double *corner_ = nullptr, *motions_ = nullptr;
   std::vector<double> corner_apart_, motions_apart_;
   ShaftLift lift_;
