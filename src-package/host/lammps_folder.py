@@ -53,7 +53,9 @@ def version(folder):
 def known(release, folder):
     """Refuse a `release` (number) whose interface the styles do not support."""
     if release < OLDEST or CHANGES[0] <= release < CHANGES[1]:
-        raise Refused(f"{folder} is LAMMPS {release}; known are {OLDEST} and {CHANGES[1]} or later")
+        raise Refused(
+            f"{folder} is LAMMPS {release}; supported are {OLDEST}, and {CHANGES[1]} or later"
+        )
     return release
 
 

@@ -47,7 +47,9 @@ class Liggghts(Host):
             )
         found = read(version).strip()
         if found != KNOWN:
-            raise Refused(f"{tree} is LIGGGHTS {found or 'of no version'}; known is {KNOWN} only")
+            raise Refused(
+                f"{tree} is LIGGGHTS {found or 'without a version'}; only {KNOWN} is supported"
+            )
         return src
 
     def patches(self, base):

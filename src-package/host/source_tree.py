@@ -2,8 +2,8 @@
 """Put the styles into a source tree of a host, or remove them.
 
 Everything is checked before anything is written; a manifest lists all changes, and uninstall
-undoes exactly that. A `Host` describes the tree of a host and the changes to it: liggghts_tree.py,
-lammps_tree.py.
+undoes exactly these. A `Host` describes the tree of a host and the changes to it
+(liggghts_tree.py, lammps_tree.py).
 """
 
 import hashlib

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// All ranks' vectors of plain structs, in rank order, on every rank.
+// Gathers all ranks' vectors of plain structs, in rank order, on every rank.
 #ifndef BEARING_GATHER_H
 #define BEARING_GATHER_H
 

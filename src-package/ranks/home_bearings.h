@@ -38,7 +38,7 @@ struct BearingSources {
   int states = 0;    // state variables of the contact law per contact
   raceway::LabAxes axes;
   std::vector<const CageRails *> cages;           // the same cages in the same order on all ranks
-  std::vector<const CagePockets *> cage_rings;    // likewise
+  std::vector<const CagePockets *> cage_rings;    // also the same on all ranks
   std::vector<MovedRing> moved;
   std::function<bool(int type)> is_ring, is_ball;
   std::function<const raceway::RacewayPhysics *(int ball_type, int ring_type, int groove)> raceway;

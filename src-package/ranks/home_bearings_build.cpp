@@ -325,7 +325,7 @@ void HomeBearings::assemble(const std::vector<std::vector<Piece>> &from)
   }
 }
 
-// The contacts of the models.
+// Sets the contacts of the models.
 void HomeBearings::finish(const std::vector<Piece> &pieces,
                           const std::unordered_map<tag_t, int> &number_of,
                           const std::vector<std::unordered_map<tag_t, int>> &at)

@@ -47,7 +47,7 @@ std::vector<Body> bodies_of(LAMMPS *lmp, const PairCoefficients &coefficients)
   return all;
 }
 
-// The groove of a ring nearest to the surface of a ball at d from its centre.
+// The ring's groove that is nearest to the surface of a ball at d from the ring's centre.
 struct Place {
   const RacewayPhysics *raceway = nullptr;
   double gap = HUGE_VAL, cosine = 1.0;    // m; cosine of the contact angle

@@ -23,7 +23,7 @@ namespace bearing {
 
 namespace {
 
-// Data of a bearing sent by its home to all ranks.
+// Data of a bearing that its home sends to all ranks.
 struct Piece {
   enum Kind { kind, ball, cage, ring } what;
   double bearing, tag;    // name of the bearing; tag

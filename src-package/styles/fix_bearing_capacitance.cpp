@@ -186,7 +186,7 @@ void FixBearingCapacitance::take_usual_data()
 
 int FixBearingCapacitance::setmask() { return idle_ ? 0 : END_OF_STEP; }
 
-// `within` of this fix needs samples at every step.
+// Samples as often as the run does; error if `within` needs samples at every step.
 void FixBearingCapacitance::begin(const bearing::Sampling &sampling)
 {
   if (within_ > 1 && sampling.every > 1)

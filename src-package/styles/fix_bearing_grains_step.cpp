@@ -111,7 +111,7 @@ void FixBearingGrains::touch_walls(int i, double dt, std::vector<Contact> &list,
     if (wall.shape.lost(p))
       BRG_ONE(bearing::name_of(*this) + ": grain " + std::to_string(atom->tag[i]) +
               " is beyond the walls of the drum at step " + std::to_string(update->ntimestep) +
-              ": walls too soft, step too large, or placed outside");
+              ": walls too soft, step too large, or grain placed outside");
     if (!touched && !wall.shape.near(p, R)) continue;
     for (int k = 0; k < wall.shape.parts(); ++k) {
       const raceway::WallTouch t = wall.shape.touch(k, p, R, wall.pose.angle);

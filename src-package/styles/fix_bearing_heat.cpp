@@ -144,7 +144,7 @@ void FixBearingHeat::check_oil()
             " is dry");
 }
 
-// Conductances and capacities from the sizes of the bearing.
+// Finds conductances and capacities from the sizes of the bearing.
 void FixBearingHeat::find_network()
 {
   const bearing::NamedBearing &b = *bearing_;

@@ -55,7 +55,7 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   // It has doubles only, for restart files.
   struct State {
     raceway::HeatState heat;
-    raceway::HeatPass sum;    // sum over the present ball pass, times time
+    raceway::HeatPass sum;    // sum of values times time over the present ball pass
     double begun = 0.0, stage = WAIT;
     double since = 0.0;                         // s, in this stage
     double run = 0.0;                           // s, in total

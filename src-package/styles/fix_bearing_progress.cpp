@@ -46,7 +46,7 @@ void FixBearingProgress::setup(int)
 
 void FixBearingProgress::end_of_step() { show(); }
 
-// The last row, unless the run is one of many.
+// Prints the last row, unless the run is one of many.
 void FixBearingProgress::post_run()
 {
   if (!share_.is_variable()) show();

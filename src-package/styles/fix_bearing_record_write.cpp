@@ -17,7 +17,7 @@ void FixBearingRecord::end_sample(double step)
   if (rows_.full()) flush();
 }
 
-// Call it on all ranks.
+// Sends the rows of all ranks to rank 0, which writes them; call it on all ranks.
 void FixBearingRecord::flush()
 {
   const size_t samples = rows_.samples();

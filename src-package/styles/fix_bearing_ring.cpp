@@ -161,7 +161,7 @@ void FixBearingRing::init()
   find_holder();
   if (mass_of_atom() > 0.0)
     for (int i = 0; i < atom->nlocal; ++i)
-      if (moves(i)) atom->rmass[i] = mass_of_atom();    // kinetic energy in thermo output
+      if (moves(i)) atom->rmass[i] = mass_of_atom();    // for the kinetic energy in thermo output
 }
 
 // Finds the ring at the other end of the supports. That ring has its own fix, which must make

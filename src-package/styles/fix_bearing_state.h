@@ -118,7 +118,7 @@ class FixBearingState : public Fix {
   std::vector<PerAtom> per_atom_;
   bearing::PairHooks *pair_;
   double reach_ = 0.0;
-  bigint axes_sent_ = -1;    // step of the last sending
+  bigint axes_sent_ = -1;    // step in which axes were last sent
   bool axes_turn_ = true;    // some ring may tilt in this run, or its angle is needed
 };
 

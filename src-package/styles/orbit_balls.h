@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The balls of one bearing in the form that `settle orbit` uses. There are as many slots, that is,
-// positions around the ring, as balls, which pass them one after the other. In a ball pass every
-// ball moves to the next slot.
+// The balls of one bearing in the form that `settle orbit` uses, by slot. A slot is one of as many
+// positions around the ring as there are balls. In a ball pass every ball moves to the next slot.
 #ifndef BEARING_ORBIT_BALLS_H
 #define BEARING_ORBIT_BALLS_H
 

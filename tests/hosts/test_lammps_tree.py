@@ -96,7 +96,7 @@ def test_no_tree(tmp_path):
 
 def test_another_version(tree):
     (tree / "src" / "version.h").write_text('#define LAMMPS_VERSION "3 Mar 2020"\n')
-    refused(tree, "is LAMMPS 20200303; known are 20210929 and 20220504 or later")
+    refused(tree, "is LAMMPS 20200303; supported are 20210929, and 20220504 or later")
 
 
 def test_changed_where_it_must_be_patched(tree):

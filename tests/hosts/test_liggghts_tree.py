@@ -99,7 +99,7 @@ def test_nothing_named():
 
 def test_another_version(tree):
     (tree / "src" / "version_liggghts.txt").write_text("3.7.0\n")
-    refused(tree, "is LIGGGHTS 3.7.0; known is 3.8.0 only")
+    refused(tree, "is LIGGGHTS 3.7.0; only 3.8.0 is supported")
 
 
 def test_patched_by_hand(tree):

@@ -106,7 +106,7 @@ class LinkChain {
     bool circle;
   };
 
-  // The other link at this end of a link; -1 if there is none.
+  // The other link of the body at this end of a link; -1 if there is none.
   int neighbour(int i, int end) const
   {
     const Pair &p = of_body_[links[i].end[end].body];

@@ -17,7 +17,7 @@ struct CircuitAccount {
   double discharges = 0.0, failures = 0.0;          // counts
   double film_charge = 0.0;                         // largest charge of a film at full voltage
   double charge_error = 0.0, energy_error = 0.0;    // largest error of a node and of a step
-  double current = 0.0;    // A, mean of the last step, into the films of the inner ring
+  double current = 0.0;    // A, mean current into the films of the inner ring in the last step
 };
 
 // Films and outer circuit at a point in time.

@@ -23,7 +23,7 @@ struct SettlingSample {
   double weight = 0.0, axis[3] = {};
 
   // Adds the spin axis of a ball: `load` on its raceways (N), place from the bearing's centre (m),
-  // spin (rad/s), unit vector of the bearing's axis. A ball without spin has none.
+  // spin (rad/s), unit vector of the bearing's axis. A ball without spin has no spin axis.
   void ball(double load, const raceway::Vec3 &place, const raceway::Vec3 &spin,
             const raceway::Vec3 &bearing_axis)
   {

@@ -84,7 +84,7 @@ class GrooveShoulder {
   RACEWAY_INLINE T around(const GrooveSideT<T> &side, const T &cosine, const T &a) const
   {
     const T curved = curved_ * cosine, u = a * (0.25 / radius_), u2 = u * u;
-    // the tangent, relative error 3e-7 for an ellipse one radius wide
+    // the tangent, with a relative error of 3e-7 for an ellipse one radius wide
     const T within = u * (1.0 + u2 * (1.0 / 3 + u2 * (2.0 / 15 + u2 * (17.0 / 315))));
     const T ratio = within * side.cotangent;
     const T part = where((side.cotangent > 0.0) & (ratio < 1.0), ratio, 1.0);

@@ -69,7 +69,7 @@ FORMULA(double, inlet_shear, (int law, double loading))
   return f.of(0.0);
 }
 
-// the factor without pressure, and its reduction by pressure without a limit
+// The factor without pressure, and its unlimited reduction by pressure
 FORMULA(GuptaParts, gupta_parts, (double loading, double pressure, double slide_roll))
 {
   FilmFactors f;

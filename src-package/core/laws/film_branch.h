@@ -26,8 +26,8 @@ RACEWAY_INLINE FilmBranchT<T> film_branch(const T &k, const T &h_c, const T &com
   return {0.44 * k * thin, speed / (1.33 * b)};
 }
 
-// A step over dt: f becomes `left` f + `slope` d(overlap)/dt. It is exact at a constant rate, or
-// applies to a stage of an implicit method (LawStates).
+// A step over dt: f becomes `left` f + `slope` d(overlap)/dt. It is exact at a constant rate; in a
+// stage of an implicit method it is the step of that method (LawStates).
 template <class T> struct BranchStepT {
   T left;     // 1
   T slope;    // N s/m

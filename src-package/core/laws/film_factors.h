@@ -52,7 +52,7 @@ struct FilmFactors {
   // derived by prepare()
   double ln_loading = 0.0;    // ln(L/u^2)
   bool any = false;
-  bool by_pressure = false;    // Gupta's factor, not included in of()
+  bool by_pressure = false;    // Gupta's factor is used, which of() does not include
 
   void prepare(double viscosity)
   {

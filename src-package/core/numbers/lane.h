@@ -17,7 +17,7 @@
 
 // A function with a Lane argument must be compiled for the instruction set of its caller, so it is
 // always inlined. A function that calls such functions is compiled for several instruction sets;
-// the best one is chosen at run time. No fused multiply-add, so all give the same bits.
+// the best one is chosen at run time. There is no fused multiply-add, so all give the same bits.
 //
 // Functions that contain contact laws are large, and their version for processors without AVX2
 // takes three quarters of the compile time. They are therefore compiled for AVX2 only

@@ -40,7 +40,7 @@ struct Validity {
          "asperities conduct and a capacitance means little below", 1.0, true},
         {"film_fit", "ellipticity of a contact with Hamrock and Dowson's film", "",
          "their fit is valid up to", 8.0, false},
-        {"shoulder", "reach of a contact ellipse over that of its groove", "",
+        {"shoulder", "reach of a contact ellipse over the reach of its groove", "",
          "the groove ends at its shoulder,", 1.0, false}};
     return rules[doubt];
   }
