@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Interface of LIGGGHTS 3.x, which is that of LAMMPS in about 2014.
+// Interface of LIGGGHTS 3.x, which equals the interface of LAMMPS of about 2014.
 #ifndef BEARING_COMPAT_LIGGGHTS_H
 #define BEARING_COMPAT_LIGGGHTS_H
 

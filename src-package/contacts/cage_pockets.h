@@ -17,13 +17,13 @@ struct CagePockets {
     int claim;    // in RingSum; -1: none yet
   };
   struct Land {
-    int i_cage, i_ring;    // of a cage of this rank, and of the ring that guides it
+    int i_cage, i_ring;    // local indices of a cage of this rank and of the ring that guides it
     tag_t cage, ring;
     int claim, ring_claim;
   };
   raceway::CageRing of;
-  std::vector<Cell> cells;    // by tag of the ball
-  std::vector<Land> lands;    // by tag of the cage
+  std::vector<Cell> cells;    // in order of the ball's tag
+  std::vector<Land> lands;    // in order of the cage's tag
 };
 
 }    // namespace bearing

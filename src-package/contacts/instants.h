@@ -14,18 +14,18 @@
 namespace bearing {
 
 // Requested instants, at the fractions k/number of a host step, k = 1 to number - 1. With number 0
-// there are none, with permittivity 0 no capacitances.
+// there are no instants; with permittivity 0, no capacitances.
 struct Instants {
   int number = 0;
   raceway::CapacitorModel capacitor;
-  bool states = false;    // also contact states
+  bool states = false;    // contact states are requested, too
 };
 
 // A possible contact of a ball and a groove.
 struct InstantContact {
   tag_t ball, ring;
   const raceway::RacewayPhysics &raceway;
-  double orbit;    // rad/s, of the ball about the ring's axis
+  double orbit;    // rad/s, speed of the ball about the ring's axis
   bool live;
   double load;                                         // N
   const raceway::FilmCapacitorT<double> &capacitor;    // 0 if not requested

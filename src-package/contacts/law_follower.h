@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Something that changes the contact law between steps, such as a fix with temperatures.
+// An object that changes the contact law between steps, such as a fix with temperatures.
 #ifndef BEARING_LAW_FOLLOWER_H
 #define BEARING_LAW_FOLLOWER_H
 
@@ -7,7 +7,7 @@ namespace bearing {
 
 class LawFollower {
  public:
-  // Called before the motion of a step; takes effect once a step, however often it is called.
+  // Called before the motion of a step; takes effect once per step, however often it is called.
   virtual void begin_step() = 0;
 
  protected:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// State of a ring from step to step besides the position, velocity and spin of its atom.
+// State of a ring that is kept from step to step in addition to the position, velocity and spin of
+// its atom.
 #ifndef BEARING_RING_MOTION_H
 #define BEARING_RING_MOTION_H
 
@@ -19,7 +20,7 @@ struct RingMotion {
                         // ring; 0: none yet
 };
 
-// Conversion from and to ring atom i and its motion, which are in the lab frame.
+// Conversion from and to the ring atom i and its motion, which are in the lab frame.
 inline void read_place(const LAMMPS_NS::Atom &atom, int i, const RingMotion &m,
                        const raceway::LabAxes &axes, raceway::RingPlace &p)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Profiles of raceways, by ring, and of balls: where a surface is not a torus or a sphere.
+// Profiles of raceways, by ring, and of balls: departures of the surfaces from a torus or a sphere.
 #ifndef BEARING_SURFACE_PROFILES_H
 #define BEARING_SURFACE_PROFILES_H
 

@@ -14,7 +14,7 @@ class DataValues {
  public:
   typedef std::map<std::string, std::string> Map;
 
-  // From a map; `whose` names its owner in messages: "'6208' of 'inputs/bearings'".
+  // Values of a map; `whose` names its owner in messages: "'6208' of 'inputs/bearings'".
   DataValues(const Arguments &args, Map &map, const std::string &whose) :
       args_(args), map_(map), whose_(whose)
   {
@@ -40,7 +40,7 @@ class DataValues {
     if (number(name) != 0.0)
       fail(name + " is " + text(number(name)) + ", must be from 0 to 0 (" + why + ")");
   }
-  // Sets a value unless one of that name exists.
+  // Sets a value unless there already is one with that name.
   void suggest(const std::string &name, double value) { map_.emplace(name, written(value)); }
   void set(const std::string &name, double value) { map_[name] = written(value); }
   void set(const std::string &name, const std::string &words) { map_[name] = words; }

@@ -25,14 +25,14 @@ static Data data_file(const fs::path &file)
   std::ostringstream all;
   all << std::ifstream(file).rdbuf();
   data.lines = all.str();
-  // some editors write it
+  // some editors write a byte order mark
   if (data.lines.compare(0, 3, "\xef\xbb\xbf") == 0)
     data.complaint = data.label + " starts with a byte order mark: save it as UTF-8 without one";
   return data;
 }
 
-// A message lists all names if there are at most the first number of them, otherwise the second
-// number of nearest ones.
+// A message lists all names if there are at most `longest_list`, otherwise only the `nearest_names`
+// nearest ones.
 static constexpr size_t longest_list = 12, nearest_names = 6;
 
 Data find_data(std::string folder, std::string name)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Data of bearings and oils: a file in a folder, or a row of a table FOLDER/*.csv.
+// Finds the data of a bearing or an oil: a file in a folder, or a row of a table FOLDER/*.csv.
 #ifndef BEARING_FIND_DATA_H
 #define BEARING_FIND_DATA_H
 

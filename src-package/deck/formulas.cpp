@@ -27,7 +27,7 @@ constexpr int INDEX_STYLE = 0, STRING_STYLE = 5;    // in variable.cpp or variab
 
 static bool in_name(char c) { return isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-// Text of a variable, empty if there is none of that name
+// Text of a variable, empty if there is no variable of that name
 static std::string text_of(LAMMPS *lmp, const std::string &name)
 {
   Variable &all = *lmp->input->variable;

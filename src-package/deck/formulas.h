@@ -13,9 +13,9 @@ class LAMMPS;
 
 namespace bearing {
 
-// A line `variable NAME = TEXT` for each, in the order of the commands. TEXT is the formula of an
-// equal- or atom-style variable, the value of an index- or string-style one. Others are omitted,
-// because their values change or have to be computed.
+// A line `variable NAME = TEXT` for each variable, in the order of the commands. TEXT is the
+// formula of an equal- or atom-style variable or the value of an index- or string-style variable.
+// Variables of other styles are omitted, because their values change or have to be computed.
 std::vector<std::string> formulas(LAMMPS_NS::LAMMPS *, const std::vector<std::string> &commands);
 
 }    // namespace bearing

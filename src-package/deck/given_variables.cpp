@@ -44,7 +44,7 @@ static std::vector<std::string> command_words(std::istream &file, std::string li
   return words;
 }
 
-// The variable of a word that ends with ${NAME}; empty for any other
+// The variable of a word that ends with ${NAME}; empty for any other word
 static std::string named_in(const std::string &word)
 {
   const size_t at = word.find("${");

@@ -23,11 +23,11 @@ NamedData read_data(LAMMPS_NS::LAMMPS *, const Arguments &, const std::string &i
 // Data of these kinds that differ from the file's, as NAME=VALUE
 std::vector<std::string> given_of(const NamedData &, const std::vector<std::string> &kinds);
 
-// For the user: data of the file that the deck replaces; empty without any.
+// Note to the user about data of the file that the deck replaces; empty if there is none.
 std::string note_of_deck(const NamedData &);
 
-// Sets the defaults of the variables of the table that are `of` this, and checks all of them; error
-// if one without default is missing. Returns the names of those that it set.
+// Sets the defaults of the variables of the table that belong to `of`, and checks all of them;
+// error if a variable without default is missing. Returns the names of the variables that it set.
 std::vector<std::string> check_data(const Arguments &, NamedData &, const std::string &of);
 
 }    // namespace bearing

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Table written by a fix: opened on rank 0, with an error on all ranks if that fails; without a
-// file name nothing is written.
+// Table written by a fix. It is opened on rank 0, with an error on all ranks if that fails; without
+// a file name nothing is written.
 #ifndef BEARING_TEXT_FILE_H
 #define BEARING_TEXT_FILE_H
 

@@ -16,7 +16,7 @@ from datetime import datetime
 from pathlib import Path
 
 OLDEST = 20210929  # the first stable release with plugins
-# The interface changed step by step between these versions and is stable from the second on.
+# The interface changed step by step between these two versions and is stable from the second on.
 CHANGES = (20210930, 20220504)
 SIZES = ("LAMMPS_SMALLBIG", "LAMMPS_BIGBIG", "LAMMPS_SMALLSMALL")
 
@@ -53,7 +53,9 @@ def version(folder):
 def known(release, folder):
     """Refuse a `release` (number) whose interface the styles do not support."""
     if release < OLDEST or CHANGES[0] <= release < CHANGES[1]:
-        raise Refused(f"{folder} is LAMMPS {release}; known are {OLDEST} and {CHANGES[1]} or later")
+        raise Refused(
+            f"{folder} is LAMMPS {release}; supported are {OLDEST}, and {CHANGES[1]} or later"
+        )
     return release
 
 
@@ -66,7 +68,7 @@ def from_source(folder):
 
 
 def from_installed(folder):
-    """Settings of an installed LAMMPS: its pkg-config file has version and sizes."""
+    """Settings of an installed LAMMPS, whose pkg-config file has the version and the sizes."""
     described = sorted(folder.glob("**/pkgconfig/liblammps*.pc"))
     if not described:
         raise Refused(

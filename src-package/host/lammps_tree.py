@@ -59,7 +59,9 @@ class Lammps(Host):
         text, compiled = re.subn(r"^CCFLAGS\s*=.*$", f"CCFLAGS = {FLAGS}", text, flags=re.M)
         text, linked = re.subn(r"^LINKFLAGS\s*=.*$", "LINKFLAGS = -O3", text, flags=re.M)
         if (compiled, linked) != (1, 1):
-            raise Refused(f"{path} is not that of LAMMPS: it needs one line CCFLAGS and LINKFLAGS")
+            raise Refused(
+                f"{path} is not the file of LAMMPS: it needs one line CCFLAGS and one LINKFLAGS"
+            )
         return "# raceway = MPI, the flags of Raceway: same bits as build/liggghts\n" + text
 
     def hint(self, tree):

@@ -6,9 +6,9 @@ compiler needs, or remove them.
     python3 src-package/host/liggghts_tree.py install TREE
     python3 src-package/host/liggghts_tree.py uninstall TREE
 
-The styles register themselves like those of the host: its Make.sh collects the headers that name a
-style. Sources are copied flat into TREE/src, where the host compiles all sources; a
-machine file MAKE/Makefile.raceway is added. TREE/src/raceway.manifest lists all changes.
+The styles register themselves like the host's own styles: its Make.sh collects the headers that
+name a style. Sources are copied flat into TREE/src, where the host compiles all sources; a machine
+file MAKE/Makefile.raceway is added. TREE/src/raceway.manifest lists all changes.
 """
 
 import sys
@@ -47,7 +47,9 @@ class Liggghts(Host):
             )
         found = read(version).strip()
         if found != KNOWN:
-            raise Refused(f"{tree} is LIGGGHTS {found or 'of no version'}; known is {KNOWN} only")
+            raise Refused(
+                f"{tree} is LIGGGHTS {found or 'without a version'}; only {KNOWN} is supported"
+            )
         return src
 
     def patches(self, base):

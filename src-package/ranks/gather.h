@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// All ranks' vectors of plain structs, in rank order, on every rank.
+// Gathers all ranks' vectors of plain structs, in rank order, on every rank.
 #ifndef BEARING_GATHER_H
 #define BEARING_GATHER_H
 
@@ -31,7 +31,7 @@ template <class T> std::vector<T> gather_all(const std::vector<T> &mine, MPI_Com
   return all;
 }
 
-// The same, without a copy on a single rank; `space` holds the result otherwise.
+// As above, but without a copy on a single rank; otherwise `space` holds the result.
 template <class T>
 const std::vector<T> &gather_all(const std::vector<T> &mine, std::vector<T> &space, MPI_Comm world)
 {
@@ -42,8 +42,8 @@ const std::vector<T> &gather_all(const std::vector<T> &mine, std::vector<T> &spa
   return space;
 }
 
-// All ranks' numbers, in rank order, on rank 0 only. Returns there the offset of each rank's
-// numbers and the total; empty on other ranks.
+// Gathers the numbers of all ranks in rank order into `all` on rank 0. Returns the offset of each
+// rank's numbers and the total on rank 0, and an empty vector on other ranks.
 inline std::vector<size_t> gather_to_first(const std::vector<double> &mine,
                                            std::vector<double> &all, MPI_Comm world)
 {

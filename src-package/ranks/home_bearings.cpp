@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// State of the bearings: from the owners of the atoms to the homes and back, every step.
+// Sends the state of the bearings from the owners of the atoms to the homes and back, every step.
 // home_bearings_build.cpp finds the bearings.
 #include "home_bearings.h"
 
@@ -16,7 +16,7 @@ namespace bearing {
 
 static constexpr int pose_letters = 6208;    // MPI message tag, used in this file only
 
-// States are sent as raw memory, as numbers.
+// States are sent as raw memory, in the form of numbers.
 static_assert(std::is_trivially_copyable<BodyPose>::value &&
                   std::is_trivially_copyable<RingPose>::value,
               "sent as they are");

@@ -38,7 +38,7 @@ struct BearingSources {
   int states = 0;    // state variables of the contact law per contact
   raceway::LabAxes axes;
   std::vector<const CageRails *> cages;           // the same cages in the same order on all ranks
-  std::vector<const CagePockets *> cage_rings;    // likewise
+  std::vector<const CagePockets *> cage_rings;    // also the same on all ranks
   std::vector<MovedRing> moved;
   std::function<bool(int type)> is_ring, is_ball;
   std::function<const raceway::RacewayPhysics *(int ball_type, int ring_type, int groove)> raceway;
@@ -47,7 +47,7 @@ struct BearingSources {
   std::function<const raceway::BallProfile *(tag_t ball, const raceway::RacewayPhysics *)>
       ball_profile;                                    // profile of a ball, or null; optional
   std::function<raceway::Quaternion &(int i)> turn;    // orientation of a ball, if needed
-  std::function<RingMotion &(int i)> motion;           // of a ring
+  std::function<RingMotion &(int i)> motion;           // motion of a ring
 };
 
 class HomeBearings : protected LAMMPS_NS::Pointers {
@@ -67,13 +67,13 @@ class HomeBearings : protected LAMMPS_NS::Pointers {
   const raceway::BearingModel &model(int p) const { return bearings_[p].model; }
   std::vector<raceway::BodyPose> &bodies(int p) { return bearings_[p].bodies; }
   std::vector<raceway::RingPose> &rings(int p) { return bearings_[p].rings; }
-  // State variables of the contacts, groove by groove of the model.
+  // State variables of the contacts, in the order of the model's grooves.
   std::vector<double> &states(int p) { return bearings_[p].states; }
   // s, the next substep requested by the step control; stored with the bearing's first ring
   double &wished_step(int p) { return bearings_[p].steps.front(); }
 
-  void gather();     // from the atoms of all ranks to the homes
-  void scatter();    // and back
+  void gather();     // sends the state from the atoms of all ranks to the homes
+  void scatter();    // sends it back
 
  private:
   struct HomeBearing {
@@ -88,7 +88,7 @@ class HomeBearings : protected LAMMPS_NS::Pointers {
     int home;
     bool inside;
   };    // known on all ranks; inside: has atoms of the group
-  struct Piece;    // of a model, in transit to the home rank
+  struct Piece;    // piece of a model, in transit to the home rank
   struct Place {
     int bearing, at;
   };

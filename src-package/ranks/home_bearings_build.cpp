@@ -24,16 +24,15 @@ struct Node {
 
 struct HomeBearings::Piece {
   enum Kind { body, ring, value, groove, pocket, seat, cell } kind;
-  tag_t name;    // of the bearing
+  tag_t name;    // name of the bearing
   tag_t a, b;
-  // types of ball and ring; or the number of a cage, of the mover of a ring, or
+  // types of ball and ring; or, in `first`, the number of a cage, of the mover of a ring or of a
+  // ring's own value
   int first, second;
-  // of a ring's own value, in `first`
-  int number;    // of a groove; 1 for a ring on a shaft
-  int inside;    // the atom is in the group
-  // a pocket's reach is in `radius`; in K a value of a ring's own, or its position
+  int number;    // number of a groove; 1 for a ring on a shaft
+  int inside;    // 1: the atom is in the group
+  // `radius` has the reach of a pocket; K has a ring's own value or a ring's position on its shaft
   double radius, mass, K;
-  // on its shaft
 };
 
 void HomeBearings::build(const BearingSources &sources, int groupbit)
@@ -92,7 +91,7 @@ std::vector<int> HomeBearings::find_bearings(int groupbit, std::vector<NamedBear
     return found.first->second;
   };
   for (const Node &n : nodes) {
-    const int a = of(n.piece), b = of(n.tag);    // both are added before they are joined
+    const int a = of(n.piece), b = of(n.tag);    // both exist before they are joined
     all.join(a, b);
   }
   bearings.assign(all.size(), {0, -1, false});    // at the roots
@@ -274,9 +273,8 @@ void HomeBearings::assemble(const std::vector<std::vector<Piece>> &from)
   if (outsider)
     BRG_ONE(command_ + ": atom " + std::to_string(outsider->a) + " (type " +
             std::to_string(outsider->second) +
-            ") belongs to a bearing of which other atoms are in the fix's group; put balls, cage "
-            "balls and rings in "
-            "the group");
+            ") belongs to a bearing that has other atoms in the fix's group; put balls, cage balls "
+            "and rings in the group");
 
   std::vector<std::unordered_map<tag_t, int>> at(bearings_.size());    // of bodies and rings
   for (size_t k = 0; k < bearings_.size(); ++k) {
@@ -327,7 +325,7 @@ void HomeBearings::assemble(const std::vector<std::vector<Piece>> &from)
   }
 }
 
-// The contacts of the models.
+// Sets the contacts of the models.
 void HomeBearings::finish(const std::vector<Piece> &pieces,
                           const std::unordered_map<tag_t, int> &number_of,
                           const std::vector<std::unordered_map<tag_t, int>> &at)

@@ -50,7 +50,7 @@ std::string read_commands(FILE *fp, MPI_Comm world, Commands &commands)
   if (layout >= 0 && layout != RESTART_LAYOUT)
     return "the restart file has " +
            (layout ? "layout " + std::to_string(layout) : std::string("no layout number")) +
-           ", it was written by another build of Raceway; this program reads layout " +
+           " and was written by another build of Raceway; this program reads layout " +
            std::to_string(RESTART_LAYOUT) +
            ". Continue the run with the build that began it, or start it anew";
   if (layout < 0) return CUT_OR_DAMAGED;

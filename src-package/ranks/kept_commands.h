@@ -16,10 +16,10 @@ constexpr int RESTART_LAYOUT = 4;
 
 constexpr const char *CUT_OR_DAMAGED = "the restart file ends early or is damaged";
 
-using Commands = std::vector<std::vector<std::string>>;    // their words
+using Commands = std::vector<std::vector<std::string>>;    // words of each command
 
 void write_commands(FILE *, const Commands &);
-// Rank 0 reads, all ranks return the same: empty, or what is wrong with the file.
+// Rank 0 reads; all ranks return the same text: empty, or what is wrong with the file.
 std::string read_commands(FILE *, MPI_Comm, Commands &);
 
 }    // namespace bearing

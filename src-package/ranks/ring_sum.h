@@ -6,7 +6,7 @@
 // rank. After a neighbour build every contact claims a term in the sum of its ring. A rank sends
 // its claims on another rank's rings once, and then only six numbers per claim in each step; the
 // ring's owner adds them by source, then by ascending tag of the partner. A ring with all claims
-// on its own rank is summed directly, in the order of the calls, which is the same order.
+// on its own rank is summed directly, in the order of the calls, which equals that order.
 #ifndef BEARING_RING_SUM_H
 #define BEARING_RING_SUM_H
 
@@ -27,7 +27,7 @@ class RingSum : protected LAMMPS_NS::Pointers {
   void reset();    // after a neighbour build, on all ranks: forget all claims
   void own(int i_ring, tag_t ring);
   // Claims a term in the sum of a ring owned by the rank `owner`; valid until reset(). All claims
-  // come before the first flush().
+  // must be made before the first flush().
   int claim(tag_t ring, int owner, Source source, tag_t partner);
 
   void add(int claim, const raceway::Vec3 &force, const raceway::Vec3 &torque)
@@ -48,9 +48,9 @@ class RingSum : protected LAMMPS_NS::Pointers {
   int ring(int n) const { return rings_[n].i; }
   const raceway::Vec3 &force(int n) const { return rings_[n].summed[0]; }
   const raceway::Vec3 &torque(int n) const { return rings_[n].summed[1]; }
-  // Sends other numbers in the same way: `said` has `width` of them per claim; heard(n, source,
+  // Sends other numbers in the same way: `said` has `width` numbers per claim; heard(n, source,
   // numbers) is called for every claim on the n-th owned ring, ring by ring in the order of the
-  // sums. All ranks; after a flush().
+  // sums. Call it on all ranks, after a flush().
   void collect(int width, const std::vector<double> &said,
                const std::function<void(int n, Source, const double *)> &heard);
   int claims() const { return static_cast<int>(shares_.size()); }

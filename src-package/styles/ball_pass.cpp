@@ -25,7 +25,7 @@ struct Body {
   Vec3 x;
 };
 
-// Balls and rings of all ranks, by tag.
+// Balls and rings of all ranks, in order of their tags.
 std::vector<Body> bodies_of(LAMMPS *lmp, const PairCoefficients &coefficients)
 {
   const Atom &atom = *lmp->atom;
@@ -47,10 +47,10 @@ std::vector<Body> bodies_of(LAMMPS *lmp, const PairCoefficients &coefficients)
   return all;
 }
 
-// The groove of a ring nearest to the surface of a ball at d from its centre.
+// The ring's groove that is nearest to the surface of a ball at d from the ring's centre.
 struct Place {
   const RacewayPhysics *raceway = nullptr;
-  double gap = HUGE_VAL, cosine = 1.0;    // m; of the contact angle
+  double gap = HUGE_VAL, cosine = 1.0;    // m; cosine of the contact angle
 };
 
 Place place(const PairCoefficients &coefficients, const Body &ball, const Body &ring)
@@ -69,13 +69,13 @@ Place place(const PairCoefficients &coefficients, const Body &ball, const Body &
   }
 }
 
-// The balls between an inner and an outer ring.
+// A row of balls between an inner and an outer ring.
 struct Row {
   const Body *ring[2] = {};
   const RacewayPhysics *raceway[2] = {};
   double balls = 0.0, ball_radius = 0.0, cosine = 1.0;
 
-  // s; not finite if the balls do not move. A ring without an imposed spin is at rest.
+  // Ball pass, s; not finite if the balls do not move. A ring without an imposed spin is at rest.
   double pass(double angle) const
   {
     const double pitch = written(

@@ -10,12 +10,12 @@
 
 namespace bearing {
 
-// s; the longest of all bearings whose rings rotate. Balls roll at the speeds that the fixes
-// bearing/ring impose now. `angle` (degrees): contact angle; NAN: the angle at the balls'
+// The longest ball pass (s) of all bearings whose rings rotate. Balls roll at the speeds that the
+// fixes bearing/ring impose now. `angle` (degrees): contact angle; NAN: the angle at the balls'
 // present positions. Collective. Errors name `command`: no bearing, no imposed speed, no rotation.
 double ball_pass_time(LAMMPS_NS::LAMMPS *, const std::string &command, double angle);
 
-// Rows of balls, each between an inner and an outer ring. Collective.
+// Number of rows of balls, each between an inner and an outer ring. Collective.
 size_t ball_rows(LAMMPS_NS::LAMMPS *, const std::string &command);
 
 }    // namespace bearing

@@ -17,7 +17,7 @@ void each_cage_loss(LAMMPS_NS::LAMMPS *lmp, const LAMMPS_NS::PairBearingHertz &p
                     const Take &take)
 {
   for (const SphereContact &s : pair.table().sphere)
-    if (s.i < lmp->atom->nlocal)    // else counted on the rank that owns s.i
+    if (s.i < lmp->atom->nlocal)    // otherwise the rank that owns s.i counts the contact
       take(s.tag_i, s.tag_j, s.i, s.loss, s.force);
   for (const LAMMPS_NS::FixBearingCage *f : fixes_of<LAMMPS_NS::FixBearingCage>(lmp))
     for (const CageRails::CageBall &b : f->rails().balls) take(b.tag, tag_t(0), b.i, b.loss, 0.0);

@@ -22,7 +22,7 @@ constexpr char citation[] =
     " pages =   {506}\n"
     "}\n\n";
 
-// LAMMPS prints its first line among the citations of the run and writes all of it to the log.
+// LAMMPS prints the first line of the citation with the run's citations and logs the whole.
 // LIGGGHTS would write a file log.cite into the folder in which it was started, so no citation is
 // registered there.
 inline void cite_paper(LAMMPS_NS::LAMMPS *lmp)

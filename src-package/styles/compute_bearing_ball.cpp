@@ -62,7 +62,7 @@ void ComputeBearingBall::init()
               "' needs a fix bearing/profile with a profile of balls, which follows how they turn");
 }
 
-// 0 for a ball that does not touch that raceway, and for atoms other than balls.
+// Values are 0 for a ball that does not touch that raceway, and for atoms other than balls.
 void ComputeBearingBall::compute_peratom()
 {
   invoked_peratom = update->ntimestep;
@@ -88,7 +88,7 @@ void ComputeBearingBall::compute_peratom()
     for (int k = 0; k < n; ++k) {
       double &v = array_[c.i_ball][k];
       if (columns_[k].attribute == nullptr && v != 0.0 && c.side() == Side::inner)
-        continue;    // seen from outside
+        continue;    // values of the ball itself refer to the outer ring
       if (columns_[k].own >= 0) {
         v = own_value(columns_[k].own, c);
       } else if ((c.live || columns_[k].attribute->needs_surroundings()) &&

@@ -23,9 +23,9 @@ class ComputeBearingBall : public Compute, public bearing::ColumnList {
 
  private:
   struct Column {
-    int own;                                    // column of the ball itself, -1: of a contact
-    bool inner;                                 // contact with the inner raceway
-    const bearing::ContactColumn *attribute;    // of a contact
+    int own;                                    // column of the ball itself; -1: of a contact
+    bool inner;                                 // the contact is with the inner raceway
+    const bearing::ContactColumn *attribute;    // column of a contact
   };
   double own_value(int own, const bearing::RacewayContact &) const;
 

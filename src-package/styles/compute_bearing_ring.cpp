@@ -93,10 +93,10 @@ void ComputeBearingRing::tell()
     for (size_t k = first; k < end; ++k) {
       const RacewayContact &c = table[k];
       BallFigures &own = each[k - first];
-      // quantities that combine both contacts of a ball count once per ball and ring
+      // figures that combine both contacts of a ball count once per ball and ring
       if (k == first || table[k - 1].ring != c.ring) own.take_pairs(ball);
       else own.take_pairs(BallFigures());
-      // the ring's velocity is subtracted by its owner, because that of a ghost is half a step old
+      // the owner subtracts the ring's velocity, because a ghost's velocity is half a step old
       const GroovePosition g = locate(Vec3::from(atom->x[c.i_ball]) - Vec3::from(atom->x[c.i_ring]),
                                       pair_->state()->axis(c.i_ring), c.raceway->centre_circle);
       own.balls = 1.0;

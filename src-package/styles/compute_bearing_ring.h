@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// compute bearing/ring: a row per ring of a group: its motion, the total force and moment on it,
-// sums and extremes over its contacts. A group of inner rings gives a row per bearing.
+// compute bearing/ring: a row per ring of a group, with its motion, the total force and moment on
+// it, and sums and extremes over its contacts. A group of inner rings gives a row per bearing.
 #ifdef COMPUTE_CLASS
 ComputeStyle(bearing/ring,ComputeBearingRing)
 #else

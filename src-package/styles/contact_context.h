@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Input of contact columns other than the contact, from the pair style and the fixes of a run.
+// Input of contact columns in addition to the contact, from the pair style and the fixes of a run.
 #ifndef BEARING_CONTACT_CONTEXT_H
 #define BEARING_CONTACT_CONTEXT_H
 

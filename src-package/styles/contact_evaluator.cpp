@@ -54,7 +54,7 @@ void ContactEvaluator::evaluate(ContactTable &of, const Setting &set)
     const RacewayPhysics &p = *of_all.raceway;
     four.groove = groove_of(of_all);
     four.dt = advances(of_all) ? update->dt : 0.0;
-    if (set.facts->decides) {    // a law with a reach: contacts that touched before come first
+    if (set.facts->decides) {    // the law has a reach: contacts that touched before come first
       near_.clear();
       for (const bool touched : {true, false})
         for (int n = first; n < next; ++n)
@@ -85,7 +85,7 @@ void ContactEvaluator::evaluate(ContactTable &of, const Setting &set)
 }
 
 // True if this step advances the state of a contact. The forces of a set-up belong to a completed
-// step; groups of fixes that advance the state themselves are excluded.
+// step; contacts in groups of fixes that advance the state themselves are excluded.
 bool ContactEvaluator::advances(const RacewayContact &c) const
 {
   return !update->setupflag && !(atom->mask[c.i_ball] & set_.implicit_bits);
@@ -110,7 +110,7 @@ RingState ContactEvaluator::groove_of(const RacewayContact &c) const
   return ring;
 }
 
-// Finds the possible contacts among those of one groove, entries `first` to `end` of by_groove_.
+// Finds the possible contacts of one groove, which has the entries `first` to `end` of by_groove_.
 void ContactEvaluator::find_near(int first, int end)
 {
   near_.clear();

@@ -19,10 +19,10 @@ class ContactEvaluator : protected LAMMPS_NS::Pointers {
  public:
   struct Setting {
     LAMMPS_NS::FixBearingState *state;
-    const raceway::LawFacts *facts;    // of the contact law
+    const raceway::LawFacts *facts;    // facts about the contact law
     int axis;
     int implicit_bits;    // groups of fixes that advance the states of contacts themselves
-    bool gaps;            // also motions of surfaces that do not touch
+    bool gaps;            // also evaluate motions of surfaces that do not touch
     bool energies;
     bool profiled;    // some surface has a profile
   };
@@ -49,8 +49,8 @@ class ContactEvaluator : protected LAMMPS_NS::Pointers {
   bool touch_profile(int row);
 
   Setting set_ = {};
-  RacewayContact *rows_ = nullptr;       // of the table
-  std::vector<int> by_groove_, near_;    // rows: all, some of one groove
+  RacewayContact *rows_ = nullptr;       // rows of the table
+  std::vector<int> by_groove_, near_;    // indices of all rows, and of some rows of one groove
   std::vector<raceway::ContactForces> found_;
   std::vector<double> energies_;
   std::vector<raceway::FlawedPlace> flaws_;    // empty if all surfaces are smooth

@@ -16,11 +16,10 @@ using bearing::Arguments;
 using bearing::text;
 
 // create_bearing BALL CAGE|none INNER OUTER balls Z diameter D [density RHO] [cage D_c]
-// [cage_density RHO]
-//   [centre x y z] [phase PHI] [speed W_i W_o] [seat none|plus|minus] [thrust F] [cage_ring TYPE]
-//   [groups yes|no] [resumed yes|no]
-// or: create_bearing NAME [speed W_i W_o] [thrust F] [centre x y z] [phase PHI] [groups yes|no], of
-// a named bearing
+//   [cage_density RHO] [centre x y z] [phase PHI] [speed W_i W_o] [seat none|plus|minus]
+//   [thrust F] [cage_ring TYPE] [groups yes|no] [resumed yes|no]
+// or, for a named bearing: create_bearing NAME [speed W_i W_o] [thrust F] [centre x y z]
+//   [phase PHI] [groups yes|no]
 void CreateBearing::command(int narg, char **arg)
 {
   Arguments args(lmp, "create_bearing", narg, arg, 0);
@@ -28,7 +27,7 @@ void CreateBearing::command(int narg, char **arg)
   create(args);
 }
 
-// Arguments with the data of the bearing; after a restart its atoms already exist.
+// Creates a named bearing from its data; after a restart its atoms already exist.
 void CreateBearing::command_named(Arguments &args)
 {
   const bearing::NamedBearing &b = bearing::bearing_of(lmp, args, args.word("name of a bearing"));
@@ -150,7 +149,7 @@ CreateBearing::Plan CreateBearing::parse(Arguments &args)
     }
   }
   if (p.ring_cage && p.cage_type)
-    args.fail("'cage_ring' is a cage already: 'none' instead of a cage ball type");
+    args.fail("'cage_ring' is already a cage: give 'none' instead of a cage ball type");
   if (p.balls == 0) args.fail("'balls Z' is missing");
   if (p.ball_radius == 0.0) args.fail("'diameter D' is missing");
   if (p.cage_type && p.cage_radius == 0.0)
@@ -198,7 +197,7 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
               " m: it may not be below " + text(-4.0 * allowed) + " m");
   if (clearance > 2.0 * (in->groove.groove_radius - R + out->groove.groove_radius - R))
     args.fail("clearance " + text(clearance) +
-              " m is so large that the grooves do not hold the balls: rings at odds?");
+              " m is so large that the grooves do not hold the balls: do the rings match?");
   if (p.seat) seat(args, inner, outer, clearance, p);
   if (p.balls > 1) {
     const double apart = 2.0 * p.pitch * std::sin(3.14159265358979323846 / p.balls);
@@ -227,8 +226,9 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
 }
 
 // Moves the inner ring along the axis until the load-carrying grooves, one of each ring, are in
-// contact. If a ring has two grooves, the carrying one is centred ahead on the inner ring and
-// behind on the outer one. With preload all grooves are already in contact, and the ring stays.
+// contact. If a ring has two grooves, the load-carrying groove is centred ahead on the inner ring
+// and behind on the outer ring. With preload all grooves are already in contact, and the ring does
+// not move.
 void CreateBearing::seat(Arguments &args, const Groove &inner, const Groove &outer,
                          double clearance, Plan &p)
 {
@@ -259,8 +259,8 @@ static double mass(double R, double rho)
   return 4.0 / 3.0 * 3.14159265358979323846 * R * R * R * rho;
 }
 
-// The rotation of least loss for a law with friction against spin, otherwise a rotation about the
-// bearing's axis.
+// Rotation of a ball: the one with the least loss for a law with friction against spin, otherwise a
+// rotation about the bearing's axis.
 BallRotation CreateBearing::rotation(const Plan &p, const PairBearingHertz &pair)
 {
   // distance of a contact from the ball's spin axis: ball radius times cosine

@@ -38,9 +38,9 @@ class CreateBearing : public bearing::CommandBase {
         0;    // +1, -1: the inner ring touches all balls, displaced forward or back along the axis
     double thrust = 0.0;                   // N, on the inner ring
     double middle = 0.0;                   // m, radius half-way between the raceways
-    double pitch = 0.0;                    // m, of the balls' centres
+    double pitch = 0.0;                    // m, radius of the circle of the balls' centres
     double ball_z = 0.0, inner_z = 0.0;    // m, along the axis
-    double cosine = 1.0;                   // of the contact angle
+    double cosine = 1.0;                   // cosine of the contact angle
     bool groups = false;                   // create the groups
     bool resumed = false;                  // the atoms already exist, from a restart file
   };

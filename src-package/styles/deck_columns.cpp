@@ -8,7 +8,7 @@
 using namespace LAMMPS_NS;
 using bearing::Arguments;
 
-// Columns of a compute: c_ID[k]; of a fix: variables that `fix print` replaces by numbers.
+// Columns of a compute, c_ID[k], or of a fix, as variables that `fix print` replaces by numbers.
 static const bearing::ColumnList *find_list(LAMMPS *lmp, Arguments &args, const std::string &id,
                                             bool &compute)
 {

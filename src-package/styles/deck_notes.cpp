@@ -24,14 +24,14 @@ namespace {
 typedef NetcdfHeader::Attributes Attributes;
 typedef std::map<std::string, std::string> Words;
 
-// implicit, damping, vibration or verlet
+// The integrator: implicit, damping, vibration or verlet
 std::string integrator_of(LAMMPS *lmp)
 {
   const auto fixes = fixes_of<FixBearingImplicit>(lmp);
   return fixes.empty() ? "verlet" : std::string(fixes.front()->style).substr(8);
 }
 
-// ring, chain or no, of the first bearing of the deck
+// The cage of the first bearing of the deck: ring, chain or no
 std::string cage_of(LAMMPS *lmp)
 {
   for (const NamedBearing *b : bearings_of(lmp))
@@ -60,7 +60,7 @@ std::string variables_of(LAMMPS *lmp, double within)
   static const char *const head[] = {"bearing", "lubricant", "models", "integrator", "load", "rpm"};
   for (const char *name : head)
     if (!host_variable(lmp, name)) return "";
-  // about the folder or the length of the run, or stated elsewhere in the record
+  // variables about the folder or the length of the run, or stated elsewhere in the record
   static const std::vector<std::string> others = {
       "out",   "inputs", "overwrite",  "resume",     "keep",      "record",
       "dumps", "passes", "flaw_inner", "flaw_outer", "flaw_ball", "flawed_ball"};
@@ -155,7 +155,7 @@ void add_deck_notes(LAMMPS *lmp, const PairBearingHertz &pair, const RecordLayou
       }))
     add("bearing", b.word("bearing"));
   if (list.size() > 1) {
-    std::string lines, numbers;    // one line per name; its number by bearing of the record
+    std::string lines, numbers;    // a line per name; its number for each bearing of the record
     for (const NamedBearing *one : list)
       lines += (lines.empty() ? "" : "\n") + words_of(*one, *named);
     for (const int type : ball_types(lmp, layout)) {

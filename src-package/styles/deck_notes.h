@@ -8,7 +8,7 @@
 
 namespace bearing {
 
-// Adds those that `to` does not have yet; none if no bearing has a name. Collective.
+// Adds the attributes that `to` does not have yet; none if no bearing has a name. Collective.
 void add_deck_notes(LAMMPS_NS::LAMMPS *, const LAMMPS_NS::PairBearingHertz &, const RecordLayout &,
                     double within, NetcdfHeader::Attributes &to);
 

@@ -68,7 +68,7 @@ void vogel(DataValues &deck)
                                    at));
 }
 
-// With `four_point` 0, one groove per ring.
+// Data of a four-point bearing; with `four_point` 0 a ring has one groove.
 void four_point(DataValues &deck)
 {
   const double angle = deck.number("four_point") * degree,
@@ -81,7 +81,7 @@ void four_point(DataValues &deck)
     deck.set("b_outer_arch", "");
     return;
   }
-  deck.zero("contact_angle", "four_point has its own");
+  deck.zero("contact_angle", "four_point sets the contact angle");
   deck.set("b_inner_raceway", DataValues::written(deck.number("inner_radius") - inner.depth()));
   deck.set("b_inner_arch", "gothic_arch " + DataValues::written(inner.offset()));
   deck.set("b_outer_raceway",

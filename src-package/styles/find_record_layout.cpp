@@ -23,12 +23,12 @@ namespace bearing {
 
 namespace {
 
-// Data of a bearing sent by its home to all ranks.
+// Data of a bearing that its home sends to all ranks.
 struct Piece {
   enum Kind { kind, ball, cage, ring } what;
-  double bearing, tag;    // the bearing by its name
+  double bearing, tag;    // name of the bearing; tag
   int raceway;
-  double of[of_kind::N];    // of a bearing; of a ring: origin, pocket play, guide, phase
+  double of[of_kind::N];    // data of a bearing; for a ring: origin, pocket play, guide, phase
 };
 
 bool before(const Piece &a, const Piece &b)

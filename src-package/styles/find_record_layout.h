@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Layout of the record of the bearings of a group, the same on all ranks.
+// Finds the layout of the record of a group's bearings, the same on all ranks.
 #ifndef BEARING_FIND_RECORD_LAYOUT_H
 #define BEARING_FIND_RECORD_LAYOUT_H
 

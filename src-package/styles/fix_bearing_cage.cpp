@@ -30,7 +30,7 @@ FixBearingCage::FixBearingCage(LAMMPS *lmp, int narg, char **arg) :
   if (b) args.word("name of a bearing");
   if (b && b->has_cage_ring)
     args.fail("the cage of bearing " + b->name +
-              " is a ring: fix bearing/${NAME_cage_style} takes either, or give it 'cage chain'");
+              " is a ring: use fix bearing/${NAME_cage_style} for any cage, or give 'cage chain'");
   ring_type_ =
       b ? b->outer : args.integer("type of the ring that carries the rails", 1, atom->ntypes);
   if (!pair_->coefficients().is_ring(ring_type_))
@@ -63,7 +63,7 @@ FixBearingCage::FixBearingCage(LAMMPS *lmp, int narg, char **arg) :
   }
 }
 
-// The named bearing whose ring carries the rails; null without one
+// The named bearing whose ring carries the rails; null if there is none
 const bearing::NamedBearing *FixBearingCage::named() const
 {
   for (const bearing::NamedBearing *b : bearing::bearings_of(lmp))
@@ -71,13 +71,13 @@ const bearing::NamedBearing *FixBearingCage::named() const
   return nullptr;
 }
 
-// An atom of the group; with named bearings a cage ball of the bearing with that ring
+// True for an atom of the group; with named bearings, for a cage ball of the bearing with that ring
 bool FixBearingCage::holds(int i) const
 {
   return (atom->mask[i] & groupbit) && (cage_type_ == 0 || atom->type[i] == cage_type_);
 }
 
-// False for the bearing of a deck that omits its cage by a word.
+// False for a bearing whose deck omits the cage by a word.
 bool FixBearingCage::expected() const
 {
   const bearing::NamedBearing *const b = named();
@@ -117,8 +117,8 @@ void FixBearingCage::setup_pre_neighbor() { find_balls(); }
 void FixBearingCage::pre_neighbor() { find_balls(); }
 
 // A cage ball is carried by the ring whose pitch circle is nearest, within two pitch radii of its
-// centre; the centre of a housing may be nearer than that of the ring. Local indices are valid
-// until the next build. Only rings in a slab about the ball, normal to the direction of their
+// centre; the centre of a housing may be nearer than the centre of the ring. Local indices are
+// valid until the next build. Only rings in a slab about the ball, normal to the direction of their
 // largest spread, are searched.
 void FixBearingCage::find_balls()
 {
@@ -169,7 +169,8 @@ void FixBearingCage::find_balls()
 
 void FixBearingCage::setup_pre_force(int vflag) { pre_force(vflag); }
 
-// Rail by rail, all cage balls in lanes of four. Four balls that touch no rail cost one comparison.
+// Evaluates rail by rail all cage balls in lanes of four. Four balls that touch no rail cost one
+// comparison.
 void FixBearingCage::pre_force(int)
 {
   pair_->state()->forward_axes();
@@ -183,8 +184,8 @@ void FixBearingCage::pre_force(int)
                                            bearing::RingSum::rail, ball.tag);
     const Vec3 e = pair_->state()->axis(ball.i_ring);
     const Vec3 d = Vec3::from(x[ball.i]) - Vec3::from(x[ball.i_ring]);
-    // radial and axial velocity of the ball relative to the ring; frictionless contact needs no
-    // other
+    // radial and axial velocity of the ball relative to the ring; a frictionless contact needs no
+    // other components
     const Vec3 dv = Vec3::from(v[ball.i]) - Vec3::from(v[ball.i_ring]) -
                     cross(Vec3::from(atom->omega[ball.i_ring]), d);
     Four &four = fours_[i / lanes];

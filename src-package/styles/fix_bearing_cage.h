@@ -42,7 +42,7 @@ class FixBearingCage : public Fix {
 
   PairBearingHertz *pair_;
   int ring_type_ = 0;
-  int cage_type_ = 0;    // of the balls on the rails; 0: all of the group
+  int cage_type_ = 0;    // type of the balls on the rails; 0: all balls of the group
   bearing::CageRails cage_;
   double tube_ = 1e-3, gap_ = 0.0;
   double young_[2] = {3.3e9, 3.3e9}, poisson_[2] = {0.41, 0.41};    // PA66 on PA66
@@ -58,7 +58,7 @@ class FixBearingCage : public Fix {
   void find_forces();
   void left_pocket(const bearing::CageRails::CageBall &, double off) const;
   std::vector<Four> fours_;
-  double force_sum_ = 0.0, force_max_ = 0.0;    // of the last step, this rank
+  double force_sum_ = 0.0, force_max_ = 0.0;    // N, values of this rank in the last step
 };
 
 }    // namespace LAMMPS_NS

@@ -75,8 +75,8 @@ void FixBearingCageRing::init()
   turn_to_balls();
 }
 
-// The cages of a named bearing start with a pocket at their first ball; state of a restart file
-// has their angles since.
+// The cages of a named bearing start with a pocket at their first ball; the state in a restart file
+// has the angles by which they have turned since.
 void FixBearingCageRing::turn_to_balls()
 {
   const bearing::NamedBearing *const b = bearing::find_bearing(lmp, bearing_);
@@ -94,7 +94,7 @@ CageMotion FixBearingCageRing::motion(int i) const
           axes_.third(state_->axis(i)), axes_.third(Vec3::from(atom->omega[i])), state_->angle(i)};
 }
 
-// Local indices hold until the next neighbour build.
+// Local indices are valid until the next neighbour build.
 void FixBearingCageRing::pre_neighbor()
 {
   find_cells();
@@ -125,8 +125,8 @@ template <class Fits> static std::vector<int> atoms_that(const Atom &atom, const
   return found;
 }
 
-// The one of `others` nearest to atom i within `reach` (m); -1: none. Of two equally near atoms,
-// the one with the lower tag.
+// The atom of `others` that is nearest to atom i, within `reach` (m); -1 if there is none. Of two
+// equally near atoms, the one with the lower tag counts.
 static int nearest(const Atom &atom, int i, double reach, const std::vector<int> &others)
 {
   int found = -1;
@@ -149,7 +149,7 @@ void FixBearingCageRing::find_cells()
   const std::vector<int> cages = atoms_that(*atom, [this](int j) { return moves(j); });
   for (int i = 0; i < atom->nlocal; ++i) {
     if (atom->type[i] != ball_type_) continue;
-    // a ball is nearer to the centre of its own bearing than to any other
+    // a ball is nearer to the centre of its own bearing than to any other bearing's
     const int cage = nearest(*atom, i, 2.0 * all_.of.pitch, cages);
     if (cage < 0)
       BRG_ONE(bearing::name_of(*this) + ": ball " + std::to_string(atom->tag[i]) +
@@ -311,7 +311,7 @@ double FixBearingCageRing::compute_vector(int k)
     of.push_back({rows[r].ball, rows[r].cage, which == LOSS ? rows[r].loss : rows[r].force});
   if (which == ECCENTRICITY) of = {{0, 0, eccentricity_}};
   of = bearing::gather_all(of, world);
-  // the same sum on any number of ranks
+  // sorted, so that the sum is the same on any number of ranks
   std::sort(of.begin(), of.end(), [](const One &a, const One &b) {
     return a.ball != b.ball ? a.ball < b.ball : a.cage < b.cage;
   });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/cage/ring: a one-piece rigid cage for each bearing, an atom of its own
-// (core/geometry/cage_ring.h). It is a fix bearing/ring that is free in space, or in the plane, and
-// adds the forces of pockets, guiding land and churning.
+// fix bearing/cage/ring: a one-piece rigid cage for each bearing, which is an atom of its own
+// (core/geometry/cage_ring.h). The fix is a fix bearing/ring whose rings are free in space, or in
+// the plane; it adds the forces of pockets, guiding land and churning.
 #ifdef FIX_CLASS
 FixStyle(bearing/cage/ring,FixBearingCageRing)
 #else
@@ -26,7 +26,7 @@ class FixBearingCageRing : public FixBearingRing {
   double compute_vector(int) override;
 
   const bearing::CagePockets &pockets() const { return all_; }
-  const bearing::CageSettings &settings() const { return cage_; }    // also before a run
+  const bearing::CageSettings &settings() const { return cage_; }    // valid also before a run
 
  private:
   raceway::CageMotion motion(int i) const;
@@ -38,13 +38,13 @@ class FixBearingCageRing : public FixBearingRing {
   void land_forces();
   [[noreturn]] void left_pocket(const bearing::CagePockets::Cell &, int pocket, double) const;
 
-  std::string bearing_;    // name, or empty
+  std::string bearing_;    // name of the bearing, or empty
   int ball_type_ = 0;
   double ball_radius_ = 0.0;
   bearing::CageSettings cage_;
   bearing::CagePockets all_;
   size_t first_row_ = 0;         // in the contact table: cells, then lands
-  double eccentricity_ = 0.0;    // largest of this rank, over the clearance
+  double eccentricity_ = 0.0;    // largest value of this rank, over the clearance
 };
 
 }    // namespace LAMMPS_NS

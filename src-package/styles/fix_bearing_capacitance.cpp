@@ -165,7 +165,7 @@ void FixBearingCapacitance::take_usual_data()
       if (!there[type] || of(type) == 0.0) continue;
       if (value != 0.0 && value != of(type))
         BRG_ALL(bearing::name_of(*this) + ": its balls have more than one " + what +
-                ": give each bearing its own fix, or the value");
+                ": give each bearing its own fix, or give the value");
       value = of(type);
     }
   };
@@ -186,7 +186,7 @@ void FixBearingCapacitance::take_usual_data()
 
 int FixBearingCapacitance::setmask() { return idle_ ? 0 : END_OF_STEP; }
 
-// `within` of this fix needs samples at every step.
+// Samples as often as the run does; error if `within` needs samples at every step.
 void FixBearingCapacitance::begin(const bearing::Sampling &sampling)
 {
   if (within_ > 1 && sampling.every > 1)
@@ -206,7 +206,7 @@ void FixBearingCapacitance::init()
   if (model_.surrounded()) check_shoulders();
 }
 
-// Atom types of the balls of the group, on any rank.
+// Atom types of the balls of the group, the same on all ranks.
 std::vector<int> FixBearingCapacitance::ball_types() const
 {
   std::vector<int> there(atom->ntypes + 1, 0);
@@ -236,7 +236,7 @@ void FixBearingCapacitance::check_shoulders()
                 " m, and the ball's centre, " + bearing::text(centre) + " m");
       if (p->model.ellipse == Ellipse::printed)
         BRG_ALL(who + "'surroundings' needs 'ellipse exact' or 'hamrock' in the pair style: "
-                      "'printed' does not meet the gap outside the ellipse");
+                      "'printed' does not match the gap outside the ellipse");
     }
 }
 
@@ -340,7 +340,7 @@ void FixBearingCapacitance::sample(bool between)
   if (totals_.wanted() || contacts_.wanted()) sum_up();
 }
 
-// Sums instant by instant, in the order of ball tags: the same bits on any number of ranks.
+// Sums instant by instant, in the order of ball tags, for the same bits on any number of ranks.
 void FixBearingCapacitance::sum_up()
 {
   if (summed_) return;
@@ -422,7 +422,7 @@ FixBearingCapacitance::Total FixBearingCapacitance::add_up(const Row *row, const
 void FixBearingCapacitance::write(const Row *row, const Row *end, int instant)
 {
   written_ = update->ntimestep;
-  const double back = double(within_ - instant) / within_;    // steps before the end of this one
+  const double back = double(within_ - instant) / within_;    // steps before the end of this step
   const double time = update->atime + (update->ntimestep - update->atimestep - back) * update->dt;
   const double step = update->ntimestep - back;
   const bool all = model_.surrounded();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/capacitance: electrical capacitance of every raceway contact, of every ball (series)
-// and of the bearing (sum), sampled every N steps, or at several instants within every step of fix
-// bearing/implicit; nothing is computed in between.
+// fix bearing/capacitance: electrical capacitance of every raceway contact, of every ball (contacts
+// in series) and of the bearing (sum over balls), sampled every N steps, or at several instants
+// within every step of fix bearing/implicit; nothing is computed in between.
 #ifdef FIX_CLASS
 FixStyle(bearing/capacitance,FixBearingCapacitance)
 #else
@@ -39,7 +39,7 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
   void set_arrays(int) override;
   double memory_usage() override;
 
-  // Tags of its balls on all ranks.
+  // Tags of the balls of its group, on all ranks.
   std::vector<bearing::tag_t> find_members() const;
   // Request for `number` instants of a step.
   bearing::Instants instants(int number) const { return {number, model_, ask_.any()}; }
@@ -99,18 +99,18 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
   bool idle_ = false;
   double background_ = 0.0;
   raceway::FilmQuestions ask_;
-  bearing::CapacitorTable table_;    // with surroundings
+  bearing::CapacitorTable table_;    // capacitors with surroundings
   int planned_ = -1;                 // build and filling of the contact table
   bigint filled_ = -1;
-  double **per_ball_ = nullptr;    // inner, outer, series; the same with surroundings
+  double **per_ball_ = nullptr;    // inner, outer, series; these again with surroundings
   int within_ = 1;                 // instants per step, the last at its end
-  std::vector<bearing::InstantSource *> integrators_;    // that provide instants between steps
-  bearing::TagSet members_;    // balls of the group; known where integrators_ are
+  std::vector<bearing::InstantSource *> integrators_;    // they provide instants between steps
+  bearing::TagSet members_;    // balls of the group; set if integrators_ are
   std::vector<Row> mine_;      // rows of this step; reused buffer
   bearing::TextFile totals_, contacts_;
   bool grooves_ = false;                       // the second file lists the grooves separately
   bool between_ = false, summed_ = true;       // kind of mine_; sums below are current
-  Total total_ = {};                           // at the end of the step
+  Total total_ = {};                           // values at the end of the step
   std::vector<raceway::SampledBall> balls_;    // balls of one instant; reused buffer
   bigint written_ = -1;                        // step of the last row in the files
   Spread plates_ = {}, whole_ = {};            // spread of the sum

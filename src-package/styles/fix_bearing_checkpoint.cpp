@@ -138,7 +138,7 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
   for (int k = 0; k < modify->nfix; ++k)
     if (const Fix *f = modify->fix[k])
       if (f != this && dynamic_cast<const FixBearingCheckpoint *>(f))
-        args.fail(std::string("fix ") + f->id + " is of this style already: the host keeps one " +
+        args.fail(std::string("fix ") + f->id + " already has this style: the host keeps one " +
                   "kind of restart files");
   if (means_.empty()) means_.emplace_back();    // an empty mean, since counters come second
   sums_.assign(means_.size() + (ring_id_.empty() ? 0 : 6), 0.0);
@@ -154,7 +154,8 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
   catch_signals();
 }
 
-// The host writes under a temporary name; publish() renames the complete file. 0: when stopped.
+// The host writes under a temporary name; publish() renames the complete file. With 0 steps it
+// writes only when the run is stopped.
 void FixBearingCheckpoint::write_every(int steps)
 {
   const std::string n = std::to_string(steps ? steps : std::numeric_limits<int>::max());
@@ -200,12 +201,12 @@ void FixBearingCheckpoint::init()
             " of this style");
   check_deck();
   if (!resumed_ && comm->me == 0 && !begun_)
-    unlink(file_.c_str());    // file of a run that this one replaces
+    unlink(file_.c_str());    // file of a run that this run replaces
   begun_ = true;
 }
 
 // Commands that determine a run: the bearings (first line), the pair style, data of named
-// bearings, the package's fixes except those that only write or watch, and the formulas of
+// bearings, the package's fixes except fixes that only write or watch, and the formulas of
 // variables in them.
 std::vector<std::string> FixBearingCheckpoint::deck() const
 {
@@ -261,7 +262,7 @@ void FixBearingCheckpoint::check_deck()
   for (std::string line; std::getline(in, line);) then.push_back(line);
   deck_.clear();
   if (now[0].empty() || then[0].empty()) now[0] = then[0] = "";
-  // the first line of one list that is missing in the other
+  // the first line of `list` that is missing in `other`
   const auto alone = [](const std::vector<std::string> &list,
                         const std::vector<std::string> &other) {
     for (const std::string &line : list)
@@ -287,8 +288,8 @@ void FixBearingCheckpoint::find_ring()
             "'");
 }
 
-// Before the first step: removes the output of the set-up of a continued run, which the files
-// already have. Later: the restart file of the previous step is now complete.
+// Before the first step, removes the output of the set-up of a continued run, which the files
+// already have. Later, the restart file of the previous step is now complete.
 void FixBearingCheckpoint::initial_integrate(int)
 {
   if (resumed_ && !cut_) cut_files();
@@ -408,8 +409,8 @@ void FixBearingCheckpoint::watch_files()
       BRG_ONE(command_ + ": " + files_[k] + " has stopped growing at step " +
               std::to_string(update->ntimestep) + ": " +
               (room.empty() ? "it must grow every " + std::to_string(nevery) +
-                                  " steps. Is it written less often, by another run as well, or "
-                                  "was the disk full for a while?"
+                                  " steps. Is it written less often, does another run write it, "
+                                  "or was the disk full for a while?"
                             : room + '.') +
               " Make room and continue from the last restart file, or start again");
     }
@@ -425,8 +426,7 @@ double FixBearingCheckpoint::compute_scalar()
   return std::hypot(of[3], of[4], of[5]) / std::hypot(of[0], of[1], of[2]);
 }
 
-// Means over the samples, then counters, both over all parts of an interrupted
-// run
+// Means over the samples, then counters, both over all parts of an interrupted run
 double FixBearingCheckpoint::compute_vector(int n)
 {
   size_t k = static_cast<size_t>(n);

@@ -57,13 +57,13 @@ class FixBearingCheckpoint : public Fix, public bearing::WaitsForRun {
   std::vector<std::string> files_;                // watched: each grows with every sample
   std::vector<double> length_;                    // size in bytes at the restart file's step
   std::vector<double> seen_;                      // size in bytes at the last sample
-  bool last_ = false;                             // also a restart file at the end of a run
+  bool last_ = false;                             // also write a restart file at the end of a run
   std::vector<bearing::DrivenValue> means_;       // averaged over samples
   std::vector<bearing::DrivenValue> counters_;    // each restarts from 0 in every run
   double samples_ = 0.0;
   std::string ring_id_;    // ID of a fix bearing/ring whose balance is averaged; empty: none
   FixBearingRing *ring_ = nullptr;
-  std::vector<double> sums_;      // of the means, then of load and residual (N) of the ring
+  std::vector<double> sums_;      // sums for the means, then load and residual (N) of the ring
   std::vector<double> before_;    // counters of the previous runs
   // rank 0: the host has written part_, which is not published yet
   bool written_ = false;

@@ -64,7 +64,7 @@ void FixBearingCircuit::init()
 void FixBearingCircuit::setup(int)
 {
   if (settings_.within > 1) find_integrators();
-  if (restored_) {    // values that the restart file omits, recomputed from those it has
+  if (restored_) {    // recomputes values that the restart file omits from values that it has
     last_time_ = time_of(last_step_);
     static_cast<CircuitPoint &>(state_) = point(balls_, last_time_);
     restored_ = false;
@@ -107,7 +107,7 @@ FixBearingCircuit::Film FixBearingCircuit::film_of(const RacewayPhysics &raceway
   return film;
 }
 
-// The balls of the group and their films now, by tag, on every rank.
+// The balls of the group and their present films, by tag, on every rank.
 std::vector<FixBearingCircuit::BallFilms> FixBearingCircuit::find_balls()
 {
   std::vector<tag_t> mine;
@@ -131,7 +131,7 @@ std::vector<FixBearingCircuit::BallFilms> FixBearingCircuit::find_balls()
   return balls_of(tags, std::move(rows));
 }
 
-// The same balls at an instant of the last step, from 1.
+// These balls at an instant of the last step, counted from 1.
 std::vector<FixBearingCircuit::BallFilms> FixBearingCircuit::balls_at(int instant)
 {
   std::vector<tag_t> tags;
@@ -212,7 +212,7 @@ void FixBearingCircuit::sample()
     const auto same = [](const BallFilms &a, const BallFilms &b) { return a.tag == b.tag; };
     if (!std::equal(now.begin(), now.end(), balls_.begin(), balls_.end(), same))
       BRG_ALL(bearing::name_of(*this) + ": group " + group->names[igroup] +
-              " has balls other than at the previous sample");
+              " no longer has the same balls as at the previous sample");
     if (update->ntimestep < last_step_ || update->dt != dt_)
       BRG_ALL(bearing::name_of(*this) +
               ": the step must not go back, nor the time step change: step " +
@@ -277,7 +277,7 @@ void FixBearingCircuit::require_films(const std::vector<BallFilms> &at, double t
             bearing::text(time) + " s: give a stray capacitance");
 }
 
-// Films of the circuit from the sampled ones.
+// Films of the circuit from the sampled films.
 BearingFilms FixBearingCircuit::films(const std::vector<BallFilms> &balls) const
 {
   const auto film = [this](const Film &f) {
@@ -296,8 +296,8 @@ BearingFilms FixBearingCircuit::films(const std::vector<BallFilms> &balls) const
   return all;
 }
 
-// Interpolates at the fraction `share` between two samples. A film missing in one of them has no
-// thickness here.
+// Interpolates at the fraction `share` between two samples. A film that is missing in one sample
+// has no thickness here.
 std::vector<FixBearingCircuit::BallFilms>
 FixBearingCircuit::between(const std::vector<BallFilms> &from, const std::vector<BallFilms> &to,
                            double share)

@@ -45,7 +45,7 @@ class FixBearingCircuit : public Fix {
     double metal = 0.0;    // S, of asperities
     double area = 0.0;     // m^2, of the contact patch, if the arc model needs it
 
-    // Adds another film between the same ball and ring: the locally thinner one breaks down.
+    // Adds another film between the same ball and ring; the locally thinner film breaks down.
     void add(const Film &beside);
   };
   struct BallFilms {
@@ -86,12 +86,12 @@ class FixBearingCircuit : public Fix {
   bearing::CircuitSettings settings_;
   PairBearingHertz *pair_ = nullptr;
   FixBearingCapacitance *cap_ = nullptr;
-  std::vector<bearing::InstantSource *> integrators_;    // that provide instants between steps
+  std::vector<bearing::InstantSource *> integrators_;    // they provide instants between steps
   bearing::TextFile events_;
   bool begun_ = false, restored_ = false;
   bigint first_step_ = 0, last_step_ = -1;    // steps of the first and the last sample
-  double last_time_ = 0.0;                    // s, of the last sample
-  double dt_ = 0.0;                           // s, of all steps between them
+  double last_time_ = 0.0;                    // s, time of the last sample
+  double dt_ = 0.0;                           // s, length of all steps between them
   std::vector<BallFilms> balls_;              // at the last sample, by tag
   raceway::CircuitState state_;
 };

@@ -74,7 +74,7 @@ void FixBearingGrains::read_wall(Arguments &args, bool drum)
   wall.shape.r2 = args.positive(drum ? "radius of the drum (m)" : "outer radius of the blades (m)");
   if (!(wall.shape.r2 > wall.shape.r1))
     args.fail("outer radius of the blades is " + text(wall.shape.r2) + " m, must be above " +
-              text(wall.shape.r1) + " m, the inner one");
+              text(wall.shape.r1) + " m, the inner radius");
   wall.shape.z1 = args.number("first end along the axis (m)");
   wall.shape.z2 = args.number("second end along the axis (m)");
   if (!(wall.shape.z2 > wall.shape.z1))
@@ -90,7 +90,7 @@ void FixBearingGrains::init()
 {
   pair_ = PairBearingHertz::find(lmp, "fix bearing/grains");
   if (bearing::fixes_of<FixBearingGrains>(lmp).front() != this)
-    BRG_ALL(bearing::name_of(*this) + ": there is a fix bearing/grains already, only one can run");
+    BRG_ALL(bearing::name_of(*this) + ": there already is a fix bearing/grains, only one can run");
   build_ = -1;
   for (int i = 0; i < atom->nlocal; ++i)
     if ((atom->mask[i] & groupbit) && !pair_->coefficients().is_grain(atom->type[i]))

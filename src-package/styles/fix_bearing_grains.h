@@ -50,7 +50,7 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
   double memory_usage() override;
 
  private:
-  // With a grain of that tag, or (tag 0) with a part of the walls
+  // Contact with a grain of that tag, or (tag 0) with a part of the walls
   struct Contact {
     bearing::tag_t tag = 0;
     int part = 0;
@@ -60,12 +60,12 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
     std::vector<Contact> contacts;
     double lost = 0.0;    // J, since the start of the run; half of a contact with a grain
   };
-  // A shaft with walls; known to all ranks. Bearing axis third.
+  // A shaft with walls, known to all ranks; the bearing axis is the third.
   struct Shaft {
     std::string id;
     FixBearingShaft *fix = nullptr;
     raceway::RingAtom now, before;
-    raceway::Vec3 force, moment;    // of grains at its centre: N, N m
+    raceway::Vec3 force, moment;    // N, N m, of grains, at its centre
   };
   struct Velocity {
     raceway::Vec3 v, w;
@@ -74,8 +74,8 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
     raceway::TurningWall shape;
     int shaft = -1;    // index in shafts_; -1: at rest
     int first = 0;     // number of its first part
-    // In the present step, bearing axis third. The axes of the wall are pose.e, its own, and e1 and
-    // e2, which do not rotate about it.
+    // State in the present step, with the bearing axis third. The axes of the wall are its own axis
+    // pose.e, and e1 and e2, which do not rotate about it.
     raceway::RingAtom pose;
     Velocity moved;
     raceway::Vec3 e1, e2;
@@ -83,11 +83,11 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
   struct Neighbour {
     int i, j;    // local indices, i is owned
   };
-  struct Push {    // of a grain on a wall
+  struct Push {    // load of a grain on a wall
     bearing::tag_t tag;
     int part, shaft;
     raceway::Vec3 force, moment;    // on the shaft's centre
-    double work;                    // J, on the grain in the last step
+    double work;                    // J, work on the grain in the last step
   };
   struct Sums {
     double lost = 0.0, kinetic = 0.0, elastic = 0.0, contacts = 0.0;
@@ -104,7 +104,7 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
                     raceway::Vec3 &force, raceway::Vec3 &torque) const;
   void touch_walls(int i, double dt, std::vector<Contact> &, double &lost, raceway::Vec3 &force,
                    raceway::Vec3 &torque);
-  // Contact of a grain in the step before, or null.
+  // Contact of a grain in the previous step, or null.
   const raceway::GrainContact *kept(int i, bearing::tag_t, int part) const;
   bool touched_a_wall(int i) const;
   void load_shafts();
@@ -122,7 +122,7 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
   std::vector<Push> pushes_;
   int build_ = -1;
   double known_step_ = -1.0;    // the contacts belong to this step
-  double work_ = 0.0;           // J, of the walls on the grains
+  double work_ = 0.0;           // J, work of the walls on the grains
   Sums start_, now_;
   bigint summed_ = -1;
 };

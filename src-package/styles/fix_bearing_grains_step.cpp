@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The step of fix bearing/grains. Each rank computes all contacts of its own grains; two ranks
-// compute a contact between them with the same bits, because the grain of lower tag comes first.
+// compute a contact of their grains with the same bits, because the grain of lower tag comes first.
 #include "../core/settings/arguments.h"
 #include "../ranks/gather.h"
 #include "fix_bearing_grains.h"
@@ -48,8 +48,8 @@ void FixBearingGrains::find_shafts()
 }
 
 // Mean velocity (m/s) and angular velocity (rad/s) of a shaft over the step, from the change of its
-// position, so that the work of its walls equals its own under either integrator. Bearing axis
-// third.
+// position, so that the work of its walls equals the work of the shaft under either integrator. The
+// bearing axis is the third.
 FixBearingGrains::Velocity FixBearingGrains::velocity(const Shaft *s) const
 {
   if (!s) return {};
@@ -111,7 +111,7 @@ void FixBearingGrains::touch_walls(int i, double dt, std::vector<Contact> &list,
     if (wall.shape.lost(p))
       BRG_ONE(bearing::name_of(*this) + ": grain " + std::to_string(atom->tag[i]) +
               " is beyond the walls of the drum at step " + std::to_string(update->ntimestep) +
-              ": walls too soft, step too large, or placed outside");
+              ": walls too soft, step too large, or grain placed outside");
     if (!touched && !wall.shape.near(p, R)) continue;
     for (int k = 0; k < wall.shape.parts(); ++k) {
       const raceway::WallTouch t = wall.shape.touch(k, p, R, wall.pose.angle);

@@ -93,7 +93,7 @@ void FixBearingHeat::init()
     for (const char *cold : {"paper", "film", "none"})
       if (pair_->models() == cold && comm->me == 0)
         BRG_WARN(bearing::name_of(*this) + ": models " + cold +
-                 " have no full-film friction and so little heat; the models full have it");
+                 " have no full-film friction and therefore little heat; models full have it");
     now_.oil = heat.oil();
   }
   apply_oil();
@@ -137,14 +137,14 @@ void FixBearingHeat::check_oil()
   if (!dry_ && !pair_->oil_follows(bearing_->name))
     BRG_ALL(bearing::name_of(*this) + ": the oil " + pair_->oil() + " of bearing " +
             bearing_->name +
-            " has no data over temperature: take vg46 for example, and after a restart file give "
+            " has no data over temperature: take vg46, for example, and after a restart file give "
             "pair_style and pair_coeff again");
   if (dry_ && oil_flow_ > 0.0)
     BRG_ALL(bearing::name_of(*this) + ": 'oil_flow' needs oil, but bearing " + bearing_->name +
             " is dry");
 }
 
-// Conductances and capacities from the sizes of the bearing.
+// Finds conductances and capacities from the sizes of the bearing.
 void FixBearingHeat::find_network()
 {
   const bearing::NamedBearing &b = *bearing_;
@@ -154,7 +154,7 @@ void FixBearingHeat::find_network()
       missing += (missing.empty() ? "" : ", ") + std::string(size);
   if (!missing.empty())
     BRG_ALL(bearing::name_of(*this) + ": bearing " + b.name + " has no " + missing +
-            ", from which the capacities of its rings follow: give the data with -var");
+            ", which determines the heat capacities of its rings: give the data with -var");
   const double bore = b.number("bore_diameter"), outside = b.number("outside_diameter"),
                width = b.number("bearing_width");
   network_.housing = cooling_ > 0.0 ? cooling_ : iso_15312_conductance(bore, outside, width);
@@ -165,7 +165,7 @@ void FixBearingHeat::find_network()
         b.number_or(inner ? "inner_shoulder_diameter" : "outer_shoulder_diameter", 0.0);
     if (shoulder == 0.0) {
       const double depth =
-          RingCylinder::shoulder(0.0, 2.0 * p->groove.ball_radius);    // of a groove
+          RingCylinder::shoulder(0.0, 2.0 * p->groove.ball_radius);    // depth of a groove
       shoulder = 2.0 * (p->groove.raceway_radius + (inner ? depth : -depth));
     }
     network_.capacity[inner ? 0 : 2] =
@@ -190,13 +190,13 @@ void FixBearingHeat::find_oil_flow()
   oil.wetted[2] = wets.outer;
 }
 
-// Of the oil of the bearing at its present temperature
+// A datum of the bearing's oil at its present temperature
 double FixBearingHeat::oil_datum(const char *name) const
 {
   return std::atof(pair_->oil_datum(bearing_->name, name).c_str());
 }
 
-// W/(m^2 K)
+// Heat transfer coefficient of the oil, W/(m^2 K)
 double FixBearingHeat::convection() const
 {
   if (!network_.oil.flows()) return 0.0;
@@ -206,7 +206,7 @@ double FixBearingHeat::convection() const
                         oil_datum("oil_density"), oil_datum("viscosity"), orbit, pitch);
 }
 
-// The step over a ball pass, and the time until the end of the load ramp.
+// Finds the steps of a ball pass and the time until the end of the load ramp.
 void FixBearingHeat::setup(int)
 {
   if (idle_) return;
@@ -233,7 +233,7 @@ void FixBearingHeat::begin_step()
     grow(std::min(1.0, (now_.since + update->dt) / pass_));
 }
 
-// The contact law at the temperature of the oil, and the positions of the surfaces.
+// Sets the contact law at the temperature of the oil, and the positions of the surfaces.
 void FixBearingHeat::apply_oil()
 {
   if (!dry_)
@@ -293,7 +293,7 @@ void FixBearingHeat::end_of_step()
   }
 }
 
-// Temperatures jump by the losses of a ball pass.
+// Temperatures jump according to the losses of a ball pass.
 void FixBearingHeat::end_pass()
 {
   HeatPass seen = now_.sum;
@@ -325,9 +325,9 @@ void FixBearingHeat::end_pass()
                          text(seen.power()) + " W";
   if (end == HeatEnd::seizes)
     BRG_ALL(at + ": it seizes. Losses grow with temperature " + text(heat.gain) +
-            " times as fast as cooling: thermal runaway. Cool it better, or give more clearance");
+            " times as fast as cooling: thermal runaway. Improve cooling, or give more clearance");
   if (end == HeatEnd::hot)
-    BRG_ALL(at + ": hotter than " + text(control_.hottest) + " C. Cool it better");
+    BRG_ALL(at + ": hotter than " + text(control_.hottest) + " C. Improve cooling");
 }
 
 void FixBearingHeat::say(double power) const
@@ -382,7 +382,7 @@ double FixBearingHeat::value(int column) const
   return 0.0;
 }
 
-// C, of the oil that leaves; without flow the oil in the contacts
+// Temperature (C) of the oil that leaves; without flow, of the oil in the contacts
 double FixBearingHeat::outlet() const
 {
   const HeatState &h = now_.heat;
@@ -392,7 +392,7 @@ double FixBearingHeat::outlet() const
   return oil.outlet(h.at, h.start.heat[heat_nodes]);
 }
 
-// m, diametral, of the warm parts
+// Diametral clearance (m) of the warm parts
 double FixBearingHeat::clearance() const
 {
   const double *t = now_.heat.at, cold = network_.ambient;

@@ -44,27 +44,27 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   // True if temperatures no longer change: steady, at the end of the requested time, or off.
   bool still() const { return idle_ || now_.stage == STAY; }
   bool idle() const { return idle_; }
-  // Temperatures (C) of the contacts now, as in core/figures/fix_columns.h from INNER to OIL.
+  // Present temperatures (C) of the contacts, as in core/figures/fix_columns.h from INNER to OIL.
   std::array<double, 5> temperatures() const;
   bool covers_type(int ball_type) const;
-  double ambient() const { return network_.ambient; }    // C, of the clearance
+  double ambient() const { return network_.ambient; }    // C, the clearance is given there
 
  private:
   enum Stage { WAIT, RAMP, WATCH, LAST, STAY };
   static constexpr int parts = 3;    // strains of inner ring, balls, outer ring
-  // Doubles only, as in a restart file.
+  // It has doubles only, for restart files.
   struct State {
     raceway::HeatState heat;
-    raceway::HeatPass sum;    // of the present ball pass, times time
+    raceway::HeatPass sum;    // sum of values times time over the present ball pass
     double begun = 0.0, stage = WAIT;
     double since = 0.0;                         // s, in this stage
-    double run = 0.0;                           // s, in all
-    double summed = 0.0;                        // s
-    double oil = 0.0;                           // C, of the present law
+    double run = 0.0;                           // s, in total
+    double summed = 0.0;                        // s, time in `sum`
+    double oil = 0.0;                           // C, oil temperature of the present law
     double begin[raceway::heat_nodes] = {};     // C, at the start
-    double from[parts] = {}, to[parts] = {};    // C, between which clearance follows
-    double jump = 0.0;                          // s, the last one
-    double rows = 0.0;                          // of the file
+    double from[parts] = {}, to[parts] = {};    // C, range of the present ramp of clearance
+    double jump = 0.0;                          // s, length of the last jump
+    double rows = 0.0;                          // number of rows in the file
   };
   using Row = std::array<double, bearing::of_fix_heat::N>;
 
@@ -93,14 +93,14 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   double oil_flow_ = 0.0, oil_inlet_ = NAN;    // m^3/s, C
   raceway::HeatNetwork network_;
   raceway::HeatControl control_;
-  double bearings_ = 1.0;    // that share the temperatures
+  double bearings_ = 1.0;    // number of bearings that share the temperatures
   double pass_ = 0.0;        // s, a ball pass
   double ramp_ = 0.0;        // s, until the end of the load ramp
   int stride_ = 1;           // steps between samples
-  bigint last_step_ = -1;    // that has begun
+  bigint last_step_ = -1;    // last step that has begun
   bool apply_ = false, rewrite_ = false;
   State now_;
-  std::vector<Row> rows_;    // of the file
+  std::vector<Row> rows_;    // rows of the file
   std::string file_name_;
   bearing::TextFile file_;
 };

@@ -14,9 +14,9 @@
 using namespace LAMMPS_NS;
 using raceway::HeatPass;
 
-// Half of a contact's loss goes into each body. Drag heats oil that flows; oil that stays gives its
-// heat to the surfaces it wets. Losses of balls on the cage heat the balls. Sums are in the order
-// of tags, for the same bits on any number of ranks.
+// Half of a contact's loss heats each body. Drag heats oil that flows; oil that stays gives its
+// heat to the surfaces that it wets. Losses of balls on the cage heat the balls. Sums are in the
+// order of tags, for the same bits on any number of ranks.
 HeatPass FixBearingHeat::losses()
 {
   struct Share {

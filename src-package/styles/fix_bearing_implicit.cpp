@@ -33,10 +33,10 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
   settings.relative = relative_;
   if (settings.dampers_only && settings.relative > 0.0)
     args.fail("relative is " + text(settings.relative) +
-              ", must be 0 with 'solve damping', whose tolerance is how far a ball may move");
+              ", must be 0 with 'solve damping', whose tolerance is the distance a ball may move");
   if (settings.dampers_only && settings.error > 1.0)
     args.fail("error is " + text(settings.error) +
-              ", must be 1 with 'solve damping', which estimates none");
+              ", must be 1 with 'solve damping', which estimates no errors");
   const bool can_estimate = !settings.dampers_only && settings.order == 2;
   settings.estimate = estimate_.value_or(can_estimate && pair_->estimates_errors());
   if (settings.estimate && !can_estimate)
@@ -138,8 +138,8 @@ void FixBearingImplicit::init()
   }
 }
 
-// Fixes whose rings are in the group: the same list on all ranks, although ranks own different
-// rings or none.
+// Finds the fixes whose rings are in the group, the same list on all ranks although ranks own
+// different rings or none.
 void FixBearingImplicit::find_rings()
 {
   const std::vector<FixBearingRing *> all = bearing::fixes_of<FixBearingRing>(lmp);
@@ -179,7 +179,7 @@ static bool only_reads(const std::string &style)
 // Error if another fix moves these atoms or applies forces that the step does not include.
 void FixBearingImplicit::check_fixes()
 {
-  // an atom of both this group and the fix's, 0: none
+  // an atom in both this group and the fix's group, 0: none
   auto shared = [this](const Fix &f) {
     for (int i = 0; i < atom->nlocal; ++i)
       if ((atom->mask[i] & groupbit) && (atom->mask[i] & f.groupbit)) return i + 1;
@@ -204,7 +204,7 @@ void FixBearingImplicit::check_fixes()
                        : modify->fmask[k] & POST_FORCE ? "adds forces that "
                                                          "an implicit step does not include"
                                                        : "may change their motion";
-    // whatever their group; recenter may move another group
+    // for fixes of any group; recenter may move another group
     const char *changes = BRG_CHANGES_BOX(f)                 ? "box"
                           : strcmp(f.style, "dt/reset") == 0 ? "timestep"
                           : strcmp(f.style, "recenter") == 0 ? "place of its atoms"
@@ -232,8 +232,8 @@ void FixBearingImplicit::add_gravity(Fix &f)
   if (inside == 1) gravity_.push_back(&f);
 }
 
-// m/s^2, bearing axis third: acceleration of an atom by the gravity fixes in this step. Collective,
-// since a variable may be evaluated.
+// Acceleration of an atom by the gravity fixes in this step, m/s^2, with the bearing axis third.
+// Collective, since a variable may be evaluated.
 raceway::Vec3 FixBearingImplicit::gravity()
 {
   if (gravity_.empty()) return {};

@@ -2,9 +2,9 @@
 // fix bearing/implicit: implicit steps for balls, cage balls and rings
 // (core/step/bearing_integrator.h).
 //
-// Place in the host's step: initial_integrate makes the whole step, in as many substeps as the step
+// In the host's step, initial_integrate makes the whole step, in as many substeps as the step
 // control requires, with its own copy of the state and its own calls of the contact functions. The
-// host's subsequent force evaluation fills the contact table at the end of the step. Reasons:
+// host's subsequent force evaluation fills the contact table at the end of the step. The reasons:
 // output is at host steps, however the substeps vary; the table and all output from it belong to
 // the state that is written, not to a prediction; substeps and repeats cost no neighbour check, no
 // calls of fixes and no clearing of arrays; and a restart needs only positions, velocities and one
@@ -45,18 +45,18 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   void initial_integrate(int) override;
   double compute_scalar() override;
   double compute_vector(int) override;
-  // Number of systems on all ranks: bearings, with those on one shaft counted as one. Each has its
-  // own substeps.
+  // Number of systems on all ranks: bearings, with all bearings on one shaft counted as one. Each
+  // system has its own substeps.
   double systems() const;
   struct Control {
-    double tolerance, relative, cage;    // m; of the largest overlap; m, of cage balls
+    double tolerance, relative, cage;    // m; over the largest overlap; m, of cage balls
     bool estimate;
   };
   Control control() const;
-  // Hz, samples of a record requested by bearing/vibration; 0: by the record
+  // Sampling rate of a record as requested by bearing/vibration, Hz; 0: the record chooses it
   double sampling_rate() const { return sampling_ * oversampling_; }
 
-  // Coarse implicit steps, which damp all vibration, on the way to a state that is settled
+  // Selects coarse implicit steps, which damp all vibration, on the way to a state that is settled
   // afterwards, or the steps of the deck. A deck that measures vibration always uses its own steps.
   void coarse(bool);
   bool can_be_coarse() const { return sampling_ == 0.0; }
@@ -93,18 +93,18 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   bool energy_wanted_ = false, begun_ = false;    // begun_: stored_before_ is set
   bearing::Instants instants_;
   std::set<std::string> readers_;    // commands that request instants
-  double largest_ = HUGE_VAL;        // s, substep
+  double largest_ = HUGE_VAL;        // s, largest substep
   double creep_ = 0.01;
-  double cage_ = 0.0;                           // m, tolerance of cage balls; 0: by the pair style
-  double relative_ = NAN;                       // NAN: by the pair style
-  std::optional<bool> estimate_;                // none: by the pair style
-  double sampling_ = 0.0, oversampling_ = 4;    // Hz, of the signal; samples of a record for each
+  double cage_ = 0.0;                           // m, tolerance of cage balls; 0: set by pair style
+  double relative_ = NAN;                       // NAN: set by the pair style
+  std::optional<bool> estimate_;                // none: set by the pair style
+  double sampling_ = 0.0, oversampling_ = 4;    // Hz, of the signal; record samples per sample
   std::vector<FixBearingRing *> rings_;         // integrated by this fix
   std::vector<Fix *> gravity_;                  // gravity on all atoms of the group
   std::vector<double> forces_;                  // saved while gravity is evaluated
   std::unique_ptr<Solver> solver_;
   int build_ = -1;
-  // of the bearings at home on this rank, since the start of the run
+  // totals of the bearings at home on this rank, since the start of the run
   double substeps_ = 0.0, corrections_ = 0.0, refused_ = 0.0, time_ = 0.0, smallest_ = HUGE_VAL;
   double worst_ = 0.0, stored_before_ = 0.0;
 };

@@ -7,7 +7,7 @@
 using namespace LAMMPS_NS;
 using raceway::BearingModel;
 
-// From the fixes to the bearings.
+// Loads the state from the fixes into the bearings.
 void FixBearingImplicit::load_bends(int p)
 {
   int shaft = 0;
@@ -20,7 +20,7 @@ void FixBearingImplicit::load_bends(int p)
   }
 }
 
-// From the bearings to the fixes on all ranks.
+// Stores the state of the bearings in the fixes on all ranks.
 void FixBearingImplicit::store_bends()
 {
   for (int k = 0; k < static_cast<int>(rings_.size()); ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// State of the bearings within host steps: requests and readout.
+// State of the bearings within host steps: its requests and readout.
 #include "fix_bearing_implicit_solver.h"
 #include "pair_bearing_hertz.h"
 #include "ring_values.h"

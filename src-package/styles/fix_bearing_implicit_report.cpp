@@ -29,8 +29,8 @@ double FixBearingImplicit::systems() const
   return n;
 }
 
-// Over all bearings since the start of the run (bearing::of_fix_implicit); energies are 0 unless
-// requested.
+// Totals over all bearings since the start of the run (bearing::of_fix_implicit); energies are 0
+// unless requested.
 double FixBearingImplicit::compute_vector(int k)
 {
   BearingIntegrator::Energy e = solver_->energy;

@@ -22,7 +22,7 @@ struct FixBearingImplicit::OwnBearing {
 };
 
 struct FixBearingImplicit::Solver {
-  raceway::BearingIntegrator::Settings settings, fine;    // of the present step, of the deck
+  raceway::BearingIntegrator::Settings settings, fine;    // of the present step; of the deck
   raceway::BearingIntegrator::Energy energy;              // of bearings of earlier neighbour builds
   bearing::HomeBearings bearings;
   std::vector<OwnBearing> own;    // one per bearing at home on this rank

@@ -77,7 +77,7 @@ void FixBearingImplicit::build()
   };
   all.unpacked.assign(readers_.size() > 1 ? (instants_.number - 1) * all.bearings.size() : 1, {});
   // A solver shared by identical bearings stays in the caches. With an energy balance or instants,
-  // which belong to one bearing beyond its step, each bearing has its own.
+  // which belong to one bearing beyond its step, each bearing has its own solver.
   const bool shared = !energy_wanted_ && instants_.number < 2;
   using Kind = std::tuple<const void *, size_t, int>;    // distinguishes most kinds
   std::map<Kind, std::vector<std::pair<int, BearingIntegrator *>>> kinds;
@@ -156,7 +156,7 @@ void FixBearingImplicit::initial_integrate(int)
   time_ += update->dt;
 }
 
-// The host's step in equal substeps, as few as the control allows.
+// Makes the host's step in equal substeps, as few as the control allows.
 void FixBearingImplicit::advance(OwnBearing &p)
 {
   const double whole = update->dt;
@@ -226,6 +226,6 @@ void FixBearingImplicit::give_up(const OwnBearing &p, double h) const
           text(o.last) + " m, estimated error " + text(o.error) + " m, tolerance " +
           text(o.tolerance) + " m; " +
           (o.solved() ? "the error is too large" : cause(o.failure, who)) +
-          ". Load too high, rings apart, or the start overlaps");
+          ". Is the load too high, are the rings apart, or do bodies overlap at the start?");
   std::abort();
 }

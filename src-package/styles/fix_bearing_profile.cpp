@@ -91,7 +91,7 @@ void FixBearingProfile::check_notch(const NotchShape &n, const char *what, doubl
   if (!(n.edge < most))
     BRG_ALL(name_of(*this) + ": edge of the " + what + " (m) is " + text(n.edge) +
             ", must be below " + text(most) +
-            ": half the length, or where a ball reaches the bottom");
+            ": half the length, or the distance in which a ball reaches the bottom");
 }
 
 void FixBearingProfile::check_wave(const Wave &w, double radius, double rolling) const
@@ -141,7 +141,7 @@ void FixBearingProfile::check_pits(bearing::tag_t ring, const ProfileShape &shap
       if (apart < 0.5 * (all[i].length + all[k].length))
         BRG_ALL(name_of(*this) + ": two notches with a width overlap on ring " +
                 std::to_string(ring) + ", at " + text(all[i].azimuth) + " and " +
-                text(all[k].azimuth) + " rad; give the longer one width 'full', or one notch");
+                text(all[k].azimuth) + " rad; give the longer one the width 'full', or one notch");
     }
 }
 
@@ -242,7 +242,7 @@ void FixBearingProfile::check_apart(bearing::tag_t ball, const BallShape &shape,
       if (apart * radius < far)
         BRG_ALL(name_of(*this) + ": two pits of ball " + std::to_string(ball) +
                 " have azimuths in common, at " + text(all[i].azimuth) + " and " +
-                text(all[k].azimuth) + " rad; a contact may meet one at a time");
+                text(all[k].azimuth) + " rad; a contact may meet only one at a time");
     }
 }
 

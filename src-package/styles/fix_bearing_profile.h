@@ -32,7 +32,7 @@ class FixBearingProfile : public Fix {
     bearing::tag_t tag;
     int type, turns_alone;    // 1: it spins, and no fix bearing/ring counts its angle
   };
-  std::vector<FlawedRing> rings(PairBearingHertz &) const;    // of the group, on all ranks
+  std::vector<FlawedRing> rings(PairBearingHertz &) const;    // rings of the group, on all ranks
   struct FlawedBall {
     bearing::tag_t tag;
     int type;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/progress: progress of a run and state of the bearings as a readable table: names
-// with units, finished share, remaining time. The host's own table has eight letters per column and
+// fix bearing/progress: progress of a run and state of the bearings as a readable table with names,
+// units, finished share and remaining time. The host's own table has eight letters per column and
 // no units.
 #ifdef FIX_CLASS
 FixStyle(bearing/progress,FixBearingProgress)
@@ -23,15 +23,15 @@ class FixBearingProgress : public Fix {
   void post_run() override;
 
  private:
-  double share() const;    // done, 0 to 1
+  double share() const;    // finished share of the run, 0 to 1
   void show();
   void say(const std::string &line) const;
 
   std::string title_, total_id_;
   bearing::DrivenValue share_;
   class ComputeBearingTotal *total_ = nullptr;
-  double began_ = 0.0;    // s, wall time
-  bigint shown_ = -1;     // step
+  double began_ = 0.0;    // s, wall time at the start
+  bigint shown_ = -1;     // step of the last row
   bool headed_ = false;
 };
 

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 static constexpr size_t batch_bytes = 1 << 20, most_in_batch = 256;
 
-// A note becomes an attribute of the file. Names that scipy's netCDF reader uses would break the
+// A note becomes an attribute of the file. Names that scipy's netCDF reader uses would break that
 // reader; `checksum` is used by the header.
 static void check_note(const Arguments &args, const char *what, const std::string &name)
 {
@@ -61,7 +61,7 @@ FixBearingRecord::FixBearingRecord(LAMMPS *lmp, int narg, char **arg) :
   check_path();
 }
 
-// N steps between samples, or pass/N: N samples in a ball pass during the measurement of
+// Reads N, the steps between samples, or pass/N, N samples in a ball pass during the measurement of
 // run_bearing.
 void FixBearingRecord::read_rate(Arguments &args)
 {
@@ -122,7 +122,7 @@ void FixBearingRecord::read_options(Arguments &args)
     args.fail("'within' takes samples evenly within every step: N must be 1, not " +
               std::to_string(nevery));
   if (!chosen) bearing::select_columns(args, "usual", offer, columns_);
-  // values constant over the samples of a contact are coordinates, not columns
+  // values that are constant over the samples of a contact are coordinates, not columns
   columns_.erase(std::remove_if(columns_.begin(), columns_.end(),
                                 [](const bearing::ContactColumn *c) { return c->names_it; }),
                  columns_.end());
@@ -157,7 +157,7 @@ void FixBearingRecord::read_notes(Arguments &args, Note kind)
 
 int FixBearingRecord::setmask() { return END_OF_STEP | POST_RUN; }
 
-// Error if the folder does not exist.
+// Makes the folder; error if that fails.
 void FixBearingRecord::check_path()
 {
   std::string why;
@@ -177,14 +177,14 @@ void FixBearingRecord::init()
   }
   pair_ = PairBearingHertz::find(lmp, command_);
   context_ = bearing::context_of(lmp, *pair_, columns_, command_);
-  // sums over bearings need it, whichever columns are selected
+  // sums over bearings need these data, whichever columns are selected
   const bearing::Offer offer = bearing::offer_of(lmp, *pair_);
   if (!context_.capacitor && offer.capacitance)
     context_.capacitor = bearing::capacitor_of(lmp, command_, "a capacitance");
   context_.surroundings = offer.surroundings;
 }
 
-// The samples of a ball pass are spread over the steps that run_bearing has chosen.
+// Spreads the samples of a ball pass over the steps that run_bearing has chosen.
 void FixBearingRecord::begin(const bearing::Sampling &sampling)
 {
   nevery = sampling.every;
@@ -193,7 +193,7 @@ void FixBearingRecord::begin(const bearing::Sampling &sampling)
   if (dumps_) begin_dumps();
 }
 
-// The host's text dumps of contacts, balls and rings, at ends of steps, in the folder of the
+// Begins the host's text dumps of contacts, balls and rings, at ends of steps, in the folder of the
 // record. run.yaml names their columns.
 void FixBearingRecord::begin_dumps()
 {
@@ -222,7 +222,7 @@ void FixBearingRecord::note(NetcdfHeader::Attribute one, bool changes)
   notes_.push_back(one);
 }
 
-// At the start of every run: the first sample, unless the previous run ended with it.
+// Takes the first sample at the start of every run, unless the previous run ended with it.
 void FixBearingRecord::setup(int)
 {
   if (waits()) return;
@@ -323,11 +323,11 @@ void FixBearingRecord::open()
   refuse(bearing::write_run_yaml(folder_, about_, {}));
 }
 
-// The fix bearing/heat of each bearing; empty if there is none at all.
+// Finds the fix bearing/heat of each bearing; the list is empty if there is no such fix.
 void FixBearingRecord::find_heats()
 {
   heats_.clear();
-  std::vector<int> type(layout_.bearings.size(), 0);    // of its balls
+  std::vector<int> type(layout_.bearings.size(), 0);    // type of a bearing's balls
   for (const bearing::RecordLayout::RecordBody &b : layout_.balls)
     if (const int i = atom->map(static_cast<bearing::tag_t>(b.tag)); i >= 0)
       type[b.bearing] = atom->type[i];
@@ -344,7 +344,8 @@ void FixBearingRecord::find_heats()
   if (any) heats_ = found;
 }
 
-// Before the first step: a finished run in the folder is kept unless it may be overwritten.
+// Checks before the first step that a finished run in the folder is not overwritten unless this is
+// allowed.
 void FixBearingRecord::check_finished()
 {
   if (allowed_) return;

@@ -2,7 +2,7 @@
 // fix bearing/record: a folder with all data of the bearings of a group, evenly sampled, in
 // one netCDF file (core/record/record_file.h).
 //
-// At the end of a step every rank samples the atoms that it owns, within a step the bearings at
+// At the end of a step every rank samples the atoms that it owns; within a step, the bearings at
 // home on it (core/record/record_rows.h). Rows of a batch of samples go together to rank 0, which
 // sorts them, sums over bearings and writes. The restart file stores the length of the file; a
 // continued run truncates the file to that length and writes the same bytes.
@@ -36,7 +36,7 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   void restart(char *) override;
   double memory_usage() override;
 
-  // samples requested of run_bearing; 0: N steps instead
+  // Samples per ball pass, requested from run_bearing; 0: N steps between samples instead
   double samples_a_pass() const { return a_pass_; }
   int within_asked() const { return within_; }    // 0: chosen by run_bearing
   // A number of samples in a ball pass that differs from the requested one, for the notes.
@@ -72,26 +72,26 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   void refuse_write(const std::string &complaint) const;
   double time_of(double step) const;
   struct Spent {
-    double wall = 0.0, processor = 0.0;       // s, of this rank
-    double steps = 0.0, evaluations = 0.0;    // of the integrator, per bearing
+    double wall = 0.0, processor = 0.0;       // s, times of this rank
+    double steps = 0.0, evaluations = 0.0;    // work of the integrator, per bearing
   };
   void start_clocks();
   void stop_clocks();
-  Spent made() const;    // in the present run
+  Spent made() const;    // spent in the present run
   Spent spent_now() const;
 
   class PairBearingHertz *pair_;
   std::string command_, folder_, path_;
   bool single_ = false, sampled_ = true, motion_ = true, overwrite_ = false;
-  bearing::NetcdfHeader::Attributes notes_, about_;    // from the command; with the derived ones
+  bearing::NetcdfHeader::Attributes notes_, about_;    // of the command; with derived attributes
   bearing::ContactSelection columns_;
   bearing::ContactContext context_;
   bool dumps_ = false;
   int within_ = 1;                                         // samples per step, the last at its end
   double a_pass_ = 0.0;                                    // samples in a ball pass
   bool allowed_ = false;                                   // its folder may be overwritten
-  std::vector<class FixBearingImplicit *> integrators_;    // that provide instants between steps
-  std::vector<class FixBearingHeat *> heats_;    // by bearing, null: none; empty without any
+  std::vector<class FixBearingImplicit *> integrators_;    // they provide instants between steps
+  std::vector<class FixBearingHeat *> heats_;    // by bearing, null: none; empty if all are null
   bearing::TagSet capacitors_;                   // balls with a capacitance
 
   bool open_ = false;
@@ -102,8 +102,8 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   double first_step_ = 0.0, start_ = 0.0, last_step_ = -1.0, step_length_ = 0.0;
   double left_ = -1.0;    // step at the end of the previous run, or of the restart file
   bool resumed_ = false, running_ = false;
-  Spent clocks_;    // at the start of the present run
-  Spent spent_;     // in the previous runs
+  Spent clocks_;    // clocks at the start of the present run
+  Spent spent_;     // spent in the previous runs
 };
 
 }    // namespace LAMMPS_NS

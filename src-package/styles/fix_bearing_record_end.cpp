@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Time and steps spent by a run: at its end, and in a restart file.
+// Time and steps spent by a run, at its end and in a restart file.
 #include "fix_bearing_record.h"
 #include "integrator_work.h"
 #include "record_settings.h"
@@ -10,7 +10,7 @@
 using namespace LAMMPS_NS;
 using bearing::NetcdfHeader;
 
-// s, processor time of this process
+// Processor time of this process, s
 static double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 void FixBearingRecord::start_clocks()
@@ -79,7 +79,7 @@ FixBearingRecord::Spent FixBearingRecord::spent_now() const
   return sum;
 }
 
-// Collective: every sample counted in the restart file is written to the record first.
+// Writes every sample counted in the restart file to the record first; collective.
 void FixBearingRecord::write_restart(FILE *fp)
 {
   flush();

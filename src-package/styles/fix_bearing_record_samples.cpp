@@ -59,7 +59,7 @@ void FixBearingRecord::sample(bool between)
   samples_ += 1.0;
 }
 
-// Samples within the step of the bearings at home on this rank.
+// Takes samples within the step of the bearings at home on this rank.
 void FixBearingRecord::sample_instants()
 {
   bearing::InstantReader tell;
@@ -88,7 +88,7 @@ void FixBearingRecord::sample_instants()
   }
 }
 
-// Contacts of the balls of this rank.
+// Samples the contacts of this rank's balls.
 void FixBearingRecord::sample_contacts()
 {
   for (const RacewayContact &c : pair_->table().raceway) {
@@ -100,13 +100,14 @@ void FixBearingRecord::sample_contacts()
   }
 }
 
-// Sample of an open contact of a ball for which a fix computes surroundings.
+// Samples an open contact of a ball for which a fix computes surroundings.
 void FixBearingRecord::sample_gap(int ball, const bearing::ContactView &view)
 {
   if (view.capacitor.separation > 0.0) rows_.gap(ball, view);
 }
 
-// A ball is assigned half of its losses to other balls and all of its losses to cage balls.
+// A ball is assigned half of the losses at contacts with other balls and all of the losses at
+// contacts with cage balls.
 void FixBearingRecord::sample_cage()
 {
   for (const bearing::SphereContact &s : pair_->table().sphere) {
@@ -122,7 +123,7 @@ void FixBearingRecord::sample_cage()
     for (const bearing::CageRails::CageBall &b : f->rails().balls) rows_.rail(b.tag, b.loss);
 }
 
-// Balls, cage balls and rings of this rank.
+// Samples the balls, cage balls and rings of this rank.
 void FixBearingRecord::sample_parts()
 {
   for (int i = 0; i < atom->nlocal; ++i)

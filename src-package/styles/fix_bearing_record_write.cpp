@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Samples of all ranks, put together and written.
+// Combines and writes the samples of all ranks.
 #include "../ranks/gather.h"
 #include "fix_bearing_heat.h"
 #include "fix_bearing_record.h"
@@ -17,7 +17,7 @@ void FixBearingRecord::end_sample(double step)
   if (rows_.full()) flush();
 }
 
-// All ranks.
+// Sends the rows of all ranks to rank 0, which writes them; call it on all ranks.
 void FixBearingRecord::flush()
 {
   const size_t samples = rows_.samples();

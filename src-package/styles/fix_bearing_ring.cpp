@@ -74,7 +74,7 @@ void FixBearingRing::settings_are_read()
   }
 }
 
-// Finds the rings again for every run, since the group may change between two runs.
+// Finds the rings anew for every run, since the group may change between two runs.
 void FixBearingRing::find_rings()
 {
   const std::string group_name = group->names[igroup];
@@ -150,18 +150,18 @@ void FixBearingRing::init()
     settings_.value[k].check(lmp, bearing::name_of(*this));
     if (settings_.value[k].by_atom()) own_.push_back(k);
   }
-  grow_arrays(atom->nmax);    // atoms are sorted and exchanged before the values are set
+  grow_arrays(atom->nmax);    // because atoms are sorted and exchanged before the values are set
   int by_another = 0;
   for (int i = 0; i < atom->nlocal; ++i)
     if (moves(i) && pair_->is_implicit(i)) by_another = 1;
   MPI_Allreduce(MPI_IN_PLACE, &by_another, 1, MPI_INT, MPI_MAX,
-                world);    // ranks without rings need it too
+                world);    // ranks without rings also need it
   by_another_ = by_another;
   time_integrate = by_another_ ? 0 : 1;
   find_holder();
   if (mass_of_atom() > 0.0)
     for (int i = 0; i < atom->nlocal; ++i)
-      if (moves(i)) atom->rmass[i] = mass_of_atom();    // kinetic energy in thermo output
+      if (moves(i)) atom->rmass[i] = mass_of_atom();    // for the kinetic energy in thermo output
 }
 
 // Finds the ring at the other end of the supports. That ring has its own fix, which must make
@@ -174,23 +174,23 @@ void FixBearingRing::find_holder()
   if (settings_.holder.empty()) return;
   const std::string me = bearing::name_of(*this);
   const int which = group->find(settings_.holder.c_str());
-  if (which < 0) BRG_ALL(me + ": there is no group '" + settings_.holder + "' to hold to");
+  if (which < 0) BRG_ALL(me + ": there is no group '" + settings_.holder + "' to hold its ring");
   std::vector<bearing::tag_t> mine;
   for (int i = 0; i < atom->nlocal; ++i)
     if (atom->mask[i] & group->bitmask[which]) mine.push_back(atom->tag[i]);
   const std::vector<bearing::tag_t> all = bearing::gather_all(mine, world);
   if (all.size() != 1)
-    BRG_ALL(me + ": group '" + settings_.holder + "' to hold to has " + std::to_string(all.size()) +
-            " atoms, must have one ring");
+    BRG_ALL(me + ": group '" + settings_.holder + "' that holds its ring has " +
+            std::to_string(all.size()) + " atoms, must have one ring");
   for (FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp))
     if (std::binary_search(f->tags_.begin(), f->tags_.end(), all.front())) holder_moves_by_ = f;
   const std::string ring = "ring " + std::to_string(all.front());
   if (!holder_moves_by_ || holder_moves_by_ == this)
-    BRG_ALL(me + ": " + ring + " to hold to needs a fix bearing/ring of its own");
+    BRG_ALL(me + ": " + ring + ", which holds its ring, needs a fix bearing/ring of its own");
   if (holder_moves_by_->shaft() != 0)
-    BRG_ALL(me + ": " + ring + " to hold to is on a shaft, must move alone");
+    BRG_ALL(me + ": " + ring + ", which holds its ring, is on a shaft, must move alone");
   if (!holder_moves_by_->settings_.holder.empty())
-    BRG_ALL(me + ": " + ring + " to hold to is held to another ring, must be held to the ground");
+    BRG_ALL(me + ": " + ring + ", which holds its ring, must itself be held to the ground");
   bearing::require_order(lmp, *this, *holder_moves_by_,
                          "its last half step comes after the supports' forces");
   holder_ = all.front();
@@ -202,7 +202,7 @@ void FixBearingRing::setup(int vflag)
 {
   if (holder_moves_by_ && holder_moves_by_->by_another_ != by_another_)
     BRG_ALL(bearing::name_of(*this) + " and " + bearing::name_of(*holder_moves_by_) +
-            ", whose ring it holds to, need the same integrator");
+            ", whose ring holds its ring, need the same integrator");
   find_own_values();
   evaluate(0, RingProgram::N_VALUE);
   before_ = now_;

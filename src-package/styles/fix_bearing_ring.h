@@ -42,14 +42,15 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   }
   bool tilts() const { return settings_.program.tilts(); }
   bool moves_axially() const { return settings_.program.mode[2] != raceway::Freedom::fixed; }
-  // rad/s by local atom, at the present time: NAN for others, and where no spin is imposed.
+  // Imposed spin by local atom at the present time, rad/s; NAN for other atoms, and if no spin is
+  // imposed.
   std::vector<double> imposed_spin();
   const bearing::StatedLoads &stated_loads() const { return settings_.stated; }
   // True if imposed loads and motions are constant after the ramp, whatever the angle of the ring.
   bool constant() const;
-  double ramp() const { return settings_.program.ramp; }    // s, of its loads
-  // Tag of its first ring if all of them are on one shaft, else 0; position of a ring on the shaft
-  // (m).
+  double ramp() const { return settings_.program.ramp; }    // s, ramp time of its loads
+  // Tag of its first ring if all its rings are on one shaft, otherwise 0; position of a ring on the
+  // shaft (m).
   virtual bearing::tag_t shaft() const { return 0; }
   virtual double place_on_shaft(int) const { return 0.0; }
   // This fix if it is a flexible shaft, otherwise null.
@@ -57,10 +58,10 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   // Tag of the ring that its supports connect to, 0: ground.
   bearing::tag_t holder() const { return holder_; }
   void begin_step();
-  // Accelerations from the forces of all fixes at the start of a run. Collective.
+  // Notes accelerations from the forces of all fixes at the start of a run. Collective.
   void note_setup();
-  // Force balance of its first ring along its free directions (N): the load and the residual after
-  // the contacts.
+  // Force balance of its first ring along its free directions (N): the load, and the part of it
+  // that contacts do not carry.
   struct Balance {
     raceway::Vec3 load, left;
   };
@@ -105,7 +106,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   raceway::Vec3 load_of(const RingProgram &, int i) const;    // the bearing axis third, N
   raceway::RingAtom read(int i) const;
   void write(int i, const raceway::RingAtom &);
-  // Forces of the supports on a ring (SPIN numbers, N and N m) with all others given.
+  // Forces of the supports on a ring (SPIN numbers, N and N m), with all other forces given.
   static void support_of(const RingProgram &, const raceway::RingAtom &, const raceway::Vec3 &push,
                          const raceway::Vec3 &moment, double half, double *on);
   virtual void kick();
@@ -122,7 +123,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   double reported(int row, int k);
 
   PairBearingHertz *pair_;
-  int only_type_ = 0;    // of the atoms of the group that it moves, 0: all
+  int only_type_ = 0;    // type of the atoms of the group that it moves, 0: all
   FixBearingState *state_ = nullptr;
   raceway::LabAxes axes_;
   bearing::RingSettings settings_;
@@ -132,13 +133,13 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   struct Imposed {
     double at[RingProgram::N_DOF] = {NAN, NAN, NAN, NAN, NAN, NAN};
     double moved[RingProgram::N_DOF] = {},
-           before[RingProgram::N_DOF] = {};    // in the last two steps
+           before[RingProgram::N_DOF] = {};    // changes in the last two steps
   } imposed_;
-  // in a restart file
+  // count of numbers in a restart file
   static constexpr size_t numbers_kept = 1 + sizeof(Imposed) / sizeof(double);
-  Values now_, before_;                 // values of all rings; those of the previous step
+  Values now_, before_;                 // values of all rings in this and the previous step
   std::vector<int> own_;                // indices of the values given per ring
-  std::vector<Values> per_ring_;        // the same by local atom
+  std::vector<Values> per_ring_;        // these values by local atom
   bool called_back_ = false;            // the host moves per_ring_ with the atoms
   bool by_another_ = false;             // a fix bearing/implicit integrates these rings
   std::vector<bearing::tag_t> tags_;    // tags of the rings, ascending
@@ -146,7 +147,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   FixBearingRing *holder_moves_by_ = nullptr;
   // N, bearing axis third: forces of supports between two rings on rings of this fix in this step
   std::map<bearing::tag_t, raceway::Vec3> between_;
-  std::vector<ContactLoad> contacts_;    // of the owned rings of the group, by tag, last step
+  std::vector<ContactLoad> contacts_;    // for owned rings of the group, by tag, in the last step
   std::vector<double> report_;
   bigint reported_ = -1;
   bool noted_ = true;    // the accelerations follow from the forces in atom->f

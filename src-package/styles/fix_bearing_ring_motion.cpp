@@ -30,7 +30,7 @@ void FixBearingRing::write(int i, const RingAtom &r)
   axes_.lab(r.w).to(atom->omega[i]);
 }
 
-// Half a velocity step from the forces.
+// Changes velocities by half a step under the forces.
 void FixBearingRing::kick()
 {
   const double half = 0.5 * update->dt * force->ftm2v;
@@ -111,7 +111,7 @@ void FixBearingRing::hold(double half)
     }
 }
 
-// The same for supports to another ring. All ranks compute all of them, because the two rings may
+// As above for supports to another ring. All ranks compute all of them, because the two rings may
 // be on different ranks.
 void FixBearingRing::hold_between(double half)
 {
@@ -159,7 +159,7 @@ void FixBearingRing::hold_between(double half)
   holder_moves_by_->add_support(holder_, all);
 }
 
-// Adds it to force and moment of the ring on its owner, and to the output.
+// Adds a support force to force and moment of the ring on its owner, and to the output.
 void FixBearingRing::add_support(bearing::tag_t ring, const double *on)
 {
   const Vec3 force = {on[0], on[1], on[2]};

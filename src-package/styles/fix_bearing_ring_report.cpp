@@ -34,7 +34,7 @@ void FixBearingRing::make_report()
     const auto contact =
         std::lower_bound(contacts_.begin(), contacts_.end(), atom->tag[i],
                          [](const ContactLoad &c, bearing::tag_t tag) { return c.ring < tag; });
-    if (contact == contacts_.end() || contact->ring != atom->tag[i]) continue;    // none yet
+    if (contact == contacts_.end() || contact->ring != atom->tag[i]) continue;    // no load yet
     contact->force.to(r + FX);
     contact->moment.to(r + MX);
     r[TORQUE] = dot(contact->moment, ring.axis);
@@ -89,7 +89,7 @@ FixBearingRing::Balance FixBearingRing::balance()
 
 std::vector<bearing::ColumnList::Item> FixBearingRing::columns() const
 {
-  // its motion and the forces on it; the load comes from the deck
+  // motion of the ring and forces on it; the load comes from the deck
   std::vector<Item> list;
   for (int k = 0; k < bearing::of_fix_ring::LOAD_X; ++k)
     list.push_back({bearing::of_fix_ring::list[k].name, bearing::of_fix_ring::list[k].format});

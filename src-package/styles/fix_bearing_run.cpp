@@ -110,7 +110,7 @@ void FixBearingRun::end_pass()
   if (orbit_.runs()) search_orbit();
 }
 
-// Without an orbit the ball passes are counted again.
+// If there is no orbit, the ball passes are counted again from 0.
 void FixBearingRun::search_orbit()
 {
   Settling settling;
@@ -126,7 +126,7 @@ void FixBearingRun::search_orbit()
   now_.begin_steps = static_cast<double>(update->ntimestep);
 }
 
-// After the fix that may stop the run and write a restart file, which counts this run itself.
+// Runs after the fix that may stop the run and write a restart file, which counts this run itself.
 void FixBearingRun::post_run()
 {
   if (now_.measures == 0.0) now_.evaluations += bearing::integrator_work(lmp).evaluations;

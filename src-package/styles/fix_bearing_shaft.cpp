@@ -70,7 +70,7 @@ double FixBearingShaft::mass_of_atom() const
   return settings_.program.mass / static_cast<double>(tags_.size());
 }
 
-// Error unless the rings start on one axis, parallel to that of the bearings.
+// Error unless the rings start on one axis, parallel to the axis of the bearings.
 void FixBearingShaft::check_axis() const
 {
   const std::vector<MountedRing> all = rings();
@@ -83,8 +83,7 @@ void FixBearingShaft::check_axis() const
   }
 }
 
-// Error unless positions and velocities of the rings are those of a rigid body at the start of a
-// run.
+// Error unless positions and velocities of the rings match a rigid body at the start of a run.
 void FixBearingShaft::check_places() const
 {
   const std::vector<MountedRing> all = rings();
@@ -98,7 +97,7 @@ void FixBearingShaft::check_places() const
     if (off > exact)
       BRG_ALL(who + " is " + text(off) + " m off its place on the shaft of ring atom " + first);
     if (turned > exact)
-      BRG_ALL(who + " is tilted " + text(turned) + " rad against ring atom " + first);
+      BRG_ALL(who + " is tilted " + text(turned) + " rad relative to ring atom " + first);
     if (fast > exact + 1e-9 * norm(seat.v))
       BRG_ALL(who + " is " + text(fast) + " m/s faster than the shaft of ring atom " + first);
     if (spun > 1e-9 * (1.0 + norm(seat.w)))
@@ -106,7 +105,8 @@ void FixBearingShaft::check_places() const
   }
 }
 
-// Error for fix gravity, which would act at the rings although the centre of mass may be elsewhere.
+// Error if there is a fix gravity: it would act at the rings, whereas the centre of mass may be
+// elsewhere.
 void FixBearingShaft::check_gravity() const
 {
   for (int k = 0; k < modify->nfix; ++k) {
@@ -115,7 +115,7 @@ void FixBearingShaft::check_gravity() const
     for (int i = 0; i < atom->nlocal; ++i)
       if (moves(i) && (atom->mask[i] & f.groupbit))
         BRG_ONE(bearing::name_of(*this) + ": fix " + f.id +
-                " (gravity) pulls its rings. Without fix bearing/implicit give the weight by "
+                " (gravity) pulls its rings. Without fix bearing/implicit give the weight with "
                 "'load Z FX FY FZ' at the centre of mass");
   }
 }
@@ -126,7 +126,7 @@ void FixBearingShaft::setup(int vflag)
   check_places();
 }
 
-// Reduces loads along the shaft to those at its centre.
+// Reduces loads along the shaft to loads at its centre.
 void FixBearingShaft::evaluate(int first, int last)
 {
   FixBearingRing::evaluate(first, last);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix bearing/shaft: the ring atoms of a group on one rigid shaft. It is a fix bearing/ring whose
-// rings move as one: degrees of freedom, inertia and loads are those of the shaft. The shaft has no
+// rings move as one: degrees of freedom, inertia and loads belong to the shaft. The shaft has no
 // atom; its first ring defines its position (core/bodies/shaft_ring.h). A flexible shaft also has
 // elastic modes (core/bodies/shaft_modes.h), whose state is stored here.
 #ifdef FIX_CLASS
@@ -47,14 +47,14 @@ class FixBearingShaft : public FixBearingRing {
     bearing::tag_t tag;
     double at;    // m, from the shaft's centre
     raceway::RingAtom now;
-    raceway::Vec3 force, moment;    // of the atom
-    raceway::Vec3 contact[2];       // of balls and cage: force and moment
+    raceway::Vec3 force, moment;    // on the atom
+    raceway::Vec3 contact[2];       // force and moment of balls and cage
   };
   // The shaft and the loads at its centre.
   struct Whole {
     raceway::RingAtom shaft;
-    raceway::Vec3 push, moment;    // total of the rings' atoms
-    raceway::Vec3 contact[2];      // of balls and cage
+    raceway::Vec3 push, moment;    // total on the rings' atoms
+    raceway::Vec3 contact[2];      // force and moment of balls and cage
     std::vector<MountedRing> rings;
   };
 
@@ -98,7 +98,7 @@ class FixBearingShaft : public FixBearingRing {
   bearing::ShaftSettings shaft_;
   raceway::BendState bend_;
   std::vector<double> places_;    // m, of its rings from the centre, by tag
-  double middle_ = 0.0;           // m, along the axis: middle of its rings
+  double middle_ = 0.0;           // m, position of the middle of its rings along the axis
   raceway::RingAtom between_;     // the shaft between kick and drift
 };
 

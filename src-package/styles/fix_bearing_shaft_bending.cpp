@@ -15,7 +15,7 @@ using raceway::RingProgram;
 using raceway::ShaftModes;
 using raceway::Vec3;
 
-static constexpr double near_enough = 1e-6;    // m, of a station
+static constexpr double near_enough = 1e-6;    // m, distance from a station
 
 Deflection FixBearingShaft::deflection(double at) const { return {modes().station(at), bend_}; }
 
@@ -123,7 +123,7 @@ void FixBearingShaft::restart(char *buf)
   if (modes != static_cast<double>(n))
     BRG_ALL(bearing::name_of(*this) + ": the restart file has " + text(modes / 2.0) +
             " modes of the shaft, the deck has " + std::to_string(n / 2) +
-            (shaft_.of_file ? "" : ", a rigid one"));
+            (shaft_.of_file ? "" : ", a rigid shaft"));
   if (n == 0) return;
   memcpy(bend_.place.data(), buf, n * sizeof(double));
   memcpy(bend_.rate.data(), buf + n * sizeof(double), n * sizeof(double));

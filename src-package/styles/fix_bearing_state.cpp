@@ -99,8 +99,8 @@ double *FixBearingState::kept(int i, bearing::tag_t ring, int groove)
   return p.kept[n];
 }
 
-// Called by rails and then by the pair style; only the first call in a step sends data. Axes that
-// no fix rotates are sent only to new ghosts.
+// It is called by rails and then by the pair style; only the first call in a step sends data. Axes
+// that no fix rotates are sent only to new ghosts.
 void FixBearingState::forward_axes()
 {
   if (comm->nprocs == 1 || axes_sent_ == update->ntimestep || (axes_sent_ >= 0 && !axes_turn_))

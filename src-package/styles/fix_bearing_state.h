@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Internal fix of the bearing pair styles: state of balls and rings from step to step besides
-// position and velocity, across ranks and restarts. Created by the pair style; users need not name
-// it.
+// Internal fix of the bearing pair styles: state of balls and rings that is kept from step to step
+// in addition to position and velocity, across ranks and restarts. The pair style creates it; users
+// need not name it.
 //
-// ball: contact state, by ring and groove; orientation, if a profile needs it ring: axis, spin
-// angle, origin, imposed tilt all:  force and torque at the end of a run
+//   ball  contact state, by ring and groove; orientation, if a profile needs it
+//   ring  axis, spin angle, origin, imposed tilt
+//   all   force and torque at the end of a run
 //
 // The next run (or a restart) starts its first half kick from these forces, with the bits of the
 // previous step, instead of from forces at full-step velocities.
@@ -27,7 +28,7 @@ namespace bearing {
 class PairHooks {
  public:
   virtual raceway::Vec3 axis() const = 0;    // axis of the bearings at the start
-  virtual void indices_changed() = 0;        // local ones, after a neighbour build
+  virtual void indices_changed() = 0;        // local indices, after a neighbour build
   virtual void forces_known() = 0;           // at the end of the set-up of a run
   virtual void after_step() = 0;             // every tenth step
   virtual void run_done() = 0;
@@ -44,7 +45,7 @@ class FixBearingState : public Fix {
  public:
   struct PerAtom;
   static constexpr const char *fixed_id = "BEARING_STATE";
-  static constexpr int max_grooves = 4;    // with contact state per ball
+  static constexpr int max_grooves = 4;    // grooves with contact state per ball
   static constexpr int room = raceway::most_states;
 
   using RingMotion = bearing::RingMotion;
@@ -59,9 +60,9 @@ class FixBearingState : public Fix {
   void post_run() override;
 
   const raceway::Vec3 &axis(int i) const { return per_atom_[i].ring.axis; }
-  double angle(int i) const { return per_atom_[i].ring.angle; }    // rad, of ghosts too
+  double angle(int i) const { return per_atom_[i].ring.angle; }    // rad, also for ghosts
   RingMotion &ring(int i) { return per_atom_[i].ring; }
-  // Rotation from the body axes of a ball to those with the bearing axis third.
+  // Rotation from the body axes of a ball to axes with the bearing axis third.
   raceway::Quaternion &turn(int i) { return per_atom_[i].turn; }
   // Contact state of a ball in a groove; new contacts start at 0.
   double *kept(int i_ball, bearing::tag_t ring, int groove);
@@ -69,9 +70,10 @@ class FixBearingState : public Fix {
   int owner(int i) const
   {
     return i < atom->nlocal ? comm->me : per_atom_[i].owner;
-  }    // rank; of ghosts since then
+  }    // rank; for ghosts as of the last forward_axes()
   std::vector<PerAtom> &per_atom() { return per_atom_; }
-  // In the set-up of a run: axes and angles of rings are constant unless a fix declares otherwise.
+  // Called in the set-up of a run: axes and angles of rings are constant unless a fix declares
+  // otherwise.
   void keep_axes() { axes_turn_ = false; }
   void follow_axes() { axes_turn_ = true; }
   void ghost_reach(double cut)
@@ -105,7 +107,7 @@ class FixBearingState : public Fix {
     bool saved = false;    // force and torque below belong to saved_step
     double saved_step = -1.0;
     double force[3] = {}, torque[3] = {};
-    int owner = 0;    // of a ghost
+    int owner = 0;    // owner of a ghost
   };
 
  private:
@@ -116,7 +118,7 @@ class FixBearingState : public Fix {
   std::vector<PerAtom> per_atom_;
   bearing::PairHooks *pair_;
   double reach_ = 0.0;
-  bigint axes_sent_ = -1;    // step
+  bigint axes_sent_ = -1;    // step in which axes were last sent
   bool axes_turn_ = true;    // some ring may tilt in this run, or its angle is needed
 };
 

@@ -33,7 +33,7 @@ class FixBearingTimestep : public Fix {
   PairBearingHertz *pair_ = nullptr;
   double safety_ = 0.3, largest_ = HUGE_VAL;
   bool adapt_ = false, warned_ = false;
-  bool goes_on_ = false;    // a restart file contains its step and the check before it
+  bool goes_on_ = false;    // a restart file has its step and the previous check
   int exceed_ = warn;
   double limit_ = HUGE_VAL, smallest_limit_ = HUGE_VAL;
   double run_start_ = 0.0;    // wall clock

@@ -20,7 +20,7 @@ class FixBearingVerlet : public Fix {
   void init() override;
 
  private:
-  std::string name() const { return std::string(id) + "_BALLS"; }    // of group and host's fix
+  std::string name() const { return std::string(id) + "_BALLS"; }    // name of group and host's fix
 };
 
 }    // namespace LAMMPS_NS

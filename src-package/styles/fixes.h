@@ -18,7 +18,7 @@ template <class T> std::vector<T *> fixes_of(LAMMPS_NS::LAMMPS *lmp)
   return list;
 }
 
-// For messages: "fix ID style".
+// Name of a fix for messages: "fix ID style".
 inline std::string name_of(const LAMMPS_NS::Fix &fix)
 {
   return std::string("fix ") + fix.id + " " + fix.style;

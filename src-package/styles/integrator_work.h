@@ -12,8 +12,8 @@ struct IntegratorWork {
   double steps = 0.0, evaluations = 0.0;    // per bearing
 };
 
-// Since the start of the present run, until its post_run(); collective. Velocity Verlet evaluates
-// the forces once per step.
+// Work since the start of the present run, until its post_run(); collective. Velocity Verlet
+// evaluates the forces once per step.
 IntegratorWork integrator_work(LAMMPS_NS::LAMMPS *);
 
 }    // namespace bearing

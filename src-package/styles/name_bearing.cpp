@@ -108,11 +108,11 @@ void NameBearing::refuse_chain_data(const Arguments &args, const NamedBearing &b
   for (const std::string &given : b.given)
     for (const std::string name : {"cage_ball_diameter", "pocket_play"})
       if (given.compare(0, name.size() + 1, name + "=") == 0)
-        args.fail(name + " is of a cage of balls, but the cage of bearing " + b.name +
+        args.fail(name + " belongs to a cage of balls, but the cage of bearing " + b.name +
                   " is a ring: give it cage_play, or choose 'cage chain'");
 }
 
-// Complete data, and the raceways with their clearance or arches.
+// Completes the data, and derives the raceways with their clearance or arches.
 void NameBearing::derive(const Arguments &args, NamedBearing &b)
 {
   DataValues::Map &map = b.data.values;
@@ -136,7 +136,7 @@ void NameBearing::derive(const Arguments &args, NamedBearing &b)
     laws.at("usual_data")(values);
   } else if (values.number("contact_angle") != 0.0) {
     args.fail("contact_angle is " + map["contact_angle"] +
-              ", must be 0 (needs a bearing by its usual data, as 7208)");
+              ", must be 0 (needs a bearing with usual data, such as 7208)");
   }
   bearing::check_data(args, b.data, "bearing data");
   // rounded to as many digits as the host's formula in earlier decks
@@ -145,7 +145,7 @@ void NameBearing::derive(const Arguments &args, NamedBearing &b)
   laws.at("four_point")(values);
 }
 
-// Numbers that a deck uses in formulas or prints.
+// Sets the numbers that a deck uses in formulas or prints.
 void NameBearing::set_variables(const NamedBearing &b)
 {
   const auto set = [&](const std::string &name, const std::string &value) {
@@ -168,6 +168,6 @@ void NameBearing::set_variables(const NamedBearing &b)
   number("skin", 0.4 * b.number("ball_diameter"));
   set("box", b.word("b_box"));
   set("cage_style", b.has_cage_ring ? "cage/ring" : "cage");
-  // of create_bearing: balls, cage balls, both rings, a cage that is a ring
+  // atoms in the order of create_bearing: balls, cage balls, both rings, a cage that is a ring
   number("inner_atom", b.number("balls") * (b.has_cage ? 2.0 : 1.0) + 1.0);
 }

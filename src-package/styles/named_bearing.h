@@ -20,8 +20,8 @@ struct NamedBearing {
   NamedData data;
 
   std::vector<std::string> given;            // data given by the user, NAME=VALUE
-  mutable bool in_use = false;               // of the present box
-  mutable std::map<tag_t, double> phases;    // rad, of the first ball as created, by cage ring
+  mutable bool in_use = false;               // it is in the present box
+  mutable std::map<tag_t, double> phases;    // rad, first ball's phase as created, by cage ring
 
   double number_or(const std::string &key, double missing) const
   {
@@ -31,11 +31,11 @@ struct NamedBearing {
   double number(const std::string &key) const { return std::atof(word(key).c_str()); }
 };
 
-// Stores a bearing for this instance of the host; one of the same name is replaced.
+// Stores a bearing for this instance of the host; a bearing of the same name is replaced.
 void keep_bearing(const LAMMPS_NS::LAMMPS *, const NamedBearing &);
-// Null if there is none.
+// The bearing of that name; null if there is none.
 const NamedBearing *find_bearing(const LAMMPS_NS::LAMMPS *, const std::string &name);
-// Error that lists the existing names.
+// The bearing of that name; otherwise an error that lists the existing names.
 const NamedBearing &bearing_of(LAMMPS_NS::LAMMPS *, const Arguments &, const std::string &name);
 // The bearing whose balls or inner ring have that type; null if there is none.
 const NamedBearing *bearing_of_type(const LAMMPS_NS::LAMMPS *, int type);

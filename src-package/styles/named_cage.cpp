@@ -17,7 +17,7 @@ using namespace LAMMPS_NS;
 
 namespace bearing {
 
-// Parts of a cage's friction and drag that `names`, joined by +, leave out
+// Parts of a cage's friction and drag to leave out, from `names`, which are joined by +
 static std::set<std::string> left_out(Arguments &args, const std::string &names)
 {
   const std::set<std::string> parts = {"friction", "shear", "land", "churning"};

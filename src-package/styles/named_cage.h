@@ -11,7 +11,7 @@ namespace bearing {
 // [cage_mass M] [cage_young E] [cage_poisson NU] [cage_friction MU] [cage_filled X]
 // [cage_guide balls|inner|outer] [cage_land R] [cage_clearance C] [cage_width B]
 // [cage_without PART+...] (friction, shear, land, churning). The play is
-// estimated as `usual_play` of the ball's diameter (docs/cage), the mass as that of a pressed
+// estimated as `usual_play` of the ball's diameter (docs/cage), the mass as the mass of a pressed
 // steel cage, 10 g in a 6205, scaled by D^2 d_m. The cage moves in the plane if every ring does.
 std::vector<std::string> cage_words(LAMMPS_NS::LAMMPS *, Arguments &, const NamedBearing &);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The balls of one bearing in the form that `settle orbit` uses: by slot, one of as many positions
-// around the ring, which the balls pass one after the other. In a ball pass every ball moves to the
-// next slot.
+// The balls of one bearing in the form that `settle orbit` uses, by slot. A slot is one of as many
+// positions around the ring as there are balls. In a ball pass every ball moves to the next slot.
 #ifndef BEARING_ORBIT_BALLS_H
 #define BEARING_ORBIT_BALLS_H
 
@@ -19,21 +18,21 @@ class OrbitBalls {
   // tangential and axial direction of the ball's place (rad/s).
   static constexpr int numbers = 5;
 
-  // The present balls; collective, the same on all ranks.
+  // Reads the present balls; collective, the same on all ranks.
   explicit OrbitBalls(LAMMPS_NS::LAMMPS *);
 
   int size() const { return static_cast<int>(balls_.size()); }
   double spacing() const { return 2.0 * M_PI / size(); }    // rad
-  // +1 or -1: the sense in which the balls go round.
+  // Sense in which the balls orbit, +1 or -1.
   int sense() const;
   // Numbers by slot after this number of ball passes, slot 0 first.
   std::vector<double> by_slot(double passes) const;
-  // Weight of each number: orbital speed and spin relative to those of all balls, times the ball's
-  // share of the total load; azimuths have no weight.
+  // Weight of each number: orbital speed and spin relative to the values of all balls, times the
+  // ball's share of the total load; azimuths have no weight.
   std::vector<double> weights(double passes) const;
   // Sets the orbital speeds and spins of this rank's balls by slot; positions do not change.
   void put(double passes, const std::vector<double> &by_slot) const;
-  // rad, mean advance of the balls in the ball pass between these numbers
+  // Mean advance of the balls in the ball pass between these numbers, rad
   double advance(const std::vector<double> &before, const std::vector<double> &now) const;
 
  private:

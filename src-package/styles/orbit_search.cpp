@@ -34,7 +34,7 @@ void OrbitSearch::end_pass(LAMMPS_NS::LAMMPS *lmp, const SettlingChanges &change
 }
 
 // Judges a ball pass that is a value of the map. If a mode decays slowly, speeds are chosen for the
-// next ball pass, in which fast modes follow; that pass is not a value.
+// next ball pass, in which fast modes follow; that ball pass is not a value.
 void OrbitSearch::judge(const OrbitBalls &balls, const std::vector<double> &end,
                         const SettlingChanges &changes, double settled)
 {

@@ -23,7 +23,7 @@ class OrbitSearch {
  public:
   enum { OFF, ON, FOUND, NONE };
 
-  // Doubles only, as in a restart file.
+  // It has doubles only, for restart files.
   struct State {
     double stage = OFF;
     double passes = 0.0;    // ball passes so far
@@ -34,7 +34,7 @@ class OrbitSearch {
     double values = 0.0;     // successive values of the map up to the last ball pass
     double stretch = 1.0;    // next length of a ball pass over the last
     double jumps = 0.0;      // ball passes that began with chosen speeds
-    double jumped = 0.0;     // 1: the present one did
+    double jumped = 0.0;     // 1: the present ball pass began with chosen speeds
   };
 
   State &now() { return now_; }
@@ -58,7 +58,7 @@ class OrbitSearch {
              double settled);
 
   State now_;
-  std::vector<double> start_;    // of the present ball pass, by slot
+  std::vector<double> start_;    // numbers at the start of the present ball pass, by slot
   raceway::FixedPoint map_;
 };
 

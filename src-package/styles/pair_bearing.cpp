@@ -91,7 +91,7 @@ void PairBearing::settings(int narg, char **arg)
   PairBearingHertz::settings(static_cast<int>(words.size()), words.data());
 }
 
-// The data of an oil at a temperature (C); of a dry contact only `film`.
+// The data of an oil at a temperature (C); for a dry contact only `film`.
 bearing::OilWords PairBearing::read_oil(const Arguments &args, const std::string &name, double t)
 {
   if (name == "dry") return {{"film", "dry"}};
@@ -111,7 +111,7 @@ bearing::OilWords PairBearing::read_oil(const Arguments &args, const std::string
   } else if (const auto at = oil.of_file.find("temperature");
              at != oil.of_file.end() && args.number_in(at->second, "temperature") != t)
     args.fail(oil.label + " has values for " + at->second + " C only, not for " + text(t) +
-              " C: take a lubricant with physical data, vg46 for example");
+              " C: take a lubricant with physical data, for example vg46");
   const std::vector<std::string> more = check_data(args, oil, "oil data");
   assumed.insert(assumed.end(), more.begin(), more.end());
   assumed_.clear();
@@ -289,7 +289,7 @@ double PairBearing::shoulder(int ball_type, raceway::Side side) const
   return b ? b->number_or(inner ? "inner_shoulder_diameter" : "outer_shoulder_diameter", 0.0) : 0.0;
 }
 
-// The restart file has the commands with numbers, since data files may change.
+// The restart file stores the commands with numbers, since data files may change.
 void PairBearing::write_restart(FILE *fp)
 {
   const Kept kept = {cage_share_, coefficients().lubricated(), estimate_};

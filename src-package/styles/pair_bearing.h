@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// pair_style bearing: contacts of named bearings, by oil and models; the laws of bearing/ehd
-// or, dry, bearing/hertz.
+// pair_style bearing: contacts of named bearings, given by oil and models, with the laws of
+// bearing/ehd or, if dry, bearing/hertz.
 #ifdef PAIR_CLASS
 PairStyle(bearing,PairBearing)
 #else
@@ -32,19 +32,19 @@ class PairBearing : public PairBearingHertz {
   void set_speed(const std::string &bearing, double);
   // A datum of a bearing's oil at its temperature, as text; empty if it has none.
   std::string oil_datum(const std::string &bearing, const std::string &name) const;
-  // Share of oil in the space around its balls; 0: none, or models without drag.
+  // Share of oil in the space around its balls; 0 without oil, or with models without drag.
   double oil_share(const std::string &bearing) const;
-  std::string oil() const;    // of all bearings; empty if they have several
+  std::string oil() const;    // oil of all bearings; empty if they have several oils
   // Oil of a named bearing, and its temperature (C); empty and NaN without a pair_coeff.
   std::pair<std::string, double> oil_of(const std::string &bearing) const;
   // True if the oil of a named bearing has data over temperature.
   bool oil_follows(const std::string &bearing) const;
-  // During a run: its oil at another temperature (C). Raceways then have the sizes of cold parts.
+  // Sets the temperature of its oil (C) during a run. Raceways then have the sizes of cold parts.
   void set_oil_temperature(const bearing::Arguments &, const std::string &bearing, double);
   const std::string &models() const { return choice_.models; }
   double temperature() const { return temperature_; }
   const std::vector<std::string> &given() const { return given_; }    // oil data, NAME=VALUE
-  // Constants of the oil that the models take and its file does not have, NAME=VALUE,...
+  // Constants of the oil that the models use and its file does not have, NAME=VALUE,...
   const std::string &assumed() const { return assumed_; }
 
  private:
@@ -52,12 +52,12 @@ class PairBearing : public PairBearingHertz {
     std::string bearing;
     std::string oil;           // name
     double temperature;        // C
-    bearing::OilWords data;    // of the oil
+    bearing::OilWords data;    // data of the oil
     std::string law;           // further keywords of the raceways
     bool printed = false;      // for balls and cage balls
     double speed = 0.0;        // rad/s
-    size_t first = 0;          // of its lines in commands()
-    double oil_share = 0.0;    // of the space around the balls
+    size_t first = 0;          // first of its lines in commands()
+    double oil_share = 0.0;    // share of the space around the balls
   };
   struct Kept {    // in restart files, before the commands
     double cage_share;

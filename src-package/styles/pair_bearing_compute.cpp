@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The step: fill the contact table, add forces.
+// The step: fills the contact table and adds forces.
 #include "pair_bearing_hertz.h"
 
 #include "../core/laws/damped_hertz.h"

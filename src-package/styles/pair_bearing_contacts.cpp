@@ -26,7 +26,7 @@ void PairBearingHertz::rebuild_contacts()
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
       if (coefficients_.is_ring(type[i]) || coefficients_.is_ring(type[j])) {
         const bool ring_first = coefficients_.is_ring(type[i]);
-        // the owner of the ball does it
+        // the owner of the ball adds the contact
         if ((ring_first ? j : i) < nlocal) add_grooves(ring_first ? j : i, ring_first ? i : j);
         continue;
       }

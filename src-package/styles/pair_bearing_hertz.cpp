@@ -114,8 +114,9 @@ void PairBearingHertz::init_style()
   for (int k = 0; k < modify->nfix; ++k)
     if (dynamic_cast<bearing::InstantSource *>(modify->fix[k]))
       implicit_bits_ |= modify->fix[k]->groupbit;
-  followers_.clear();             // these fixes and
-  capacitors_ = gaps_ = false;    // fixes bearing/capacitance are counted again
+  // set up again by the fixes that follow contacts and by fixes bearing/capacitance
+  followers_.clear();
+  capacitors_ = gaps_ = false;
   validity_.forget_shoulders();
   check_ghosts();
   check_types(sizes.count);
@@ -165,15 +166,15 @@ bearing::TypeSizes PairBearingHertz::type_sizes() const
   return s;
 }
 
-// The hosts take the larger of the ghost cutoff in the deck and that of the pairs; a smaller one in
-// the deck is probably a mistake.
+// The hosts take the larger one of the deck's ghost cutoff and the pairs' cutoff; a smaller cutoff
+// in the deck is probably a mistake.
 void PairBearingHertz::check_ghosts()
 {
   const double reach = coefficients_.reach();
   if (comm->cutghostuser > 0.0 && comm->cutghostuser < reach)
     BRG_ALL("pair_style bearing: the ghost cutoff " + text(comm->cutghostuser) +
             " m (" BRG_GHOST_COMMAND
-            " cutoff) is too small: a ball must see the centre of its ring, up to " +
+            " cutoff) is too small: it must include the centre of a ball's ring, up to " +
             text(reach) + " m away; leave the cutoff out");
 }
 
@@ -182,7 +183,7 @@ void PairBearingHertz::expect_sphere(int ball_type, int cage_type)
   cage_types_.insert(std::minmax(ball_type, cage_type));
 }
 
-// Types that no pair_coeff names do not interact, which is hardly intended: one warning for each.
+// Types that no pair_coeff names do not interact, which is hardly intended: one warning per type.
 void PairBearingHertz::check_types(const std::vector<int> &count)
 {
   for (const auto &c : cage_types_) {
@@ -203,7 +204,7 @@ void PairBearingHertz::check_types(const std::vector<int> &count)
              ": its atoms pass through everything");
 }
 
-// A cage without rails is not held: one warning for each number of its balls.
+// Nothing holds a cage without rails: one warning for each number of its balls.
 void PairBearingHertz::check_rails()
 {
   int railed = 0;
@@ -250,7 +251,7 @@ double PairBearingHertz::init_one(int i, int j)
   return cut;
 }
 
-// The simulated time follows the commands.
+// Writes the commands, then the simulated time.
 void PairBearingHertz::write_restart(FILE *fp)
 {
   bearing::write_commands(fp, commands_);

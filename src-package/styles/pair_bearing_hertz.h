@@ -38,7 +38,7 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   // For fixes, computes and commands of this package.
   const bearing::PairCoefficients &coefficients() const { return coefficients_; }
   bearing::PairCoefficients &coefficients() { return coefficients_; }
-  bearing::SurfaceProfiles &profiles() { return profiles_; }    // set again in every init of fixes
+  bearing::SurfaceProfiles &profiles() { return profiles_; }    // fixes set them in every init()
   const bearing::ContactTable &table() const { return table_; }
   // Grains that may touch, as local indices, valid until the table is built again; for fix
   // bearing/grains.
@@ -47,8 +47,8 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bearing::RingSum &ring_sum() { return ring_sum_; }
   FixBearingState *state() const { return state_; }
   raceway::Vec3 axis() const override { return coefficients_.axis(); }
-  // Called when a bearing with these balls and cage balls was created: they need a pair_coeff ...
-  // sphere.
+  // Called when a bearing with these balls and cage balls has been created: they need a pair_coeff
+  // ... sphere.
   void expect_sphere(int ball_type, int cage_type);
   int table_build() const { return builds_; }     // number of changes of local indices in the table
   bigint table_fill() const { return fills_; }    // number of times it was filled
@@ -71,24 +71,24 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   // True for an atom of a fix bearing/implicit, which advances its state.
   bool is_implicit(int i) const { return atom->mask[i] & implicit_bits_; }
   // Defaults of fix bearing/implicit: tolerance relative to the largest overlap, tolerance of cage
-  // balls over the tolerance of the others, and control by estimates of errors.
+  // balls over the tolerance of other bodies, and control by estimates of errors.
   virtual double relative_tolerance() const { return 0.0; }
   virtual double cage_tolerance_share() const { return 1.0; }
   virtual bool estimates_errors() const { return false; }
-  // Data of a ball type's bearing and oil if a pair style has them: relative permittivity, and
+  // Data of a ball type's bearing and oil, if the pair style has them: relative permittivity, and
   // shoulder diameters (m) of the inner and the outer ring; 0: unknown.
   virtual double permittivity(int) const { return 0.0; }
   virtual double shoulder(int, raceway::Side) const { return 0.0; }
-  // A deck that chooses between dry and wet contacts by a word may keep its fixes for films.
+  // True if a word of the deck chose dry contacts: the deck may then keep its fixes for films.
   virtual bool dry_by_choice() const { return false; }
   // Words of pair_style and of every pair_coeff.
   const bearing::Commands &commands() const { return commands_; }
 
-  // The pair style of the run; error naming `asked_by` if it is not one of this package.
+  // The pair style of the run; error naming `asked_by` if it is not a style of this package.
   static PairBearingHertz *find(class LAMMPS *, const std::string &asked_by);
 
  protected:
-  // Before settings and coefficients: contacts with a film, or dry ones
+  // Selects contacts with a film, or dry ones; call it before settings and coefficients
   void set_film(bool film) { coefficients_ = bearing::PairCoefficients(film); }
   // The last command replaces command k, if there is one.
   void move_last_command(size_t k);
@@ -115,11 +115,11 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bearing::SimulatedTime time_;
   bearing::PairCoefficients coefficients_;
   bearing::SurfaceProfiles profiles_;
-  bearing::Commands commands_;                  // so far; a restart repeats them
+  bearing::Commands commands_;                  // commands so far; a restart repeats them
   std::set<std::pair<int, int>> cage_types_;    // types of created bearings, smaller type first
   std::vector<bearing::LawFollower *> followers_;
   std::set<int> silent_types_;    // unnamed types with a warning
-  bigint without_rails_ = 0;      // cage balls
+  bigint without_rails_ = 0;      // number of cage balls without rails
   int implicit_bits_ = 0;         // groups of fixes that advance contact states themselves
   bearing::ContactTable table_;
   std::vector<std::pair<int, int>> grains_;
@@ -132,7 +132,7 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   int builds_ = 0;
   bigint fills_ = 0;
   bool capacitors_ = false;    // there is a fix bearing/capacitance
-  bool gaps_ = false;          // one needs the surroundings of contacts
+  bool gaps_ = false;          // such a fix needs the surroundings of contacts
   bool warned_ = false;        // the warning about a too long step was given
 };
 

@@ -9,7 +9,7 @@
 using namespace LAMMPS_NS;
 using bearing::text;
 
-static constexpr int steps_between_checks = 1000;    // of the step
+static constexpr int steps_between_checks = 1000;    // checks of the step
 
 // Rails (pre_force) and contacts (compute) renew their claims in the sums of the rings.
 void PairBearingHertz::indices_changed()

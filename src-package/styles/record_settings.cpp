@@ -52,7 +52,7 @@ static void add_bearing(const RecordLayout &layout, Attributes &list)
 
 std::string flaws_of(LAMMPS *lmp, PairBearingHertz &pair, const RecordLayout &layout)
 {
-  std::map<double, std::string> of;    // by ring
+  std::map<double, std::string> of;    // flaws by ring
   for (const FixBearingProfile *f : fixes_of<FixBearingProfile>(lmp)) {
     if (f->of_balls() || !f->departs()) continue;
     for (const FixBearingProfile::FlawedRing &r : f->rings(pair)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Metadata of a run in a record: as attributes of the file, and in run.yaml for people and scripts.
+// Metadata of a run in a record, as attributes of the file, and in run.yaml for people and scripts.
 #ifndef BEARING_RECORD_SETTINGS_H
 #define BEARING_RECORD_SETTINGS_H
 
@@ -16,7 +16,7 @@ class PairBearingHertz;
 namespace bearing {
 
 struct RunTimes {
-  double sample, start;    // s: between samples, of the first one
+  double sample, start;    // s: time between samples, time of the first sample
 };
 
 // Every profile of a ring of the record: the ring's tag and the words of its fix bearing/profile,
@@ -29,8 +29,8 @@ NetcdfHeader::Attributes record_settings(LAMMPS_NS::LAMMPS *, LAMMPS_NS::PairBea
                                          const RecordLayout &,
                                          const NetcdfHeader::Attributes &notes, const RunTimes &);
 
-// Writes them and the numbers in `more` to run.yaml in the folder. Returns an error message, or
-// empty.
+// Writes these attributes and the numbers in `more` to run.yaml in the folder. Returns an error
+// message, or empty.
 std::string write_run_yaml(const std::string &folder, const NetcdfHeader::Attributes &,
                            const NetcdfHeader::Attributes &more);
 

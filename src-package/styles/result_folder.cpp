@@ -17,7 +17,7 @@ void claim_result_folder(LAMMPS *lmp, const Arguments &args, const std::string &
 {
   // characters that the host's commands interpret
   if (folder.find_first_of("%*\"'$&#") != std::string::npos)
-    args.fail("the folder's name '" + folder + "' may not hold any of % * \" ' $ & #");
+    args.fail("the folder's name '" + folder + "' may not contain any of % * \" ' $ & #");
   FolderClaim claim;
   if (is_first_rank(lmp)) {
     std::error_code ec;
@@ -31,7 +31,7 @@ void claim_result_folder(LAMMPS *lmp, const Arguments &args, const std::string &
   if (!claim.complaint.empty()) args.fail(claim.complaint);
 }
 
-// Restart files of LAMMPS begin with these letters, those of LIGGGHTS do not.
+// Restart files of LAMMPS begin with these letters; restart files of LIGGGHTS do not.
 static bool is_of_this_host(const std::string &file)
 {
   char start[7] = "";
@@ -49,7 +49,8 @@ bool goes_on(LAMMPS *lmp, const Arguments &args, const ResumeRequest &ask)
   if (there && ask.resume && !has_right_sum(file))
     complaint = file + " is damaged: its checksum is wrong. Remove it and start the run anew";
   else if (there && ask.resume && !is_of_this_host(file))
-    complaint = file + " is of another host: LIGGGHTS and LAMMPS cannot continue each other's runs";
+    complaint =
+        file + " is from another host: LIGGGHTS and LAMMPS cannot continue each other's runs";
   if (!ask.overwrite && is_first_rank(lmp) && !(there && ask.resume) && holds_finished_run(folder))
     complaint = folder + " holds a finished run. Name another folder with -var out, " +
                 (there ? "make it longer with -var resume yes and more passes, " : "") +

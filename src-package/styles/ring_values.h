@@ -21,13 +21,13 @@ struct RingView {
   raceway::Vec3 force, moment, acceleration;
 };
 
-// of[of_ring::RING] to of[of_ring::AZ] (core/figures/bearing_columns.h).
+// Sets of[of_ring::RING] to of[of_ring::AZ] (core/figures/bearing_columns.h).
 void ring_values(const RingView &, const raceway::LabAxes &, double *of);
 
-// Call before the others: accelerations at the start of a run.
+// Notes accelerations at the start of a run; call it before ring_values().
 void note_setup(LAMMPS_NS::LAMMPS *);
 
-// The same for the n-th ring of this rank in the pair style's RingSum.
+// As above for the n-th ring of this rank in the pair style's RingSum.
 void ring_values(const LAMMPS_NS::Atom &, LAMMPS_NS::PairBearingHertz &, int n, double *of);
 
 }    // namespace bearing

@@ -119,7 +119,7 @@ void RunBearing::plan()
   now().start = bearing::SimulatedTime::now(*update);
   if (update->ntimestep != 0) begin_at_step_0(now().start);
   now().pass = bearing::ball_pass_time(lmp, command_name, settings_.angle);
-  double ramp = 0.0;    // s, until the loads are on
+  double ramp = 0.0;    // s, until the full loads act
   for (const FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp))
     ramp = std::max(ramp, f->ramp());
   begin_search();
@@ -155,7 +155,8 @@ void RunBearing::plan_samples()
   now().within = asked != 0.0 ? asked : chosen;
 }
 
-// The step of the implicit integrator: several samples, or a whole part of a sample near `step`.
+// Chooses the step of the implicit integrator near `step`: several samples, or an integer fraction
+// of one.
 void RunBearing::plan_steps()
 {
   fix_step(settings_.step == 0.0 ? sampled_length() : settings_.step);
@@ -163,14 +164,14 @@ void RunBearing::plan_steps()
   if (fix_->orbit().runs()) now().steps = steps_a_pass();
 }
 
-// s, of the samples within a host step
+// Time of the samples within a host step, s
 double RunBearing::sampled_length()
 {
   const double length = now().pass / now().a_pass * now().within;
   return implicit() ? written(length) : length;
 }
 
-// A whole number of steps of about that length per sample, or per `within` samples.
+// Sets a whole number of steps of about that length per sample, or per `within` samples.
 void RunBearing::fix_step(double wanted)
 {
   const double largest = sampled_length();
@@ -223,15 +224,15 @@ void RunBearing::settle()
   now().measures = 1.0;
 }
 
-// Settling and measurement count from step 0; the time continues.
+// Settling and measurement count steps from 0; the time continues.
 void RunBearing::begin_at_step_0(double time)
 {
   input->one("reset_timestep 0");
   bearing::SimulatedTime::set(*update, time);
 }
 
-// Velocity Verlet: steps at a share of the stability limit, then the step of the
-// measurement from the smallest limit found.
+// Velocity Verlet: settles with steps at a fraction of the stability limit, then takes the step of
+// the measurement from the smallest limit found.
 void RunBearing::settle_adaptively()
 {
   constexpr double chunk = 5000.0;    // steps
@@ -256,7 +257,7 @@ void RunBearing::settle_adaptively()
   now().begin_steps = static_cast<double>(update->ntimestep);
 }
 
-// Ball pass by ball pass until the temperatures of fixes bearing/heat no longer change.
+// Runs ball pass by ball pass until the temperatures of fixes bearing/heat no longer change.
 void RunBearing::warm_up()
 {
   const std::vector<FixBearingHeat *> heats = bearing::fixes_of<FixBearingHeat>(lmp);
@@ -321,7 +322,7 @@ void RunBearing::measure()
             "divide them");
   if (steps < static_cast<double>(update->ntimestep))
     BRG_ALL(std::string(command_name) + ": the run to resume has reached step " +
-            std::to_string(update->ntimestep) + ", farther than these passes, " + text(steps) +
+            std::to_string(update->ntimestep) + ", beyond these passes, " + text(steps) +
             " steps: give more passes");
   set_step(now().step_length);
   start_fixes();

@@ -29,9 +29,9 @@ class RunBearing : public bearing::CommandBase {
     bool orbit = false;                   // on the orbit if there is one
     double settled = 1e-2;                // relative rest of torque that counts as settled
     double limit = 100.0;                 // allowed ball passes of settling
-    double step = 0.0;                    // s; 0: chosen
-    double safety = 0.3;                  // of the stability limit
-    double rate = 0.0;                    // Hz, of samples; 0: as requested by the records
+    double step = 0.0;                    // s; 0: chosen automatically
+    double safety = 0.3;                  // fraction of the stability limit
+    double rate = 0.0;                    // Hz, sampling rate; 0: as requested by the records
     double angle = NAN;                   // degrees, contact angle; NAN: from the balls' positions
   };
   void read(class bearing::Arguments &);

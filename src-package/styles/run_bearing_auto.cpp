@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// `settle auto` of run_bearing: ball pass by ball pass until the remaining changes are small
-// (core/figures/settling_rest.h). Implicit steps are coarse at first; the last ball passes use the
-// steps of the deck.
+// `settle auto` of run_bearing: settles ball pass by ball pass until the remaining changes are
+// small (core/figures/settling_rest.h). Implicit steps are coarse at first; the last ball passes
+// use the steps of the deck.
 #include "../core/settings/arguments.h"
 #include "../core/settings/written.h"
 #include "fix_bearing_heat.h"
@@ -17,7 +17,7 @@ using bearing::text;
 // Fewest ball passes that distinguish a drift from noise.
 static constexpr double first_passes = 3.0;
 
-// Coarse steps while the loads are applied and, if they save evaluations, also afterwards.
+// Plans coarse steps while the loads are applied and, if they save evaluations, also afterwards.
 // Temperatures follow the losses of the deck's own steps.
 void RunBearing::plan_coarse()
 {
@@ -53,9 +53,9 @@ void RunBearing::settle_until_still()
              pocket_fall() + "; required " + text(settings_.settled));
 }
 
-// Steps of the next ball pass, or of the present one when a stopped run continues: coarse while
-// changes remain. Coarse steps may settle at a slightly different state, so they are resumed if the
-// deck's steps show a remaining change.
+// Chooses the steps of the next ball pass, or of the present one when a stopped run continues:
+// coarse while changes remain. Coarse steps may settle at a slightly different state, so they are
+// resumed if the deck's steps show a remaining change.
 void RunBearing::plan_pass()
 {
   const bool last = now().passes + 1.0 >= settings_.limit;

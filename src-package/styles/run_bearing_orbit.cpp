@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// `settle orbit` of run_bearing: scenes that cannot have an orbit, and messages.
+// `settle orbit` of run_bearing: scenes that cannot have an orbit, and messages of the search.
 #include "../core/settings/arguments.h"
 #include "ball_pass.h"
 #include "fix_bearing_grains.h"
@@ -19,7 +19,7 @@ using bearing::text;
 std::string RunBearing::why_no_orbit()
 {
   if (!implicit()) return "the steps of velocity Verlet follow its stability limit";
-  if (settings_.rate > 0.0) return "samples by the second do not divide a ball pass";
+  if (settings_.rate > 0.0) return "samples per second do not divide a ball pass";
   if (bearing::ball_rows(lmp, "run_bearing") != 1) return "there are several rows of balls";
   for (const FixBearingProfile *f : fixes_of<FixBearingProfile>(lmp))
     if (f->departs()) return bearing::name_of(*f) + " makes balls or places differ";
@@ -42,7 +42,7 @@ void RunBearing::begin_search()
   if (!why.empty()) print_line(lmp, "No orbit: " + why + ". Settling until ball passes agree");
 }
 
-// After a ball pass of the search.
+// Prints a line after a ball pass of the search.
 void RunBearing::say_search()
 {
   const bearing::OrbitSearch::State &s = fix_->orbit().now();

@@ -10,7 +10,7 @@ namespace bearing {
 // ID of the internal fix that exists while run_bearing runs
 inline constexpr const char *fix_of_run = "RUN_BEARING";
 
-// Samples of a measurement: at every `every`-th host step, or `within` of them per step.
+// Samples of a measurement: one at every `every`-th host step, or `within` samples per step.
 struct Sampling {
   int every = 1, within = 1;
 };
@@ -18,7 +18,7 @@ struct Sampling {
 class WaitsForRun {
  public:
   bool waits() const { return waits_; }
-  // Before settling, if the steps are known then.
+  // Called before settling if the steps are known then.
   virtual void settle(const Sampling &) {}
   // run_bearing has settled the bearings; called before the set-up of the run that measures.
   void measure(const Sampling &sampling)

@@ -16,7 +16,7 @@ class SimulatedTime {
   // Contents of a restart file: the time is `since` s at step `from` and grows by `step_length` s
   // per step.
   struct State {
-    double since, from, step_length, step;    // `step`: the present one
+    double since, from, step_length, step;    // `step`: the present step
     double now() const { return since + (step - from) * step_length; }
   };
 
@@ -37,8 +37,8 @@ class SimulatedTime {
     left_ = s, known_ = read_ = true;
     set(u, s.now());
   }
-  // Before a run or the writing of a restart file: a continued run has the bits of an uninterrupted
-  // one.
+  // Call it before a run or before writing a restart file: a continued run then has the bits of an
+  // uninterrupted run.
   void go_on(LAMMPS_NS::Update &u) const
   {
     if (!known_) return;
@@ -52,7 +52,7 @@ class SimulatedTime {
 
  private:
   State left_ = {};
-  bool known_ = false, read_ = false;    // from a restart file, and no run since
+  bool known_ = false, read_ = false;    // read_: from a restart file, with no run since
 };
 
 }    // namespace bearing

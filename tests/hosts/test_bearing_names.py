@@ -81,10 +81,10 @@ def test_errors(tmp_path, values, error):
     [
         ("bearing b 6208", "bearing: 'types BALLS CAGE INNER OUTER' is missing"),
         ("bearing b 6208 types 1 2 3 3", "balls, cage balls and both rings need their own"),
-        ("bearing b 6208 types 1 2 3 4 vars lod", "bearing: vars 'lod', must be of: inputs,"),
+        ("bearing b 6208 types 1 2 3 4 vars lod", "bearing: vars 'lod', must be one of: inputs,"),
         (
             "variable load index 5\nbearing b 6208 types 1 2 3 4 vars load",
-            "bearing: variable load is of bearing/ring: leave it out here",
+            "bearing: variable load belongs to bearing/ring: leave it out here",
         ),
         (
             "bearing b-1 6208 types 1 2 3 4",

@@ -100,7 +100,7 @@ def test_a_restart_repeats_the_bits(tmp_path, ranks):
             "stiffness",
         ),
         ("restitution 0.5 friction 0.5\ncreate", "restitution 2\ncreate", "restitution is 2"),
-        ("pair_coeff 5 5 grain", "pair_coeff 1 5 grain", "type 1 is of a bearing"),
+        ("pair_coeff 5 5 grain", "pair_coeff 1 5 grain", "type 1 belongs to a bearing"),
         ("drum shaft 0.1", "drum axle 0.1", "there is no fix bearing/shaft 'axle'"),
         ("drum shaft 0.1 0.105 0.255", "drum shaft 0.1 0.255 0.105", "second end is 0.105"),
         ("6 0.08 0.1 0.105", "6 0.1 0.08 0.105", "outer radius of the blades is 0.08"),

@@ -100,7 +100,7 @@ def test_names_of_folders(tmp_path, name):
     refused(
         liggghts("inputs/in.6208", out=f"{tmp_path}/{name}"),
         r"bearing_resume: (a folder's name is one word without blanks, not '\S+ b/restart'"
-        r"|the folder's name '\S+' may not hold any of)",
+        r"|the folder's name '\S+' may not contain any of)",
     )
     assert not list(tmp_path.iterdir())
 

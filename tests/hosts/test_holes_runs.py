@@ -220,7 +220,7 @@ def test_one_checkpoint_fix(tmp_path):
             f"fix a all bearing/checkpoint 50 {tmp_path}/a\n"
             f"fix b all bearing/checkpoint 50 {tmp_path}/b\nrun 10\n",
         ),
-        r"fix b bearing/checkpoint: fix a is of this style already",
+        r"fix b bearing/checkpoint: fix a already has this style",
     )
 
 

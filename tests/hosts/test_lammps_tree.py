@@ -80,7 +80,7 @@ def test_in_and_out(tree):
     assert "set(CMAKE_CXX_STANDARD 11)" not in after["cmake/CMakeLists.txt"]
     machine = after["src/MAKE/MINE/Makefile.raceway"]
     assert "-std=c++17" in machine and "-std=c++11" not in machine and "LIB =\n" in machine
-    refused(tree, "has Raceway in it already")
+    refused(tree, "already contains Raceway")
     code, text = make("uninstall", tree)
     assert code == 0, text
     assert contents(tree) == before
@@ -96,12 +96,12 @@ def test_no_tree(tmp_path):
 
 def test_another_version(tree):
     (tree / "src" / "version.h").write_text('#define LAMMPS_VERSION "3 Mar 2020"\n')
-    refused(tree, "is LAMMPS 20200303; known are 20210929 and 20220504 or later")
+    refused(tree, "is LAMMPS 20200303; supported are 20210929, and 20220504 or later")
 
 
 def test_changed_where_it_must_be_patched(tree):
     (tree / "cmake" / "CMakeLists.txt").write_text(CMAKE.replace("STANDARD_PACKAGES", "PACKAGES"))
-    refused(tree, "CMakeLists.txt is not that of a known LAMMPS")
+    refused(tree, "CMakeLists.txt is not the file of a known LAMMPS")
 
 
 def test_another_machine_file(tree):

@@ -78,7 +78,7 @@ def test_in_and_out(tree):
         "src/MAKE/Makefile.raceway",
     } <= after.keys()
     assert not any(b'"../' in text for name, text in after.items() if name not in before)
-    refused(tree, "has Raceway in it already")
+    refused(tree, "already contains Raceway")
     code, text = make("uninstall", tree)
     assert code == 0, text
     assert contents(tree) == before
@@ -99,7 +99,7 @@ def test_nothing_named():
 
 def test_another_version(tree):
     (tree / "src" / "version_liggghts.txt").write_text("3.7.0\n")
-    refused(tree, "is LIGGGHTS 3.7.0; known is 3.8.0 only")
+    refused(tree, "is LIGGGHTS 3.7.0; only 3.8.0 is supported")
 
 
 def test_patched_by_hand(tree):
@@ -111,7 +111,7 @@ def test_patched_by_hand(tree):
 def test_changed_where_it_must_be_patched(tree):
     path = tree / "src" / "utils.h"
     path.write_text(path.read_text().replace("std::dec << a", "a"))
-    refused(tree, "utils.h is not that of LIGGGHTS 3.8.0")
+    refused(tree, "utils.h is not the file of LIGGGHTS 3.8.0")
 
 
 def test_a_file_in_the_way(tree):

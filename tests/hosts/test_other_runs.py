@@ -56,8 +56,8 @@ def test_builds(host, tmp_path):
     assert whole.count(mark) == 1 and whole[number : number + 4] == b"\4\0\0\0"
     deck.write_text(f"{READ}read_restart {kept}\n")
     for content, cause in (
-        (whole[:number] + b"\1" + whole[number + 1 :], "has layout 1, it was written by another"),
-        (whole[:at] + whole[number + 4 :], "has no layout number, it was written by another build"),
+        (whole[:number] + b"\1" + whole[number + 1 :], "has layout 1 and was written by another"),
+        (whole[:at] + whole[number + 4 :], "has no layout number and was written by another build"),
     ):
         kept.write_bytes(content)
         end = run(deck, host=host)

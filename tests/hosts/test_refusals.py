@@ -130,7 +130,7 @@ def test_resume(tmp_path):
     """A run is not resumed with fewer passes than it already has, or in another host."""
     assert run("inputs/in.6208", out=tmp_path, **SHORT | {"passes": 2}).code == 0
     for host, message in {
-        "liggghts": "farther than these passes",
+        "liggghts": "beyond these passes",
         "lammps": "LIGGGHTS and LAMMPS cannot continue each other's runs",
     }.items():
         end = run("inputs/in.6208", host=host, out=tmp_path, resume="yes", **SHORT)

@@ -58,15 +58,15 @@ def test_command(tmp_path, line):
     [
         (
             {"cage": "ring", "cage_ball_diameter": 8e-3},
-            "cage_ball_diameter is of a cage of balls",
+            "cage_ball_diameter belongs to a cage of balls",
         ),
         (
             {"cage": "ring", "bearing": "6303", "pocket_play": 1e-4},
-            "pocket_play is of a cage of balls",
+            "pocket_play belongs to a cage of balls",
         ),
-        ({"cage": "chain", "cage_play": 1e-4}, "cage_play is of bearing/cage/ring"),
-        ({"models": "paper", "cage_play": 1e-4}, "cage_play is of bearing/cage/ring"),
-        ({"cage": "no", "cage_mass": 0.01}, "cage_mass is of bearing/cage/ring"),
+        ({"cage": "chain", "cage_play": 1e-4}, "cage_play belongs to bearing/cage/ring"),
+        ({"models": "paper", "cage_play": 1e-4}, "cage_play belongs to bearing/cage/ring"),
+        ({"cage": "no", "cage_mass": 0.01}, "cage_mass belongs to bearing/cage/ring"),
         ({"cage": "rings"}, "cage is 'rings', must be one of yes, no, ring, chain"),
     ],
     ids=lambda value: "" if isinstance(value, str) else "-".join(value),
@@ -88,7 +88,7 @@ fix cage cage bearing/cage b
 
 def test_a_chain_for_a_ring_is_refused(tmp_path):
     deck = tmp_path / "in.deck"
-    for word, says in (("", None), ("cage ring", "is a ring: fix bearing/${NAME_cage_style}")):
+    for word, says in (("", None), ("cage ring", "is a ring: use fix bearing/${NAME_cage_style}")):
         deck.write_text(NAMED.format(word, BOX))
         done = run(deck)
         assert (says in done.error) if says else done.code == 0, done.text[-500:]

@@ -88,7 +88,7 @@ def test_mistakes(tmp_path, host):
         ({"without": "spin", "models": "film"}, "there is: gap film_branch inlet_shear"),
         ({"without": "spin", "models": "paper"}, "there is no part 'spin' to leave out"),
         ({"without": "drag", "lubricant": "dry"}, "there is: rolling_hysteresis spin"),
-        ({"without": "differential_slip", "spin_law": "slices"}, "spin_law slices is a law of"),
+        ({"without": "differential_slip", "spin_law": "slices"}, "spin_law slices needs the part"),
         ({"cage": "none"}, "bearing: cage is 'none', must be"),
     ):
         done = run("inputs/in.6208", host=host, out=tmp_path / "run", **{**SCENE, **words})

@@ -245,7 +245,7 @@ timestep 1.0e-5
         ),
         (
             "group some id 1:10 12:22\nfix move some bearing/implicit\nfix r inner bearing/ring",
-            "atom 11 (type 4) belongs to a bearing of which other atoms are in the fix's group",
+            "atom 11 (type 4) belongs to a bearing that has other atoms in the fix's group",
         ),
         (
             "group some id 9:22\nfix move some bearing/implicit\nfix r inner bearing/ring",

@@ -252,7 +252,7 @@ def _fill(file, data, end):
         fixed(f"{kind}_bearing", (kind,), 1, "its bearing")
     fixed("ring_raceway", ("ring",), [0, 1], "0 inner, 1 outer, 2 a cage that is one ring")
     for axis in "xyz":
-        where = "where the ring was at the start"
+        where = "position of the ring at the start"
         fixed(f"ring_origin_{axis}", ("ring",), 0.0, where, "m", "f8")
     fixed("bearing", ("bearing",), 1, "number of a bearing")
     kind = _kind(settings, caged)

@@ -438,13 +438,13 @@ def test_no_ball_leaves_its_pocket_on_soft_housings_or_in_a_shock(tmp_path, chan
         (dict(play=9e-3), "has only 0.02072.* m for each of 9"),
         (
             dict(words="guide outer 29e-3 1e-4 2e-3 2"),
-            "on the wrong land: 'guide outer' with radius 0.029",
+            "on the wrong side: 'guide outer' with radius 0.029",
         ),
         (
             dict(words="guide inner 31e-3 1e-4 2e-3 2"),
-            "on the wrong land: 'guide inner' with radius 0.031",
+            "on the wrong side: 'guide inner' with radius 0.031",
         ),
-        (dict(words="oil 0.04 0.3 4e-3", play=0), "shears in its play, which is 0"),
+        (dict(words="oil 0.04 0.3 4e-3", play=0), "is sheared in the play, which is 0"),
         (dict(words="wall -1"), "stiffness of the walls of a pocket .*is -1, must be > 0"),
         (dict(words="friction 2"), "friction of ball and cage is 2, must be from 0 to 1"),
         (dict(words="colour red"), "unknown .*colour.*pockets, play, across"),

@@ -214,7 +214,7 @@ def test_the_cases_have_discharges(pair):
         ("motor 0 1e-9 voltage constant 1", "capacitance of winding to rotor (F)"),
         ("motor 1e-12 1e-9", "'voltage' is missing"),
         ("floating 1 voltage constant 1", "a floating inner ring takes no 'voltage'"),
-        ("floating 1 second 1e-12", "'second' and 'second_factor' go with a motor"),
+        ("floating 1 second 1e-12", "'second' and 'second_factor' need a motor"),
         ("source 0 voltage constant 1 breakdown 1e6", "give it a resistance"),
         ("source 1 voltage square 1", "constant, sine, common_mode, table"),
         ("source 1 voltage table {table} points 0", "circuit points per sample"),
@@ -243,9 +243,9 @@ def test_bad_words(tmp_path, words, message):
     "text, message",
     [
         ("0 1\n1 2 3\n", "line 2: a row of a voltage table is two numbers, s and V"),
-        ("0 1\n\n0 2\n", "line 3: times of a voltage table must rise"),
+        ("0 1\n\n0 2\n", "line 3: times of a voltage table must increase"),
         ("0 1\nx\n", "line 2: a row of a voltage table is two numbers"),
-        ("0 1\n", "needs two rows of s and V at least"),
+        ("0 1\n", "needs at least two rows of s and V"),
     ],
 )
 def test_bad_table(tmp_path, text, message):

@@ -286,7 +286,7 @@ def test_table_of_a_ball(tmp_path):
         ("wave 500 1e-5 0", "amplitude of the wave (m) of order 500 is 1e-05, must be below"),
         ("file nowhere.txt", "cannot read 'nowhere.txt'"),
         ("file {out}/uneven.txt", "point 2 is at 0.1 rad, must be at 0.785398"),
-        ("file {out}/words.txt", "line 2: 'b' is no azimuth"),
+        ("file {out}/words.txt", "line 2: 'b' is not an azimuth"),
         ("groove 1 wave 9 1e-6 0", "has no groove 1"),
         ("none wave 9 1e-6 0", "'none' stands alone"),
         ("pit 0", "known: groove, notch, wave, file, none, or 'ball' first"),

@@ -414,8 +414,8 @@ FREE = "y free z free ry free rz free spin speed 100"
 @pytest.mark.parametrize(
     "text, says",
     [
-        ("FILE mass 4", "mass, inertia and centre of a flexible shaft are those of"),
-        ("FILE centre 0.1", "mass, inertia and centre of a flexible shaft are those of"),
+        ("FILE mass 4", "mass, inertia and centre of a flexible shaft come from"),
+        ("FILE centre 0.1", "mass, inertia and centre of a flexible shaft come from"),
         ("FILE ry fixed", "needs its displacements across and its tilts 'free'"),
         ("FILE load 0.25 0 1 0", "a load is at 0.25 m, and"),
         ("FILE unbalance 0.05 1e-5 0", "an unbalance is at 0.05 m, and"),

@@ -162,7 +162,7 @@ def test_preloaded_bearing_seizes_by_its_cooling(tmp_path):
     ("words", "says"),
     [
         ({"lubricant": "mineral"}, "has no data over temperature: take vg46"),
-        ({"bearing": "harris209"}, "from which the capacities of its rings follow"),
+        ({"bearing": "harris209"}, "which determines the heat capacities of its rings"),
         ({"housing_capacity": 100}, "'housing_capacity' needs 'seat'"),
         ({"oil_inlet": 40}, "'oil_inlet' needs 'oil_flow'"),
         ({"oil_flow": 1e-5, "lubricant": "dry"}, "'oil_flow' needs oil, but bearing b is dry"),

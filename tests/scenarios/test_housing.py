@@ -129,7 +129,7 @@ def test_a_driven_housing_carries_the_ring(tmp_path):
 @pytest.mark.parametrize(
     "words, says",
     [
-        ("to nowhere", "there is no group 'nowhere' to hold to"),
+        ("to nowhere", "there is no group 'nowhere' to hold its ring"),
         ("to moving", "has 9 atoms, must have one ring"),
         ("to outer", "needs a fix bearing/ring of its own"),
     ],

@@ -104,7 +104,7 @@ def test_momentum(tmp_path):
         ("support x 1e8", "damping of the support"),
         ("support w 1e8 1", "support"),
         ("support x -1 0", "must be"),
-        ("support x 0 0", "neither stiffness nor damping"),
+        ("support x 0 0", "a support needs stiffness or damping"),
         ("x fixed support x 1e8 0", "'support x' needs 'x free'"),
         ("rx fixed support rx 1e4 0", "'support rx' needs 'rx free'"),
     ],

@@ -113,7 +113,7 @@ def test_a_held_ring_is_no_sensor(tmp_path):
 @pytest.mark.parametrize(
     "words, says",
     [
-        ({"integrator": "implicit", "sampling": 10000}, "sampling is of bearing/vibration"),
+        ({"integrator": "implicit", "sampling": 10000}, "sampling belongs to bearing/vibration"),
         ({"sampling": 10}, "sampling (Hz)"),
         ({"oversampling": 1.5}, "oversampling"),
         ({"housing": "rubber"}, "housing is 'rubber', must be one of none, springs"),

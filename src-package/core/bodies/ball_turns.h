@@ -15,7 +15,7 @@ struct BodyGroup;
 struct BallTurns {
   int group;
   Quaternion from[lanes], base[lanes], now[lanes], end[lanes] = {};
-  Vec3 turn[lanes];    // rad, base to now
+  Vec3 turn[lanes];    // rad, from `base` to `now`
 
   explicit BallTurns(int of) : group(of) {}
   void load(int lane, const LaneFrame &, const Quaternion &lab);
@@ -23,13 +23,13 @@ struct BallTurns {
   void start();                                          // starts a step: base = from
   void move(const BodyGroup &, double h);                // now is h seconds after base
   void coast(const BodyGroup &, double h, bool on);      // starts at `from`, or at `now` if `on`
-  void second_base(double beyond);                       // base = from, turned by beyond times the
-                                                         // last turn
+  void second_base(double beyond);                       // base = from, turned by `beyond` times
+                                                         // the last turn
   void accept();                                         // from = now
   void rest() { std::copy(from, from + lanes, now); }    // now = from
   void keep() { std::copy(now, now + lanes, end); }      // saves `now` before it is changed
   void put_back() { std::copy(end, end + lanes, now); }
-  // Orientation at the share s of a step of h seconds that ends at end, v and w at its end.
+  // Orientation at the fraction s of a step of h seconds that ends at `end` with v and w.
   void between(const BodyGroup &, const LaneFrame &end_frame, const Vec3L &v, const Vec3L &w,
                double h, double s);
 

@@ -20,11 +20,12 @@ struct alignas(32) RingBody {
   RingPose from, base, now, first, end;
   double gained[RingProgram::N_DOF] = {};
   // By degree of freedom, -1: none. Coordinates of the ring or of its rigid shaft, and columns
-  // (BearingBodies::columns), which are the same or, on a flexible shaft, the ring's own.
+  // (BearingBodies::columns), which equal the coordinates or, on a flexible shaft, belong to the
+  // ring alone.
   int coordinate[RingProgram::N_DOF], column[RingProgram::N_DOF];
   bool loose = false;      // at least one degree of freedom is free
-  bool carried = false;    // by a shaft
-  bool levered = false;    // by a rigid shaft, whose coordinates it shares
+  bool carried = false;    // sits on a shaft
+  bool levered = false;    // sits on a rigid shaft, whose coordinates it shares
   int holder = -1;         // ring at the other end of its supports, -1: ground
   int bend = -1;           // flexible shaft: index in BearingBodies::bends
   bool holds = false;      // supports another ring
@@ -65,10 +66,10 @@ class BearingBodies {
     for (RingBody &r : rings) act(r);
     for (ShaftBend &b : bends) act(b);
   }
-  // Forces on the coordinates at the share s of the host's step, N or N m, except the moments that
-  // bending exerts on the tilts of its shaft.
+  // Forces on the coordinates at the fraction s of the host's step, N or N m, except the moments
+  // that bending exerts on the tilts of its shaft.
   void border_forces(double s, std::vector<double> &);
-  void border_loads(double s, std::vector<double> &);    // the same for loads and weight alone
+  void border_loads(double s, std::vector<double> &);    // forces of loads and weight alone
   // Power of contacts and supports on the driven degrees of freedom of a ring, W.
   double power_on_drives(const RingBody &) const;
   // Pose on which the supports of a ring act: relative to its holder if it has one; for a flexible
@@ -78,13 +79,14 @@ class BearingBodies {
     if (r.bend >= 0) return bends[r.bend].bent_centre(r.now);
     return r.holder < 0 ? r.now : seen_from(r.now, rings[r.holder].now);
   }
-  // Force on a ring at the share s of the host's step, N: contacts, loads, supports and weight.
+  // Force on a ring at the fraction s of the host's step, N: contacts, loads, supports and weight.
   Vec3 force_on(const RingBody &, double s) const;
-  Vec3 moment_on(const RingBody &, double s) const;    // N m, likewise
+  Vec3 moment_on(const RingBody &, double s) const;    // N m, of the same causes
   // Adds force (N) and moment (N m) of the supports that hold other rings to this one.
   void add_held(const RingBody &, Vec3 *force, Vec3 *moment) const;
 
-  // State variables of the contacts (part.h), groove by groove of the model, `states` values each.
+  // State variables of the contacts (part.h) in the order of the model's grooves, `states` values
+  // per groove.
   int states() const { return states_; }
   void load_states(const double *);
   void store_states(double *) const;
@@ -100,7 +102,7 @@ class BearingBodies {
     const std::vector<double> *stiffness;
   };
   struct Carried {
-    int ring, shaft;    // both index rings
+    int ring, shaft;    // both are indices into rings
   };
   struct alignas(32) States {    // state variables of four contacts at four instants
     Lane from[most_states], base[most_states], now[most_states], first[most_states];
@@ -111,14 +113,14 @@ class BearingBodies {
   std::vector<BodyGroup> groups;
   std::vector<Track> tracks;
   bool flawed = false;    // some raceway or ball has a profile
-  // By group of contacts, with the rows of their depths; empty if no ball has a profile.
+  // By group of contacts, with rows of depths; empty if no ball has a profile.
   struct BallProfiles {
     bool any = false;
     const BallProfile *of[lanes] = {};
   };
   std::vector<BallProfiles> ball_profiles;
   std::vector<TurnRowT<Lane>> ball_rows;
-  std::vector<BallTurns> turns;    // of groups with profiled balls
+  std::vector<BallTurns> turns;    // orientations in groups with profiled balls
   std::vector<int> turns_at;       // by group, -1: none
   std::vector<RailTrack> rail_tracks;
   std::vector<int> pocket_of;     // by cage, then ball; a ball stays in its pocket
@@ -138,14 +140,14 @@ class BearingBodies {
   std::vector<BalancedContact> balanced;    // by group of contacts, empty without a balance
   std::vector<RingBody> rings;              // rings of the model, then one per shaft
   std::vector<Carried> on_shafts;
-  // Free degrees of freedom of rings and rigid shafts, then those of flexible shafts, then modes.
+  // Free degrees of freedom of rings and rigid shafts, then of flexible shafts, then modes.
   std::vector<Coordinate> border;
-  std::vector<Coupling> couplings;    // by supports
+  std::vector<Coupling> couplings;    // due to supports
   std::vector<ShaftBend> bends;
   // Ring motions at the contacts: first the coordinates except those of flexible shafts, then all
   // motions of each ring on such a shaft.
   int columns = 0, straight = 0;
-  // Columns that can be nonzero, by group: all of them or, with flexible shafts, those of the
+  // Columns that can be nonzero, by group: all columns or, with flexible shafts, the columns of the
   // group's own bearing; with flexible shafts also by column.
   std::vector<std::vector<int>> columns_of_group, columns_of_column;
   Vec3 centre;           // of the rotating frames

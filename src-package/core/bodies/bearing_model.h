@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One bearing: pairs of bodies that may touch, the program of each ring, and the state. Independent
-// of the host: atoms have tags, and the mover of a ring is an index into the caller's list.
-// Indices refer to bodies and rings. The bearing axis is the third axis; units are SI.
+// One bearing: pairs of bodies that may touch, the program of each ring, and the state. It is
+// independent of the host: atoms have tags, and the mover of a ring is an index into the caller's
+// list. Other indices refer to bodies and rings. The bearing axis is the third axis; units are SI.
 #ifndef RACEWAY_BEARING_MODEL_H
 #define RACEWAY_BEARING_MODEL_H
 
@@ -32,7 +32,7 @@ struct BearingModel {
     bool on_shaft = false;         // moves as one body with all rings of the same mover
     double at = 0.0;               // m, position along that shaft from its centre
     Tag held_by = 0;               // ring to which its supports hold it, 0: ground
-    int holder = -1;               // the same as an index into rings
+    int holder = -1;               // held_by as an index into rings
   };
   struct Shaft {    // rings that move as one body
     int mover;
@@ -42,8 +42,8 @@ struct BearingModel {
   struct Groove {    // a ball that may touch a raceway
     int body, ring;
     const RacewayPhysics *physics;
-    const RacewayProfile *profile = nullptr;    // if it is not a torus
-    const BallProfile *ball = nullptr;          // if it is not a sphere
+    const RacewayProfile *profile = nullptr;    // null: the raceway is a torus
+    const BallProfile *ball = nullptr;          // null: the ball is a sphere
   };
   struct Pocket {    // two bodies that may touch, as spheres
     int a, b;
@@ -66,14 +66,14 @@ struct BearingModel {
   std::vector<Pocket> pockets;    // by smaller tag, then larger
   std::vector<Seat> seats;        // by cage, then body
   std::vector<Cage> cages;        // by ring
-  unsigned parts = 0;             // of the contact law of all raceways
+  unsigned parts = 0;             // parts of the contact law of all raceways
 
   Tag name() const { return rings.front().tag; }
 };
 
 struct BodyPose {
   Vec3 x, v, w;
-  Quaternion turn;    // from the ball's own axes, where needed
+  Quaternion turn;    // from the ball's own axes, if needed
 };
 
 }    // namespace raceway

@@ -13,14 +13,14 @@ struct alignas(32) BodyGroup {
   LaneMask used;
   LaneFrame from, base, now;
   Vec3L v_from, w_from, v_base, w_base, v, w, v_first;
-  Lane turn = {};      // rad, base to now
-  Lane turned = {};    // rad, from to base
+  Lane turn = {};      // rad, from `base` to `now`
+  Lane turned = {};    // rad, from `from` to `base`
   // the linear system: block, right-hand side, columns of the links (bearing_system.h)
   Lane A[36], rhs[6], link[2][6];
   Lane spring = {}, damper = {};    // N/m, N s/m, sums over contacts; with dampers_only
   Lane stiffness = {};              // N/m, of the stiffest contact with a raceway
   bool spins;
-  bool coupled = false;    // to the border
+  bool coupled = false;    // is coupled to the border
   bool linked = false;
 };
 

@@ -17,18 +17,18 @@ struct Coordinate {
   // Velocity at the start of the step, at the base of the stage, after the first stage, and now.
   const double *from, *base, *first, *now;
   bool tilts = false;
-  bool of_cage = false;    // its errors are treated like those of cage balls
-  // Displacement per unit, m or m/rad; for a tilt without that of the balls, for a spin 0 except
-  // for a cage, whose pockets move along the pitch circle.
+  bool of_cage = false;    // its errors are treated like the errors of cage balls
+  // Displacement per unit, m or m/rad; for a tilt without the displacement of the balls, for a spin
+  // 0 except for a cage, whose pockets move along the pitch circle.
   double lever = 1.0;
   double spring = 0.0, damper = 0.0;    // N/m, N s/m, of a mode
   const double *place = nullptr;        // m, present amplitude of a mode
 
-  // The same, including that of balls at this distance (m) from the axis.
+  // Displacement per unit, including the displacement of balls at this distance (m) from the axis.
   double moves(double radius) const { return tilts ? radius + lever : lever; }
 };
 
-// A spring and damper on the sum of some coordinates, each times its share.
+// A spring and damper on a weighted sum of coordinates.
 struct Coupling {
   const Support *by;
   int after;    // position in the matrix: after the mass of this coordinate

@@ -53,7 +53,7 @@ class LinkChain {
     return true;
   }
 
-  // Call once the answers of both ends of every link are set.
+  // Call it once the answers at both ends of every link are set.
   void factor()
   {
     const int n = static_cast<int>(links.size());
@@ -62,7 +62,7 @@ class LinkChain {
     exit_.clear();
     done_.assign(n, false);
     for (int pass = 0; pass < 2;
-         ++pass)    // open chains first, from their ends; the others are circles
+         ++pass)    // open chains first, from their ends; all others are circles
       for (int i = 0; i < n; ++i) {
         if (done_[i]) continue;
         const bool open_0 = neighbour(i, 0) < 0, open_1 = neighbour(i, 1) < 0;
@@ -106,7 +106,7 @@ class LinkChain {
     bool circle;
   };
 
-  // The other link at this end of a link, -1: none.
+  // The other link of the body at this end of a link; -1 if there is none.
   int neighbour(int i, int end) const
   {
     const Pair &p = of_body_[links[i].end[end].body];

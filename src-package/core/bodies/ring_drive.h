@@ -17,7 +17,7 @@ inline void gain(const RingProgram &p, RingPlace &r, const double *gained)
   r.v = Vec3::from(v);
 }
 
-// Moves a ring over h seconds to the share s of the host's step; free degrees of freedom move at
+// Moves a ring over h seconds to the fraction s of the host's step; free degrees of freedom move at
 // their own velocity.
 inline void displace(const RingProgram &p, RingPlace &r, double h, double s)
 {
@@ -40,7 +40,7 @@ inline void displace(const RingProgram &p, RingPlace &r, double h, double s)
   r.v = Vec3::from(v);
 }
 
-// Tilt rates (rad/s): those given if the tilt is free, otherwise fixed or driven.
+// Tilt rates (rad/s): the given rates if the tilt is free, otherwise zero or the driven rates.
 inline void drive_rates(const RingProgram &p, const RingPlace &r, double *rate, double h, double s)
 {
   for (int k = 0; k < 2; ++k) {

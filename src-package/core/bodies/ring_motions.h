@@ -25,7 +25,7 @@ RACEWAY_INLINE Vec3L lever_of(const RingBody &ring, const Vec3L &e, const Vec3L 
   return ring.levered ? lever + e * ring.at : lever;
 }
 
-// Velocity of the ring's point at `lever` from its centre.
+// Velocity of the point of the ring at `lever` from the ring's centre.
 RACEWAY_INLINE Vec3L motion_of(int dof, const LaneFrame &f, const Vec3L &e, const Vec3L &lever)
 {
   const Lane one = all_lanes(1.0), none = {};

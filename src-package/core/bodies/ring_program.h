@@ -22,7 +22,8 @@ struct RingValue {
   double value;
 };
 
-// A radial force that rotates about the bearing axis; phase from the first radial axis.
+// A radial force that rotates about the bearing axis; the phase is counted from the first radial
+// axis.
 struct TurningForce {
   double size = 0.0, speed = 0.0, phase = 0.0;    // N, rad/s, rad
 };
@@ -42,8 +43,8 @@ struct RingPlace;
 
 inline Vec3 across_at(double angle) { return {std::cos(angle), std::sin(angle), 0.0}; }
 
-// Program of a ring over the host's step. Times in the step are shares s, from 0 at its start to 1
-// at its end.
+// Program of a ring over the host's step. Times in the step are fractions s, from 0 at its start to
+// 1 at its end.
 struct RingProgram {
   enum { TILT = 3, SPIN = 5, N_DOF = 6, FORCE = N_DOF, MOMENT = FORCE + 3, N_VALUE = MOMENT + 3 };
   Freedom mode[N_DOF] = {Freedom::fixed, Freedom::fixed, Freedom::fixed,
@@ -51,17 +52,17 @@ struct RingProgram {
   double mass = 0.0;
   RingInertia inertia;
   double target[2][N_DOF] =
-      {};    // driven speed or position (m or rad from the origin) at both ends, linear between
-  Vec3 force[2], moment[2];    // N, N m, at both ends, linear between, before the ramp
+      {};    // driven speed or position (m or rad from the origin) at both ends, linear in between
+  Vec3 force[2], moment[2];    // N, N m, at both ends, linear in between, before the ramp
   TurningForce turning;
   Unbalance unbalance;
   // Shaft: first moments along its axis of loads and unbalances away from its centre.
-  Vec3 leverage[2];         // N m, at both ends, linear between, before the ramp
+  Vec3 leverage[2];         // N m, at both ends, linear in between, before the ramp
   Unbalance couple;         // kg m^2
   bool apart = false;       // such loads or unbalances exist
-  Support support[SPIN];    // of displacements and tilts
+  Support support[SPIN];    // supports of displacements and tilts
   bool supported = false;
-  // Load of grains, constant in the host's step and without the ramp; N, and N m about the centre
+  // Load of grains (N, and N m about the centre), constant in the host's step, without the ramp
   bool grains = false;
   Vec3 grain_force, grain_moment;
   double spin_growth = 0.0;    // rad/s^2, of a driven spin
@@ -114,7 +115,7 @@ struct RingProgram {
     const double w = target_at(SPIN, s);
     return (out * (w * w) - Vec3{-out.y, out.x, 0.0} * spin_growth) * of.moment;
   }
-  // Moment of the load about the centre of a ring at this place.
+  // Moment of the load about the centre of a ring that is at this place.
   Vec3 moment_at(double s, const RingPlace &) const;
   // Force (N) and moment (N m) of the supports on the ring; the tilt rates are the W of its axis.
   Vec3 support_force(const RingPlace &) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A ring in velocity Verlet: half kicks and drift, supports.
+// A ring in velocity Verlet: half kicks, drift and supports.
 #ifndef RACEWAY_RING_VERLET_H
 #define RACEWAY_RING_VERLET_H
 
@@ -27,8 +27,8 @@ struct SupportEnd {
   Support ground;
 };
 
-// The same for a support between two rings: its damper and the damper from the second ring to the
-// ground are implicit in the velocities of both. Returns the force on the first ring.
+// As above for a support between two rings: its damper and the damper from the second ring to the
+// ground are implicit in the velocities of both rings. Returns the force on the first ring.
 inline double verlet_support(const Support &on, const SupportEnd &held, const SupportEnd &holder,
                              double half)
 {
@@ -44,7 +44,7 @@ inline double verlet_support(const Support &on, const SupportEnd &held, const Su
   return spring - on.damping * rate;
 }
 
-// Applies force (N) and moment (N m) over h seconds to the free degrees of freedom; no motion.
+// Applies force (N) and moment (N m) over h seconds to the free degrees of freedom, without motion.
 inline RingAtom kicked(const RingProgram &p, const RingAtom &base, const Vec3 &force,
                        const Vec3 &moment, double h)
 {
@@ -61,7 +61,7 @@ inline RingAtom kicked(const RingProgram &p, const RingAtom &base, const Vec3 &f
     if (!p.free(RingProgram::SPIN)) r.w += r.e * (spin - dot(r.w, r.e));
     return r;
   }
-  // only one free tilt, so no gyroscopic coupling
+  // with only one free tilt there is no gyroscopic coupling
   if (p.free(RingProgram::TILT)) r.w.x += h / p.inertia.transverse * moment.x;
   if (p.free(RingProgram::TILT + 1)) r.w.y += h / p.inertia.transverse * moment.y;
   if (p.free(RingProgram::SPIN)) r.w += r.e * (h / p.inertia.axial * dot(moment, r.e));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A flexible shaft in the implicit step: its modes are coordinates in addition to those of the
-// rigid shaft.
+// A flexible shaft in the implicit step: its modes are coordinates in addition to the coordinates
+// of the rigid shaft.
 #ifndef RACEWAY_SHAFT_BEND_H
 #define RACEWAY_SHAFT_BEND_H
 
@@ -10,11 +10,11 @@ namespace raceway {
 
 // Modal loads over the host's step, like the loads of RingProgram on the rigid shaft.
 struct BendProgram {
-  std::vector<double> load[2];         // N, by mode of both planes, at both ends, before the ramp
+  std::vector<double> load[2];         // N, by mode of both planes, at both ends, without the ramp
   std::vector<Unbalance> unbalance;    // by mode of a plane
   std::vector<double> centre;          // displacement of the centre by mode, for a turning force
 
-  // Modal forces at the share s of the host's step, N; `of` keeps its memory between calls.
+  // Modal forces at the fraction s of the host's step, N; `of` keeps its memory between calls.
   void forces(const RingProgram &shaft, double s, double angle, std::vector<double> &of) const
   {
     const size_t n = unbalance.size();
@@ -58,7 +58,7 @@ struct ShaftBend {
     return carried(shaft, 0.0, shaft.origin, Deflection(*centre, now));
   }
   // Modal forces, N: of the loads alone, and of contacts, loads, supports, springs, dampers and the
-  // spin of the rigid shaft. Valid until the next call, because memory is reused.
+  // spin of the rigid shaft. They are valid until the next call, because memory is reused.
   const std::vector<double> &loads(const RingProgram &, const RingPose &shaft, double s);
   const std::vector<double> &forces(const RingProgram &, const RingPose &shaft, double s);
   void start() { base = now = from; }
@@ -67,7 +67,8 @@ struct ShaftBend {
   void accept() { from = now; }
   void keep() { end = now; }
   void put_back() { now = end; }
-  void between(double h, double s);    // sets `now`, at the share s of a step of h seconds to `end`
+  // Sets `now`, at the fraction s of a step of h seconds that ends at `end`.
+  void between(double h, double s);
 
  private:
   std::vector<double> loads_, forces_;

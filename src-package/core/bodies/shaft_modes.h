@@ -22,7 +22,7 @@ struct ShaftModes {
   };
   std::vector<double> mass, stiffness, damping;    // kg, N/m, N s/m
   std::vector<double> gyroscopic;                  // row by row; the rigid slope first
-  std::vector<Station> stations;                   // rising
+  std::vector<Station> stations;                   // in order of position
 
   int size() const { return static_cast<int>(mass.size()); }    // modes of a plane
   double g(int i, int k) const { return gyroscopic[i * (size() + 1) + k]; }
@@ -35,7 +35,7 @@ struct ShaftModes {
   }
 };
 
-// Coordinates of all modes, first plane, then second plane.
+// Coordinates of all modes: those in the first plane, then those in the second plane.
 struct BendState {
   std::vector<double> place, rate;    // m, m/s
 
@@ -48,7 +48,7 @@ struct BendState {
 
 // Deflection at a position of the shaft relative to the rigid shaft.
 struct Deflection {
-  double moved[2] = {}, slope[2] = {};    // m, rad: of the axis, along both radial axes
+  double moved[2] = {}, slope[2] = {};    // m, rad; of the shaft's axis, along both radial axes
   double speed[2] = {}, rate[2] = {};     // m/s, rad/s
 
   Deflection(const ShaftModes::Station &s, const BendState &b)
@@ -72,7 +72,7 @@ inline Vec3 axis_speed(const Vec3 &e, double x, double y)
   return {x, y, -(e.x * x + e.y * y) / e.z};
 }
 
-// Rotates the axis `from` of a station into e; adds the two given rates to those of its slopes.
+// Rotates the axis `from` of a station into e; adds the two given rates to the rates of its slopes.
 template <class Place>
 void turn_axis(Place &r, const Vec3 &e, const Vec3 &from, double rate_1, double rate_2)
 {
@@ -123,7 +123,7 @@ inline void add_to_modes(const ShaftModes::Station &s, const Vec3 &e, const Vec3
   }
 }
 
-// Adds the supports at a station; the place is that of the station.
+// Adds the forces of the supports at a station; `there` is the pose of the station.
 inline void add_supports(const ShaftModes::Station &s, const RingProgram &p, const RingPose &there,
                          std::vector<double> &of)
 {

@@ -12,7 +12,7 @@ namespace raceway {
 inline Vec3 turning(const RingPose &r) { return r.across(); }
 inline Vec3 turning(const RingAtom &r) { return r.w; }
 
-// Ring on its shaft. The origin is that of the ring.
+// Ring on its shaft. `origin` is the origin of the ring.
 template <class Place> Place carried(const Place &shaft, double at, const Vec3 &origin)
 {
   Place ring = shaft;
@@ -32,7 +32,7 @@ template <class Place> Place shaft_of(const Place &ring, double at)
   return shaft;
 }
 
-// Moment about the shaft's centre of a moment and a force that act `at` metres along its axis.
+// Moment about the shaft's centre, from a moment and a force that act `at` metres along its axis.
 inline Vec3 moment_about_centre(const Vec3 &e, double at, const Vec3 &force, const Vec3 &moment)
 {
   return moment + cross(e * at, force);

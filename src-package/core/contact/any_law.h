@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A contact law of any set of parts, on lanes: each part is a separate function, compiled once
 // (any_law_parts.h), and the parts of the set are called in turn. The results are bit-identical to
-// those of a law compiled as a whole (contact.h); it takes 1.3 to 1.9 times as long.
+// the results of a law compiled as a whole (contact.h); it takes 1.3 to 1.9 times as long.
 #ifndef RACEWAY_ANY_LAW_H
 #define RACEWAY_ANY_LAW_H
 

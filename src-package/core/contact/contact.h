@@ -22,7 +22,7 @@
 
 namespace raceway {
 
-// The parts act in this order; those whose results others use come first. It is also the bit order
+// The parts act in this order; parts whose results others use come first. It is also the bit order
 // of a set of parts and the order of tables in the docs.
 using Parts =
     PartList<HertzContactPart, FilmInGapPart, HysteresisPart, FilmThicknessPart, FilmDamperPart,

@@ -33,7 +33,7 @@ struct ContactLanes {
   ContactForces *force[lanes];
   const FlawedPlace *flaw[lanes] = {};    // null: both are smooth
   bool flawed = false;                    // at least one is set
-  bool energies = false;                  // requested
+  bool energies = false;                  // stored energies are requested
 
   bool live[lanes];        // result: in contact
   double energy[lanes];    // J, result: stored energy
@@ -44,10 +44,10 @@ struct ContactLanes {
 
 // Finds the contacts that may touch.
 void find_places(const RacewayPhysics &, ContactLanes &);
-// Evaluates law and kinematics: contact states, forces and, with dt > 0, the state variables. Valid
-// only for contacts that touch. Contacts of a law without a reach must be near.
+// Evaluates law and kinematics: contact states, forces and, with dt > 0, the state variables. The
+// results are valid only for contacts that touch. Contacts of a law without a reach must be near.
 void act_in_lanes(const RacewayPhysics &, ContactLanes &);
-// The same for any law, with each part as a separate function.
+// As above for any law, with each part as a separate function.
 void act_by_parts(const RacewayPhysics &, ContactLanes &);
 
 }    // namespace raceway

@@ -14,8 +14,8 @@
 namespace raceway {
 
 template <class T, int n> struct alignas(sizeof(Value<T>)) ContactSlopesT {
-  T of[n][n];                 // of[i][k]: force i over motion k
-  T state[most_states][n];    // state variables of the contact, over motion k
+  T of[n][n];                 // of[i][k]: derivative of force i in motion k
+  T state[most_states][n];    // derivatives of the contact's state variables in motion k
 };
 
 // Like law.act(); c keeps its values except those set by the law. `follows` (s): time over which

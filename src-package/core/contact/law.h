@@ -41,7 +41,7 @@ template <class... P> struct PartList {
   {
     return ((detail::same_text(P::slot, slot) ? bit<P>() : 0u) | ...);
   }
-  // Largest number of state variables per contact of any set; parts of one slot exclude each other.
+  // Largest number of state variables per contact in any set; parts of one slot exclude each other.
   static constexpr int most_states()
   {
     const int states[] = {P::states...};
@@ -90,7 +90,7 @@ template <class All, class... P> struct LawOf {
   static constexpr unsigned parts = (All::template bit<P>() | ...);
   static_assert(All::template in_order<P...>(), "parts act in the order of the list of all parts");
   static constexpr int states = (P::states + ...);
-  static constexpr int room = states > 0 ? states : 1;    // of an array of states
+  static constexpr int room = states > 0 ? states : 1;    // length of an array of states
   static constexpr bool couples = (P::couples || ...);
   static constexpr bool explicit_step = (P::explicit_step || ...);
   static constexpr int motions = couples ? 6 : 3;    // number of motions that forces depend on
@@ -125,7 +125,7 @@ template <class All, class... P> struct LawOf {
     return result;
   }
 
-  // J, stored
+  // Stored energy, J
   template <class T>
   static RACEWAY_INLINE Value<T> energy(const RacewayPhysics &p, const ContactStateT<T> &c)
   {

@@ -8,7 +8,7 @@
 namespace raceway {
 
 namespace {
-// Known losses, followed by those that the lists add, each once.
+// Known losses, followed by the losses that the lists add, each listed once.
 template <class Known, class... Lists> struct DistinctLosses {
   using type = Known;
 };
@@ -30,8 +30,8 @@ constexpr bool same_text(const char *a, const char *b)
   return *a == *b;
 }
 // Position of a column. Outputs keep the column order that they had before the parts declared their
-// losses; new columns follow in the order of the parts. For a name without a loss, the number of
-// columns.
+// losses; new columns follow in the order of the parts. For a name without a loss, the result is
+// the number of columns.
 template <class... L> constexpr int loss_place(LossList<L...>, const char *name)
 {
   const char *const names[] = {"friction_power",   "damping_power", "rolling_power",

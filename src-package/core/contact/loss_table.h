@@ -24,7 +24,7 @@ LossPowers loss_powers(const ContactState &c);
 struct LossEntry {
   LossColumn is;
   unsigned parts;                                            // parts with this loss
-  double (*value)(const Raceway &, const ContactState &);    // W, of a contact
+  double (*value)(const Raceway &, const ContactState &);    // W, loss of a contact
   StateColumn column() const
   {
     return {{is.name, "W", is.meaning, vanishes}, value, Needs::nothing, is.usual};

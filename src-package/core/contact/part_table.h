@@ -17,7 +17,7 @@ struct ParameterEntry {
   std::string symbol, meaning;
   double least, most;
   bool open;
-  std::vector<std::string> choices;    // of a keyword with words; empty for a number
+  std::vector<std::string> choices;    // words of the keyword; empty for a number
   std::string initial;                 // default value, as text
 };
 

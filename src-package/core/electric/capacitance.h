@@ -31,7 +31,7 @@ template <class T> RACEWAY_INLINE T mean_permittivity(double eps_ambient, const 
   const double c = (eps_ambient - 1.0) / (eps_ambient + 2.0), reference = 0.59e9;
   const double slope = 1.02 * c / ((1.0 - c) * (1.0 - c) * reference);
   const T r = (1.0 - 1.34 * c) / ((1.0 - c) * reference) * p;
-  // the integral of 2 q^2/(1 + r q) from 0 to 1; a series where the difference would lose digits
+  // the integral of 2 q^2/(1 + r q) from 0 to 1; a series if the difference would lose digits
   const auto small = magnitude(r) < 0.03;
   const T series =
       2.0 * (1.0 / 3 -
@@ -42,7 +42,8 @@ template <class T> RACEWAY_INLINE T mean_permittivity(double eps_ambient, const 
   return eps_ambient + slope * p * where(small, series, closed);
 }
 
-// Parallel plates of the Hertz ellipse, eq 8, F. a, b semi-axes (m), h central film (m).
+// Capacitance of parallel plates with the area of the Hertz ellipse, eq 8, F; a, b: semi-axes (m),
+// h: central film thickness (m).
 template <class T>
 RACEWAY_INLINE T contact_capacitance(const T &eps_r, const T &a, const T &b, const T &h)
 {
@@ -58,7 +59,7 @@ template <class T> RACEWAY_INLINE T rough_film_factor(const T &sigma_over_h)
   return 1.0 / (1.0 - s * s);
 }
 
-// Inner and outer contact of a ball in series, one term of eq 12; a side without contact gives 0.
+// Inner and outer contact of a ball in series, one term of eq 12; 0 if a side has no contact.
 inline double series_capacitance(double inner, double outer)
 {
   return inner > 0.0 && outer > 0.0 ? inner * outer / (inner + outer) : 0.0;

@@ -9,18 +9,18 @@
 
 namespace raceway {
 
-// Totals since the start, J and C, and the last step's current. Plain doubles, stored in restart
-// files.
+// Totals since the start, J and C, and the current of the last step. All are plain doubles, stored
+// in restart files.
 struct CircuitAccount {
   double source_work = 0.0, mechanical_work = 0.0, leak_heat = 0.0, resistor_heat = 0.0;
   double discharge_energy = 0.0;
   double discharges = 0.0, failures = 0.0;          // counts
   double film_charge = 0.0;                         // largest charge of a film at full voltage
-  double charge_error = 0.0, energy_error = 0.0;    // largest errors of a node and of a step
-  double current = 0.0;    // A, mean of the last step, into the films of the inner ring
+  double charge_error = 0.0, energy_error = 0.0;    // largest error of a node and of a step
+  double current = 0.0;    // A, mean current into the films of the inner ring in the last step
 };
 
-// Films and outer circuit at a point.
+// Films and outer circuit at a point in time.
 struct CircuitPoint {
   BearingFilms films;
   OuterPoint outer;
@@ -62,8 +62,8 @@ inline double largest_film_charge(const CircuitState &s)
   return most * std::abs(s.voltage.ring);
 }
 
-// Accounts for the discharge at the present point of `s`; `before` is the stored energy before it,
-// including all input since.
+// Accounts for the discharge at the present point of `s`; `before` is the stored energy before the
+// discharge, including all energy supplied since.
 template <class Failed> void settle(CircuitState &s, double before, Failed &&failed)
 {
   CircuitAccount &a = s.account;
@@ -102,8 +102,8 @@ double step_circuit(CircuitState &s, const CircuitPoint &to, double length, Fail
     moved.supplied = s.charge.ring - charge;
     for (double q : moved.inner) moved.supplied += q;
   }
-  // charge of every element times the mean of its voltages; for a capacitance, the rest of the
-  // energy change is the work of its plates
+  // charge of every element times the mean of its voltages; for a capacitance, the remainder of the
+  // change of energy is the work of its plates
   double plates = v0.ring * v1.ring * (outer.beside - s.outer.beside), leak = 0.0;
   for (size_t k = 0; k < films.size(); ++k) {
     const double in0 = v0.ring - v0.ball[k], in1 = v1.ring - v1.ball[k];

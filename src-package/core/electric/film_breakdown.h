@@ -16,11 +16,11 @@ struct FilmFailure {
   double film_energy, energy;                               // J
 };
 
-// Local thinning of a film in standard deviations of the roughness.
+// Local thinning of a film, in standard deviations of the roughness.
 constexpr double film_peaks = 3.0;
 
-// Local thickness of a film, m: `thickness` minus `less` (m) for the roughness of the surfaces; at
-// least `floor` (m).
+// Local thickness of a film, m: `thickness` reduced by `less` (m) for the roughness of the
+// surfaces; at least `floor` (m).
 inline double local_thickness(double thickness, double less, double floor)
 {
   return std::fmax(thickness - less, floor);
@@ -38,15 +38,16 @@ struct ArcCurrent {
   }
 };
 
-// Breakdown voltage of such a film, V, with `strength` (V/m). Infinite without a film.
+// Breakdown voltage of a film with this local thickness, V, with `strength` (V/m). Infinite without
+// a film.
 inline double film_limit(double thickness, double strength, double less, double floor)
 {
   if (!(thickness > 0.0)) return std::numeric_limits<double>::infinity();
   return strength * local_thickness(thickness, less, floor);
 }
 
-// Smallest voltage between the rings at which a film fails with uncharged balls, V; 0 if that film
-// is bridged, that is, if its limit is at most `bridged` (V), the limit at the film floor.
+// Smallest voltage between the rings at which a film fails if the balls are uncharged, V; 0 if that
+// film is bridged, that is, if its limit is at most `bridged` (V), the limit at the film floor.
 inline double threshold_voltage(const BearingFilms &films, double bridged)
 {
   double least = std::numeric_limits<double>::infinity();

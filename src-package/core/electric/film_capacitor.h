@@ -12,7 +12,7 @@
 
 namespace raceway {
 
-enum class PermittivityAt { maximum, mean, two_thirds };    // of the Hertz contact pressure
+enum class PermittivityAt { maximum, mean, two_thirds };    // the Hertz contact pressure used
 enum class Surroundings { none, flooded, dry, cavitated };
 
 // Settings of the capacitor.
@@ -22,7 +22,7 @@ struct CapacitorModel {
   PermittivityAt at = PermittivityAt::maximum;
   bool rough = false;
   Surroundings surroundings = Surroundings::none;
-  double permittivity_outlet = 1.0;    // of the medium in the downstream half, if cavitated
+  double permittivity_outlet = 1.0;    // relative, medium in the downstream half if cavitated
   double inner_shoulder = 0.0, outer_shoulder = 0.0;    // m, diameters; 0: default depth
 
   bool surrounded() const { return surroundings != Surroundings::none; }
@@ -67,7 +67,7 @@ RACEWAY_INLINE T film_permittivity(const CapacitorModel &m, const T &largest_pre
   return permittivity_at(m.permittivity, largest_pressure);
 }
 
-// Power law at any load; c has the sliding speed.
+// Film thickness by the power law at any load; c has the sliding speed.
 template <class T>
 RACEWAY_INLINE T central_film(const RacewayPhysics &p, const RacewayConstantsT<T> &k,
                               const ContactStateT<T> &c, const FilmPointT<T> &at)
@@ -77,7 +77,7 @@ RACEWAY_INLINE T central_film(const RacewayPhysics &p, const RacewayConstantsT<T
   return h;
 }
 
-// Plates of a lubricated contact.
+// Capacitance of the plates of a lubricated contact.
 template <class T>
 RACEWAY_INLINE FilmCapacitorT<T> film_capacitor(const RacewayPhysics &p, const ContactStateT<T> &c,
                                                 const CapacitorModel &m)
@@ -125,8 +125,8 @@ class SurroundedRaceway {
     return shoulder_.reach(sine, cosine);
   }
 
-  // cage_speed of the ball (rad/s). Without contact the state has position, overlap and entrainment
-  // speed.
+  // cage_speed: orbital speed of the ball (rad/s). Without contact the state has position, overlap
+  // and entrainment speed.
   template <class T, class Mask>
   RACEWAY_INLINE FilmCapacitorT<T> capacitor(const ContactStateT<T> &c, const Mask &live,
                                              const T &cage_speed) const
@@ -161,8 +161,8 @@ class SurroundedRaceway {
  private:
   template <class T> struct Films {
     RacewayConstantsT<T> law;
-    T h, apart, ln_apart;    // m, at the load, and at the load limited from below; its logarithm
-    T ln_load;               // of the load on the film
+    T h, apart, ln_apart;    // m, at the load; at the load limited from below, and its logarithm
+    T ln_load;               // logarithm of the load on the film
     T begins;                // m, gap at the onset of contact
   };
 
@@ -267,7 +267,7 @@ class SurroundedRaceway {
   double modulus_ = 0.0;    // Pa
   GrooveShoulder shoulder_;
   GapShape radial_;
-  GrooveReachT<double> upright_;    // of contacts at zero contact angle
+  GrooveReachT<double> upright_;    // reach at zero contact angle
   double flatter_ = 0.0;            // 1/m, due to play
   double ln_floor_ = 0.0;
   double begins_ = 0.0;    // share of the film at the onset of contact

@@ -19,14 +19,14 @@ struct FilmQuestions {
   bool any() const { return resistivity > 0.0 || frequency > 0.0 || strength > 0.0; }
 };
 
-// A film as sampled; without capacitance it is open.
+// A film as sampled; it is open if it has no capacitance.
 struct SampledFilm {
   double capacitance = 0.0;    // F
   double thickness = 0.0;      // m
   double roughness = 0.0;      // m, composite
   double paths = 0.0;          // m, resistivity of the oil over the film's resistance
 
-  // Adds another film between the same ball and ring; the thinner of the two fails.
+  // Adds another film between the same ball and ring; the thinner one fails.
   void add(const SampledFilm &beside)
   {
     if (!(beside.capacitance > 0.0)) return;
@@ -57,7 +57,7 @@ inline double hertz_area(const RacewayPhysics &p, const ContactState &c)
   return 3.14159265358979323846 * k.a * k.b * c.root * c.root;
 }
 
-// Share of oil in the gap outside the ellipse.
+// Fraction of the gap outside the ellipse that is filled with oil.
 inline double wet_share(Surroundings s)
 {
   return s == Surroundings::flooded ? 1.0 : s == Surroundings::cavitated ? 0.5 : 0.0;

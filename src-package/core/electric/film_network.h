@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The network of a bearing: balls that float between two films, inner ring, outer ring as frame
-// (docs/electric_circuit, Network). Unknowns are charges; a point costs O(balls).
+// The network of a bearing: balls that float between two films, the inner ring, and the outer ring
+// as frame (docs/electric_circuit, Network). Unknowns are charges; the cost of a point is O(balls).
 #ifndef RACEWAY_FILM_NETWORK_H
 #define RACEWAY_FILM_NETWORK_H
 
@@ -14,7 +14,7 @@ namespace raceway {
 struct CircuitFilm {
   double capacitance = 0.0;                                  // F
   double conductance = 0.0;                                  // S
-  double limit = std::numeric_limits<double>::infinity();    // V at which it fails
+  double limit = std::numeric_limits<double>::infinity();    // V, voltage at which it fails
 };
 struct BallFilms {
   CircuitFilm inner, outer;
@@ -23,9 +23,9 @@ using BearingFilms = std::vector<BallFilms>;    // by ball
 
 // Elements between the rings, at one point.
 struct OuterPoint {
-  double beside = 0.0;         // from the inner ring to the frame, F
-  double coupling = 0.0;       // from the inner ring to the driving voltage, F
-  double conductance = 0.0;    // likewise, S; infinite: the ring has the driving voltage
+  double beside = 0.0;         // F, from the inner ring to the frame
+  double coupling = 0.0;       // F, from the inner ring to the driving voltage
+  double conductance = 0.0;    // S, as coupling; infinite: the ring has the driving voltage
   double driving = 0.0;        // V
 
   bool stiff() const { return std::isinf(conductance); }
@@ -37,7 +37,7 @@ struct NodeValues {
   double ring = 0.0;
 };
 
-// Charges through the resistances in a step, C: through the films of each ball towards the outer
+// Charges that pass the resistances in a step, C: through the films of each ball towards the outer
 // ring, and from the driving voltage.
 struct StepCharges {
   std::vector<double> inner, outer;
@@ -73,7 +73,7 @@ inline void find_voltages(const BearingFilms &films, const OuterPoint &outer, do
   voltage.ring = ring;
 }
 
-// Both films in series, summed over the balls, F.
+// Capacitance of both films in series, summed over the balls, F.
 inline double bearing_capacitance(const BearingFilms &films)
 {
   double sum = 0.0;
@@ -100,7 +100,7 @@ inline bool has_resistance(const BearingFilms &films, const OuterPoint &outer)
   return false;
 }
 
-// Interpolates at `share` of the way; without limits.
+// Interpolates at the fraction `share` of the way; the result has no limits.
 inline BallFilms between(const BallFilms &from, const BallFilms &to, double share)
 {
   const auto film = [share](const CircuitFilm &a, const CircuitFilm &b) {
@@ -128,7 +128,7 @@ inline OuterPoint between(const OuterPoint &from, const OuterPoint &to, double s
 }
 
 // One step of `length` (s) to the films and the outer circuit at its end, by a two-stage SDIRK
-// method, L-stable and of second order.
+// method that is L-stable and of second order.
 inline void network_step(const BearingFilms &from, const BearingFilms &to,
                          const OuterPoint &outer_from, const OuterPoint &outer_to, double length,
                          NodeValues &charge, NodeValues &voltage, StepCharges &moved)

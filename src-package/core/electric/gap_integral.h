@@ -4,19 +4,21 @@
 //
 // Loaded, with the film thickness h within the ellipse and the Hertz gap g outside:
 //   I = 4 kappa Ebar R {G + pi P sqrt(2 R_x g_s)/b},  g_s = overlap/Fbar,  H = h/g_s,
-// G beside the ellipse (strips along rolling, each a line contact; universal in H), P beyond its
-// ends along the groove's section, to S. Both are fits to integrals, accurate to 1 % of plates and
-// surroundings together for conformity 0.505 to 0.54, h 20 nm to 2 um, loads to 3 kN on a 6208.
+// with G beside the ellipse (strips along rolling, each a line contact; universal in H) and P
+// beyond its ends along the groove's section, up to S. Both are fits to integrals, accurate to 1 %
+// of plates and surroundings together for conformity 0.505 to 0.54, h 20 nm to 2 um, and loads up
+// to 3 kN on a 6208.
 //
-// Without load, at the gap g_0, it is the limit of zero load with h = g_0, so that both agree
-// there:
+// Without load, at the gap g_0, it is the limit of zero load with h = g_0, so that both forms agree
+// at zero load:
 //   I = 4 pi sqrt(R_x R_y') asinh(S/sqrt(2 R_y' g_0)),  R_y' = Fbar a^2/(2 e overlap c),
 // e = ln(4 kappa) - 1. At c = 1 R_y' is the radius across the groove R_y within 1 %. c is
 // 1 - play/(r_c - R_b): with play, the centres of ball and groove are closer and the gap is
 // flatter. Beyond concentric circles c < 0, and asinh becomes asin.
 //
 // 4 kappa Ebar R = 2 Fbar a b/overlap and sqrt(2 R_x g_s)/b do not depend on the load, and Fbar =
-// pi E' a/(3 K sqrt(overlap)), so all follows from the constants of the contact law (hertz.h).
+// pi E' a/(3 K sqrt(overlap)), so everything follows from the constants of the contact law
+// (hertz.h).
 #ifndef RACEWAY_GAP_INTEGRAL_H
 #define RACEWAY_GAP_INTEGRAL_H
 
@@ -32,8 +34,8 @@ template <class T> struct GapShapeT {
   T ends;     // pi sqrt(2 R_x g_s)/(b root_e)
   T log_4_kappa;
   T e, root_e;    // log_4_kappa - 1
-  T least_D;      // in gap_end
-  T log_H;        // of H at a load of 1 N and h = 1 m
+  T least_D;      // lower limit of D in GapEnd
+  T log_H;        // logarithm of H at a load of 1 N and h = 1 m
 };
 using GapShape = GapShapeT<double>;
 
@@ -83,8 +85,8 @@ template <class T> struct GapEnd {
   }
 };
 
-// For a loaded contact: root of its overlap (sqrt(m)), load (N) and h (m), the last two also as
-// logarithms.
+// The gap of a loaded contact from the root of its overlap (sqrt(m)), its load (N) and h (m), the
+// last two as logarithms, h also as a number.
 template <class T> struct LoadedGapT {
   const GapShapeT<T> &shape;
   T root, H, end, G;
@@ -92,7 +94,7 @@ template <class T> struct LoadedGapT {
   RACEWAY_INLINE LoadedGapT(const GapShapeT<T> &s, const T &any_root, const T &ln_load, const T &h,
                             const T &ln_h) : shape(s)
   {
-    const auto pressed = any_root > 1e-8;    // below, the limit without load, to rounding
+    const auto pressed = any_root > 1e-8;    // below it the limit without load holds, to rounding
     root = where(pressed, any_root, 1e-8);
     T ln_X = (s.log_H + ln_h) * (1.0 / 6) - ln_load * (1.0 / 9);
     if (any(!pressed))
@@ -105,7 +107,7 @@ template <class T> struct LoadedGapT {
     G = beside.up * (inverse * tip.down);
     end = tip.D * (inverse * beside.down);
   }
-  // to the groove's reach on one side (m)
+  // Stretch up to the groove's reach on one side (m)
   RACEWAY_INLINE T stretch(const T &reach) const
   {
     const GapShapeT<T> &s = shape;
@@ -123,9 +125,9 @@ RACEWAY_INLINE Lane sine_stretch(const Lane &z)
   return Lane{sine_stretch(z[0]), sine_stretch(z[1]), sine_stretch(z[2]), sine_stretch(z[3])};
 }
 
-// For surfaces without contact, at the gap g (m), with their c; G is 0.
+// The gap of surfaces without contact, at the width g (m), with their c; G is 0.
 template <class T> struct OpenGapT {
-  T wider;    // 1/sqrt(c); the limit for concentric circles, to rounding
+  T wider;    // 1/sqrt(c); for concentric circles its limit, to rounding
 
   RACEWAY_INLINE OpenGapT(const GapShapeT<T> &s, const T &g, const T &any_c) : c(any_c)
   {

@@ -12,13 +12,14 @@ namespace raceway {
 
 using Complex = std::complex<double>;
 
-// S, at omega (rad/s; 0: direct current)
+// Admittance of a film, S, at omega (rad/s; 0: direct current)
 inline Complex admittance(const CircuitFilm &f, double omega)
 {
   return {f.conductance, omega * f.capacitance};
 }
 
-// S: both films of a ball in series, the balls in parallel. A ball with an open film adds nothing.
+// Admittance of a bearing, S: both films of a ball in series, the balls in parallel. A ball with an
+// open film adds nothing.
 inline Complex admittance(const BearingFilms &films, double omega)
 {
   Complex sum = 0.0;
@@ -29,13 +30,13 @@ inline Complex admittance(const BearingFilms &films, double omega)
   return sum;
 }
 
-// C (F) of a measured impedance (ohm), -sin(phi)/(omega |Z|), phi = arg Z.
+// Capacitance C (F) of a measured impedance (ohm), -sin(phi)/(omega |Z|), phi = arg Z.
 inline double capacitance_of(const Complex &z, double omega)
 {
   return -z.imag() / (omega * std::norm(z));
 }
 
-// R (ohm) parallel to that C, |Z|/cos(phi).
+// Resistance R (ohm) parallel to that capacitance, |Z|/cos(phi).
 inline double resistance_of(const Complex &z) { return std::norm(z) / z.real(); }
 
 }    // namespace raceway

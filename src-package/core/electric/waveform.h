@@ -19,9 +19,9 @@ struct Edge {
 struct Waveform {
   enum Kind { constant, sine, common_mode, table } kind = constant;
   double voltage = 0.0;                      // V: constant, amplitude, or DC link voltage
-  double frequency = 0.0, phase = 0.0;       // Hz, rad: of a sine, of the phases of an inverter
+  double frequency = 0.0, phase = 0.0;       // Hz, rad: of a sine or of the phases of an inverter
   double carrier = 0.0, modulation = 0.0;    // Hz; 0 to 1
-  std::vector<double> times, voltages;       // s, rising; V: straight lines between
+  std::vector<double> times, voltages;       // s, in ascending order; V, linear in between
 
   // Shortest period, s; infinite if it does not limit the step.
   double shortest() const

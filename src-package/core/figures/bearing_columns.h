@@ -61,7 +61,7 @@ const Column list[N] = {
     {"vy", "m/s", "velocity of the ring along y"},
     {"vz", "m/s", "velocity of the ring along z"},
     {"spin", "rad/s", "spin of the ring about its axis"},
-    {"angle", "rad", "turned about its axis, from the start"},
+    {"angle", "rad", "rotation about its axis since the start"},
     {"tilt_1", "rad", "tilt of the ring about the first axis across the bearing's (x for z)"},
     {"tilt_2", "rad", "tilt of the ring about the second axis across the bearing's (y for z)"},
     {"fx", "N", "force of balls and cage on the ring along x"},
@@ -71,9 +71,9 @@ const Column list[N] = {
     {"my", "N m", "moment of balls and cage on the ring about y"},
     {"mz", "N m", "moment of balls and cage on the ring about z"},
     {"torque", "N m", "moment of balls and cage about the ring's axis, its friction"},
-    {"ax", "m/s^2", "acceleration of the ring along x, 0 where the displacement is not free"},
-    {"ay", "m/s^2", "acceleration of the ring along y, 0 where the displacement is not free"},
-    {"az", "m/s^2", "acceleration of the ring along z, 0 where the displacement is not free"},
+    {"ax", "m/s^2", "acceleration of the ring along x, 0 if the displacement is not free"},
+    {"ay", "m/s^2", "acceleration of the ring along y, 0 if the displacement is not free"},
+    {"az", "m/s^2", "acceleration of the ring along z, 0 if the displacement is not free"},
 };
 }    // namespace of_ring
 
@@ -108,8 +108,8 @@ const Column list[N] = {
     {"ball_diameter", "m", "diameter of a ball"},
     {"inner_radius", "m", "radius of the inner raceway at the bottom of its groove"},
     {"outer_radius", "m", "radius of the outer raceway at the bottom of its groove"},
-    {"inner_groove", "m", "radius of the groove of the inner raceway, in section"},
-    {"outer_groove", "m", "radius of the groove of the outer raceway, in section"},
+    {"inner_groove", "m", "radius of the inner raceway's groove in cross-section"},
+    {"outer_groove", "m", "radius of the outer raceway's groove in cross-section"},
     {"clearance", "m", "diametral clearance; negative is preload"},
     {"cage_balls", "", "number of cage balls", raceway::has_none, as_whole},
     {"cage_ball_diameter", "m", "diameter of a cage ball"},
@@ -123,8 +123,8 @@ const Column list[N] = {
     {"permittivity", "", "relative permittivity of the lubricant at ambient pressure"},
     {"ring_roughness", "m", "roughness of the inner raceway"},
     {"ball_roughness", "m", "roughness of the balls"},
-    {"inner_arch", "m", "inner ring with two grooves: of their centres from its middle plane"},
-    {"outer_arch", "m", "outer ring with two grooves: of their centres from its middle plane"},
+    {"inner_arch", "m", "distance of two grooves' centres from the inner ring's middle plane"},
+    {"outer_arch", "m", "distance of two grooves' centres from the outer ring's middle plane"},
 };
 inline bool of_two_grooves(int k) { return k == INNER_ARCH || k == OUTER_ARCH; }
 }    // namespace of_kind

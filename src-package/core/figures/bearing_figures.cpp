@@ -110,8 +110,8 @@ unsigned parts_with(bool raceway::LawFacts::*fact)
   return parts;
 }
 
-// The losses of all laws, or only those with the given `usual`. A law of rolling friction has all
-// of them: 0 if a part is absent.
+// Adds the losses with the given `usual`. A law of rolling friction has all of them, with 0 if a
+// part is absent.
 void add_losses(std::vector<Figure> &list, bool usual)
 {
   const unsigned couples = parts_with(&raceway::LawFacts::couples);
@@ -187,10 +187,10 @@ std::vector<Figure> of_record()
         Needs::nothing,
         parts_with(&raceway::LawFacts::asperities)},
        {{"capacitance_total", "F",
-         "capacitance of all balls with their surroundings, no background"},
+         "capacitance of all balls with their surroundings, without background"},
         [](F f, int) { return f.whole; },
         Needs::surroundings},
-       {{"capacitance_total_top", "F", "largest of one ball with its surroundings, both in series"},
+       {{"capacitance_total_top", "F", "largest capacitance of one ball with its surroundings"},
         [](F f, int) { return f.whole_top; },
         Needs::surroundings}});
   return list;
@@ -210,13 +210,13 @@ std::vector<Figure> of_ring()
       {{"orbit", "rad/s", "mean speed of the balls about the ring's axis"}, cage_speed}};
   add_losses(list, true);
   add_losses(list, false);
-  list.pop_back();    // of the cage
+  list.pop_back();    // loss of the cage
   add(list,
-      {{{"capacitance", "F", "sum over balls in contact with both raceways, their two in series"},
+      {{{"capacitance", "F", "sum over balls that touch both raceways, both contacts in series"},
         [](F f, int) { return f.capacitance; },
         Needs::capacitance},
        {{"capacitance_total", "F",
-         "sum over all balls with their surroundings, their two in series"},
+         "sum over all balls with their surroundings, both contacts in series"},
         [](F f, int) { return f.whole; },
         Needs::surroundings}});
   return list;

@@ -10,8 +10,8 @@
 
 namespace bearing {
 
-// The contacts of one ball. Doubles only, for transfer between ranks. Arrays of two: inner and
-// outer raceway.
+// Figures of the contacts of one ball. It has doubles only, for transfer between ranks. Arrays of
+// two belong to the inner and the outer raceway.
 struct BallFigures {
   double balls = 0.0, contacts = 0.0, loaded[2] = {}, load[2] = {}, pressure[2] = {};
   double h_min = HUGE_VAL, lambda = HUGE_VAL;
@@ -19,7 +19,7 @@ struct BallFigures {
   double loss[raceway::most_loss_columns] = {};    // W
   double cage_loss = 0.0, cage_force = 0.0;        // W, N
   double capacitance[2] = {}, whole[2] = {};       // F; with surroundings
-  // of the inner contact with the largest load
+  // values at the inner contact with the largest load
   double entrainment = 0.0, asperity_share = NAN;
   double film[3] = {NAN, NAN, NAN};    // h_min, lambda, h_c
 
@@ -32,11 +32,11 @@ struct BallFigures {
   void take_pairs(const BallFigures &);
 };
 
-// Sum over the balls.
+// Sums and extremes over the balls.
 struct BearingFigures {
   double balls = 0.0, contacts = 0.0, loaded_balls = 0.0, load[2] = {}, pressure[2] = {};
   double h_min = HUGE_VAL, lambda = HUGE_VAL;
-  double orbit = 0.0;    // sum
+  double orbit = 0.0;    // rad/s, sum over the balls
   double loss[raceway::most_loss_columns] = {};
   double cage_loss = 0.0, cage_force = 0.0;
   double capacitance = 0.0, capacitance_top = 0.0, whole = 0.0, whole_top = 0.0;
@@ -54,7 +54,7 @@ struct Figure {
   unsigned parts = 0;      // at least one must be in the law; 0: any law
   bool spheres = false;    // balls touch cage balls or one another
   int loss = 0;            // second argument of `of`: a column of loss_table()
-  const char *key = "";    // of a loss, in losses_W of `raceway summary`
+  const char *key = "";    // key of a loss in losses_W of `raceway summary`
 
   double value(const BearingFigures &f) const { return of(f, loss); }
   // True for a run with these properties: film, capacitance, surroundings, law, contacts of

@@ -23,7 +23,7 @@ void CapacitorTable::plan(const ContactTable &table, const CapacitorModel &model
   }
 }
 
-// Contacts that touch are grouped: four of a kind cost less than a mix.
+// Groups contacts that touch: four of a kind cost less than a mix.
 void CapacitorTable::fill(const ContactTable &table)
 {
   for (Batch &b : batches_) {

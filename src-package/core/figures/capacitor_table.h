@@ -13,12 +13,12 @@ namespace bearing {
 
 class CapacitorTable {
  public:
-  // Selects the contacts; call when the indices of the table have changed.
+  // Selects the contacts; call it when the indices of the table have changed.
   void plan(const ContactTable &, const raceway::CapacitorModel &,
             const std::function<bool(const RacewayContact &)> &counts);
-  // Call after the table has been filled.
+  // Call it after the table has been filled.
   void fill(const ContactTable &);
-  // By row of the table; 0 for a contact that does not count.
+  // Capacitor of a row of the table; 0 for a contact that does not count.
   const raceway::FilmCapacitorT<double> &operator[](size_t row) const { return of_[row]; }
 
  private:

@@ -40,7 +40,7 @@ const PlaceColumn place_columns[] = {
      [](C c) { return c.raceway.groove.side == Side::inner ? 0.0 : 1.0; },
      Needs::nothing,
      true},
-    {{"groove", "", "of a ring with two: 0 or 1 along the axis", has_none, as_whole},
+    {{"groove", "", "0, or 1 for the second of two grooves along the axis", has_none, as_whole},
      [](C c) { return double(c.raceway.number); },
      Needs::nothing,
      true,
@@ -64,8 +64,8 @@ const PlaceColumn place_columns[] = {
      Needs::surroundings},
 };
 
-// Outputs keep the column order from before parts had columns; the others follow in the order of
-// the parts.
+// Outputs keep the column order that they had before parts had columns; all other columns follow in
+// the order of the parts.
 const char *const first[] = {
     "ball",       "ring",           "raceway",       "azimuth", "angle",    "overlap",
     "load",       "normal",         "stiffness",     "damping", "a",        "b",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// All columns of a contact: those of its motions and of the parts of the law, and those that depend
-// on its position in the run. Independent of the host.
+// All columns of a contact: columns of its motions and of the parts of the law, and columns that
+// depend on its position in the run. Independent of the host.
 #ifndef BEARING_CONTACT_COLUMNS_H
 #define BEARING_CONTACT_COLUMNS_H
 
@@ -17,7 +17,7 @@ struct ContactView {
   double ball, ring;    // atom numbers
   const raceway::RacewayPhysics &raceway;
   const raceway::ContactState &state;
-  int axis;                                     // of the bearing: 0 x, 1 y, 2 z
+  int axis;                                     // axis of the bearing: 0 x, 1 y, 2 z
   raceway::FilmCapacitorT<double> capacitor;    // 0 if no column uses it
 };
 
@@ -45,7 +45,7 @@ class ContactColumn {
   }
   bool needs_film() const { return needs != raceway::Needs::nothing; }
   bool needs_capacitance() const { return needs >= raceway::Needs::capacitance; }
-  // also has a value for surfaces without contact
+  // True if the column also has a value for surfaces without contact
   bool needs_surroundings() const { return needs == raceway::Needs::surroundings; }
 
   raceway::Column is;

@@ -19,15 +19,15 @@ struct Offer {
   bool gives(const ContactColumn &) const;
 };
 
-// Adds `name`, or the available columns of `all` or `usual`. Error for an unknown name or one that
-// needs a lubricant in a dry bearing.
+// Adds `name`, or the available columns of `all` or `usual`. Error for an unknown name or for one
+// that needs a lubricant in a dry bearing.
 void select_columns(const Arguments &, const std::string &name, const Offer &, ContactSelection &);
 
 // Input of the columns in addition to the contact.
 struct ContactContext {
   int axis = 2;
   std::function<raceway::FilmCapacitorT<double>(const RacewayContact &)> capacitor;    // or none
-  bool surroundings = false;    // also has values for surfaces without contact
+  bool surroundings = false;    // surfaces without contact have values, too
 
   ContactView view(const RacewayContact &c) const
   {

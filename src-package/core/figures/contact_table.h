@@ -19,13 +19,13 @@ struct RacewayContact {
   int i_ball = -1, i_ring = -1;    // local indices, valid until the next neighbour build
   int claim = -1;                  // in RingSum
   const raceway::RacewayPhysics *raceway = nullptr;
-  const raceway::RacewayProfile *profile = nullptr;      // if it is not a torus
-  const raceway::BallProfile *ball_profile = nullptr;    // if it is not a sphere
+  const raceway::RacewayProfile *profile = nullptr;      // null: the raceway is a torus
+  const raceway::BallProfile *ball_profile = nullptr;    // null: the ball is a sphere
   double *kept = nullptr;                                // state variables of the law
   bool live = false;                                     // surfaces overlap
   raceway::ContactState state;    // at this step; if not live, only the frame is set
-  // rad/s, of the ball about the ring, if the pair style evaluates gaps; without contact the state
-  // then has frame, overlap and entrainment speed
+  // rad/s, speed of the ball about the ring, if the pair style evaluates gaps; without contact the
+  // state then has frame, overlap and entrainment speed
   double orbit = 0.0;
 
   bool flawed() const { return profile || ball_profile; }
@@ -65,7 +65,7 @@ struct ContactTable {
   }
 
   // Rows of one ball and ring are consecutive, one per groove. The row with the largest load
-  // represents them where a single value is needed.
+  // represents them if a single value is needed.
   bool leads(const RacewayContact &c) const
   {
     const RacewayContact *const first = raceway.data(), *const end = first + raceway.size();

@@ -50,10 +50,10 @@ const Column list[N] = {
     {"vx", "m/s", "velocity along x"},
     {"vy", "m/s", "velocity along y"},
     {"vz", "m/s", "velocity along z"},
-    {"tilt_1", "rad", "tilt about the first axis across"},
-    {"tilt_2", "rad", "tilt about the second axis across"},
+    {"tilt_1", "rad", "tilt about the first axis across the bearing's"},
+    {"tilt_2", "rad", "tilt about the second axis across the bearing's"},
     {"spin", "rad/s", "spin about the ring's axis"},
-    {"angle", "rad", "turned about the ring's axis, from the start"},
+    {"angle", "rad", "rotation about the ring's axis since the start"},
     {"fx", "N", "force of balls and cage on the ring along x, without the load"},
     {"fy", "N", "force of balls and cage on the ring along y, without the load"},
     {"fz", "N", "force of balls and cage on the ring along z, without the load"},
@@ -67,9 +67,9 @@ const Column list[N] = {
     {"support_x", "N", "force of the supports on the ring along x"},
     {"support_y", "N", "force of the supports on the ring along y"},
     {"support_z", "N", "force of the supports on the ring along z"},
-    {"ax", "m/s^2", "acceleration along x, 0 where the displacement is not free"},
-    {"ay", "m/s^2", "acceleration along y, 0 where the displacement is not free"},
-    {"az", "m/s^2", "acceleration along z, 0 where the displacement is not free"},
+    {"ax", "m/s^2", "acceleration along x, 0 if the displacement is not free"},
+    {"ay", "m/s^2", "acceleration along y, 0 if the displacement is not free"},
+    {"az", "m/s^2", "acceleration along z, 0 if the displacement is not free"},
 };
 }    // namespace of_fix_ring
 
@@ -77,11 +77,11 @@ const Column list[N] = {
 namespace of_bend {
 enum { X, Y, Z, TILT1, TILT2, N };
 const Column list[N] = {
-    {"bend_x", "m", "displacement along x by bending, against the rigid shaft"},
+    {"bend_x", "m", "displacement along x by bending, relative to the rigid shaft"},
     {"bend_y", "m", "displacement along y by bending"},
     {"bend_z", "m", "displacement along z by bending, 0 along the shaft"},
-    {"bend_tilt_1", "rad", "slope by bending as a tilt about the first axis across"},
-    {"bend_tilt_2", "rad", "slope by bending as a tilt about the second axis across"},
+    {"bend_tilt_1", "rad", "slope by bending as a tilt about the first axis across the bearing's"},
+    {"bend_tilt_2", "rad", "slope by bending as a tilt about the second axis across the bearing's"},
 };
 }    // namespace of_bend
 
@@ -91,8 +91,8 @@ enum { MAX, SUM, LOSS, ECCENTRICITY, N };
 const Column list[N] = {
     {"pocket_max", "N", "largest force of a ball on its pocket"},
     {"pocket_sum", "N", "sum of the forces of balls on their pockets"},
-    {"loss", "W", "lost in pockets, at the guiding land and by churning"},
-    {"eccentricity", "", "of the cage from the ring that guides it, over the clearance"},
+    {"loss", "W", "power lost in pockets, at the guiding land and by churning"},
+    {"eccentricity", "", "eccentricity of the cage in the ring that guides it, over the clearance"},
 };
 }    // namespace of_cage
 
@@ -118,11 +118,11 @@ const Column list[N] = {
     {"corrections", "", "corrections per internal step"},
     {"refused", "", "internal steps refused and repeated", raceway::has_none, as_whole},
     {"error", "m", "largest accepted estimated error; with *solve damping* the largest movement"},
-    {"work", "J", "work put in by loads and driven motions; 0 without *energy yes*, as the next"},
+    {"work", "J", "work of loads and driven motions; this and the next 3: 0 without *energy yes*"},
     {"dissipated", "J",
      "energy dissipated in films, by hysteresis, by sliding, at the cage and in dampers"},
     {"stored", "J", "growth of the energy of motion, of contact springs and of bent shafts"},
-    {"lost", "J", "energy lost by the integrator: work, less dissipated, less stored"},
+    {"lost", "J", "energy lost by the integrator: work minus dissipated minus stored"},
 };
 }    // namespace of_fix_implicit
 
@@ -165,23 +165,23 @@ const Column list[N] = {
     {"mean", "F", "mean of the total over the instants of the step"},
     {"least", "F", "smallest total over the instants of the step"},
     {"most", "F", "largest total over the instants of the step"},
-    {"capacitance_total", "F", "total with surroundings; 0 unless requested, like the next"},
+    {"capacitance_total", "F", "total with surroundings; this and the next 4: 0 unless requested"},
     {"capacitance_total_top", "F", "largest value of one ball with its surroundings"},
     {"capacitance_total_mean", "F", "mean of capacitance_total over the instants of the step"},
     {"capacitance_total_least", "F", "smallest capacitance_total over the instants of the step"},
     {"capacitance_total_most", "F", "largest capacitance_total over the instants of the step"},
     {"leak", "ohm", "resistance of the films to direct current; 0 without *resistivity*"},
-    {"impedance", "ohm", "modulus of the impedance; 0 without *frequency*, as the next"},
+    {"impedance", "ohm", "modulus of the impedance; this and the phase: 0 without *frequency*"},
     {"phase", "rad", "phase of the impedance"},
     {"threshold_voltage", "V", "smallest voltage at which a film fails; 0 without *strength*"},
-    {"threshold_voltage_local", "V", "likewise, of films less three times the roughness"},
+    {"threshold_voltage_local", "V", "threshold_voltage of films minus three times the roughness"},
     {"threshold_energy", "J", "energy of the bearing and background at threshold_voltage"},
     {"hertz_area", "m2", "area of all contact ellipses; 0 without these three keywords"},
 };
 }    // namespace of_fix_capacitance
 
 // ---- fix bearing/circuit: at the last sample, after its discharge; work, heat and numbers since
-// the first one
+// the first sample
 namespace of_fix_circuit {
 enum {
   VOLTAGE,
@@ -208,17 +208,17 @@ const Column list[N] = {
     {"bearing_capacitance", "F", "capacitance between the rings, balls without charge"},
     {"bearing_voltage_ratio", "", "bearing voltage over common-mode voltage; 0 without a motor"},
     {"threshold_voltage", "V",
-     "smallest voltage at which a film fails; 0 where none can or one is bridged"},
+     "smallest voltage at which a film fails; 0 if no film can fail or one is bridged"},
     {"discharges", "", "number of discharges", raceway::has_none, as_whole},
     {"failures", "", "number of films that failed", raceway::has_none, as_whole},
     {"discharge_energy", "J", "heat of discharges"},
     {"source_work", "J", "work of the driving voltage"},
-    {"mechanical_work", "J", "work that moving the plates of the films put in"},
+    {"mechanical_work", "J", "work put in by moving the plates of the films"},
     {"leak_heat", "J", "heat in the conductance of films"},
     {"resistor_heat", "J", "heat in the resistance of the source"},
     {"stored_energy", "J", "energy stored in films, beside them and in the coupling"},
-    {"charge_error", "C", "largest difference of a node's charge by currents and by voltages"},
-    {"energy_error", "J", "largest lack of the balance of energy in a step"},
+    {"charge_error", "C", "largest difference between a node's charge by currents and by voltages"},
+    {"energy_error", "J", "largest error of the energy balance of a step"},
     {"current", "A", "mean current into the inner ring's films in the last step of the circuit"},
 };
 }    // namespace of_fix_circuit
@@ -251,28 +251,28 @@ enum {
   N
 };
 const Column list[N] = {
-    {"thermal_time", "s", "time for which temperatures have gone forward"},
+    {"thermal_time", "s", "time by which temperatures have advanced"},
     {"temperature_inner", "C", "temperature of the inner ring"},
     {"temperature_balls", "C", "temperature of the balls"},
     {"temperature_outer", "C", "temperature of the outer ring"},
     {"temperature_housing", "C", "temperature of the housing"},
     {"temperature_oil", "C", "temperature of the oil in the contacts, mean of rings and balls"},
     {"power", "W", "losses of a bearing, mean of the last ball pass"},
-    {"heat_inner", "W", "its part into the inner ring"},
-    {"heat_balls", "W", "its part into the balls"},
-    {"heat_outer", "W", "its part into the outer ring"},
+    {"heat_inner", "W", "part of the losses that heats the inner ring"},
+    {"heat_balls", "W", "part of the losses that heats the balls"},
+    {"heat_outer", "W", "part of the losses that heats the outer ring"},
     {"contacts_inner", "W/K", "conductance of the inner contacts, mean of the last ball pass"},
     {"contacts_outer", "W/K", "conductance of the outer contacts, mean of the last ball pass"},
     {"booked", "J", "heat of the losses over the thermal time"},
-    {"carried", "J", "heat carried to ambient, and away by oil that flows"},
+    {"carried", "J", "heat carried away to ambient and by oil that flows"},
     {"stored", "J", "heat stored in rings, balls and housing"},
     {"clearance", "m", "diametral clearance of the warm parts; negative is preload"},
     {"gain", "", "change of losses with temperature over conductance; from 1 on it runs away"},
     {"jump", "s", "thermal time of the last jump"},
-    {"correction", "K", "largest difference of its predicted and its final temperatures"},
+    {"correction", "K", "largest difference between predicted and final temperatures of that jump"},
     {"run_time", "s", "simulated time since the fix began"},
-    {"heat_oil", "W", "its part into oil that flows"},
-    {"temperature_outlet", "C", "temperature of oil that flows, where it leaves"},
+    {"heat_oil", "W", "part of the losses that heats oil that flows"},
+    {"temperature_outlet", "C", "temperature at which oil that flows leaves"},
 };
 }    // namespace of_fix_heat
 
@@ -285,8 +285,8 @@ const Column list[N] = {
     {"work", "J", "work of the walls on the grains; a shaft loses as much"},
     {"dissipated", "J", "energy lost in contacts of the grains"},
     {"stored", "J", "growth of the energy of motion and of contact springs"},
-    {"kinetic", "J", "energy of motion and spin of the grains, in all"},
-    {"mx", "kg m", "growth of the sum of mass times x: with gravity its work"},
+    {"kinetic", "J", "total energy of motion and spin of the grains"},
+    {"mx", "kg m", "growth of the sum of mass times x; times gravity it is the work of gravity"},
     {"my", "kg m", "growth of the sum of mass times y"},
     {"mz", "kg m", "growth of the sum of mass times z"},
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Settling of a bearing: the change of its means from the first half of the last samples to the
-// second. If each half is a whole ball pass, ball-pass ripple does not affect the change.
+// Settling of a bearing: the change of its means from the first to the second half of the last
+// samples. If each half is a whole ball pass, ball-pass ripple does not affect the change.
 // Independent of the host.
 #ifndef BEARING_SETTLING_H
 #define BEARING_SETTLING_H
@@ -12,9 +12,9 @@
 
 namespace bearing {
 
-// One sample. Doubles only, to send it or keep it in a restart file.
+// One sample. It has doubles only, to send it or keep it in a restart file.
 struct SettlingSample {
-  double torque = 0.0;          // of friction, N m; with a steady speed also the power lost, W
+  double torque = 0.0;          // friction torque, N m; at steady speed also the power lost, W
   double load[2] = {};          // N, largest on the inner and on the outer raceway
   double cage_speed = 0.0;      // rad/s
   double pocket_force = 0.0;    // N, largest of a ball on its pocket in a one-piece cage
@@ -23,7 +23,7 @@ struct SettlingSample {
   double weight = 0.0, axis[3] = {};
 
   // Adds the spin axis of a ball: `load` on its raceways (N), place from the bearing's centre (m),
-  // spin (rad/s), unit vector of the bearing's axis. A ball without spin has none.
+  // spin (rad/s), unit vector of the bearing's axis. A ball without spin has no spin axis.
   void ball(double load, const raceway::Vec3 &place, const raceway::Vec3 &spin,
             const raceway::Vec3 &bearing_axis)
   {
@@ -40,7 +40,8 @@ struct SettlingSample {
   }
 };
 
-// Relative changes; for the loads, the larger of both raceways; for the spin axis, an angle (rad).
+// Relative changes; for the loads, the larger one of both raceways; for the spin axis, an angle
+// (rad).
 // Pocket forces are impacts, which scatter, so only a fall counts; the change is 0 if they rise.
 struct SettlingChanges {
   double torque = HUGE_VAL, load = HUGE_VAL, cage_speed = HUGE_VAL, spin_axis = HUGE_VAL,
@@ -53,7 +54,7 @@ struct SettlingChanges {
   }
 };
 
-// Doubles only, as above.
+// It has doubles only, like SettlingSample.
 class Settling {
  public:
   explicit Settling(int samples_of_a_half = 1) : wanted_(samples_of_a_half) {}
@@ -76,7 +77,7 @@ class Settling {
   // True at the end of each half except the first.
   bool known() const { return before_.count >= wanted_ && now_.count >= wanted_; }
 
-  // From the last but one half to the last; infinite unless known().
+  // Changes from the last but one half to the last; infinite unless known().
   SettlingChanges changes() const
   {
     if (!known()) return {};

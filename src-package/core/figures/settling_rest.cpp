@@ -4,9 +4,9 @@
 namespace bearing {
 
 using raceway::Vec3;
-using Series = std::vector<Vec3>;    // a figure by ball pass; a number has one component
+using Series = std::vector<Vec3>;    // a figure by ball pass; a scalar has one component
 
-// Largest ratio of steps one ball pass apart; a mode that decays more slowly cannot be
+// Largest ratio of two steps one ball pass apart; a mode that decays more slowly cannot be
 // distinguished from a constant drift.
 static constexpr double slowest = 0.98;
 

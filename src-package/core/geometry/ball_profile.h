@@ -2,13 +2,13 @@
 // Departure of a ball from its sphere, in its own axes: pits, waviness and tables. A direction from
 // the ball's centre has an azimuth about the third axis and a latitude from the equator.
 //
-// The depth at a contact is that in the direction of its normal, as for a raceway at the ball's
-// azimuth (raceway_profile.h). The path over a pit is the same: it depends on the effective radius
-// along rolling. A wave is a spherical harmonic,
+// The depth at a contact is the depth in the direction of its normal, as for a raceway at the
+// ball's azimuth (raceway_profile.h). The path over a pit is the same as on a raceway: it depends
+// on the effective radius along rolling. A wave is a spherical harmonic,
 //   depth = A cos(n azimuth + phase) cos^n(latitude),
 // smooth everywhere, and A cos(n azimuth + phase) on the equator. A table is measured along the
-// equator and fades as cos^2(latitude), so its slope is zero at the poles; the path over it is that
-// over a table of a raceway.
+// equator and fades as cos^2(latitude), so its slope is zero at the poles; the path over it follows
+// the same rule as the path over a table of a raceway.
 //
 // A pit narrower than the contact patch covers a strip of it from y1 to y2, measured from the
 // middle of the patch. Its share of the load is half the difference between the shares of two
@@ -32,10 +32,10 @@ struct BallShape {
   std::vector<PeriodicCurve> tables;    // depth along the equator, m
 };
 
-// Depth in a direction and its derivatives by the direction: along and across rolling (groove.h).
+// Derivatives of the depth with respect to the direction, along and across rolling (groove.h).
 template <class T> struct alignas(sizeof(T)) BallSlopesT {
-  T along = T(), across = T();              // m/rad, of the depth
-  T path_along = T(), path_across = T();    // of the azimuth in the ball's axes
+  T along = T(), across = T();              // m/rad, derivatives of the depth
+  T path_along = T(), path_across = T();    // derivatives of the azimuth in the ball's axes
   T bend = T();                 // m, second derivative of waves and tables in the azimuth
   T cross = T(), side = T();    // N, N m: stiffness between approach and azimuth, and in it
 };
@@ -46,7 +46,7 @@ struct BallView {
   Vec3 n, t, w;
 };
 
-// A kind of ball on a kind of raceway.
+// The profile of a kind of ball on a kind of raceway.
 class BallProfile {
  public:
   // Radius of the ball and effective radius along rolling, m; semi-axis of the contact patch across
@@ -63,8 +63,8 @@ class BallProfile {
     }
   }
 
-  // Overlap reduced by waves and tables. These are subtracted before a raceway's profile, pits
-  // after it.
+  // Overlap reduced by waves and tables, which are subtracted before a raceway's profile; pits are
+  // subtracted after it.
   double all_round(double overlap, const BallView &view, BallSlopes &b) const
   {
     const Place at(view);
@@ -94,7 +94,7 @@ class BallProfile {
     return overlap;
   }
 
-  // Overlap reduced by pits; `energy` (J) and `follows` are those of ProfiledContact.
+  // Overlap reduced by pits; `energy` (J) and `follows` as in ProfiledContact.
   double pits(double d, const BallView &view, BallSlopes &b, double &energy, double &follows) const
   {
     if (pits_.empty()) return d;
@@ -185,7 +185,7 @@ class BallProfile {
 
   double radius_, ellipse_, stiffness_;    // m, sqrt(m), N/m^1.5
   std::vector<Wave> waves_;
-  std::vector<PeriodicCurve> tables_;    // paths
+  std::vector<PeriodicCurve> tables_;    // paths over the tables
   std::vector<double> spacings_;         // rad, of the tables as given
   std::vector<Pit> pits_;
 };

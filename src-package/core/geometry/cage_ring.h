@@ -40,7 +40,7 @@ struct CageRing {
   double land_stiffness = 0.0;    // N/m^1.5, of cage on land
   double oil_share = 0.0, oil_density = 0.0, oil_viscosity = 0.0, outer_radius = 0.0;    // churning
 
-  // m, effective play: half of the smaller one, at least that of a bore wider by 1e-3
+  // m, effective half play: the smaller one, at least a thousandth of the ball's radius
   double least_play(double ball_radius) const
   {
     return std::fmax(std::fmin(along, across), 1e-3 * ball_radius);
@@ -62,7 +62,7 @@ inline double pocket_stiffness(bool spherical, double ball_radius, double play, 
 }
 
 // Stiffness of a cage that touches its land, N/m^1.5: along the circle the radii differ by the
-// play; across it the curvature of the land is assumed to be that of the circle.
+// play; across it the curvature of the land is assumed to equal the curvature of the circle.
 inline double land_stiffness(const LandGap &land, double Eprime)
 {
   const double r = land.radius;
@@ -93,7 +93,7 @@ inline int pocket_at(const CageRing &cage, const CageMotion &m, const Vec3 &d)
   return k % cage.pockets;
 }
 
-// Direction from the cage's centre to that of a pocket.
+// Direction from the cage's centre to the centre of a pocket.
 inline Vec3 pocket_axis(const CageRing &cage, const CageMotion &m, int pocket)
 {
   const double turn = 2.0 * 3.14159265358979323846;
@@ -102,12 +102,12 @@ inline Vec3 pocket_axis(const CageRing &cage, const CageMotion &m, int pocket)
 }
 
 struct PocketContact {
-  Vec3 offset;       // m, ball's centre from the pocket's: along the circle, the axis, the radius
+  Vec3 offset;       // m, ball's centre from the pocket's, along circle, axis and radius
   double overlap;    // m, negative: gap
   Vec3 normal;       // from wall to ball
   Vec3 lever;        // m, ball's centre from the cage's
   DampedHertz h;
-  double rate = 0.0;    // m/s, of the overlap
+  double rate = 0.0;    // m/s, rate of the overlap
   double bend = 0.0;    // N/m, from the rotation of the normal with the ball's position in the bore
   Vec3 side, axis;      // across the normal in the pocket's section; axis of the pocket
   bool spherical = false;
@@ -123,8 +123,8 @@ struct PocketBall {
   double radius, mass;
 };
 
-// Up to a gap of `close` (m), derivatives are those of an overlap `barely` (m); the forces are
-// still those of the gap.
+// Up to a gap of `close` (m), derivatives are taken at an overlap `barely` (m), whereas the forces
+// are taken at the gap.
 inline PocketContact pocket_contact(const CageRing &cage, const CageMotion &m, int pocket,
                                     const PocketBall &ball, double close = 0.0, double barely = 0.0)
 {
@@ -193,7 +193,7 @@ struct LandContact {
   Vec3 force, moment;                               // on the cage, N and N m
   Vec3 lever;                                       // m, cage's centre from the ring's
   double displaced[2][2] = {}, moved[2][2] = {};    // -d force/d place, -d force/d velocity
-  Vec3 axis[2];                                     // of these, across the ring's axis
+  Vec3 axis[2];                                     // axes of these, across the ring's axis
   double loss = 0.0, energy = 0.0;                  // W, J
   double share = 0.0;                               // eccentricity over clearance
   double push = 0.0, stiffness = 0.0;               // N and N/m, of the touching surfaces

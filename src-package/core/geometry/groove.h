@@ -22,7 +22,7 @@ enum class Side { inner = 0, outer = 1 };
 struct Groove {
   Side side = Side::inner;
   double raceway_radius = 0.0;    // m, R_i or R_e: bottom of the groove
-  double groove_radius = 0.0;     // m, r_c: cross-section
+  double groove_radius = 0.0;     // m, r_c: radius of the cross-section
   double ball_radius = 0.0;       // m, R_b
   double offset = 0.0;            // m, of its centres from the ring's middle plane, along the axis
 
@@ -86,7 +86,7 @@ inline bool locate_beyond(const Vec3 &d, const Vec3 &e, double centre_circle, do
   return true;
 }
 
-// The same without a branch, for every position.
+// As above without a branch, for every position.
 template <class T>
 RACEWAY_INLINE void locate(const Vec3T<T> &d, const Vec3T<T> &e, double centre_circle,
                            GroovePositionT<T> &p)

@@ -9,13 +9,14 @@
 //   S = R_b [4 tan((theta_b -+ alpha)/4) +- 0.09 gamma],  +0.09 inner, -0.09 outer,
 // on the two sides of a contact at the contact angle alpha; gamma = R_b cos(alpha)/r_pitch. Within
 // the contact ellipse the groove already is that parabola, so the excess of the arc there is
-// subtracted: 4 R_b q_a - a from the first term and (q_a/q)^2 from the second, q the tangent in S,
-// q_a = tan(a/(4 R_b)), a the semi-axis across.
+// subtracted: 4 R_b q_a - a from the first term and (q_a/q)^2 from the second, where q is the
+// tangent in S, q_a = tan(a/(4 R_b)), and a the semi-axis across the groove.
 //
-// With two grooves per ring, each ends at the other one, in the ring's middle plane. Seen from a
-// ball in that plane its shoulder is at tan theta_b = (r_c sin theta - G)/(R_b - t + (r_c - R_b)(1
-// - cos alpha_0)), with the distance G of its centres from the plane and the contact angle alpha_0
-// there. Its other end is at the angle 0, so S = 4 R_b tan(alpha/4) on that side. The term with
+// With two grooves per ring, each ends at the other groove, in the ring's middle plane. Seen from a
+// ball in that plane the shoulder of a groove is at
+//   tan theta_b = (r_c sin theta - G)/(R_b - t + (r_c - R_b)(1 - cos alpha_0)),
+// with the distance G of the groove's centres from the plane and the contact angle alpha_0 there.
+// The groove's other end is at the angle 0, so S = 4 R_b tan(alpha/4) on that side. The term with
 // 0.09 applies to sides twice as long that begin at the bottom, and is omitted.
 #ifndef RACEWAY_GROOVE_SHOULDER_H
 #define RACEWAY_GROOVE_SHOULDER_H
@@ -40,7 +41,7 @@ template <class T> RACEWAY_INLINE T half_tangent(const T &tangent)
 
 template <class T> struct GrooveSideT {
   T reach;        // m
-  T cotangent;    // of a quarter of the angle from the contact to the shoulder
+  T cotangent;    // cotangent of a quarter of the angle from the contact to the shoulder
 };
 template <class T> struct GrooveReachT {
   GrooveSideT<T> near, far;    // the side towards which the contact leans, and the other side
@@ -78,12 +79,12 @@ class GrooveShoulder {
             {radius_ * (4.0 * far + curved), 1.0 / far}};
   }
 
-  // Reach around an ellipse with the semi-axis a (m) across.
+  // Reach around an ellipse with the semi-axis a (m) across the groove.
   template <class T>
   RACEWAY_INLINE T around(const GrooveSideT<T> &side, const T &cosine, const T &a) const
   {
     const T curved = curved_ * cosine, u = a * (0.25 / radius_), u2 = u * u;
-    // the tangent, relative error 3e-7 for an ellipse one radius wide
+    // the tangent, with a relative error of 3e-7 for an ellipse one radius wide
     const T within = u * (1.0 + u2 * (1.0 / 3 + u2 * (2.0 / 15 + u2 * (17.0 / 315))));
     const T ratio = within * side.cotangent;
     const T part = where((side.cotangent > 0.0) & (ratio < 1.0), ratio, 1.0);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Departure of a raceway from its torus: notches and pits, waviness, a measured table. Depths are
+// Departure of a raceway from its torus: notches and pits, waviness and measured tables. Depths are
 // measured from the torus into the ring, azimuths in the ring's own frame.
 //
 // A ball follows a flaw only as far as its size allows (docs/theory, Flaws of a raceway). With R_x
 // the effective radius along rolling and edges of radius E, its path over a notch of length w is
-//   depth = (w/2 - |s|)^2/(2 (R_x + E)), at most the notch's depth, s along the raceway from its
-// middle. The bend of the path, in the middle or at the bottom, is spread over +-E.
+//   depth = (w/2 - |s|)^2/(2 (R_x + E)),
+// at most the notch's depth, with s along the raceway from the notch's middle. The bend of the
+// path, in the middle or at the bottom, is spread over +-E.
 #ifndef RACEWAY_RACEWAY_PROFILE_H
 #define RACEWAY_RACEWAY_PROFILE_H
 
@@ -87,7 +88,7 @@ class NotchPath {
  private:
   NotchShape shape_;
   double raceway_, curve_, half_;                 // m
-  double turned_, turns_, steepest_, deepest_;    // m, m, 1, m: the turn from `turns_` inwards
+  double turned_, turns_, steepest_, deepest_;    // m, m, 1, m; the path bends from turns_ inwards
 };
 
 // The path of a ball over a surface given by a table: the part of it within reach of the ball.

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A cage ball on a torus rail (docs/theory, Rings): elastic, frictionless, critically damped.
 //
-// The rail is a torus: centre-circle radius, tube radius, axial offset of that circle along the
-// ring axis. Contact when the ball centre is nearer to the centre circle than ball radius + tube
-// radius. Hertz constants are those of the seat: the ball touches the tube from the axis side under
-// the seat angle (0 = radially outside the ball), so that along the rail the surface is concave.
+// The rail is a torus with a centre-circle radius, a tube radius and an axial offset of that circle
+// along the ring axis. A ball touches it if the ball's centre is nearer to the centre circle than
+// ball radius + tube radius. The Hertz constants apply to the seat: the ball touches the tube from
+// the side of the axis at the seat angle (0 = radially outside the ball), so that the surface is
+// concave along the rail.
 #ifndef RACEWAY_RAIL_H
 #define RACEWAY_RAIL_H
 
@@ -37,7 +38,7 @@ inline double rail_stiffness(const Rail &rail, double ball_radius, double pitch,
   const double distance = std::sqrt(dr * dr + dz * dz);
   const double cos_seat = dr / distance;
   const double contact_radius =
-      pitch + ball_radius * cos_seat;    // of the contact point, about the axis
+      pitch + ball_radius * cos_seat;    // radius of the contact point about the axis
   const double along = 1.0 / ball_radius - cos_seat / contact_radius;
   const double across = 1.0 / ball_radius + 1.0 / rail.tube;
   return hertz_contact(1.0 / along, 1.0 / across, Eprime, Ellipse::exact).K;
@@ -69,7 +70,7 @@ RACEWAY_INLINE RailContactT<T> rail_contact(const Rail &rail, double K, const T 
 }
 
 // True if a cage ball may be within `margin` (m) of the rail, without the square root. Despite
-// rounding, true whenever rail_contact() finds an overlap.
+// rounding, it is true whenever rail_contact() finds an overlap.
 template <class T>
 RACEWAY_INLINE auto may_touch(const Rail &rail, const T &r, const T &z, const T &radius,
                               double margin)

@@ -27,7 +27,8 @@ inline Vec3 angular_velocity(const RingInertia &I, const Vec3 &L, const Vec3 &e)
 // the step.
 
 // Velocity Verlet: the moments act in the half kicks before and after the drift, so the angular
-// momentum L is constant in the drift. Midpoint rule: second order, keeps |e| to rounding.
+// momentum L is constant in the drift. The midpoint rule is of second order and keeps |e| to
+// rounding.
 inline Vec3 drift_axis(const RingInertia &I, const Vec3 &L, const Vec3 &e, double h)
 {
   const Vec3 half = rotate(e, angular_velocity(I, L, e) * (0.5 * h));
@@ -49,7 +50,7 @@ template <class Across> Vec3 implicit_axis(const Vec3 &e, Across across, double 
   return end;
 }
 
-// A drift with constant angular velocity W normal to the axis: exact.
+// A drift with constant angular velocity W normal to the axis, which is exact.
 inline Vec3 turned_axis(const Vec3 &e, const Vec3 &W, double h) { return rotate(e, W * h); }
 
 }    // namespace raceway

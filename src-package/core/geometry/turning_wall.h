@@ -11,7 +11,8 @@
 
 namespace raceway {
 
-// A sphere at a wall: overlap (m, negative if apart), unit normal from the wall to the sphere.
+// Contact of a sphere with a wall: overlap (m, negative if apart) and unit normal from the wall to
+// the sphere.
 struct WallTouch {
   double overlap = -HUGE_VAL;
   Vec3 n;

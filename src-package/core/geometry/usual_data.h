@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A bearing from its usual data; radii as in raceway.inputs. SI units.
 //
-// The pitch diameter is that of the ball centres in contact with both raceways at the contact
-// angle, so a contact angle above 0 determines the clearance.
+// The pitch diameter is the diameter of the circle of ball centres in contact with both raceways at
+// the contact angle, so a contact angle above 0 determines the clearance.
 #ifndef RACEWAY_USUAL_DATA_H
 #define RACEWAY_USUAL_DATA_H
 
@@ -17,7 +17,7 @@ struct UsualData {
   // Radius of a raceway at the bottom of a groove of radius `groove`.
   double inner_radius(double groove) const { return 0.5 * pitch_diameter - groove + reach(groove); }
   double outer_radius(double groove) const { return 0.5 * pitch_diameter + groove - reach(groove); }
-  // Diameter of cage balls that leave a ball the clearance `play` along the pitch circle.
+  // Diameter of cage balls that leave each ball the clearance `play` along the pitch circle.
   double cage_ball_diameter(double play) const
   {
     return 2.0 * pitch_diameter * std::sin(0.5 * M_PI / balls) - ball_diameter - play;
@@ -30,8 +30,8 @@ struct UsualData {
   }
 };
 
-// The inner ring as a hollow cylinder with shoulders 0.18 ball diameters above the bottom of the
-// groove: an estimate.
+// Estimate of the inner ring as a hollow cylinder with shoulders 0.18 ball diameters above the
+// bottom of the groove.
 struct RingCylinder {
   double bore_diameter, width, outer_radius;
 

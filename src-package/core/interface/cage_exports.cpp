@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A cage that is one ring: its estimated data, and couples of its oil (cage_drag.h).
+// A one-piece cage: its estimated data, and couples of its oil (cage_drag.h).
 #include "../geometry/cage_ring.h"
 #include "exports.h"
 

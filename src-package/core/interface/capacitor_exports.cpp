@@ -35,7 +35,7 @@ FORMULA(double, rough_film_factor, (double sigma_over_h))
 }
 
 namespace {
-// An ellipse without a contact law; E' cancels in the shape of its gap.
+// Shape of the gap around an ellipse without a contact law; E' cancels in it.
 GapShape shape_of(double kappa, double first, double second, double radius, double r_x, double E,
                   double &K)
 {

@@ -7,7 +7,7 @@
 
 using namespace raceway;
 
-// Point and ball of a charge without films, or -1.
+// Point and ball at which a charged ball has no film, or -1.
 RECORD(CircuitEnd, double point, ball;)
 
 namespace {
@@ -48,12 +48,12 @@ void put(const FilmFailure &f, double time, double discharge, double *row)
 }    // namespace
 
 // Films are by point, side, ball; they fail by film_limit(thickness, strength, less, floor), never
-// with a strength of 0. The outer circuit: parallel capacitance, also as a factor of the bearing's
-// own, coupling, conductance; driving voltage by point, and rows of its edges in order (time,
-// voltage before and after). Films and voltage are linear in between. Rows of failures, at most
-// `most`: time, discharge, order, side, ball, film voltage, bearing voltage, bearing voltage after,
-// film energy, energy. Ends at a point where a charged ball has no film. Returns the number of
-// failures.
+// with a strength of 0. The outer circuit has a parallel capacitance, also as a factor of the
+// bearing's own capacitance, a coupling and a conductance; the driving voltage is given by point,
+// with rows of its edges in order (time, voltage before and after). Films and voltage are linear in
+// between. Rows of failures, at most `most`, have time, discharge, order, side, ball, film voltage,
+// bearing voltage, bearing voltage after, film energy, energy. The circuit ends at a point where a
+// charged ball has no film. Returns the number of failures.
 EXPORT(int, bearing_circuit,
        (int points, int balls, const double *time, const double *capacitance,
         const double *conductance, const double *thickness, double strength, double less,
@@ -124,7 +124,7 @@ EXPORT(int, bearing_circuit,
   return count;
 }
 
-// A single point: its discharge in place, and its failures as above. Returns their number.
+// The discharge of a single point, in place, and its failures as above. Returns their number.
 EXPORT(int, film_discharge,
        (int balls, const double *capacitance, const double *limit, double beside, double coupling,
         double driving, double *ball_charge, double *ring_charge, double *ball, double *ring,
@@ -155,8 +155,8 @@ EXPORT(void, film_redistribution,
   put(voltage, ball, ring);
 }
 
-// Voltage between the rings at which the first film fails, V, by point; 0 where the limit of that
-// film is at most `bridged` (V).
+// Voltage between the rings at which the first film fails, V, by point; 0 if the limit of that film
+// is at most `bridged` (V).
 EXPORT(void, threshold_voltages,
        (int points, int balls, const double *capacitance, const double *limit, double bridged,
         double *out))
@@ -176,8 +176,8 @@ FORMULA(double, local_thickness, (double thickness, double less, double floor))
   return local_thickness(thickness, less, floor);
 }
 
-// Rows of time, voltage before and after for each leg of an inverter that switches between the
-// times, rising; at most `most`. Returns their number.
+// Rows of time, voltage before and voltage after for each switching of an inverter's leg between
+// the two times, in order of time; at most `most` rows. Returns their number.
 EXPORT(int, inverter_edges,
        (int points, const double *time, double voltage, double frequency, double carrier,
         double modulation, int most, double *out))

@@ -9,9 +9,9 @@ RECORD(FilmAtLoad, double thickness, fall;)
 RECORD(FilmInGap, double load, h_c, elastic, slope;)
 
 namespace {
-// One film as a function of the load. `shape` is R_y (m) in all regimes, otherwise kappa. A thermal
-// loading adds Gupta's factor, with `peak` as p_max/E' at 1 N. Below the load `cut` (N) the
-// thickness by a power law is constant, and so is Gupta's factor of any film.
+// One film as a function of the load. `shape` is R_y (m) with the law of all regimes, otherwise
+// kappa. A thermal loading adds Gupta's factor, with `peak` as p_max/E' at 1 N. Below the load
+// `cut` (N) the thickness by a power law is constant, and so is Gupta's factor of any film.
 struct FilmOverLoad {
   bool all;
   double viscosity, pressure_viscosity, modulus, r_x, shape, speed, factor, loading, peak,
@@ -93,7 +93,7 @@ FilmInGap in_gap(const FilmOverLoad &film, double overlap, double K, double shar
   FilmRootT<double> found = solve(below, nullptr, none);
   if (film.heated() && found.compression > kept) {
     const double unpressed = g.unpressed;
-    g = {1.0, g.per_pressure * film.peak * std::cbrt(K)};    // by the root of the compression
+    g = {1.0, g.per_pressure * film.peak * std::cbrt(K)};    // per root of the compression
     found = solve(unpressed, &g, kept > none ? kept : none);
   }
   return loaded(found.compression, found.thickness, found.slope);

@@ -9,7 +9,7 @@ using raceway::FixedPoint;
 
 RECORD(FixedPointNext, double residual, distance, contraction;)
 
-// After `starts` values of a map of n numbers, start by start: the next start, and norms.
+// The next start and norms after `starts` values of a map of n numbers, in the order of the starts.
 EXPORT(void, fixed_point,
        (int starts, int n, double reach, const double *x, const double *g, const double *weights,
         double *next, FixedPointNext *out))

@@ -93,7 +93,8 @@ FORMULA(double, edge_slip, (double speed, double a, double r_d, double r_x))
   return edge_slip(speed, a, r_d, r_x);
 }
 
-// Over mu Q and, for the couple, a^2/(2 R_d); `off` is the slip relative to free rolling over s_e.
+// Values over mu Q and, for the couple, over mu Q a^2/(2 R_d); `off` is the slip relative to free
+// rolling, over s_e.
 RECORD(SlipLaw, double root, secant, force, couple;)
 FORMULA(SlipLaw, differential_slip, (double off))
 {
@@ -147,7 +148,7 @@ FORMULA(double, rolling_force,
   return rolling_force(rolling_shape(k, r_x), logarithm(std::fabs(speed)), load, std::cbrt(load));
 }
 
-// exact, by quadrature, and by the interpolation that contacts use
+// The share by quadrature, which is exact, and by the interpolation that contacts use
 FORMULA(double, inlet_share, (double length, double thickness))
 {
   return inlet_share(length, thickness);
@@ -155,7 +156,7 @@ FORMULA(double, inlet_share, (double length, double thickness))
 
 FORMULA(double, rolling_inlet, (double length, double h_c, double b, double r_x))
 {
-  thread_local RollingInlet of;    // prepared again for another length
+  thread_local RollingInlet of;    // is prepared again for another length
   thread_local double prepared = -1.0;
   if (length != prepared) of.prepare(prepared = length);
   return of.short_inlet ? of.share(h_c, b, r_x) : 1.0;

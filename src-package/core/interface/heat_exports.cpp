@@ -54,7 +54,7 @@ FORMULA(double, iso_15312_conductance, (double bore, double outside, double widt
   return iso_15312_conductance(bore, outside, width);
 }
 
-// J/K of a ring by radii of raceway and groove and diameters of seat and shoulder (m)
+// J/K of a ring, from radii of raceway and groove and diameters of seat and shoulder (m)
 FORMULA(double, ring_capacity,
         (bool inner, double raceway_radius, double groove_radius, double seat, double shoulder,
          double width))
@@ -88,7 +88,8 @@ FORMULA(WettedSurfacesOf, wetted_surfaces,
   return {of.inner, of.balls, of.outer};
 }
 
-// C, of the oil that leaves, with `heat` (W) generated in it and surfaces at these temperatures (C)
+// Temperature (C) of the oil that leaves, with `heat` (W) generated in it and surfaces at these
+// temperatures (C)
 EXPORT(double, oil_outlet, (const HeatNetworkOf *net, const double surface[3], double heat))
 {
   return network(*net).oil.outlet(surface, heat);

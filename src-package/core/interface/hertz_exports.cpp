@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Hertz contact, the radii of a ball in its groove.
+// Hertz contact, and the radii of a ball in its groove.
 #include "../laws/hertz.h"
 #include "exports.h"
 
@@ -32,7 +32,7 @@ FORMULA(SemiAxes, hertz_semi_axes,
   return {a, a / kappa};
 }
 
-// from the semi-axes at 1 N, so that it is 0 without load
+// computed from the semi-axes at 1 N, so that it is 0 without load
 FORMULA(double, hertz_pressure,
         (double kappa, double second, double radius, double modulus, double load))
 {

@@ -11,7 +11,7 @@
 struct JsonText {
   std::string text;
 
-  // As printf.
+  // Like printf.
   __attribute__((format(printf, 2, 3))) void add(const char *format, ...)
   {
     va_list all, again;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Drag of a ball in a mixture of oil and air (docs/theory, Drag): C_D X rho A v^2/2, A = pi R_b^2,
-// X the volume fraction of oil, C_D of a sphere at Re = rho v 2R_b/eta by log-log interpolation of
-// a table; Stokes's law below Re 0.1, constant above 1e5.
+// X the volume fraction of oil, C_D the drag coefficient of a sphere at Re = rho v 2R_b/eta by
+// log-log interpolation of a table; Stokes's law below Re 0.1, constant above 1e5.
 #ifndef RACEWAY_BALL_DRAG_H
 #define RACEWAY_BALL_DRAG_H
 

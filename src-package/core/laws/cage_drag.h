@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Oil in a one-piece cage: shear in the pockets, film between cage and guiding land,
-// churning of its faces. Sources: Petroff's couple and Ocvirk's short bearing (DuBois and Ocvirk,
+// Oil in a one-piece cage: shear in the pockets, film between cage and guiding land, and churning
+// of the cage's faces. Sources: Petroff's couple and Ocvirk's short bearing (DuBois and Ocvirk,
 // NACA Report 1157, 1953), with whirl as in Booker (J. Basic Eng. 87, 1965); disc in a fluid:
-// Schlichting, Boundary-Layer Theory. SI.
+// Schlichting, Boundary-Layer Theory. SI units.
 #ifndef RACEWAY_CAGE_DRAG_H
 #define RACEWAY_CAGE_DRAG_H
 
@@ -11,8 +11,9 @@
 namespace raceway {
 
 // Couple of a ball that spins in its pocket, N m per rad/s of relative spin across the axis of the
-// pocket: Couette flow over a band of height H (m) in the gap c (m), filled to the share X.
-// Integral of (eta w R |cos|/c) R |cos| over the band; about the pocket's axis it is twice that.
+// pocket: Couette flow over a band of height H (m) in the gap c (m), filled to the share X. It is
+// the integral of (eta w R |cos|/c) R |cos| over the band; the couple about the pocket's axis is
+// twice as large.
 inline double pocket_shear(double viscosity, double ball_radius, double height, double gap,
                            double filled)
 {
@@ -22,9 +23,9 @@ inline double pocket_shear(double viscosity, double ball_radius, double height, 
 
 // The gap between a cage and the land of a ring that guides it.
 struct LandGap {
-  double radius = 0.0, clearance = 0.0;    // m, of the land; radial play
-  double width = 0.0;                      // m, of each land
-  int lands = 2;                           // of that width
+  double radius = 0.0, clearance = 0.0;    // m, radius of the land; radial play
+  double width = 0.0;                      // m, width of each land
+  int lands = 2;                           // number of lands
   double viscosity = 0.0, filled = 1.0;    // Pa s, share of the gap with oil
 };
 
@@ -46,9 +47,9 @@ template <class T> struct LandForce {
   T x, y;
 };
 
-// Half film of a short bearing. x, y (m) and vx, vy (m/s): cage relative to land; sum: sum of both
-// speeds, rad/s. The film resists approach and is dragged round at half the sum of the speeds, so
-// it does not support a cage that whirls at that speed.
+// Force of the half film of a short bearing. x, y (m) and vx, vy (m/s): cage relative to land; sum:
+// sum of both speeds, rad/s. The film resists approach and is dragged round at half the sum of the
+// speeds, so it does not support a cage that whirls at that speed.
 template <class T>
 LandForce<T> land_film(const LandGap &g, const T &x, const T &y, const T &vx, const T &vy,
                        double sum)

@@ -11,12 +11,12 @@ namespace raceway {
 template <class T> struct DampedHertzT {
   T stiffness = T();    // N/m, dF/d(overlap) of the spring
   T damping = T();      // N s/m
-  T growth = T();       // N/m, growth of the force with the overlap, including that of the damping
+  T growth = T();       // N/m, growth of the force with the overlap, including the damping force
   T force = T();        // N, >= 0 (no adhesion)
 };
 using DampedHertz = DampedHertzT<double>;
 
-// K overlap^1.5 with the critical damping 2 sqrt(k m) of the reduced mass m at the present
+// Force K overlap^1.5 with the critical damping 2 sqrt(k m) of the reduced mass m at the present
 // stiffness k. Pre-conditions: overlap >= 0 (m), K >= 0 (N/m^1.5), m > 0 (kg); overlap_rate in m/s,
 // > 0 when closing.
 template <class T>

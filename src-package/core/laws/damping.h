@@ -4,8 +4,8 @@
 //   F_n = max(0, Q + C d(overlap)/dt),  C = C_hyst + C_fluid   (Kelvin-Voigt, no adhesion)
 //   C_hyst  = 1.5 alpha_e Q                                    (Hunt & Crossley 1975)
 //   C_fluid = 3 pi eta/sqrt(2) l (R/h)^1.5                     (Walford & Stone 1983)
-// As printed, l is the semi-axis a and R the ball radius; a half-film squeeze per unit length would
-// use l = 2a and R = R_x (errata, eq 5). Both are available.
+// As printed, l is the semi-axis a and R the ball radius; squeezing of a half film per unit length
+// would use l = 2a and R = R_x (errata, eq 5). Both are available.
 // h has a lower limit, because a film alone does not carry a contact at rest.
 #ifndef RACEWAY_DAMPING_H
 #define RACEWAY_DAMPING_H

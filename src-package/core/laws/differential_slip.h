@@ -7,8 +7,8 @@
 //   s(z) = s - Omega z^2/(2 R_d),  s_e = |Omega| a^2/(2 R_d) from the centre to the edge z = a.
 // With slip s at the centre, along rolling, and t0 = sqrt(s/s_e) in [0, 1]:
 //   F/(mu Q) = 3 t0 - t0^3 - 1,  C/(mu Q a^2/(2 R_d)) = t0^3 - 3/5 t0^5 - 1/5,
-// with the values at 0 and 1 beyond that range. The contact loses F s - C |Omega|. Without slip
-// Omega is u/R_x, u entrainment speed.
+// with the values at 0 and 1 beyond that range. The contact loses the power F s - C |Omega|.
+// Without slip Omega is u/R_x, with the entrainment speed u.
 #ifndef RACEWAY_DIFFERENTIAL_SLIP_H
 #define RACEWAY_DIFFERENTIAL_SLIP_H
 
@@ -41,7 +41,7 @@ template <class T> RACEWAY_INLINE T slip_root(const T &off)
   return square_root(T(where(q > 0.0, where(q < 1.0, q, 1.0), 0.0)));
 }
 
-// F/(mu Q) over that slip: the secant.
+// F/(mu Q) over that slip, which is the secant.
 template <class T> RACEWAY_INLINE T slip_secant(const T &off)
 {
   const T q = free_part + off, t = slip_root(off);

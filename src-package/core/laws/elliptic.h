@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Complete elliptic integrals by the arithmetic-geometric mean, and the quotient
 // D(m) = (K - E)/m that the Hertz equations need without cancellation at small m.
-// Source: Abramowitz & Stegun 17.6. Relative error a few 1e-16 (tested against mpmath).
+// Source: Abramowitz & Stegun 17.6. The relative error is a few 1e-16 (tested against mpmath).
 // Pre-condition: 0 <= m < 1, m = 1 - m1, with the complementary parameter m1 as input (accurate
 // near m = 1).
 #ifndef RACEWAY_ELLIPTIC_H

@@ -5,7 +5,7 @@
 //   U = eta u/(E' R_x),  G = xi E',  W = Q/(E' R_x^2),
 // and kappa constant per raceway and contact angle. So ln h = lnA + p ln u + m ln Q: the constants
 // are computed once, and a contact costs two logarithms and one exponential.
-//   u  entrainment speed, m/s;  Q elastic contact load, N;  h, m.
+//   u entrainment speed, m/s;  Q elastic contact load, N;  h in m.
 // Sources: Masjedi & Khonsari 2015 (smooth part, point contact); Hamrock & Dowson 1977.
 #ifndef RACEWAY_FILM_H
 #define RACEWAY_FILM_H

@@ -5,7 +5,7 @@
 //   Murch and Wilson 1975   3.94/(3.94 + L^0.62)
 //   Wilson 1979             1/(1 + 0.1 L^0.64)
 //   Gupta et al. 1992       (1 - 13.2 P L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64)
-// with P = p_max/E' and S = s/u, s the sliding speed; for L below about 10. 13.2 P L^0.42 is
+// with P = p_max/E', S = s/u and the sliding speed s, valid for L below about 10. 13.2 P L^0.42 is
 // limited to 0.9. Starvation is a factor given by the user. Derivatives of a law keep the factor
 // fixed.
 #ifndef RACEWAY_FILM_FACTORS_H
@@ -17,14 +17,14 @@ namespace raceway {
 
 enum class InletShear { none, murch, wilson, gupta };
 
-// L from the entrainment speed (m/s), which is half the sum of both speeds
+// Thermal loading L from the entrainment speed (m/s), which is half the sum of both speeds
 inline double thermal_loading(double temperature_viscosity, double viscosity, double speed,
                               double conductivity)
 {
   return temperature_viscosity * viscosity * speed * speed / conductivity;
 }
 
-// by ln L
+// Factor of Murch and Wilson from ln L
 template <class T> RACEWAY_INLINE T murch_wilson(const T &ln_L)
 {
   return 3.94 / (3.94 + exponential(T(0.62 * ln_L)));
@@ -52,7 +52,7 @@ struct FilmFactors {
   // derived by prepare()
   double ln_loading = 0.0;    // ln(L/u^2)
   bool any = false;
-  bool by_pressure = false;    // Gupta's factor, not included in of()
+  bool by_pressure = false;    // Gupta's factor is used, which of() does not include
 
   void prepare(double viscosity)
   {
@@ -71,7 +71,7 @@ struct FilmFactors {
     if (inlet_shear == InletShear::murch) return all * murch_wilson(ln_L);
     return all / (1.0 + 0.1 * exponential(T(0.64 * ln_L)));
   }
-  // slip2: sliding speed squared, m^2/s^2. 1 at rest.
+  // Gupta's factor, 1 at rest; slip2: sliding speed squared, m^2/s^2.
   template <class T> RACEWAY_INLINE GuptaFactorT<T> gupta(const T &ln_speed, const T &slip2) const
   {
     const auto moves = ln_speed > -50.0;

@@ -3,8 +3,8 @@
 // gap).
 //
 //   x = d + z h(Q),  Q = K x^1.5,  h = e (Q/Q_0)^-m,  h = e below Q_0
-//   x elastic approach of the bodies, d the overlap of the rigid surfaces, negative for a gap, m
-//   e the film at the load Q_0, m;  z its share
+//   x the elastic approach of the bodies, m;  d the overlap of the rigid surfaces, m, < 0: a gap
+//   e the film thickness at the load Q_0, m;  z the share of it that adds to the overlap
 //
 // With r = x/x_0, x_0 = (Q_0/K)^(2/3), n = 1.5 m this is r - H r^-n = D for r > 1, r - H = D below:
 // the left side increases with r and is concave, so there is one root, between 1 and D + H. A step
@@ -29,7 +29,7 @@ template <class T> struct FilmGapT {
 };
 
 namespace detail {
-// One step from r towards r = D + H q, q = r^-n: Newton's step s, and the four-term step e; both
+// One step from r towards r = D + H q, q = r^-n: Newton's step s and the four-term step e, both
 // over r.
 template <class T> struct GapStepT {
   T s, e;
@@ -92,7 +92,8 @@ RACEWAY_INLINE T thinning_work(double share, const T &load_exponent, const T &lo
 }
 
 // For any film law with thickness and fall over ln x: solves ln(x + gap) = ln(z h + squeezed),
-// nearly linear in ln x on both sides, by Newton iteration from `start`. Law::at(ln x) gives both.
+// which is nearly linear in ln x on both sides, by Newton iteration from `start`. Law::at(ln x)
+// gives thickness and fall.
 template <class T> struct FilmRootT {
   T compression, thickness, slope;    // m, m, dx/dd
 };

@@ -22,9 +22,9 @@ template <class T> struct FilmAtLoadT {
 
 // Logarithms of the geometry factors of the asymptotes, at M = L = 1.
 template <class T> struct MoesShapeT {
-  T radius;            // of R_x, m
-  T ri, rp, ei, ep;    // of RI, RP, EI, EP
-  T limit;             // of H_0
+  T radius;            // ln of R_x in m
+  T ri, rp, ei, ep;    // ln of the factors of RI, RP, EI, EP
+  T limit;             // ln of the factor of H_0
 };
 
 template <class T>
@@ -45,8 +45,8 @@ RACEWAY_INLINE MoesShapeT<T> moes_shape(const T &rolling_radius, double ln_trans
 
 // Constants of a run.
 struct MoesRaceway {
-  double ln_speed = 0.0, ln_material = 0.0;        // of 2 eta/E' and xi E'
-  double ln_modulus = 0.0, ln_transverse = 0.0;    // of E' and R_y
+  double ln_speed = 0.0, ln_material = 0.0;        // ln of 2 eta/E' and xi E'
+  double ln_modulus = 0.0, ln_transverse = 0.0;    // ln of E' and R_y
   MoesShapeT<double> radial{};                     // at zero contact angle
 
   MoesRaceway() = default;
@@ -57,7 +57,7 @@ struct MoesRaceway {
   {
   }
 
-  // At zero contact angle they are exact, like the constants of a raceway.
+  // Geometry factors at a contact angle, exact at zero contact angle like a raceway's constants.
   template <class T>
   RACEWAY_INLINE MoesShapeT<T> shape(const T &cos_angle, const T &rolling_radius,
                                      double radial_radius) const
@@ -71,7 +71,8 @@ struct MoesRaceway {
   }
 };
 
-// Film of one contact at one entrainment speed (m/s, not zero), by the logarithm of its load.
+// Film of one contact at one entrainment speed (m/s, not zero) as a function of the logarithm of
+// its load.
 template <class T> class MoesFilmT {
  public:
   MoesFilmT() = default;
@@ -109,7 +110,7 @@ template <class T> class MoesFilmT {
     return {exponential(T(scale_ + ln_H)), fall};
   }
 
-  // Logarithm of the load of a rigid contact, a lower bound on that of a film of thickness e^ln_h.
+  // Logarithm of the load of a rigid contact with a film of thickness e^ln_h: a lower bound.
   RACEWAY_INLINE T below(const T &ln_h) const { return unit_ + 0.5 * (ri_ - (ln_h - scale_)); }
   // Logarithm of the thickness exceeded only by a rigid contact.
   RACEWAY_INLINE T widest() const { return widest_; }

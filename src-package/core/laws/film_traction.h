@@ -2,8 +2,9 @@
 // Friction coefficient of a sliding film in a Hertz contact (docs/tribology, Traction):
 //   tau(p) = min(tau_0 asinh(eta(p) s/(h tau_0)), Lambda_L p),  eta(p) after Roelands,
 //   mu Q = integral of tau over the ellipse = 3 Q/p_max integral of tau(t p_max) t dt, t in 0 to 1,
-// by eight Gauss points in t = sqrt(1 - r^2), r the radius in units of the semi-axes: within 0.9 %
-// (six: 2.8 %), mostly from the kink of tau. s is one speed for the whole ellipse.
+// by eight Gauss points in t = sqrt(1 - r^2), r the radius in units of the semi-axes. The error is
+// at most 0.9 % (with six points 2.8 %), mostly from the kink of tau. s is one speed for the whole
+// ellipse.
 #ifndef RACEWAY_FILM_TRACTION_H
 #define RACEWAY_FILM_TRACTION_H
 
@@ -57,8 +58,9 @@ struct FilmTraction {
     ln_rate = std::log(oil.viscosity / stress);
   }
 
-  // Coefficient from the largest pressure (Pa) and the logarithm of the shear rate s/h (1/s). The
-  // points are evaluated in lanes, in a function compiled once rather than inlined into every law.
+  // Friction coefficient from the largest pressure (Pa) and the logarithm of the shear rate s/h
+  // (1/s). The points are evaluated in lanes, in a function compiled once rather than inlined into
+  // every law.
   __attribute__((noinline)) double coefficient(double pressure, double ln_shear) const
   {
     // Gauss-Legendre on 0 to 1

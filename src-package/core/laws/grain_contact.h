@@ -9,13 +9,13 @@
 
 namespace raceway {
 
-// State of a contact from step to step. Forces and moments are those on the first body.
+// State of a contact that is kept from step to step. Forces and moments act on the first body.
 struct GrainContact {
   Vec3 spring;            // m, tangential
   Vec3 force;             // N
   Vec3 couple;            // N, normal times force: the moment on a body over its lever
   Vec3 moment;            // N m, of the force about the centre of a turning wall
-  double energy = 0.0;    // J, of both springs
+  double energy = 0.0;    // J, energy of both springs
 };
 
 // Two bodies in a step: the second is a grain or a wall, which turns about its centre.
@@ -25,11 +25,11 @@ struct GrainMeeting {
   Vec3 n;            // unit normal towards the first body
   Vec3 v;            // m/s, velocity of the first body's centre relative to the second's
   Vec3 turn;         // m/s, sum of angular velocity times lever of the grains
-  Vec3 arm, spin;    // m, rad/s: of a wall, contact from its centre and angular velocity
+  Vec3 arm, spin;    // of a wall: contact relative to its centre, m; angular velocity, rad/s
 };
 
 // Advances a contact by dt (s) and returns the energy lost in it (J): the work of the bodies on the
-// contact minus the energy stored in the springs. Velocities are those of the half step. With the
+// contact minus the energy stored in the springs. Velocities are taken at the half step. With the
 // mean of forces and moments at both ends, this is the loss in velocity Verlet, apart from the
 // change of the grains' levers in a step.
 inline double advance(GrainContact &c, const GrainLaw &law, const GrainMeeting &m, double dt)

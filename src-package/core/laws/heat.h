@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Heat of a bearing (docs/heat): conductances, and thermal expansion.
-// SI units, temperatures in degrees C.
+// Heat of a bearing (docs/heat): conductances and thermal expansion. SI units, temperatures in
+// degrees C.
 #ifndef RACEWAY_HEAT_H
 #define RACEWAY_HEAT_H
 

@@ -25,7 +25,7 @@ struct HeatNetwork {
   double capacity[heat_nodes] = {};    // J/K; housing: 0 if there is none
   double inner = 0.0, outer = 0.0;     // W/K, from each ring to all balls
   double shaft = 0.0;                  // W/K, from the inner ring to ambient
-  double seat = 0.0;                   // W/K, from the outer ring to the housing; 0: perfect
+  double seat = 0.0;                   // W/K, outer ring to housing; 0: no thermal resistance
   double housing = 0.0;                // W/K, from the housing to ambient
   double ambient = 20.0;               // C
   OilFlow oil;

@@ -121,7 +121,7 @@ struct HertzContact {
   double p = 0.0;    // Pa/sqrt(m): p_max = p sqrt(overlap)
 };
 
-// Young's moduli of solids that styles and data files take, Pa.
+// Range of Young's moduli that styles and data files accept, Pa.
 constexpr double LEAST_YOUNG = 1e8, LARGEST_YOUNG = 1e13;
 
 // E' = 2/sum((1 - nu^2)/E), Pa.
@@ -162,7 +162,7 @@ inline EffectiveRadii groove_radii(double ball_radius, double groove_radius, dou
 }
 
 // Sphere on sphere: K = 4/3 E* sqrt(R), E* = E'/2 (the algebra of Farah 2020 eq. 3 without its
-// extra 1/(1 - nu); multiply by 1/(1 - nu) for the form as printed).
+// extra 1/(1 - nu); multiply it by 1/(1 - nu) for the form as printed).
 inline double sphere_stiffness(double R1, double R2, double Eprime)
 {
   return 2.0 / 3.0 * Eprime * std::sqrt(R1 * R2 / (R1 + R2));
@@ -179,7 +179,8 @@ inline double tangential_ratio(double E1, double nu1, double E2, double nu2)
 }
 
 // Smallest overlap (m) at which the semi-axis across the groove, a sqrt(overlap), reaches the
-// groove radius: the half-space assumption of Hertz no longer holds. Same rule as `raceway static`.
+// groove radius: the half-space assumption of Hertz no longer holds. `raceway static` has the same
+// rule.
 inline double widest_overlap(double a, double groove_radius)
 {
   const double ratio = groove_radius / a;

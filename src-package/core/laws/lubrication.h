@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Kinds of lubrication: inlet length of a rolling contact, SKF's starvation constant
-// K_rs, and share of oil in the space around the balls (docs/tribology, Kinds of lubrication).
+// Kinds of lubrication: inlet length of a rolling contact, SKF's starvation constant K_rs, and
+// share of oil in the space around the balls (docs/tribology, Kinds of lubrication).
 #ifndef RACEWAY_LUBRICATION_H
 #define RACEWAY_LUBRICATION_H
 
@@ -12,13 +12,14 @@ enum class LubricationKind { bath, jet, mist, grease, minimal };
 constexpr const char *lubrication_kinds = "bath jet mist grease minimal";
 
 struct Lubrication {
-  double inlet = 0.0;            // in semi-axes b; 0: flooded, 1: the shortest
+  double inlet = 0.0;            // inlet length in semi-axes b; 0: flooded, 1: the shortest
   double replenishment = 0.0;    // K_rs; 0: no starvation
   double share = 0.0;            // X, volume fraction of oil
 };
 
 // Mean share of the balls' volume below the level of an oil bath at rest, over their path. The
-// level is above the lowest raceway, in ball diameters; `pitch` is the pitch radius in ball radius.
+// level is counted from the lowest raceway, in ball diameters; `pitch` is the pitch radius in ball
+// radii.
 inline double immersed_share(double level, double pitch)
 {
   constexpr int points = 720;
@@ -38,7 +39,7 @@ inline Lubrication lubrication(LubricationKind kind, double level, double pitch,
 {
   constexpr double groove = 3.0;    // an inlet in a bearing's groove (Balan et al. 2015)
   constexpr double oil = 3e-8, grease = 6e-8;          // K_rs, SKF
-  const double air = std::fmin(1.2 / density, 1.0);    // the density of air relative to that of oil
+  const double air = std::fmin(1.2 / density, 1.0);    // density of air over density of oil
   switch (kind) {
     case LubricationKind::bath: {
       const double share = immersed_share(level, pitch);

@@ -3,8 +3,9 @@
 // raceway). The strip of the patch over the pit, which carries the share chi of the load, has an
 // overlap reduced by the depth D; the remainder does not:
 //   Q/K = chi max(0, d - D)^1.5 + (1 - chi) d^1.5,    chi = 1.5 x - 0.5 x^3, x = sqrt(e/d)
-// for d > e, chi = 1 below. d is the overlap without the pit, e the overlap at which the patch is
-// as wide as the pit. Stored energy, gradient and second derivatives in d and D are in closed form.
+// for d > e, and chi = 1 below. d is the overlap without the pit, e the overlap at which the patch
+// is as wide as the pit. Stored energy, gradient and second derivatives in d and D are in closed
+// form.
 #ifndef RACEWAY_PIT_LOAD_H
 #define RACEWAY_PIT_LOAD_H
 
@@ -15,12 +16,12 @@ namespace raceway {
 struct PitLoad {
   double energy;        // m^2.5, over K
   double load, side;    // m^1.5, over K: derivatives of the energy in d and in -D
-  double dd, dD, DD;    // m^0.5, its second derivatives
+  double dd, dD, DD;    // m^0.5, second derivatives of the energy
   double wide;          // m^2, minus the derivative of the energy in sqrt(e)
 };
 
 namespace detail {
-// Integrals over x of sqrt(x - D) and of (x - D)^1.5, over sqrt(x) and over x^1.5.
+// Integrals over x of sqrt(x - D) and of (x - D)^1.5, divided by sqrt(x) and by x^1.5.
 struct PitIntegrals {
   double half_1, half_3, whole_1, whole_3;
   PitIntegrals(double x, double D)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Wall of a cage pocket as a linear spring (bending of the bars) with a damper that grows
-// over the first micrometres: the contact model of multi-body programs (IMPACT of ADAMS and
+// Wall of a cage pocket as a linear spring (bending of the bars) with a damper that grows over the
+// first micrometres. This is the contact model of multi-body programs (IMPACT of ADAMS and
 // MotionSolve, exponent 1).
 #ifndef RACEWAY_POCKET_WALL_H
 #define RACEWAY_POCKET_WALL_H
@@ -14,7 +14,7 @@ namespace raceway {
 // Overlap at which the damper is fully active, as a fraction of the pocket's half play.
 constexpr double full_damping = 0.02;
 
-// k overlap + c overlap/whole overlap_rate, never attractive. c is the critical damping
+// Force k overlap + c overlap/whole overlap_rate, never attractive. c is the critical damping
 // 2 sqrt(k m), fully active above the overlap `whole` (m). k: N/m, m: reduced mass, kg;
 // overlap >= 0.
 inline DampedHertz damped_wall(double k, double whole, double overlap, double overlap_rate,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Kinematics of pure rolling at zero contact angle: initial state of a rotating bearing.
+// Kinematics of pure rolling at zero contact angle, the initial state of a rotating bearing.
 #ifndef RACEWAY_ROLLING_H
 #define RACEWAY_ROLLING_H
 
@@ -8,7 +8,7 @@ namespace raceway {
 struct Rolling {
   double orbit = 0.0;    // rad/s, ball centres (cage) about the bearing axis
   double spin =
-      0.0;    // rad/s, ball about its own axis, parallel to the bearing axis, inertial frame
+      0.0;    // rad/s, ball about its own axis parallel to the bearing axis, in the inertial frame
 };
 
 // Ball radius R, pitch radius r, ring speeds (rad/s). No slip at r - R (inner) and r + R (outer).

@@ -4,9 +4,9 @@
 // the central thickness h_c and Hertz's gap in front of it, up to a meniscus at m b:
 //   f ~ integral from 1 to m of (h - h_c)/h^2 dX,  h = h_c + b^2 g(X)/(2 R_x),
 //   g = X sqrt(X^2 - 1) - arcosh X,  X = x/b.
-// Its share of the flooded one depends on m and H = 2 R_x h_c/b^2. The shortest inlet that still
-// feeds the full film, m = 1 + 3.06 (H/2)^0.58 (Hamrock and Dowson), leaves 0.50 to 0.57 for H from
-// 0.007 to 18. The share is therefore at least 1/2.
+// Its share of the flooded resistance depends on m and H = 2 R_x h_c/b^2. The shortest inlet that
+// still feeds the full film, m = 1 + 3.06 (H/2)^0.58 (Hamrock and Dowson), leaves a share of 0.50
+// to 0.57 for H from 0.007 to 18. The share is therefore at least 1/2.
 #ifndef RACEWAY_ROLLING_INLET_H
 #define RACEWAY_ROLLING_INLET_H
 
@@ -45,7 +45,7 @@ inline double inlet_share(double m, double H)
   return (m < far ? detail::inlet_integral(m, H) : all) / all;
 }
 
-// The same, as used by contacts: ln((1 - share)/share) by interpolation in ln H at five Chebyshev
+// The share as contacts use it: ln((1 - share)/share) by interpolation in ln H at five Chebyshev
 // points, within 0.007 for H from 0.001 to 20, and limited to at least 1/2.
 struct RollingInlet {
   static constexpr int nodes = 5;

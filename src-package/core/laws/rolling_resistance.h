@@ -18,7 +18,7 @@ namespace raceway {
 
 // Logarithms of the constants of a run.
 struct RollingConstants {
-  double speed = 0.0, modulus = 0.0, transverse = 0.0;    // of eta/E', E' and R_y
+  double speed = 0.0, modulus = 0.0, transverse = 0.0;    // ln of eta/E', E' and R_y
 
   RollingConstants() = default;
   RollingConstants(double viscosity, double E, double transverse_radius) :
@@ -52,7 +52,7 @@ RACEWAY_INLINE T rolling_force(const RollingShapeT<T> &k, const T &ln_u, const T
   return k.rigid * root * v8 * ((1.0 - elastic) * v9 / (v9 + k.mean * load) + elastic);
 }
 
-// N m
+// Couple of hysteresis, N m
 template <class T> RACEWAY_INLINE T hysteresis_couple(double alpha, const T &load, const T &b)
 {
   return alpha * load * b * (2.0 / (3.0 * 3.14159265358979323846));

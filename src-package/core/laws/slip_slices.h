@@ -4,12 +4,13 @@
 //
 // At (x along rolling, z across, both over a) the sliding velocity of the ball on the ring is
 //   v_t = s_t - q z - e z^2,  v_w = s_w + q x,
-// q = omega_n a of spin and e = Omega a^2/(2 R_d) of differential slip, m/s. The stress is mu p
-// along v. A slice carries the load of the Hertz pressure on it, half at each of the two Gauss
+// with q = omega_n a of spin and e = Omega a^2/(2 R_d) of differential slip, m/s. The stress is
+// mu p along v. A slice carries the load of the Hertz pressure on it, half at each of the two Gauss
 // points of its chord. Within a slice v is taken as linear, with the mean direction
 //   mean(v/|v|) = 2 mean(v)/(|v| at one end + |v| at the other),
-// exact if v keeps its direction. Forces therefore have no steps where the sliding of a point
-// reverses. All sums share one weight per point, so the power lost is positive for any motion.
+// which is exact if v keeps its direction. Forces therefore have no steps where the sliding of a
+// point reverses. All sums share one weight per point, so the power lost is positive for any
+// motion.
 #ifndef RACEWAY_SLIP_SLICES_H
 #define RACEWAY_SLIP_SLICES_H
 
@@ -27,8 +28,9 @@ template <class T> struct SlipMotionT {
   T least;
 };
 // Forces over mu Q and the moment over mu Q a, each opposing its motion; `couple`, over mu Q,
-// belongs to e. Slopes, s/m, are for implicit steps: for the forces the tangent, blended with the
-// secant the more the contact slides as a whole; for moment and couple the secant, positive.
+// belongs to e. Slopes, s/m, are for implicit steps: for the forces the tangent, blended into the
+// secant the more the contact slides as a whole; for moment and couple the secant, which is
+// positive.
 template <class T> struct SlipForcesT {
   T along, across, moment, couple;
   T slope_along, slope_across, slope_moment, slope_couple;
@@ -113,8 +115,8 @@ class SlipSlices {
  private:
   static constexpr int slices = 24, borders = slices + lanes;    // the last three are unused
 
-  // At the borders of the slices: z; z^2, minus the excess of the mean of both ends of a slice over
-  // the mean within it; the Gauss point of the chord, over b. For the slices: the load.
+  // Values at the borders of the slices: z; z^2, minus the excess of the mean of both ends of a
+  // slice over the mean within it; the Gauss point of the chord, over b. Values by slice: the load.
   struct Table {
     double z[borders], z2[borders], chord[borders], load[slices];
   };

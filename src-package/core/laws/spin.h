@@ -14,9 +14,10 @@
 
 namespace raceway {
 
-// N m, from mu Q and the Hertz constants. With K, a and b known, E need not be evaluated:
+// Couple of pure spin, N m, from mu Q and the Hertz constants. With K, a and b known, E need not be
+// evaluated:
 //   (3/8) mu Q a E = mu Q sqrt(delta) pi E' a^2 b^2 (1/R_x + 1/R_y)/(16 K),
-// a and b over sqrt(delta).
+// with a and b over sqrt(delta).
 template <class T>
 RACEWAY_INLINE T spin_couple(const T &limit, double modulus, const T &root, const T &a, const T &b,
                              const T &K, const T &rolling_radius, double transverse_radius)
@@ -25,15 +26,15 @@ RACEWAY_INLINE T spin_couple(const T &limit, double modulus, const T &root, cons
   return limit * root * (3.14159265358979323846 / 16.0 * modulus) * ab * ab * curvature / K;
 }
 
-// The same from a known E.
+// The same couple from a known E.
 inline double pure_spin_couple(double limit, double a, double E) { return 0.375 * limit * a * E; }
 
 // fits: omega a over s_e and over s up to which the couple grows, and the share of slip's couple
 // that is lost
 constexpr double spin_width = 0.78, spin_loss = 1.35, spin_slide = 1.9;
 
-// m/s, from omega a, the width s_e and the sliding speed. The couple is that of pure spin times
-// the speed omega a over this value.
+// Speed in m/s, from omega a, the width s_e and the sliding speed. The couple is the couple of pure
+// spin times omega a over this speed.
 template <class T> RACEWAY_INLINE T spin_growth(const T &speed, const T &width, const T &slide)
 {
   const T slip = spin_slide * slide, wide = spin_width * width;

@@ -21,7 +21,7 @@ namespace raceway {
 struct SpinContact {
   double angle = 0.0;     // rad, below pi/2 in magnitude
   double speed = 0.0;     // rad/s, of the ring
-  double couple = 1.0;    // N m, of pure spin, or in any unit common to both contacts
+  double couple = 1.0;    // N m, couple of pure spin; or in any unit common to both contacts
   double width = 0.0;     // rad/s, spin up to which the couple grows
 
   double moment(double spin) const
@@ -34,7 +34,7 @@ struct SpinContact {
 struct BallRotation {
   double orbit = 0.0;                  // rad/s, ball centres (cage) about the bearing axis
   double radial = 0.0, axial = 0.0;    // rad/s, inertial frame
-  double spin[2] = {};                 // rad/s, of the ball minus the ring about the normal
+  double spin[2] = {};                 // rad/s, ball minus ring, about the normal
 
   BallRotation operator-(const BallRotation &o) const
   {
@@ -52,7 +52,7 @@ inline BallRotation rolling_on_both(const SpinContact &inner, const SpinContact 
 {
   const double ci = std::cos(inner.angle), si = std::sin(inner.angle);
   const double co = std::cos(outer.angle), so = std::sin(outer.angle);
-  const double way_i = r / R - ci, way_o = r / R + co;    // of the raceways, over R
+  const double way_i = r / R - ci, way_o = r / R + co;    // radii of the raceways' contacts over R
   BallRotation m;
   m.radial = radial;
   m.orbit = (inner.speed * way_i * co + outer.speed * way_o * ci + radial * (ci * so - si * co)) /
@@ -65,7 +65,7 @@ inline BallRotation rolling_on_both(const SpinContact &inner, const SpinContact 
   return m;
 }
 
-// The motion of least loss.
+// The motion with the least loss.
 inline BallRotation start_attitude(const SpinContact &inner, const SpinContact &outer, double R,
                                    double r)
 {

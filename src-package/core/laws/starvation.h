@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// SKF's starvation factor phi_rs of the rolling couple: Rolling bearings 10000 EN 2013. K_rs is
+// SKF's starvation factor phi_rs of the rolling couple (Rolling bearings, 10000 EN, 2013). K_rs is
 // 3e-8 for an oil bath or jet, 6e-8 for grease and oil-air; K_Z depends on the type of bearing.
 #ifndef RACEWAY_STARVATION_H
 #define RACEWAY_STARVATION_H

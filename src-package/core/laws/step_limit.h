@@ -3,10 +3,10 @@
 //
 // For m x'' = -k x - c x' the scheme is v' = (1 - h c/m) v - (h k/m) x, x' = x + h v'; its two
 // multipliers stay inside the unit circle if h^2 k/m + 2 h c/m < 4. Hence
-//   h_max = (sqrt(c^2 + 4 k m) - c)/k,  2 sqrt(m/k) without damper, 2 m/c without spring.
+//   h_max = (sqrt(c^2 + 4 k m) - c)/k,  2 sqrt(m/k) without a damper, 2 m/c without a spring.
 //
-// A Maxwell branch k_m, tau whose force is advanced by its exact step adds one multiplier; the
-// limit is where one of them is -1:
+// A Maxwell branch k_m, tau whose force is advanced by its exact step adds one multiplier; at the
+// limit one of them is -1:
 //   h^2 k/m + 2 h c/m + (2 h/m) k_m tau tanh(h/(2 tau)) = 4.
 // tanh(x) is below x and below 1, so the branch acts at most like a spring k_m and at most like a
 // dashpot k_m tau. The larger of the two step limits is safe.
@@ -29,7 +29,8 @@ struct FilmBranches {
   }
 };
 
-// k N/m, c N s/m, m kg; infinite without spring and damper. Written so that k -> 0 is exact.
+// Largest step, s, for k in N/m, c in N s/m and m in kg; infinite without spring and damper. The
+// formula is written so that k -> 0 is exact.
 inline double verlet_step_limit(double k, double c, double m)
 {
   const double q = c + std::sqrt(c * c + 4.0 * k * m);

@@ -7,7 +7,7 @@
 
 namespace raceway {
 
-// Value of a column without a contact: zero, or none.
+// Value of a column without a contact: zero, or no value.
 constexpr double vanishes = 0.0, has_none = NAN;
 constexpr const char *const as_real = "%.12g", *const as_whole = "%.0f";    // as text
 
@@ -19,7 +19,7 @@ struct Column {
   const char *format = as_real;
 };
 
-// film: a lubricant; then also a fix bearing/capacitance, and one with surroundings
+// What a column needs: a lubricant (film), also a fix bearing/capacitance, or one with surroundings
 enum class Needs { nothing, film, capacitance, surroundings };
 
 }    // namespace raceway

@@ -79,7 +79,7 @@ template <class B, int n> RACEWAY_INLINE Dual<B, n> operator-(const Dual<B, n> &
   return r;
 }
 
-// ---- a dual and a plain number, a constant
+// ---- a dual and a plain number, which is a constant
 template <class B, int n, class S, detail::IfPlain<S> = 0>
 RACEWAY_INLINE Dual<B, n> operator+(const Dual<B, n> &a, const S &b)
 {
@@ -139,7 +139,7 @@ RACEWAY_INLINE Dual<B, n> operator/(const S &a, const Dual<B, n> &b)
   return r;
 }
 
-// ---- comparisons: of the values
+// ---- comparisons of the values
 template <class B, int n, class S> RACEWAY_INLINE auto operator<(const Dual<B, n> &a, const S &b)
 {
   return a.value < held(b);

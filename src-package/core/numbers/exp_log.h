@@ -5,11 +5,11 @@
 // time. Only + - * / and shifts are used here, so all processors and lanes give the same bits.
 //
 // Exponential: x = k ln 2 + r, |r| <= ln(2)/2; e^r by Taylor's series to r^13 (remainder below
-// 5e-18). 0 below -708 (results there would lose precision), infinite above 709.
+// 5e-18). It is 0 below -708 (results there would lose precision) and infinite above 709.
 //
 // Logarithm: x = 2^k m, sqrt(1/2) <= m < sqrt(2); ln m = 2 artanh f, f = (m - 1)/(m + 1),
-// |f| < 0.1716, by its series to f^21 (remainder below 2e-18). Minus infinity below the smallest
-// normal number; no meaning for x < 0 or infinity.
+// |f| < 0.1716, by its series to f^21 (remainder below 2e-18). It is minus infinity below the
+// smallest normal number and has no meaning for x < 0 or infinity.
 //
 // Rough versions for starting an iteration: logarithm within 3e-4; exponential within 2 % for
 // -1 <= x <= 0, and below -1 the value at -1.
@@ -66,8 +66,8 @@ template <class T> RACEWAY_INLINE T exponential(const T &x)
 template <class T> RACEWAY_INLINE T logarithm(const T &x)
 {
   using namespace detail;
-  // exponent of x/sqrt(1/2), rounded down; made a number by the trick of `whole`, whose last bits
-  // take it with an offset
+  // exponent of x/sqrt(1/2), rounded down; it becomes a number by the trick of `whole`: the last
+  // bits of a large number take it, with an offset
   const auto above = bits(x) - 0x3fe6a09e667f3bcdULL + (2048ULL << 52);
   const auto exponent = above >> 52;
   const T k = number(exponent | 0x4330000000000000ULL) - (0x1p52 + 2048.0);
@@ -80,7 +80,7 @@ template <class T> RACEWAY_INLINE T logarithm(const T &x)
   return where(x < 0x1p-1022, -HUGE_VAL, where(x == x, y, x));
 }
 
-// By the bits as logarithm(); the polynomial of m - 1 is exact at m = 1.
+// From the bits, like logarithm(); the polynomial of m - 1 is exact at m = 1.
 template <class T> RACEWAY_INLINE T rough_logarithm(const T &x)
 {
   using namespace detail;

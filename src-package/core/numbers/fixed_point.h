@@ -6,9 +6,9 @@
 //   g_k - sum_j c_j (g_j+1 - g_j),   c: least squares of f_k - sum_j c_j (f_j+1 - f_j),
 // which for an affine map equals GMRES: a slowly decaying mode takes one more value of the map.
 // Residuals and moves are measured with weights, in the norm sqrt(sum (w_i y_i)^2). A difference of
-// residuals that is a combination of the later ones, up to a share `apart`, is noise and omitted,
-// and so is one below `flat` of the residual: if residuals hardly depend on the start, the next
-// start lies further in their direction.
+// residuals that is a combination of later differences, up to a fraction `apart`, is noise and
+// omitted, and so is a difference below `flat` times the residual: if residuals hardly depend on
+// the start, the next start lies further in their direction.
 #ifndef RACEWAY_FIXED_POINT_H
 #define RACEWAY_FIXED_POINT_H
 
@@ -25,8 +25,8 @@ class FixedPoint {
   struct Settings {
     size_t memory = 5;      // starts that are kept
     double reach = 0.1;     // longest move from g_k, in the norm
-    double apart = 1e-2;    // share of a difference that must be independent of later ones
-    double flat = 0.02;     // smallest difference over the residual
+    double apart = 1e-2;    // fraction of a difference that must be independent of later ones
+    double flat = 0.02;     // smallest difference, over the residual
   };
   struct Next {
     Vector start;
@@ -72,7 +72,7 @@ class FixedPoint {
     const size_t last = x_.size() - 1, n = weights_.size();
     Vector f = residual(last), move(n, 0.0);
     to.residual = norm(f);
-    std::vector<Vector> basis, images;    // orthonormal differences of f; those of g likewise
+    std::vector<Vector> basis, images;    // orthonormal differences of f; same combinations of g
     for (size_t j = last; j-- > 0;) {
       Vector df = difference(residual(j + 1), residual(j)), dg = difference(g_[j + 1], g_[j]);
       const double whole = norm(df);
@@ -96,7 +96,7 @@ class FixedPoint {
     }
     for (size_t b = 0; b < basis.size(); ++b) subtract(move, dot(basis[b], f), images[b]);
     if (basis.empty() && last > 0) {
-      // the sum of all further residuals, if they keep decreasing by that factor
+      // the sum of all further residuals if they keep decreasing by that factor
       const double share = contraction(), sum = share < 1.0 ? share / (1.0 - share) : HUGE_VAL;
       subtract(move, -std::min(sum, 2.0 * set_.reach / to.residual), f);
       to.distance = to.residual * (1.0 + sum);

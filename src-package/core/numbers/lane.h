@@ -20,7 +20,7 @@
 
 // A function with a Lane argument must be compiled for the instruction set of its caller, so it is
 // always inlined. A function that calls such functions is compiled for several instruction sets;
-// the best one is chosen at run time. No fused multiply-add, so all give the same bits.
+// the best one is chosen at run time. There is no fused multiply-add, so all give the same bits.
 //
 // Functions that contain contact laws are large, and their version for processors without AVX2
 // takes three quarters of the compile time. They are therefore compiled for AVX2 only
@@ -49,7 +49,7 @@ constexpr int lanes = 4;
 // Code for AVX2 assumes that a Lane is aligned to 32 bytes, but its type requires only 16 if the
 // target lacks AVX2. Structs of lanes passed between functions therefore have alignas(sizeof(T)).
 typedef double Lane __attribute__((vector_size(8 * lanes)));
-using LaneMask = decltype(Lane() < Lane());    // of a comparison: 0 or all bits
+using LaneMask = decltype(Lane() < Lane());    // result of a comparison: 0 or all bits
 
 RACEWAY_INLINE Lane all_lanes(double a) { return Lane{a, a, a, a}; }
 

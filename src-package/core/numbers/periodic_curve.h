@@ -11,7 +11,7 @@
 namespace raceway {
 
 struct CurveAt {
-  double value = 0.0, slope = 0.0, bend = 0.0;    // and both derivatives
+  double value = 0.0, slope = 0.0, bend = 0.0;    // value, first and second derivative
 };
 
 class PeriodicCurve {

@@ -19,8 +19,8 @@
 namespace raceway {
 
 struct LossColumn {
-  const char *name;    // of the column, W
-  const char *key;     // in losses_W of `raceway summary`
+  const char *name;    // name of the column, W
+  const char *key;     // key in losses_W of `raceway summary`
   const char *meaning;
   bool usual;    // a column of every law, included in records by default
 };

@@ -42,8 +42,8 @@ template <class Own> struct Parameter {
   using Number = double &(*)(Raceway &, Own &);
   using Choose = void (*)(Raceway &, Own &, int);
 
-  const char *symbol;     // in the list of what may follow, "MU"
-  const char *meaning;    // with its unit, for messages and tables
+  const char *symbol;     // symbol in lists of allowed words, "MU"
+  const char *meaning;    // meaning with the unit, for messages and tables
   double least, most;
   bool open;              // `least` itself is not allowed
   const char *choices;    // "a|b|c", the first is the default; or null
@@ -80,7 +80,7 @@ template <class Own> struct Keyword {
   bool chooses;
   std::vector<Parameter<Own>> parameters;
   const char *(*wrong)(const double *values) = nullptr;    // error in their combination
-  const char *note = "";                                   // for the page of the command
+  const char *note = "";                                   // text for the page of the command
 };
 
 // An output column computed from the state of a contact.
@@ -88,7 +88,7 @@ struct StateColumn {
   Column is;
   double (*value)(const Raceway &, const ContactState &);
   Needs needs = Needs::nothing;
-  bool usual = true;    // in records by default
+  bool usual = true;    // is in records by default
 };
 
 // State variables of a contact before and after a time dt; dt = 0 changes nothing. Decay at the

@@ -45,8 +45,8 @@ struct FilmDamperPart : PartBase {
   static constexpr const char *name = "film_damper", *slot = "film_damping";
   static constexpr When when = When::with_film;
   struct Parameters {
-    double film_floor = -1.0;    // m, as set; < 0: composite roughness
-    double floor = 0.0;          // m, as used
+    double film_floor = -1.0;    // m, value as set; < 0: composite roughness
+    double floor = 0.0;          // m, value in use
     void prepare(const Raceway &p) { floor = film_floor >= 0.0 ? film_floor : p.roughness; }
   };
 
@@ -62,7 +62,7 @@ struct FilmDamperPart : PartBase {
                  [](Raceway &, Parameters &own) -> double & { return own.film_floor; },
                  "composite roughness")},
              nullptr,
-             "the film damper does not grow below that film thickness"},
+             "the film damper does not grow below this film thickness"},
             {"damper",
              "",
              false,
@@ -84,7 +84,7 @@ struct FilmDamperPart : PartBase {
   }
 };
 
-// Column of all normal damping: by the steel, and by the film through a damper or a branch.
+// Column of all normal damping: by the steel, and by the film with its damper or branch.
 struct DampingPower {
   static constexpr LossColumn column = {"damping_power", "film", "power lost to normal damping",
                                         true};

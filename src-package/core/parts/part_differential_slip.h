@@ -2,10 +2,10 @@
 // Differential slip along rolling and, across it, Coulomb's law with the slope of free rolling,
 // each in series with the contact's tangential spring k_t (Mindlin):
 //   f' = k_t (s - f/c),  f <- f e^(-dt/tau) + c s (1 - e^(-dt/tau)),  tau = c/k_t,
-// s the slip relative to free rolling, c the secant of the slip law. It acts as a slip law for dt
-// >> tau, as a spring for dt << tau, and sticks at rest. |f| stays below mu N. The states are the
-// forces, in the frame that turns with the ball's azimuth. Explicit steps see only the spring, so
-// both integrators support this law.
+// with s the slip relative to free rolling and c the secant of the slip law. It acts as a slip law
+// for dt >> tau, as a spring for dt << tau, and sticks at rest. |f| stays below mu N. The states
+// are the forces, in the frame that turns with the ball's azimuth. In explicit steps only the
+// spring acts, so both integrators support this law.
 //
 // Derivatives keep mu, k_t, the ellipse and the shape of the secant fixed, but not N.
 #ifndef RACEWAY_PART_DIFFERENTIAL_SLIP_H
@@ -77,7 +77,7 @@ struct DifferentialSlipPart : PartBase {
     m.after[0] = c.friction_t;
     m.after[1] = c.friction_w;
 
-    // The couple is that of the slip after the spring and follows from the force. If it followed
+    // The couple belongs to the slip after the spring and follows from the force. If it followed
     // from f/c with c at the present sliding, oscillations of the spring would grow in explicit
     // steps.
     const B used = held(c.friction_t) * sharing * forward / (most + none);
@@ -87,8 +87,8 @@ struct DifferentialSlipPart : PartBase {
   }
 
  private:
-  // Remaining fraction of a force after a time dt, part = -dt k_t/(mu N). It has no derivative if
-  // it is tiny, since a contact may have no load.
+  // Remaining fraction of a force after a time dt, part = -dt k_t/(mu N). The fraction has no
+  // derivative if it is tiny, since a contact may have no load.
   template <class T> static RACEWAY_INLINE T left_of(const T &part, const Value<T> &speed)
   {
     const T x = part * speed;

@@ -49,7 +49,7 @@ struct DragPart : PartBase {
               P::within("X", "share of oil in the bearing", 0.0, 1.0,
                         [](Raceway &, Parameters &own) -> double & { return own.share; })},
              nullptr,
-             "of oil and air on the balls"}};
+             "drag of oil and air on the balls"}};
   }
 
   static std::vector<StateColumn> columns()
@@ -71,7 +71,7 @@ struct DragPart : PartBase {
       c.drag = c.drag_power = B();
       return;
     }
-    // of the ball's centre relative to the ring, along t
+    // speed of the ball's centre relative to the ring, along t
     const B v = held(c.sliding_t) - p.groove.ball_radius * held(c.roll_w);
     const B re = own.reynolds * magnitude(v);
     const B number = where(re > 1e-30, re, 1e-30);

@@ -10,7 +10,7 @@
 
 namespace raceway {
 
-// Central thickness in an act() after this part; with the film in the gap it is already set.
+// Central thickness for an act() after this part; with the film in the gap it is already set.
 template <class T>
 RACEWAY_INLINE Value<T> held_central_film(const Raceway &p, const RacewayConstantsT<Value<T>> &k,
                                           const ContactStateT<T> &c)

@@ -3,7 +3,7 @@
 // begin at a gap as wide as the film of a lightly loaded contact. The slope over the overlap is
 // exact; the derivative keeps the entrainment speed fixed.
 //
-// The film follows the power law of film.h, constant below 1 N, or that of all regimes
+// The film follows the power law of film.h, constant below 1 N, or the law of all regimes
 // (gap_film.h).
 #ifndef RACEWAY_PART_FILM_GAP_H
 #define RACEWAY_PART_FILM_GAP_H
@@ -20,7 +20,7 @@ struct FilmInGapPart : PartBase {
   struct Parameters {
     double share = 1.0;
     bool all_regimes = false;
-    double unit_of_cut = std::pow(cut, 2.0 / 3.0);    // compression at the cut over that at 1 N
+    double unit_of_cut = std::pow(cut, 2.0 / 3.0);    // ratio of compressions at the cut and at 1 N
     MoesRaceway moes;                                 // derived
     void prepare(const Raceway &p)
     {
@@ -51,13 +51,13 @@ struct FilmInGapPart : PartBase {
              {P::one_of("film in the gap", "power|moes",
                         [](Raceway &, Parameters &own, int k) { own.all_regimes = k == 1; })},
              nullptr,
-             "*gap* by the power law of *film*, below 1 N that at 1 N, or by all regimes after "
-             "Nijenbanning, Venner and Moes"}};
+             "film of *gap*: the power law of *film*, constant below 1 N, or the law of all "
+             "regimes by Nijenbanning, Venner and Moes"}};
   }
 
   static std::vector<StateColumn> columns()
   {
-    return {{{"compression", "m", "what the elastic bodies give way", vanishes},
+    return {{{"compression", "m", "elastic approach of the bodies", vanishes},
              [](const Raceway &, const ContactState &s) { return s.compression; },
              Needs::film,
              false}};

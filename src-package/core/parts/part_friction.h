@@ -3,8 +3,8 @@
 // tangential law, either a spring with history or Coulomb's law smoothed over a creep speed.
 //
 // The derivative of the smoothed law is the secant f/s: mu, v_0 and the denominator are kept fixed,
-// but not N. The tangent of a sliding contact is nearly flat, so one correction with it would throw
-// a light ball across zero sliding.
+// but not N. The tangent at a sliding contact is nearly flat, so one correction with the tangent
+// would throw a light ball across zero sliding.
 #ifndef RACEWAY_PART_FRICTION_H
 #define RACEWAY_PART_FRICTION_H
 
@@ -128,7 +128,7 @@ struct TangentialSpringPart : PartBase {
   struct Parameters {
     double ratio = -1.0;    // k_t/k_n as set; < 0: Mindlin
     double zeta = 0.3;      // dashpot over critical damping of the rolling mode, mass 2/7 m_b
-    double kt_ratio = 0.0, ct_factor = 0.0;    // as used
+    double kt_ratio = 0.0, ct_factor = 0.0;    // values in use
     void prepare(const Raceway &p)
     {
       kt_ratio = ratio >= 0.0 ? ratio
@@ -184,7 +184,7 @@ struct SmoothedFrictionPart : PartBase {
              {P::within("CREEP", "creep of the smoothed friction", 1e-6, 1.0,
                         [](Raceway &, Parameters &own) -> double & { return own.creep; })},
              nullptr,
-             "after friction: no history, Coulomb's law smoothed over that slide-roll ratio"}};
+             "after friction: no history, Coulomb's law smoothed over this slide-roll ratio"}};
   }
 
   static std::vector<StateColumn> columns() { return tangential_columns(); }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Friction coefficient of a contact whose load is shared by asperities and film (asperities.h). The
-// coefficient of the film is a constant, or Eyring's with a limit (film_traction.h) at the speed of
-// free rolling combined with the sliding of the contact. Derivatives keep it fixed.
+// coefficient of the film is a constant, or follows from Eyring's stress with a limit
+// (film_traction.h) at the speed of free rolling combined with the sliding of the contact.
+// Derivatives keep it fixed.
 #ifndef RACEWAY_PART_MIXED_FRICTION_H
 #define RACEWAY_PART_MIXED_FRICTION_H
 
@@ -46,7 +47,7 @@ struct MixedFrictionPart : PartBase {
               P::within("C", "exponent of the asperity share", 0.01, 10.0,
                         [](Raceway &, Parameters &own) -> double & { return own.asperities.c; })},
              nullptr,
-             "of friction mixed: exp(-B lambda^C)"},
+             "for friction mixed: the asperity share is exp(-B lambda^C)"},
             {"asperity_law",
              "",
              false,
@@ -55,7 +56,7 @@ struct MixedFrictionPart : PartBase {
                           own.asperities.law = static_cast<AsperityLaw>(k);
                         })},
              nullptr,
-             "of friction mixed: exp(-B lambda^C) or 1 - erf(lambda)"},
+             "for friction mixed: the asperity share is exp(-B lambda^C) or 1 - erf(lambda)"},
             {"traction",
              "",
              false,
@@ -68,7 +69,7 @@ struct MixedFrictionPart : PartBase {
                   [](Raceway &, Parameters &own) -> double & { return own.traction.limit; },
                   "MU_FILM")},
              nullptr,
-             "of friction mixed: Eyring's stress with a limit instead of MU_FILM"}};
+             "for friction mixed: Eyring's stress with a limit instead of MU_FILM"}};
   }
 
   static std::vector<StateColumn> columns()
@@ -86,7 +87,7 @@ struct MixedFrictionPart : PartBase {
                                  const RacewayConstantsT<Value<T>> &k, const LawStates<T> &,
                                  ContactStateT<T> &c)
   {
-    // from the film equation, since lambda itself is computed later
+    // from the film equation, because lambda itself is computed later
     Value<T> ln_lambda = ln_film_thickness(k.film.min, {c.ln_speed, c.ln_film_load});
     if (p.factors.any) ln_lambda = ln_lambda + logarithm(c.film_factor);
     c.asperity_share =

@@ -37,7 +37,7 @@ struct HydrodynamicRollingPart : PartBase {
   using Losses = LossList<HydrodynamicRollingLoss>;
   struct Parameters {
     double beta = 0.0, conductivity = 0.14, starvation = 1.0;    // 1/K, W/(m K), 1
-    double length = 0.0;    // of the inlet, in semi-axes b; 0: flooded
+    double length = 0.0;    // length of the inlet, in semi-axes b; 0: flooded
     // derived
     double ln_heating = 0.0;
     double of_film = 0.0;    // if not 0, inlet shear relative to the film factor, which includes it
@@ -76,10 +76,10 @@ struct HydrodynamicRollingPart : PartBase {
          "",
          false,
          {P::within(
-             "LENGTH", "inlet before a rolling contact, in semi-axes b; 1: the shortest", 1.0, 1e6,
+             "LENGTH", "inlet length of a rolling contact, in semi-axes b; 1: shortest", 1.0, 1e6,
              [](Raceway &, Parameters &own) -> double & { return own.length; }, "flooded")},
          nullptr,
-         "of rolling: share of the hydrodynamic couple that an inlet of this length leaves"}};
+         "after rolling: leaves the share of the hydrodynamic couple of an inlet of this length"}};
   }
 
   template <class T>
@@ -142,7 +142,7 @@ struct RollingHysteresisPart : PartBase {
              {P::within("ALPHA", "share of elastic energy lost in rolling", 0.0, 0.5,
                         [](Raceway &, Parameters &own) -> double & { return own.alpha; })},
              nullptr,
-             "couple of the steel against rolling"}};
+             "couple against rolling by hysteresis of the steel"}};
   }
 
   template <class T>

@@ -5,11 +5,11 @@
 //
 // The states are the forces f and the slip y after the spring, relative to free rolling:
 //   y' = (s - y)/tau,  f' = (F(y) + c (s - y) - f)/tau,  tau = c/k_t,
-// s the slip relative to free rolling, F the sum over the slices. So f' is k_t (s - y) while F
-// lags, which is a slip law for dt >> tau and a spring for dt << tau. Apart from spin and roll, the
-// slices depend only on y, which does not follow oscillations of the spring; the same holds for the
-// couples. c is close to the slope of F in free rolling and everywhere above half of it; otherwise
-// oscillations would grow.
+// with s the slip relative to free rolling and F the sum over the slices. So f' is k_t (s - y)
+// while F lags, which is a slip law for dt >> tau and a spring for dt << tau. Apart from spin and
+// roll, the slices depend only on y, which does not follow oscillations of the spring; the same
+// holds for the couples. c is close to the slope of F in free rolling and everywhere above half of
+// that slope; otherwise oscillations would grow.
 //
 // Derivatives keep mu, k_t, c and the ellipse fixed, but not N.
 #ifndef RACEWAY_PART_SLIP_SLICES_H

@@ -28,7 +28,7 @@ struct SpinPart : PartBase {
              true,
              {share_of_spin<Parameters>()},
              nullptr,
-             "couple about the contact normal, where the contact angle makes spin"}};
+             "couple about the contact normal, if the contact angle causes spin"}};
   }
 
   template <class T>

@@ -22,8 +22,8 @@ template <class T> struct alignas(sizeof(Value<T>)) ContactVariablesT {
   T sliding_t = T(), sliding_w = T();            // m/s, ball surface minus ring surface
   T spin_n = T(), turn_t = T(), roll_w = T();    // rad/s, ball minus ring; if the law has couples
   // intermediate results for other parts and for output
-  T root = T();      // sqrt(m), of the compression
-  T load = T();      // N, Q, elastic
+  T root = T();      // sqrt(m), root of the compression
+  T load = T();      // N, elastic load Q
   T normal = T();    // N, max(0, Q + C d(overlap)/dt)
   T ct = T();        // N s/m, tangential dashpot
   // the force of the ring on the ball is -normal n - friction_t t - friction_w w
@@ -34,14 +34,14 @@ template <class T> struct alignas(sizeof(Value<T>)) ContactVariablesT {
 
 // Quantities held constant by derivatives.
 template <class T> struct alignas(sizeof(T)) ContactFiguresT {
-  T cos_angle = T();      // of the contact angle
+  T cos_angle = T();      // cosine of the contact angle
   T entrainment = T();    // m/s
   T stiffness = T();      // N/m, dQ/d(overlap)
   T damping = T();        // N s/m, C
   T film_load = T();      // N, load used for the film thickness
   // logarithms of the entrainment speed (m/s) and of film_load; the film factors
   T ln_speed = T(), ln_film_load = T(), film_factor = T();
-  T h_edge = T(), h_c = T();      // m, central film thickness, at the onset and here
+  T h_edge = T(), h_c = T();      // m, central film thickness at the onset and at this load
   T h_min = T(), lambda = T();    // m; lambda ratio
   T film_energy = T();            // J, of the film in the gap
   T film_force = T();             // N, of the film's branch
@@ -81,7 +81,7 @@ RACEWAY_INLINE void copy_state(const ContactStateT<A> &from, ContactStateT<B> &t
   using P = Value<A>;
   using From = ContactVariablesT<A>;
   using To = ContactVariablesT<B>;
-  static_assert(std::is_same<P, Value<B>>::value, "of the same plain type");
+  static_assert(std::is_same<P, Value<B>>::value, "both have the same plain type");
   static_assert(sizeof(From) == detail::n_variables * sizeof(A), "nothing but numbers of type T");
   static_cast<GroovePositionT<P> &>(to) = from;
   static_cast<ContactFiguresT<P> &>(to) = from;

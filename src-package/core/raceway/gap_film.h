@@ -14,7 +14,7 @@ namespace raceway {
 
 constexpr double resting = 1e-9;    // m/s, entrainment speed below which a contact is dry
 
-// Power law at the logarithm of a load.
+// Power law, evaluated at the logarithm of a load.
 template <class T> struct PowerFilmT {
   T ln_h, fall;    // at 1 N
   RACEWAY_INLINE FilmAtLoadT<T> at(const T &ln_load) const
@@ -23,7 +23,7 @@ template <class T> struct PowerFilmT {
   }
 };
 
-// all: all lubrication regimes, otherwise a power law.
+// all: true for the law of all lubrication regimes, false for a power law.
 template <class T, bool all> class GapFilmT {
  public:
   using Film = std::conditional_t<all, MoesFilmT<T>, PowerFilmT<T>>;
@@ -79,8 +79,8 @@ template <class T, bool all> class GapFilmT {
     return where(squeezed > least, squeezed, least);
   }
 
-  // Work to thin the film from `edge` (m) to that at the compression x, over zeta, J: the integral
-  // of fall h over the load, by Gauss points in the logarithm of the compression.
+  // Work to thin the film from `edge` (m) to its thickness at the compression x, over zeta, J: the
+  // integral of fall h over the load, by Gauss points in the logarithm of the compression.
   RACEWAY_INLINE T work(const T &x, const T &edge, const T &kept) const
   {
     constexpr int panels = 24, points = 4;
@@ -128,7 +128,7 @@ template <class T, bool all> class GapFilmT {
 
   Film film_;
   bool pressed_ = false;
-  GuptaFactorT<T> steep_{};    // by the root of the compression
+  GuptaFactorT<T> steep_{};    // per root of the compression
   T ln_K_;
 };
 

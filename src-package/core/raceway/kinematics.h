@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// From the motion of a ball and a ring to the local motions of their contact, and from local forces
-// back to forces and torques, independent of the contact law (law.h).
+// Conversion from the motion of a ball and a ring to the local motions of their contact, and from
+// local forces back to forces and torques, independent of the contact law (law.h).
 //
 // The contact point is R_b along the normal from the ball centre; both bodies are treated as rigid
 // there. The force of the raceway on the ball is -N n - f_t t - f_w w (frame of groove.h). Its
@@ -38,8 +38,8 @@ template <class T> struct ContactForcesT {
 using ContactForces = ContactForcesT<double>;
 
 // A groove may lie `offset` m along the axis from the ring's centre. The functions here refer to
-// the middle of the groove, which moves with v + w x (offset e). This one transfers the torque on
-// the ring from there to the ring's centre.
+// the middle of the groove, which moves with v + w x (offset e). This function transfers the torque
+// on the ring from there to the ring's centre.
 template <class T>
 RACEWAY_INLINE void from_groove(const Vec3T<T> &e, double offset, ContactForcesT<T> &f)
 {
@@ -61,7 +61,7 @@ inline bool touch(const Raceway &p, const Vec3 &d, const Vec3 &e, ContactState &
   return locate_beyond(d, e, p.centre_circle, p.slack - p.reach, c) && !out_of_reach(p, c);
 }
 
-// Local motions of a contact with a known position; `rotations`: also those about n, t, w.
+// Local motions of a contact with a known position; `rotations`: also rotations about n, t, w.
 template <bool rotations, class T>
 RACEWAY_INLINE void find_motions(const Raceway &p, const BallStateT<T> &ball,
                                  const RingStateT<T> &ring, ContactStateT<T> &c)
@@ -111,7 +111,7 @@ RACEWAY_INLINE ContactForcesT<T> assemble(const Raceway &p, const Vec3T<T> &e,
         c.u * T(mn * c.nu - mw * c.ne) + c.t * mt + e * T(mn * c.ne + mw * c.nu);
     f.ball_torque -= couple;
     f.ring_torque += couple;
-    // along t at the ball's centre r u + z e of the ring
+    // along t, acting at the ball's centre, r u + z e from the ring's centre
     f.force -= c.t * T(c.drag);
     f.ring_torque += e * T(c.r * c.drag) - c.u * T(c.z * c.drag);
   }

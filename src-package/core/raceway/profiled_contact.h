@@ -12,11 +12,11 @@ namespace raceway {
 
 template <class T> struct alignas(sizeof(T)) ProfiledContactT {
   T overlap = T();    // m, with the profile
-  T slope = T();      // of the depth along the path of the ball's centre
+  T slope = T();      // slope of the depth along the path of the ball's centre
   T bend = T();       // 1/m, derivative of the slope along the path, for profiles across the whole
                       // groove
-  // of a pit: energy in addition to that of the overlap, J; derivative of the overlap with respect
-  // to the approach, minus 1; stiffness between approach and path, and along the path, N/m
+  // for a pit: energy in addition to the energy of the overlap, J; derivative of the overlap with
+  // respect to the approach, minus 1; stiffness between approach and path, and along the path, N/m
   T energy = T(), follows = T(), cross = T(), side = T();
 };
 using ProfiledContact = ProfiledContactT<double>;
@@ -57,7 +57,7 @@ inline ProfiledContact profiled(const RacewayProfile &profile, const Raceway &p,
   return c;
 }
 
-// The same for a profile of the ball, the ring or both; `view` and b are those of the ball.
+// As above for a profile of the ball, the ring or both; `view` and b belong to the ball.
 inline ProfiledContact profiled(const RacewayProfile *ring, const BallProfile *ball,
                                 const Raceway &p, double azimuth, double r, double overlap,
                                 const BallView &view, BallSlopes &b)
@@ -93,7 +93,7 @@ RACEWAY_INLINE TurnRowT<T> turn_row(const T &along, const T &across, const Vec3T
   return {c.t * T(along * c.nu / c.r) + aside * T(across / c.s), c.t * across - aside * along};
 }
 
-// Replaces the rate of approach (m/s) along n by that along G: v is the velocity of the ball's
+// Replaces the rate of approach (m/s) along n by the rate along G: v is the velocity of the ball's
 // centre along t relative to the ring's material there.
 template <class T>
 RACEWAY_INLINE T passing_speed(const BallStateT<T> &ball, const RingStateT<T> &ring,
@@ -102,8 +102,8 @@ RACEWAY_INLINE T passing_speed(const BallStateT<T> &ball, const RingStateT<T> &r
   return dot(ball.v - ring.v, c.t) - (dot(ring.w, ring.e) * c.r - dot(ring.w, c.u) * c.z);
 }
 
-// Adds the effect of the slope to the forces of a contact: the normal force along slope t, at the
-// ball's centre r u + z e of the ring.
+// Adds the effect of the slope to the forces of a contact: the normal force along slope t, acting
+// at the ball's centre, r u + z e from the ring's centre.
 template <class T>
 RACEWAY_INLINE void push_along(const T &slope, const Vec3T<T> &e, const ContactStateT<T> &c,
                                ContactForcesT<T> &f)
@@ -113,7 +113,7 @@ RACEWAY_INLINE void push_along(const T &slope, const Vec3T<T> &e, const ContactS
   f.ring_torque -= e * T(c.r * push) - c.u * T(c.z * push);
 }
 
-// The same for a ball's profile, with the row of its depth; d is the ball's centre relative to the
+// As above for a ball's profile, with the row of its depth; d is the ball's centre relative to the
 // ring's.
 template <class T>
 RACEWAY_INLINE void push_along(const TurnRowT<T> &depth, const Vec3T<T> &d,

@@ -11,8 +11,8 @@
 namespace raceway {
 
 struct Raceway {
-  int number = 0;    // index of the groove among those of a ring for one ball, from 0 along the
-                     // axis
+  int number = 0;    // index of the groove among the grooves of a ring for one ball, from 0 along
+                     // the axis
   Groove groove;
   RacewayMaterial material;
   RacewayModel model;
@@ -28,7 +28,7 @@ struct Raceway {
                                                                      // radius
   double centre_circle = 0.0, slack = 0.0, largest_overlap = 0.0;    // m
   double roughness = 0.0, inverse_roughness = 0.0;                   // m, 1/m
-  double ln_inverse_roughness = 0.0;    // of 1/m; minus infinity without a roughness
+  double ln_inverse_roughness = 0.0;    // ln of a value in 1/m; minus infinity without a roughness
   double ball_mass = 0.0;               // kg
   double pitch_radius = 0.0;            // m
   double reach = 0.0;    // m, gap at which a contact begins; 0 unless set by a part of the law
@@ -52,8 +52,8 @@ struct Raceway {
     return groove.ball_radius * groove.groove_radius / (groove.groove_radius - groove.ball_radius);
   }
 
-  // Thermal strains of ring and ball, which move their surfaces. The constants of the law remain
-  // those of the cold parts, which differ by the strain.
+  // Applies thermal strains of ring and ball, which move their surfaces. The constants of the law
+  // remain those of the cold parts; the difference is as small as the strain.
   void grow(double ring, double ball)
   {
     centre_circle = groove.centre_circle() * (1.0 + ring);

@@ -87,7 +87,7 @@ class RacewayLaw {
 
   const RacewayConstants &radial() const { return radial_; }
 
-  // Constants at cos(alpha); within 1e-12 of 1 the radial ones are exact to rounding.
+  // Constants at cos(alpha); within 1e-12 of 1 the radial constants are exact to rounding.
   RACEWAY_INLINE RacewayConstants at(double cos_angle) const
   {
     return 1.0 - cos_angle < 1e-12 ? radial_ : oblique(cos_angle);

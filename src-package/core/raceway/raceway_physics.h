@@ -17,7 +17,7 @@ constexpr int most_states = 8;
 // Properties of a set of parts, one bit per part in the order of `Parts` (contact.h).
 struct LawFacts {
   int states = 0;                // number of state variables of a contact
-  bool couples = false;          // depends on relative rotations, and has couples and a drag
+  bool couples = false;          // it depends on relative rotations, and has couples and a drag
   bool decides = false;          // a part determines the onset of contact
   bool explicit_step = false;    // not available in an implicit step
   bool film = false, film_in_gap = false, asperities = false, tangential_spring = false;
@@ -45,8 +45,8 @@ struct RacewayPhysics : Raceway {
   void prepare(double pitch_radius, double mass, double overlap_limit);
 
   LawFacts facts() const { return law_facts(parts); }
-  // For contacts with the film in the gap: share of the film added to the overlap, and true if its
-  // thickness covers all regimes.
+  // For contacts with the film in the gap: share of the film added to the overlap; true if the law
+  // of the film covers all regimes.
   double gap_share() const;
   bool gap_film_of_all_regimes() const;
   // Replaces the tangential spring; `creep` is the slide-roll ratio that smooths Coulomb's law.

@@ -2,11 +2,11 @@
 // A ball in a bearing under pure thrust, with its centrifugal force: rigid rings, dry Hertz
 // contacts (docs/theory, Start of the balls).
 //
-// Along the axis both contacts carry the ball's share f of the thrust, Q_k sin(alpha_k) = f, and
-// radially the outer one has the centrifugal force F as well, Q_o cos(alpha_o) = Q_i cos(alpha_i) +
-// F. The lines from the centres of curvature to the ball, slack and compression, add up to the
-// radial distance of these centres, which the thrust does not change. Their sum decreases with
-// alpha_i, so the root is unique.
+// Along the axis both contacts carry the ball's share f of the thrust, Q_k sin(alpha_k) = f.
+// Radially the outer contact also carries the centrifugal force F, Q_o cos(alpha_o) =
+// Q_i cos(alpha_i) + F. The lines from the centres of curvature to the ball, each the sum of slack
+// and compression, span the radial distance of these centres, which the thrust does not change.
+// The sum of their radial parts decreases with alpha_i, so the root is unique.
 #ifndef RACEWAY_THRUST_BALL_H
 #define RACEWAY_THRUST_BALL_H
 
@@ -34,8 +34,8 @@ struct ThrustBall {
   double path = 0.0;    // m, radius of its centre's circle
 };
 
-// For a share of the thrust above 0 and a centrifugal force, N. The raceways need only groove,
-// materials and pitch_radius.
+// The ball for a share of the thrust above 0 and a centrifugal force, N. The raceways need only
+// groove, materials and pitch_radius.
 inline ThrustBall thrust_ball(const Raceway &inner, const Raceway &outer, double share,
                               double centrifugal)
 {

@@ -20,7 +20,7 @@ struct Validity {
   enum Doubt { PRESSURE, THICK_FILM, LAMBDA, CONDUCTS, FILM_FIT, SHOULDER, N };
 
   struct Rule {
-    const char *name, *value, *unit, *limit;    // `value` beyond `bound` is doubtful
+    const char *name, *value, *unit, *limit;    // a `value` beyond `bound` is doubtful
     double bound;
     bool below;    // the bound is a minimum instead of a maximum
   };
@@ -35,12 +35,12 @@ struct Validity {
         {"pressure", "Hertz pressure", "Pa", "ISO 76 allows ball bearings", 4.2e9, false},
         {"thick_film", "film thickness over the semi-axis b of its contact", "",
          "an elastohydrodynamic film is much thinner, at most", 1.0, false},
-        {"lambda", "lambda ratio", "", "films of bearings reach", 1e3, false},
+        {"lambda", "lambda ratio", "", "films in bearings reach at most", 1e3, false},
         {"conducts", "lambda ratio beside a capacitance", "",
          "asperities conduct and a capacitance means little below", 1.0, true},
         {"film_fit", "ellipticity of a contact with Hamrock and Dowson's film", "",
-         "their fit goes to", 8.0, false},
-        {"shoulder", "reach of a contact ellipse over that of its groove", "",
+         "their fit is valid up to", 8.0, false},
+        {"shoulder", "reach of a contact ellipse over the reach of its groove", "",
          "the groove ends at its shoulder,", 1.0, false}};
     return rules[doubt];
   }

@@ -97,7 +97,7 @@ std::string NetcdfFile::go_on(const std::string &path, const NetcdfHeader &heade
   struct stat s;
   if (fstat(file_, &s) != 0) return leave(strerror(errno));
   if (s.st_size < length)
-    return leave("it has fewer than " + std::to_string(records) + " samples, which it had");
+    return leave("it has fewer than " + std::to_string(records) + " samples, the number it had");
   if (ftruncate(file_, length) != 0) return leave(strerror(errno));
   why = write_head();
   if (!why.empty()) return leave(why);

@@ -60,9 +60,9 @@ class NetcdfFile {
   std::string write_head();    // all but the count
 
   NetcdfHeader header_;
-  std::string head_;    // its present bytes
+  std::string head_;    // present bytes of the header
   std::vector<unsigned char> buffer_, sent_, blank_;
-  std::future<std::string> writing_;    // of sent_
+  std::future<std::string> writing_;    // the write of sent_
   size_t batch_ = 1, filled_ = 0, sending_ = 0, written_ = 0, countable_ = 0;
   int file_ = -1;
   double counted_at_ = 0.0;    // s

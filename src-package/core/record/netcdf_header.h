@@ -22,8 +22,8 @@ class NetcdfHeader {
   struct Attribute {
     std::string name;
     Type type;
-    std::string words;         // of type text
-    std::vector<double> of;    // of other types
+    std::string words;         // value of type text
+    std::vector<double> of;    // values of other types
     bool changes = false;      // a number that may change when a run continues
   };
   using Attributes = std::vector<Attribute>;
@@ -51,7 +51,7 @@ class NetcdfHeader {
     return {name, real, "", {value}, false};
   }
 
-  // Return the index of the new item. The record dimension comes first, with length 0.
+  // These return the index of the new item. The record dimension comes first, with length 0.
   NetcdfHeader();
   int dimension(const std::string &name, size_t length);
   int variable(const Variable &);

@@ -61,7 +61,7 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
       each(layout_.rings, [](const auto &r) { return double(r.raceway); }));
   const char *const origin[] = {"ring_origin_x", "ring_origin_y", "ring_origin_z"};
   for (int k = 0; k < 3; ++k)
-    fix({origin[k], "m", "where the ring was at the start"}, ring, Header::real,
+    fix({origin[k], "m", "position of the ring at the start"}, ring, Header::real,
         each(layout_.rings, [k](const auto &r) { return r.origin[k]; }));
   if (layout_.pockets()) {
     fix({"ring_pocket_play", "m", "play of a cage's pockets along the pitch circle"}, ring,
@@ -178,7 +178,7 @@ std::string RecordFile::end_sample(const double *row)
   if (reported_ != layout_.bodies())
     return "at step " + std::to_string(static_cast<long long>(step)) + " " +
            std::to_string(reported_) + " of " + std::to_string(layout_.bodies()) +
-           " balls, cage balls and rings are there";
+           " balls, cage balls and rings are present";
   reported_ = 0;
   put_real(sample_ + time_, time);
   put_real(sample_ + step_, step);

@@ -16,10 +16,10 @@ class RecordFile {
  public:
   struct Content {
     std::vector<Column> contact;    // columns of contacts
-    bool single = false;            // their precision
-    bool motion = true;             // of balls and cage
+    bool single = false;            // contacts are in single precision
+    bool motion = true;             // includes the motion of balls and cage
     bool film = false, capacitance = false, surroundings = false;
-    unsigned law = 0;        // parts of it
+    unsigned law = 0;        // parts of the contact law
     bool spheres = false;    // balls touch cage balls or one another
     bool heat = false;       // temperatures follow the losses
     NetcdfHeader::Attributes about;
@@ -55,7 +55,7 @@ class RecordFile {
   NetcdfFile file_;
   int finished_ = -1;
   static constexpr size_t nowhere = SIZE_MAX;    // a column that is not in the record
-  // bytes from the start of a sample, by column
+  // position in bytes from the start of a sample, by column
   size_t time_, step_, pocket_ = nowhere;
   std::vector<size_t> contact_, ball_, cage_, ring_, bearing_, heat_;
   unsigned char *sample_ = nullptr;    // the present sample, if a part has reported

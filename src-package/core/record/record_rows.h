@@ -15,7 +15,7 @@ class RecordRows {
   using Tag = std::int64_t;
   using Columns = std::vector<const ContactColumn *>;
 
-  // Starts samples for that file, `batch` at a time.
+  // Starts samples for a file, `batch` at a time.
   void begin(const RecordLayout &, const RecordFile &, const Columns &, size_t batch);
 
   int ball(Tag) const;    // index in the layout; -1: not in the record
@@ -35,7 +35,7 @@ class RecordRows {
   // A ball or cage ball, after all of its contacts.
   void body(Tag, const raceway::Vec3 &x, const raceway::Vec3 &v, const raceway::Vec3 &w);
   void ring(const double *of);    // from of_ring::RING on; after land()
-  // Temperatures as in the row of RecordFile.
+  // Ends a sample; temperatures are as in the row of RecordFile.
   void end(double time, double step, const std::vector<double> &temperatures);
 
   bool full() const { return samples_ == batch_; }

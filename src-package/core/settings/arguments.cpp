@@ -44,7 +44,7 @@ void Arguments::take_variables()
   if (at == words_.end()) return;
   const std::vector<std::string> names(at + 1, words_.end());
   words_.erase(at, words_.end());
-  if (names.empty()) fail("'vars' without a name of a variable");
+  if (names.empty()) fail("'vars' needs the name of a variable");
   for (const std::string &name : names) {
     const DeckVariable *const entry = find_deck_variable(name);
     const bool ours = find_deck_variable(name, taker(command_));
@@ -52,12 +52,12 @@ void Arguments::take_variables()
       std::string known;
       for (const DeckVariable &v : deck_variables())
         if (v.taken_by(taker(command_))) known += (known.empty() ? "" : ", ") + std::string(v.name);
-      fail("vars '" + name + "', must be of: " + (known.empty() ? "none" : known));
+      fail("vars '" + name + "', must be one of: " + (known.empty() ? "none" : known));
     }
     const std::optional<std::string> value = host_variable(lmp_, name);
     if (!value) continue;
-    // a line with a style by variable has the words of all its styles
-    if (!ours) fail("variable " + name + " is of " + entry->of + ": leave it out here");
+    // a line whose style is a variable has the words of all styles that it may have
+    if (!ours) fail("variable " + name + " belongs to " + entry->of + ": leave it out here");
     words_.push_back(name);
     std::istringstream in(*value);
     for (std::string word; in >> std::quoted(word);) words_.push_back(word);
@@ -176,7 +176,7 @@ int Arguments::choice(const std::string &what, const std::vector<std::string> &a
   fail(what + " is '" + s + "', must be one of: " + list);
 }
 
-// The word of a list "a, b, c" that a wrong word may stand for, as the end of a message
+// End of a message with the word of a list "a, b, c" for which a wrong word may stand
 static std::string meant(const std::string &wrong, const std::string &list)
 {
   std::set<std::string> known;

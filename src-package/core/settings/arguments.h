@@ -16,7 +16,7 @@ namespace bearing {
 
 // Host functions for reading a command, without the host's headers (arguments_host.cpp).
 // Collective: all ranks call them together.
-[[noreturn]] void stop_run(LAMMPS_NS::LAMMPS *, const std::string &why);    // with an error
+[[noreturn]] void stop_run(LAMMPS_NS::LAMMPS *, const std::string &why);    // ends it with an error
 bool is_first_rank(LAMMPS_NS::LAMMPS *);
 std::string of_first_rank(LAMMPS_NS::LAMMPS *, const std::string &);    // on every rank
 std::optional<std::string> host_variable(LAMMPS_NS::LAMMPS *, const std::string &name);
@@ -41,7 +41,7 @@ class Arguments {
   std::vector<std::string> rest() const { return {words_.begin() + next_, words_.end()}; }
   std::string word(const std::string &what);    // next word; error without one
   double number(const std::string &what);
-  double number_in(const std::string &word, const std::string &what) const;    // of a given word
+  double number_in(const std::string &word, const std::string &what) const;    // value of a word
   double positive(const std::string &what);                                    // > 0
   double non_negative(const std::string &what);                                // >= 0
   double within(const std::string &what, double lo, double hi);
@@ -53,7 +53,7 @@ class Arguments {
   void skip_rest() { next_ = words_.size(); }
   [[noreturn]] void unknown(const std::string &allowed);    // the next word is not a keyword
   [[noreturn]] void fail(const std::string &why) const;
-  // Text of a file, read by rank 0, on all ranks; none if it is unreadable.
+  // Text of a file on all ranks, read by rank 0; none if the file is unreadable.
   std::optional<std::string> content(const std::string &file) const;
 
  private:

@@ -80,7 +80,7 @@ void CageSettings::read(Arguments &args)
   of.along = 0.5 * play;
   of.across = across < 0.0 ? of.along : 0.5 * across;
   if (height > 0.0 && of.along == 0.0)
-    args.fail("the oil in a pocket shears in its play, which is 0: give 'play' or height 0");
+    args.fail("oil in a pocket is sheared in the play, which is 0: give 'play' or height 0");
   of.land.viscosity = oil;
   of.land.filled = land_filled < 0.0 ? filled : land_filled;
   program.mass = of.mass;
@@ -102,7 +102,7 @@ void CageSettings::prepare(Arguments &args, double ball_radius, double pitch)
               text(room) + " m for each of " + std::to_string(of.pockets));
   const bool inner = of.guide == CageRing::by_inner;
   if (of.guide != CageRing::by_balls && (inner ? of.land.radius >= pitch : of.land.radius <= pitch))
-    args.fail("the cage is on the wrong land: 'guide " + std::string(inner ? "inner" : "outer") +
+    args.fail("the land is on the wrong side: 'guide " + std::string(inner ? "inner" : "outer") +
               "' with radius " + text(of.land.radius) + " m, but the pitch circle has " +
               text(pitch) + " m");
   const double E = raceway::reduced_modulus(young[0], poisson[0], young[1], poisson[1]);

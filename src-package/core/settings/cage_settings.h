@@ -13,14 +13,14 @@ struct CageSettings {
   raceway::CageRing of;    // without the values that depend on ball and pitch circle
   raceway::RingProgram program;
   double young[2] = {2.08e11, 2.08e11}, poisson[2] = {0.3, 0.3};    // ball and cage, steel
-  double height = 0.0;                                              // m, of a pocket's band of oil
-  double oil = 0.0, filled = 1.0;                                   // Pa s, filled share
-  double land_filled = -1.0;                                        // of the land; -1: same
+  double height = 0.0;                                              // m, band of oil in a pocket
+  double oil = 0.0, filled = 1.0;                                   // Pa s; filled share of pockets
+  double land_filled = -1.0;                                        // of the land; -1: `filled`
 
   // Reads all words after the ball type. Error for words that contradict each other.
   void read(Arguments &);
-  // Derives the values that depend on the balls, of this radius on this pitch circle (m). Error if
-  // they do not fit.
+  // Derives the values that depend on the balls, which have this radius on this pitch circle (m).
+  // Error if they do not fit.
   void prepare(Arguments &, double ball_radius, double pitch);
 
  private:

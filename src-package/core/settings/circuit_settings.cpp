@@ -28,11 +28,11 @@ void read_table(const Arguments &args, Waveform &w, const std::string &name)
     if (!number || !(words >> v) || words >> more || !std::isfinite(t) || !std::isfinite(v))
       args.fail(where + ": a row of a voltage table is two numbers, s and V");
     if (!w.times.empty() && t <= w.times.back())
-      args.fail(where + ": times of a voltage table must rise");
+      args.fail(where + ": times of a voltage table must increase");
     w.times.push_back(t);
     w.voltages.push_back(v);
   }
-  if (w.times.size() < 2) args.fail("'" + name + "' needs two rows of s and V at least");
+  if (w.times.size() < 2) args.fail("'" + name + "' needs at least two rows of s and V");
 }
 
 Waveform read_voltage(Arguments &args)
@@ -113,7 +113,7 @@ CircuitSettings CircuitSettings::read(Arguments &args)
   if (driven != (s.outer != floating))
     args.fail(driven ? "a floating inner ring takes no 'voltage'" : "'voltage' is missing");
   if (s.outer != motor && (s.second > 0.0 || s.second_factor > 0.0))
-    args.fail("'second' and 'second_factor' go with a motor");
+    args.fail("'second' and 'second_factor' need a motor");
   if (s.second > 0.0 && s.second_factor > 0.0)
     args.fail("give 'second' or 'second_factor', not both");
   if (s.breaks_down() && s.outer == source && s.resistance == 0.0)

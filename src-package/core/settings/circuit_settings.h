@@ -11,20 +11,20 @@ namespace bearing {
 
 struct CircuitSettings {
   enum Outer { floating, source, motor } outer = floating;
-  double start = 0.0;                               // V, of a floating inner ring
+  double start = 0.0;                               // V, initial, of a floating inner ring
   double resistance = 0.0;                          // ohm, of a source
   double winding_rotor = 0.0, rotor_frame = 0.0;    // F, of a motor
   double second = 0.0, second_factor = 0.0;         // F; over this bearing's capacitance
   double beside = 0.0, stray = 0.0;                 // F
   raceway::Waveform voltage;
   double strength = 0.0, film_floor = 1e-9;    // V/m, 0: no breakdown; m
-  bool rough = true;                           // local thickness less 3 sigma
+  bool rough = true;                           // local thickness is reduced by 3 sigma
   double resistivity = 0.0;                    // ohm m, 0: no leak
-  double metal = 0.0, metal_share = 0.0;       // ohm, 0: none; of the load
+  double metal = 0.0, metal_share = 0.0;       // ohm, 0: none; share of the load
   double arc = 0.0;                            // ohm, of a failing film; 0: unknown
   int points = 1;                              // circuit points per sample
   int within = 1;                              // samples per step, the last at its end
-  std::string events;                          // file
+  std::string events;                          // file for films that fail
 
   bool breaks_down() const { return strength > 0.0; }
   // Largest limit of a bridged film, V.

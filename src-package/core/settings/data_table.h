@@ -17,8 +17,8 @@ class DataTable {
 
   const std::string &file() const { return file_; }
   const std::string &complaint() const { return complaint_; }    // empty if the table is usable
-  std::set<std::string> names() const;                           // of the rows
-  std::set<std::string> variables() const;                       // of all rows
+  std::set<std::string> names() const;                           // names of the rows
+  std::set<std::string> variables() const;                       // variables of all rows
   bool has(const std::string &name) const { return rows_.count(name) > 0; }
   std::vector<std::string> commands(const std::string &name) const;    // as in a file
 
@@ -36,7 +36,7 @@ std::string variable_of(const std::string &line);
 
 std::vector<DataTable> tables_of(const std::string &folder);    // by the names of their files
 
-// The names, starting with those that differ from `name` by a few letters.
+// The names, starting with the ones that differ from `name` by a few letters.
 std::vector<std::string> near_first(const std::string &name, const std::set<std::string> &names);
 
 // Levenshtein distance: letters to change, add or remove to turn one word into the other

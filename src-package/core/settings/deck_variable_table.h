@@ -12,7 +12,7 @@ namespace bearing {
 
 struct DeckVariable {
   const char *name;
-  const char *initial;    // default as text; "": that of the style, or the data must provide it
+  const char *initial;    // default as text; "": the style's default, or the data must provide it
   const char *unit;       // "": a word, a count or a ratio
   const char *range;      // "LO HI", "LO HI whole", "LO HI or V", "one_of A B ..."; "": any words
   const char *of;         // commands and styles that take it, a kind of data, or one deck
@@ -31,8 +31,8 @@ const std::vector<DeckVariable> &deck_variables();
 const DeckVariable *find_deck_variable(const std::string &name, const std::string &of = "");
 
 // Message about a name in a data file that is not a variable but differs by one or two letters from
-// one that the file lacks and whose default would be used; "" if there is none. Other names are the
-// user's own.
+// a variable that the file lacks and whose default would be used; "" if there is none. Other names
+// are the user's own.
 std::string mistyped(const std::set<std::string> &names);
 
 // Reason why a variable cannot have this value; "" if it can.

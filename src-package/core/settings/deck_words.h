@@ -14,13 +14,13 @@ class LAMMPS;
 
 namespace bearing {
 
-// For a fix, the last command counts; several create_bearing commands are kept as one checksum.
-// Paths and the options of a continued run are omitted.
+// Notes the words of a command. For a fix, the last command counts; several create_bearing commands
+// are kept as one checksum. Paths and the options of a continued run are omitted.
 void note_words(const LAMMPS_NS::LAMMPS *, const std::string &command,
                 const std::vector<std::string> &words);
 void note_file(const LAMMPS_NS::LAMMPS *, const std::string &command, const std::string &content);
 
-// One line; empty if the command was not recorded.
+// The words in one line; empty if the command was not recorded.
 std::string noted_words(const LAMMPS_NS::LAMMPS *, const std::string &command);
 
 }    // namespace bearing

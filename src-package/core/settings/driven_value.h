@@ -42,14 +42,14 @@ class DrivenValue {
   bool is_zero() const { return name_.empty() && value_ == 0.0; }
   bool is_variable() const { return !name_.empty(); }
 
-  // Before a run: checks that the variable exists.
+  // Checks before a run that the variable exists.
   void check(LAMMPS_NS::LAMMPS *, const std::string &command);
 
   bool by_atom() const { return by_atom_; }    // after check()
 
   double now(LAMMPS_NS::LAMMPS *) const;
 
-  // for every owned atom of a group, 0 for others
+  // Values for every owned atom of a group, 0 for other atoms
   std::vector<double> of_atoms(LAMMPS_NS::LAMMPS *, int igroup) const;
 
   const std::string &name() const { return name_; }

@@ -94,7 +94,7 @@ FolderClaim claim_folder(const std::string &folder)
     if (flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
       if (errno == EWOULDBLOCK || errno == EACCES) {
         result.complaint = "output folder '" + folder + "' is in use: " + read_all(descriptor) +
-                           " writes there; wait for it, or give another folder";
+                           " writes there; wait for it to end, or give another folder";
         close(descriptor);
         return result;
       }

@@ -36,7 +36,7 @@ std::string list_of(const Parts &parts)
   return list.empty() ? "none" : list;
 }
 
-// The parts that stay
+// The parts that remain
 class Choice {
  public:
   Choice(const Parts &parts, const std::string &without) : parts_(parts)
@@ -82,7 +82,7 @@ std::string full_words(const ModelChoice &of, const Choice &with, const OilWords
                                              : "heathcote 1.0e-4 spin " + with.share("spin");
   const std::string hysteresis = " rolling_hysteresis " + with.share("rolling_hysteresis", 0.016);
   if (of.spin_law == "slices" && oil && !with.has("differential_slip"))
-    throw DataError("spin_law slices is a law of differential_slip: leave the part in, or take "
+    throw DataError("spin_law slices needs the part differential_slip: keep that part, or use "
                     "spin_law closed");
   if (!oil) return "friction constant 0.1 " + slip + hysteresis;
   if (!with.has("differential_slip")) slip = "smoothed 0.01";

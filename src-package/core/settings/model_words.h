@@ -23,7 +23,7 @@ struct ModelChoice {
   std::string without = "none";    // parts to leave out, joined by +
   std::string gap_film = "power", inlet_shear = "murch", spin_law = "closed";
   std::string lubrication = "bath";    // kind of lubrication (core/laws/lubrication.h)
-  double oil_level = 0.5;              // of a bath above the lowest raceway, over the ball diameter
+  double oil_level = 0.5;              // of a bath above the lowest raceway, in ball diameters
 };
 
 // Bearing of a ModelChoice: radii of pitch circle and balls, bore and outside diameter (m; 0:
@@ -45,7 +45,7 @@ extern const std::vector<std::string> model_names;
 
 struct ContactModel {
   std::string words;                    // keywords of the pair style
-  double cage_tolerance_share = 1.0;    // tolerance of cage balls over that of the others
+  double cage_tolerance_share = 1.0;    // tolerance of cage balls over that of other bodies
   bool estimate = true;                 // control of implicit steps: by estimates, or by bounds
 };
 

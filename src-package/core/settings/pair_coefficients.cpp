@@ -39,13 +39,13 @@ void PairCoefficients::read_coeff(Arguments &args, int types)
   if (role != 4)
     for (const int type : {i, j})
       if (is_grain(type))
-        args.fail("type " + std::to_string(type) + " is a grain, cannot be of a bearing");
+        args.fail("type " + std::to_string(type) + " is a grain, cannot belong to a bearing");
   if (role == 2) return read_spheres(args, i, j);
   if (role == 3) return read_cage(args, i, j, types);
   if (role == 4) return read_grains(args, i, j);
   if (i == j) args.fail("ball and ring need different atom types");
   if (raceway(j, i))
-    args.fail("the ball type comes first, and an earlier pair_coeff has it second");
+    args.fail("the ball type must come first, but an earlier pair_coeff has it second");
   RacewayPhysics p = defaults_;
   p.groove.side = role == 0 ? Side::inner : Side::outer;
   p.groove.raceway_radius = args.positive("raceway radius (m)");
@@ -78,7 +78,7 @@ void PairCoefficients::read_coeff(Arguments &args, int types)
   ring_type_.resize(types + 1);
   ball_type_[i] = ring_type_[j] = 1;
   if (ball_type_[j] || ring_type_[i] || is_cage(j))
-    args.fail("a type cannot be two of ball, ring and cage");
+    args.fail("a type can be only one of ball, ring and cage");
 }
 
 void PairCoefficients::read_cage(Arguments &args, int ball, int cage, int types)
@@ -127,7 +127,7 @@ void PairCoefficients::read_grains(Arguments &args, int i, int j)
   if (law.stiffness == 0.0) args.fail("'stiffness K' (N/m) of the grains is missing");
   for (const int type : {i, j})
     if (is_named(type))
-      args.fail("type " + std::to_string(type) + " is of a bearing, cannot be a grain");
+      args.fail("type " + std::to_string(type) + " belongs to a bearing, cannot be a grain");
   grains_[std::minmax(i, j)] = law;
   grain_type_.insert({i, j});
 }

@@ -13,13 +13,13 @@
 
 namespace bearing {
 
-// Atoms of each type, over all ranks.
+// Sizes of the atoms of each type, over all ranks.
 struct TypeSizes {
   std::vector<double> smallest, largest, mass;    // radii (m); the largest mass (kg)
   std::vector<int> count;
 };
 
-// One keyword of a contact of grains; false: the next word is not one.
+// Reads one keyword of a contact of grains; false if the next word is not such a keyword.
 bool take_grain_keyword(Arguments &, raceway::GrainLaw &);
 
 class PairCoefficients {
@@ -39,7 +39,7 @@ class PairCoefficients {
   void read_coeff(Arguments &, int types);
   // Derives the constants of the raceways. Returns an error in raceways or atoms, or "".
   std::string prepare(const TypeSizes &);
-  // The same during a run, for coefficients that were read again.
+  // As above during a run, for coefficients that were read again.
   std::string prepare_again();
   // Thermal strains of a ball type's raceways and of its balls (Raceway::grow).
   void grow(int ball_type, double inner_ring, double balls, double outer_ring);
@@ -53,21 +53,21 @@ class PairCoefficients {
   bool is_ring(int type) const { return type < (int)ring_type_.size() && ring_type_[type]; }
   bool is_ball(int type) const { return type < (int)ball_type_.size() && ball_type_[type]; }
   bool is_cage(int type) const { return type < (int)cage_type_.size() && cage_type_[type]; }
-  bool is_named(int type) const;    // in some pair_coeff of a bearing
+  bool is_named(int type) const;    // the type occurs in a pair_coeff of a bearing
   bool is_grain(int type) const { return grain_type_.count(type) > 0; }
   // Sides on which a ball type has a raceway: 1 inner, 2 outer, or their sum.
   int sides_of(int ball_type) const;
   bool any_raceway() const { return !raceways_.empty(); }
   // Groove of a ring for a ball, by number; null if none.
   const raceway::RacewayPhysics *raceway(int ball_type, int ring_type, int groove = 0) const;
-  // Raceways of a ring type, and those of a ball type.
+  // Raceways of a ring type, and raceways of a ball type.
   std::vector<const raceway::RacewayPhysics *> raceways_of(int ring_type) const;
   std::vector<const raceway::RacewayPhysics *> raceways_under(int ball_type) const;
   bool many_grooves() const;    // some ring has two grooves for a ball
   // Radius of the circle half-way between the raceways of a ball on that ring, m; 0 if the type is
   // not a ring.
   double pitch_radius(int ring_type) const;
-  bool any_spheres() const { return !spheres_.empty(); }    // with cage balls or one another
+  bool any_spheres() const { return !spheres_.empty(); }    // balls touch cage balls or one another
   const Spheres *spheres(int type_1, int type_2) const;     // null if none
   const raceway::GrainLaw *grains(int type_1, int type_2) const;    // null if none
   // Parts of the contact law (core/contact/contact.h), one law for all raceways.
@@ -77,11 +77,11 @@ class PairCoefficients {
   bool smooth_friction(double creep);
   // Distance of centres below which two types are neighbours, m; 0: they do not interact.
   double cutoff(int type_1, int type_2) const;
-  double reach() const;    // m, of a ball's centre from that of its ring
+  double reach() const;    // m, largest distance of a ball's centre from the centre of its ring
 
  private:
   struct GrooveName {
-    int ball, ring, number;    // types; of the grooves of that ring
+    int ball, ring, number;    // types; number of the groove
     bool operator<(const GrooveName &o) const
     {
       return ball != o.ball ? ball < o.ball : ring != o.ring ? ring < o.ring : number < o.number;

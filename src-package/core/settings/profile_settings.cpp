@@ -64,7 +64,7 @@ PeriodicCurve read_table(Arguments &args)
     std::string rest;
     if (!(words >> a)) {
       words.clear();
-      if (words >> rest) args.fail(where + ": '" + rest + "' is no azimuth (rad)");
+      if (words >> rest) args.fail(where + ": '" + rest + "' is not an azimuth (rad)");
       continue;
     }
     if (!(words >> d) || words >> rest || !(std::fabs(d) <= 1e-2))
@@ -80,7 +80,7 @@ PeriodicCurve read_table(Arguments &args)
     if (!(std::fabs(azimuth[k] - azimuth[0] - 2.0 * M_PI * k / n) < 0.01 * 2.0 * M_PI / n))
       args.fail("'" + name + "' point " + std::to_string(k + 1) + " is at " + text(azimuth[k]) +
                 " rad, must be at " + text(azimuth[0] + 2.0 * M_PI * k / n) +
-                ": the points lie at even distances over one turn");
+                ": the points must be evenly spaced over one turn");
   return PeriodicCurve(azimuth[0], depth);
 }
 
@@ -110,13 +110,13 @@ void read_ball(Arguments &args, ProfileSettings &s)
 
 }    // namespace
 
-// In the words of a deck's variables: flaw_inner and flaw_outer are profiles of raceways, flaw_ball
-// is a profile of balls, by default the first; the last keyword, flawed_ball, has their numbers.
+// In a deck's variables, flaw_inner and flaw_outer are profiles of raceways, and flaw_ball is a
+// profile of balls, by default of the first ball; the last keyword, flawed_ball, has their numbers.
 ProfileSettings ProfileSettings::read(Arguments &args, int most_grooves,
                                       std::vector<std::string> &said)
 {
   ProfileSettings s;
-  if (args.more() && args.next() == "flawed_ball") args.skip_rest();    // of no flaw
+  if (args.more() && args.next() == "flawed_ball") args.skip_rest();    // there is no flaw
   if (!args.more()) return s;
   const bool of_variable = args.take("flaw_ball");
   if (of_variable) s.flawed = {"1"};

@@ -10,11 +10,11 @@
 namespace bearing {
 
 struct ProfileSettings {
-  int groove = 0;                   // of each ring, by number
+  int groove = 0;                   // number of the groove of each ring
   raceway::ProfileShape raceway;    // departure from the torus
   bool of_balls = false;
   raceway::BallShape ball;            // departure from the sphere
-  std::vector<std::string> flawed;    // numbers of the flawed balls; empty: all of the group
+  std::vector<std::string> flawed;    // numbers of the flawed balls; empty: all balls of the group
 
   bool departs() const
   {

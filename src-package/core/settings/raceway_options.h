@@ -9,8 +9,8 @@
 
 namespace bearing {
 
-// Reads one keyword with its values. False if the next word is not one of them. with_film: accept
-// the keywords of bearing/ehd (lubricant, film, roughness, floor, damper, stribeck).
+// Reads one keyword with its values. False if the next word is not such a keyword. with_film:
+// accept the keywords of bearing/ehd (lubricant, film, roughness, floor, damper, stribeck).
 bool read_raceway_keyword(Arguments &args, bool with_film, raceway::RacewayPhysics &p);
 
 // Keywords for error messages.

@@ -82,8 +82,7 @@ void RingWords::read_support()
   Support &on = to_.program.support[args_.choice("support", names)];
   on.stiffness = args_.within("stiffness of the support", 0.0, 1e15);
   on.damping = args_.within("damping of the support", 0.0, 1e12);
-  if (on.stiffness == 0.0 && on.damping == 0.0)
-    args_.fail("a support with neither stiffness nor damping");
+  if (on.stiffness == 0.0 && on.damping == 0.0) args_.fail("a support needs stiffness or damping");
   to_.program.supported = true;
 }
 
@@ -160,7 +159,7 @@ void RingWords::apply_load()
   if (loads_) {
     for (int k = 0; k < 3; ++k)
       if (!to_.value[RingProgram::FORCE + k].is_zero())
-        args_.fail("'force' and 'load' or 'axial' are given: the latter are forces");
+        args_.fail("'force' excludes 'load' and 'axial', which set the same forces");
     const auto part = [this](double share) {
       return DrivenValue::constant(written(std::floor(1.0e15 * share + 0.5) / 1.0e15 * load_));
     };

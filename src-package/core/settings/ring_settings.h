@@ -17,11 +17,11 @@ struct StatedLoads {
   double load = 0.0, azimuth = 0.0, axial = 0.0;    // N, rad, N
   double moment[2] = {0.0, 0.0};                    // N m, constant moments
   double unbalance = 0.0;                           // kg m
-  double speed = NAN;                               // rad/s, imposed and constant; NAN: other
+  double speed = NAN;                               // rad/s; NAN unless imposed and constant
 };
 
 struct RingSettings {
-  raceway::RingProgram program;    // of all rings, without targets and loads
+  raceway::RingProgram program;    // program of all rings, without targets and loads
   DrivenValue value[raceway::RingProgram::N_VALUE];
   StatedLoads stated;
   std::string holder;    // group of the ring that the supports hold to; empty: the ground
@@ -38,8 +38,8 @@ class RingWords {
  public:
   // each: values may differ from ring to ring
   RingWords(Arguments &args, const raceway::LabAxes &axes, RingSettings &to, bool each);
-  bool take();    // a keyword and its values; false: the next word is not one of
-                  // these
+  bool take();    // reads a keyword and its values; false if the next word is not
+                  // such a keyword
   // After all words: sets values that depend on several of them, and checks them
   void finish(const RingBody &usual);
   std::string known() const;    // all keywords, for messages
@@ -56,13 +56,13 @@ class RingWords {
   void apply_load();
   void apply_housing();
   void check() const;
-  const char *name_of(int dof) const;    // of a displacement or a tilt
+  const char *name_of(int dof) const;    // name of a displacement or a tilt
 
   Arguments &args_;
   raceway::LabAxes axes_;
   RingSettings &to_;
   bool each_;
-  int number_[3];    // of a lab axis; the bearing axis is the third
+  int number_[3];    // number of a lab axis; the bearing axis is the third
   // `free loaded`: degrees of freedom that have a load
   bool free_loaded_ = false, loads_ = false, springs_ = false;
   double load_ = 0.0, azimuth_ = -0.5 * 3.14159265358979323846, axial_ = 0.0;          // N, rad, N

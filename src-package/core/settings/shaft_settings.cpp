@@ -31,7 +31,7 @@ bool ShaftSettings::take(Arguments &args)
   return true;
 }
 
-// The sum of forces that rotate together rotates with them.
+// The sum of unbalances: forces that rotate together have a sum that rotates with them.
 static raceway::Unbalance polar(double x, double y) { return {std::hypot(x, y), std::atan2(y, x)}; }
 
 void ShaftSettings::add_unbalances(double about, RingProgram &p) const
@@ -68,7 +68,7 @@ std::vector<raceway::Unbalance> ShaftSettings::unbalances_of_modes() const
 void ShaftSettings::read_file(const Arguments &args, RingProgram &p)
 {
   if (p.mass > 0.0 || p.inertia.axial > 0.0 || centre_given)
-    args.fail("mass, inertia and centre of a flexible shaft are those of '" + file +
+    args.fail("mass, inertia and centre of a flexible shaft come from '" + file +
               "': leave them out");
   for (int dof : {0, 1, int(RingProgram::TILT), int(RingProgram::TILT + 1)})
     if (!p.free(dof))

@@ -22,13 +22,13 @@ struct ShaftSettings {
     raceway::Unbalance of;
   };
   bool centre_given = false;
-  double centre = 0.0;    // m, of mass
+  double centre = 0.0;    // m, centre of mass
   std::vector<Load> loads;
   std::vector<Unbalance> unbalances;
-  std::string file;    // of a flexible shaft, otherwise empty
+  std::string file;    // file of a flexible shaft, otherwise empty
   std::shared_ptr<const BendingShaft> of_file;
 
-  // A keyword and its values; false: the next word is not one of these.
+  // Reads a keyword and its values; false if the next word is not such a keyword.
   bool take(Arguments &);
   // Adds the unbalances and their moments about a centre (m).
   void add_unbalances(double about, raceway::RingProgram &) const;

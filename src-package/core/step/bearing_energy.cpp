@@ -39,7 +39,7 @@ void BearingIntegrator::add_energy(const Stage &stage, double weight, double s)
     }
   pending_.work += weight * power;
   pending_.dissipated += weight * lost;
-  pending_.stored = forces_.energy_gained();    // of the last stage
+  pending_.stored = forces_.energy_gained();    // value of the last stage
 }
 
 // Power of the residual of the last correction of a stage of h seconds, W. Corrections end once
@@ -77,8 +77,8 @@ const BearingIntegrator::Energy &BearingIntegrator::energy()
   return energy_;
 }
 
-// At the present state, J: kinetic energy of bodies and coordinates, elastic energy of supports,
-// modes and contacts.
+// Energy at the present state, J: kinetic energy of bodies and coordinates, and elastic energy of
+// supports, modes and contacts.
 double BearingIntegrator::stored_energy()
 {
   Lane motion = {};

@@ -14,7 +14,7 @@ class BearingSystem;
 enum class Evaluate {
   only,          // forces on rings, power, energy; without looks also the right-hand side
   residual,      // forces on rings, the right-hand side of the linear system
-  derivatives    // the same and the matrix
+  derivatives    // as above, and the matrix
 };
 
 // Reason for a step without a result.
@@ -31,8 +31,8 @@ enum class Failure {
 // Four contacts as evaluated. Vectors of the state are in the lab frame.
 struct alignas(32) ContactLook {
   ContactStateT<Lane> state;
-  LaneMask live;    // contacts with a state; the others have motions only, if gaps are requested
-  Lane orbit;       // rad/s, of the ball about the ring's axis, also without contact
+  LaneMask live;    // contacts with a state; all others have motions only, if gaps are requested
+  Lane orbit;       // rad/s, speed of the ball about the ring's axis, also without contact
 };
 
 // Overlap assumed for an open contact whose derivatives are needed, m.
@@ -48,8 +48,8 @@ struct Stage {
   bool keep = false;               // with `derivatives`: BearingSystem::keep() after the raceways
   bool kept = false;    // with `derivatives`: raceways as kept, at the end of the last correction
   bool gaps = false;    // also evaluate surfaces that do not touch
-  // Gaps of balls and of cage balls that count as contact in the derivatives, m. Without them, a
-  // body at rest would leap out of its groove.
+  // Gaps of balls and of cage balls up to which derivatives count them as contacts, m. Without
+  // these, a body at rest would leap out of its groove.
   double close = 0.0, close_cage = 0.0;
 
   double follows() const { return dampers_only ? 0.0 : h; }    // s, time over which positions
@@ -103,7 +103,7 @@ class BearingForces {
   double power_lost_ = 0.0, contact_energy_ = 0.0, energy_gained_ = 0.0;
   int body_ = -1;
   ProfiledContactT<Lane> on_;              // four contacts on a raceway with a profile
-  BallSlopesT<Lane> turned_;               // of balls with a profile
+  BallSlopesT<Lane> turned_;               // slopes of balls with a profile
   std::vector<int> touching_, touched_;    // closed pockets now and at the last factorisation
   std::vector<Place> place_;               // lab frame, by slot; only bodies with pockets
   std::vector<char> in_pocket_;            // groups

@@ -27,7 +27,7 @@ RACEWAY_LANES void BearingInstants::contacts(int k, bool whole_states,
                                              std::vector<ContactAtInstant> &to) const
 {
   to.resize(b_.contact_at.size());
-  ContactAtInstant nobody;    // for lanes without a ball
+  ContactAtInstant nobody;    // used for lanes without a ball
   for (int group = 0; group < b_.n_contacts; ++group) {
     const int at = (k - 1) * b_.n_contacts + group;
     const ContactLook &look = looks_[at];
@@ -99,7 +99,7 @@ void BearingInstants::put_back()
   std::swap(b_.kept, kept_end_);
 }
 
-// Moves everything to the share s of the internal step.
+// Moves everything to the fraction s of the internal step.
 RACEWAY_LANES void BearingInstants::move(double h, double s)
 {
   const Cubic at(s, h);
@@ -124,7 +124,7 @@ RACEWAY_LANES void BearingInstants::move(double h, double s)
       b_.kept[k].now[m] = b_.kept[k].from[m] + (kept_end_[k].now[m] - b_.kept[k].from[m]) * s;
 }
 
-// s: share of the host's step.
+// s: fraction of the host's step.
 RACEWAY_LANES Failure BearingInstants::look_at(int k, double s)
 {
   Stage stage;
@@ -182,7 +182,7 @@ RACEWAY_LANES void BearingInstants::surrounded(int k)
   Capacitors *to = capacitors_.data() + (k - 1) * b_.n_contacts;
   for (size_t t = 0; t < b_.tracks.size(); ++t)
     for (int g = b_.tracks[t].first; g < b_.tracks[t].end; ++g, ++look, ++to) {
-      // lanes without a ball copy the others, so that there is only one kind of contact
+      // lanes without a ball count as live if any lane is, so that there is one kind of contact
       const LaneMask spare = any(look->live) ? ~b_.groups[g].used : LaneMask{};
       to->of = surrounded_[t].capacitor(look->state, look->live | spare, look->orbit);
     }

@@ -10,8 +10,8 @@
 
 namespace raceway {
 
-// Requested instants: shares k/number of the host's step, k = 1 to number - 1. number 0: none;
-// permittivity 0: no capacitances.
+// Requested instants, at the fractions k/number of the host's step, k = 1 to number - 1. number 0:
+// no instants; permittivity 0: no capacitances.
 struct Instants {
   int number = 0;
   CapacitorModel capacitor;
@@ -20,7 +20,7 @@ struct Instants {
 class BearingInstants {
  public:
   struct ContactAtInstant {
-    double orbit;                        // rad/s, of the ball about the ring's axis
+    double orbit;                        // rad/s, speed of the ball about the ring's axis
     double load;                         // N
     bool live;                           // the contact has a state
     FilmCapacitorT<double> capacitor;    // 0 if not requested
@@ -28,7 +28,7 @@ class BearingInstants {
   };
   struct RingAtInstant {
     RingPose pose;
-    Vec3 force, moment;    // on balls and cage, N and N m
+    Vec3 force, moment;    // of balls and cage, N and N m
     Vec3 acceleration;     // m/s^2
   };
 
@@ -43,19 +43,19 @@ class BearingInstants {
     return rings_[(k - 1) * b_.rings.size() + ring];
   }
 
-  // Evaluates the instants within a step of h seconds, from share s0 to s1 of the host's step,
+  // Evaluates the instants within a step of h seconds, from fraction s0 to s1 of the host's step,
   // before the step is accepted.
   Failure pass(double h, double s0, double s1);
 
  private:
-  struct alignas(32) Motion {    // of a group
+  struct alignas(32) Motion {    // motion of a group
     LaneFrame frame;
     Vec3L v, w;
   };
-  struct alignas(32) Bodies {    // of a group, lab frame
+  struct alignas(32) Bodies {    // bodies of a group in the lab frame
     Vec3L x, v, w;
   };
-  struct alignas(32) Capacitors {    // of a group of contacts
+  struct alignas(32) Capacitors {    // capacitors of a group of contacts
     FilmCapacitorT<Lane> of;
   };
   void keep();
@@ -69,7 +69,8 @@ class BearingInstants {
   BearingForces &forces_;
   Instants instants_;
   int next_ = 1;
-  // by instant, then by group of contacts, group or ring
+  // indexed by instant, then by contact group (looks_, capacitors_), body group (bodies_) or ring
+  // (rings_)
   std::vector<ContactLook> looks_;
   std::vector<Capacitors> capacitors_;
   std::vector<SurroundedRaceway> surrounded_;    // by track, if surroundings are requested

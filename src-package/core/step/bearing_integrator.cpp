@@ -87,7 +87,7 @@ BearingIntegrator::BearingIntegrator(const BearingModel &model) :
 {
 }
 
-// For a one-piece cage, the last correction is a thirtieth of the allowed error, whatever the
+// For a one-piece cage, the last correction may be a thirtieth of the allowed error, whatever the
 // length of the stage.
 static constexpr double of_ring = 30.0;
 
@@ -99,13 +99,13 @@ double BearingIntegrator::cage_correction(const Settings &set, double h) const
 {
   if (!(set.cage > 10.0)) return 1.0;
   if (!bodies_.model.cages.empty()) return std::min(1.0, of_ring / set.cage);
-  const double stiffness = 1.5 * std::sqrt(set.cage * set.newton);    // over K
+  const double stiffness = 1.5 * std::sqrt(set.cage * set.newton);    // stiffness over K
   const double pi = std::acos(-1.0), lasts2 = pi * pi * slowest_ / stiffness;
   const double finer = h * h > lasts2 ? 10.0 * h * h / lasts2 : 10.0;
   return set.cage > finer ? finer / set.cage : 1.0;
 }
 
-// Newton's method contracts: if a correction is the share q of the previous one, later ones add up
+// Newton's method contracts: if a correction is q times the previous one, later corrections add up
 // to at most q/(1 - q) of it. The result is at least a tenth.
 static double remaining(double q) { return q < 0.5 ? std::max(0.1, q / (1.0 - q)) : 1.0; }
 
@@ -214,7 +214,7 @@ RACEWAY_LANES bool BearingIntegrator::coast(double h, double s, bool to_end)
 }
 
 // Stiffest support of a ring over its mass, 1/s^2; with a holder, over both masses. Supports of
-// both to the ground or to a third ring are counted at the holder: a bound.
+// both rings to the ground or to a third ring are counted at the holder, which gives a bound.
 static double stiffest(const RingProgram &p, const RingProgram *holder)
 {
   double most = 0.0;
@@ -282,7 +282,7 @@ static constexpr double safe = 4.0;
 // (docs/fix_bearing_implicit).
 static constexpr double sudden = 0.3;
 
-// Weights of the changes of velocity: between both stages, and of their second difference.
+// Weights of two changes of velocity: the change between both stages, and the second difference.
 struct ErrorWeights {
   double change = 1.0, bend = 0.0;
 };
@@ -301,8 +301,8 @@ static RACEWAY_INLINE T changed(const ErrorWeights &w, const T &from, const T &f
 // whose pockets throw balls outside the loaded arc to and fro between the raceways. A position
 // error changes the load by the stiffness of the contacts, but by no more than the load. `share` is
 // the stiffness over the largest one; the load varies as its cube, and the largest load is `full`
-// (m) times two thirds of the largest stiffness. The error of a free ball may be 200 times that of
-// a loaded one.
+// (m) times two thirds of the largest stiffness. The error of a free ball may be 200 times the
+// error of a loaded one.
 static RACEWAY_INLINE Lane of_load(const Lane &share, const Lane &off, double full)
 {
   const Lane by_stiffness = share * off, by_load = share * share * share * (full / 1.5),
@@ -347,8 +347,8 @@ RACEWAY_LANES double BearingIntegrator::error(double h, const Settings &set) con
   return share * h * largest;
 }
 
-// Adds the correction. Its size, m: the largest over balls normal to the rolling direction, rings
-// and shaft modes; separately the size for the cage, weighted.
+// Adds the correction. Its size (m) is the largest over balls normal to the rolling direction,
+// rings and shaft modes; the size for the cage is separate and weighted.
 RACEWAY_LANES void BearingIntegrator::apply(double h, double cage_counts, Outcome &o)
 {
   Lane off = {}, off_cage = {};

@@ -24,7 +24,7 @@
 // that error: its contacts are soft, and if the cage drives balls its vibration would otherwise
 // determine the step.
 //
-// With `estimate` the error is four times that of order 2, from the second difference of the
+// With `estimate` the error is four times the error of order 2, from the second difference of the
 // velocities at the start and the ends of both stages, or 0.3 of the bound if that is larger. A
 // stage ends when later corrections would be below the tolerance if they keep decreasing at the
 // same rate. If balls and rings have converged and the cage has not, further corrections
@@ -56,11 +56,11 @@ class BearingIntegrator {
     int order = 2;
     bool dampers_only = false;
     double newton = 1e-7;     // m, limit of the last correction of a stage
-    double cage = 1.0;        // tolerance of a cage ball over that of a ball or ring
+    double cage = 1.0;        // tolerance of a cage ball over the tolerance of a ball or ring
     double relative = 0.0;    // newton is at least this fraction of the largest overlap; 0: unused
     double error = 1.0;       // allowed estimated error of a step over newton
     int corrections = 8;      // maximum per stage
-    bool estimate = false;    // control by estimates of errors, not their bounds; order 2 only
+    bool estimate = false;    // control by estimates of errors instead of bounds; order 2 only
 
     // weight of a cage ball's error
     double cage_error() const { return cage > error ? error / cage : 1.0; }
@@ -76,13 +76,13 @@ class BearingIntegrator {
     double error = HUGE_VAL;    // m, estimated
     double stability = 0.0;     // h^2 over its limit; grows like h^2
     double last = HUGE_VAL;     // m, last correction
-    double last_cage = 0.0;     // m, the same for the cage, weighted
+    double last_cage = 0.0;     // m, last correction of the cage, weighted
 
     bool solved() const { return failure == Failure::none; }
   };
   // Summed over a step; the missing part of the balance is the loss of the integrator itself.
   struct Energy {
-    double work = 0.0;          // J, by loads and drives
+    double work = 0.0;          // J, work of loads and drives
     double dissipated = 0.0;    // J, in films, by hysteresis, by sliding and at the cage
     double stored = 0.0;        // J, present value: kinetic energy and contact springs
   };
@@ -104,7 +104,7 @@ class BearingIntegrator {
     bodies_.gravity = g;
     bodies_.heavy = dot(g, g) > 0.0;
   }
-  // State variables of the contacts: groove by groove of the model, states() values each.
+  // State variables of the contacts in the order of the model's grooves, states() values each.
   int states() const { return bodies_.states(); }
   void load_states(const double *values) { bodies_.load_states(values); }
   void store_states(double *values) const { bodies_.store_states(values); }
@@ -112,7 +112,7 @@ class BearingIntegrator {
   // s, limit of the next step due to the raceway profiles (core/geometry/raceway_profile.h)
   double longest_step() const { return forces_.longest_step(); }
 
-  // Step from share s0 to share s1 of the host's step, h seconds. Nothing moves until accept().
+  // Step of h seconds from fraction s0 to s1 of the host's step. Nothing moves until accept().
   Outcome step(const Settings &, double h, double s0, double s1);
   // Failure of the contacts at an instant within the step (bearing_instants.h); it ends the run.
   Failure accept();
@@ -121,7 +121,7 @@ class BearingIntegrator {
   const BearingInstants &instants() const { return instants_; }
 
   void keep_energy(bool yes);
-  const Energy &spent() const { return energy_; }    // of all accepted steps, without `stored`
+  const Energy &spent() const { return energy_; }    // sums over accepted steps, without `stored`
   const Energy &energy();                            // including `stored`
 
  private:
@@ -130,7 +130,7 @@ class BearingIntegrator {
   bool move(double h, double s, bool dampers_only);
   bool coast(double h, double s, bool to_end);
   double stability(double h) const;
-  double ball_radius() const { return bodies_.groups.front().now.r[0]; }    // m, of the orbit
+  double ball_radius() const { return bodies_.groups.front().now.r[0]; }    // m, orbital radius
   double cage_correction(const Settings &, double h) const;
   void apply(double h, double cage_counts, Outcome &);
   void halve();
@@ -148,7 +148,7 @@ class BearingIntegrator {
   const double slowest_;
   double remains_ = 1.0;    // last estimate of the error after a correction, over the correction
   bool keep_energy_ = false, balanced_ = false;    // balanced_: at the start of the step
-  std::vector<double> loads_;                      // on the coordinates
+  std::vector<double> loads_;                      // loads on the coordinates
   Energy energy_, pending_;
   struct {
     double h, s0, s1;

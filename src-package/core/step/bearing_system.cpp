@@ -140,7 +140,8 @@ void BearingSystem::add_coupling(const Coupling &c, double h, double follows)
       border_.a[row.first * n + column.first] += stiff * row.second * column.second;
 }
 
-// Adds the gyroscopic moments between both tilts of a ring, and those of a shaft's modes.
+// Adds the gyroscopic moments between both tilts of a ring, and the gyroscopic moments of a shaft's
+// modes.
 void BearingSystem::add_spins(double h, bool fresh)
 {
   const size_t n = b_.border.size();

@@ -4,12 +4,12 @@
 //   sum_k C_k x_k + D y                  = r_y        y of the coordinates of rings and shafts
 //   l_i/a_i = n_i . (x_first - x_second)              closed cage contacts
 // with s_ik = +1 for the first and -1 for the second body of link i. It is solved block by block,
-// link by link, then y, and back: a time proportional to the number of balls. factor() keeps what
-// solve() needs, so that later corrections with the same derivatives cost one right-hand side.
+// link by link, then for y, and back, in a time proportional to the number of balls. factor() keeps
+// what solve() needs, so that later corrections with the same derivatives cost one right-hand side.
 //
-// Contacts write columns B and rows C for motions of rings. These are the unknowns y themselves,
-// except for rings on flexible shafts: those have columns of their own, moved by y through T
-// (shaft_lift.h). The modes of a shaft therefore add no cost per body.
+// Contacts write columns B and rows C for motions of rings. These motions are the unknowns y
+// themselves, except for rings on flexible shafts, which have columns of their own, moved by y
+// through T (shaft_lift.h). The modes of a shaft therefore add no cost per body.
 #ifndef RACEWAY_BEARING_SYSTEM_H
 #define RACEWAY_BEARING_SYSTEM_H
 
@@ -30,16 +30,16 @@ class BearingSystem {
   // Starts the residual M (V_base - V) + h frame; `fresh`: sets the blocks to the masses and the
   // rest to 0.
   void start(double h, bool fresh);
-  // Right-hand sides of the border and, if fresh, the part of D without contacts, at share s of the
-  // step. Positions follow velocities over `follows` seconds.
+  // Right-hand sides of the border and, if fresh, the part of D without contacts, at the fraction s
+  // of the step. Positions follow velocities over `follows` seconds.
   void add_border(double h, double follows, double s, bool fresh);
   // Keeps the residuals and, if fresh, the matrix of raceways and inertia, without cages and
   // supports.
   void keep(bool fresh);
-  // Restores them, with the residuals updated to first order for the corrections since keep(). Not
-  // available with a flexible shaft.
+  // Restores residuals and matrix, with the residuals updated to first order for the corrections
+  // since keep(). Not available with a flexible shaft.
   void restore();
-  void add_kept();    // to the right-hand sides of the border, after add_border()
+  void add_kept();    // adds to the right-hand sides of the border; call it after add_border()
   bool keeps() const { return b_.bends.empty(); }
   void factor();
   void solve();    // corrections: BodyGroup::rhs and y()
@@ -72,7 +72,7 @@ class BearingSystem {
   std::vector<Column> B_, C_;    // group by group, column by column
   DenseLU border_;
   std::vector<double> y_, forces_;    // border, links
-  // For the columns: the same as the border, or separate if a shaft is flexible.
+  // Matrix and motions of the columns: those of the border, or separate ones with flexible shafts.
   double *corner_ = nullptr, *motions_ = nullptr;
   std::vector<double> corner_apart_, motions_apart_;
   ShaftLift lift_;
@@ -85,7 +85,7 @@ class BearingSystem {
     std::vector<KeptGroup> groups;
     std::vector<Column> B, C;
     std::vector<double> corner, y;
-    std::vector<Vec3L> pushes;    // on rings: force and moment of each
+    std::vector<Vec3L> pushes;    // force and moment on each ring
   } kept_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A one-piece cage: balls in its pockets, the land that guides it, churning of its faces.
+// A one-piece cage: balls in its pockets, the land that guides it, and churning of its faces.
 #include "bearing_forces.h"
 #include "bearing_system.h"
 
@@ -37,9 +37,9 @@ void BearingForces::cages(const Stage &stage)
   }
 }
 
-// In the ball's frame. The force of the wall depends on the motion of the ball's centre, through
-// spring and damper along the normal n, and on the motion of the surface at the wall, -R n from the
-// centre, through friction across n.
+// Contact of a ball and its pocket in the ball's frame. The force of the wall depends on the motion
+// of the ball's centre, through spring and damper along the normal n, and on the motion of the
+// surface at the wall, -R n from the centre, through friction across n.
 void BearingForces::pocket(const Stage &stage, const BearingModel::Cage &cage, const CageMotion &m,
                            int body, int number)
 {
@@ -85,7 +85,7 @@ void BearingForces::pocket(const Stage &stage, const BearingModel::Cage &cage, c
     return f +
            (c.spherical ? (centre - n * dot(centre, n)) * bend : side * (bend * dot(centre, side)));
   };
-  Vec3 by_ball[6];    // by its velocity and its spin
+  Vec3 by_ball[6];    // answers to the ball's velocity and spin
   const Vec3 unit[] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
   for (int k = 0; k < 3; ++k) {
     by_ball[k] = answer(unit[k], unit[k]);

@@ -20,7 +20,7 @@ namespace raceway {
 template <int n> struct ScaledSlopes {
   Vec3L normal, along, across;    // n, t, w
   Lane slope[n][n];
-  Lane turn_along, turn_across;    // of the normal
+  Lane turn_along, turn_across;    // rotation of the normal
 };
 
 template <int n>
@@ -60,8 +60,8 @@ RACEWAY_INLINE void ball_rows(const ScaledSlopes<n> &s, double R, Lane (&row)[n]
   }
 }
 
-// Local forces per unit of a motion given as a row of velocities; with `displaces` also those due
-// to displacements.
+// Local forces per unit of a motion given as a row of velocities; with `displaces` also the forces
+// due to displacements.
 template <int n>
 RACEWAY_INLINE void local_forces(const ScaledSlopes<n> &s, const Lane (&motion)[n], bool displaces,
                                  Lane (&force)[n])

@@ -55,7 +55,7 @@ static inline void put_lane(int i, const ProfiledContact &one, ProfiledContactT<
   on.side[i] = one.side;
 }
 
-// The same for balls with profiles, along the row `path` of their azimuth.
+// As above for balls with profiles, along the row `path` of their azimuth.
 static inline void add_ball_profile(BearingSystem &system, BodyGroup &g, int group,
                                     const RingBody &ring, const Vec3L &d, const Vec3L &e,
                                     const ContactStateT<Lane> &c, const Lane &h2, const Lane &slope,

@@ -152,7 +152,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const L &law, 
     RingBody &ring = b_.rings[track.ring];
     const RacewayPhysics &p = *track.physics;
     const Vec3 spin = ring.now.angular_velocity();
-    // of the groove, possibly off the ring's middle plane
+    // offset of the groove, which may lie off the ring's middle plane
     const double offset = p.groove.offset;
     Vec3 centre = ring.now.x - b_.centre, velocity = ring.now.v;
     if (offset != 0.0) {
@@ -172,7 +172,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const L &law, 
       auto apart = out_of_reach(p, c);
       const bool balls = flawed && !b_.ball_profiles.empty() && b_.ball_profiles[contact].any;
       const bool profiled = flawed && (track.profile || balls);
-      TurnRowT<Lane> *depth = nullptr;    // of the ball profiles
+      TurnRowT<Lane> *depth = nullptr;    // row of the depths of ball profiles
       if (balls) {
         look_at_profiles(track, b_.ball_profiles[contact], b_.turns[b_.turns_at[k]], f, ring.now,
                          r.e, c, on_, turned_);
@@ -220,7 +220,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const L &law, 
       r.w = f.local(spin);
       const BallStateT<Lane> ball = {d, g.v, g.w};
       find_motions<L::couples>(p, ball, r, c);
-      if constexpr (flawed)    // the loop of every balance
+      if constexpr (flawed)    // energy balances always use this loop
         if (stage.evaluate == Evaluate::only && !stage.looks && !b_.balanced.empty())
           energy_gained_ += energy_gain(law, p, live, c, b_.balanced[contact]);
       if (law.decides) {
