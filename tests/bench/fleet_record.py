@@ -56,13 +56,13 @@ def run(folder, bearings, models, steps, recorded, instructions):
         sys.exit(f"{out}: a record {'is missing' if recorded else 'was written'}")
     if recorded:
         found = raceway.open(out).select(1).bearing.sizes["time"]
-        if found != WITHIN * steps + 1:  # one more at the start
+        if found != WITHIN * steps + 1:  # one more sample at the start
             sys.exit(f"{out} has {found} samples, not {WITHIN * steps + 1}")
     return cost
 
 
 def ratios(folder, bearings, models, rounds, instructions):
-    """Cost with over without a record: ([ratio of seconds, ...], [ratio of instructions, ...])"""
+    """Cost with a record over cost without: ([ratio of seconds, ...], [of instructions, ...])"""
     found = ([], [])
     steps = STEPS[bearings]
     for n in range(rounds):

@@ -19,7 +19,7 @@ def bench_file(name):
 
 
 def yardstick(rounds=9):
-    """Seconds of the fixed work of yardstick.cpp: median, smallest and largest of `rounds`."""
+    """Seconds that the fixed work of yardstick.cpp takes: median, smallest, largest of `rounds`."""
     with tempfile.TemporaryDirectory() as folder:
         program = Path(folder) / "yardstick"
         subprocess.run(["g++", "-std=c++17", "-O2", YARDSTICK, "-o", program], check=True)

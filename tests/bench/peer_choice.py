@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The best setting of a program: the cheapest of a short list that is within 1e-3 of the
-program's own finest setting; for peers.py."""
+"""The best setting of a program, for peers.py: the cheapest of a short list with results within
+1e-3 of the program's finest setting."""
 
 import statistics
 from collections.abc import Callable, Sequence
@@ -10,7 +10,7 @@ import numpy as np
 from peer_runs import Failure, Outcome
 
 ALLOWED = 1e-3
-RUNS = 3  # runs of an accurate enough setting, of which the median cost counts
+RUNS = 3  # runs of a setting that is accurate enough; their median cost counts
 
 
 class Setting(NamedTuple):
@@ -21,7 +21,7 @@ class Setting(NamedTuple):
 
 
 class Peer(NamedTuple):
-    """A program whose answer converges: coarse settings, and the finest one as their reference."""
+    """A program whose result converges: its coarser settings, and the finest as their reference."""
 
     name: str
     settings: Sequence[Setting]
@@ -32,7 +32,7 @@ class Tried(NamedTuple):
     """Result of a setting."""
 
     words: str
-    error: float  # relative to the finest; inf where the run failed or cannot be compared
+    error: float  # relative to the finest setting; inf if the run failed or cannot be compared
     cost: float  # wall s per simulated s, with output
 
 
