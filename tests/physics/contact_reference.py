@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A ball and a ring as moving rigid bodies in 40-digit arithmetic: reference for contact.h.
 
-It does not use the header's derivation. Points of the bodies are followed along the motion
-(constant velocities, Rodrigues rotation) and differentiated in time; vectors are mpmath, so no step
-size enters.
+It does not use the derivation in the header. Points of the bodies are followed along the motion
+(constant velocities, Rodrigues rotation) and differentiated in time; vectors are mpmath vectors, so
+no step size enters.
 """
 
 import mpmath
@@ -46,7 +46,7 @@ def turn(a, w):
 
 
 def derivative(f):
-    """df/dt at t = 0 of a vector function: central differences, Richardson.
+    """df/dt at t = 0 of a vector function, from central differences with Richardson extrapolation.
 
     Motions here vary over T = 1e-5 s and more: truncation (h/T)^4 = 1e-36, rounding 1e-40 m/h =
     1e-26 m/s.

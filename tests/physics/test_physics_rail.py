@@ -21,7 +21,8 @@ def clearance(rail, radius, height):
 
 @pytest.mark.parametrize("margin", [0.0, 1e-9])
 def test_a_ball_that_touches_is_never_left_out(physics, margin):
-    """At overlaps from a few ulps to a few per cent of the distance, around the tube."""
+    """A ball with an overlap from a few ulps to a few per cent of the distance, anywhere around the
+    tube, counts as touching."""
     rail = seat(physics)
     reach = BALL + TUBE + margin
     for angle in np.linspace(0.1, 6.2, 50):
@@ -39,7 +40,7 @@ def test_a_ball_that_touches_is_never_left_out(physics, margin):
 def test_a_centred_ball_is_a_gap_away(physics, gap, sign):
     rail = seat(physics, gap, sign)
     assert clearance(rail, PITCH, 0.0) == pytest.approx(gap, abs=2e-17)  # ulps of 0.03 m
-    # outside the pitch circle, at 45 degrees, on the side of the sign
+    # seats are outside the pitch circle, at 45 degrees, on the side of the sign
     assert rail.circle - PITCH == pytest.approx(sign * rail.offset, rel=1e-14)
     assert rail.circle > PITCH and np.sign(rail.offset) == sign and rail.tube == TUBE
 
@@ -59,7 +60,7 @@ def test_the_pair_of_rails_is_a_stable_seat(physics):
     for sign in (1, -1):
         up = squeeze(0.0, sign * step)
         assert up[::sign] == pytest.approx([step / np.sqrt(2), 0.0], abs=step**2 / (BALL + TUBE))
-    # inwards the ball leaves the rails, and the balls push it back
+    # if a cage ball moves inwards it leaves the rails, and the balls push it back
     assert squeeze(-step, 0.0).tolist() == [0, 0]
 
 
@@ -67,8 +68,8 @@ def curvature_along(rail, angle):
     """Curvature, by differences, of the tube's surface about the ring axis at a point seen at
     `angle` from the seat.
 
-    The gap between the torus and the tangent plane at the point nearest to the ball, in the
-    direction of the parallel.
+    It is that of the gap between the torus and the tangent plane at the point nearest to the ball,
+    in the direction of the parallel.
     """
     direction = np.array([np.cos(angle), np.sin(angle)])  # from ball to rail in (r, z)
     foot = np.array([rail.circle, rail.offset]) - rail.tube * direction
@@ -84,8 +85,8 @@ def curvature_along(rail, angle):
         return brentq(outside, -0.2 * rail.tube, 0.2 * rail.tube, xtol=1e-18, rtol=1e-14)
 
     y = 2e-5
-    # height = c y^2/2 to a relative y^2/(4 r tube), 7e-6 for the thinnest tube; rounding
-    # of 1e-17/y^2 is smaller
+    # height = c y^2/2 with a relative error of y^2/(4 r tube), 7e-6 for the thinnest tube; the
+    # rounding of 1e-17/y^2 is smaller
     return 2 * height(y) / y**2
 
 

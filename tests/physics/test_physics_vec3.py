@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""vec3.h against numpy and scipy's rotations."""
+"""vec3.h compared with numpy and scipy's rotations."""
 
 import numpy as np
 import pytest

@@ -68,8 +68,8 @@ def test_gaps_are_the_run_s_overlaps(run, whole):
 
 
 def test_plates_are_the_run_s(run, whole):
-    """Capacitances of the plates agree if a contact carries more than Q_u, the load at which the
-    ball is quiet."""
+    """Capacitances of the plates agree if a contact carries more than Q_u, the centrifugal force of
+    a ball."""
     plates = run.contacts["capacitance"].sel(time=whole["time"]).transpose(*whole["plates"].dims)
     heavy = whole["load"] > 1.001 * whole.attrs["quiet_load_N"]
     assert float(np.abs(whole["plates"] / plates - 1).where(heavy).max()) < 1e-9
