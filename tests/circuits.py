@@ -36,7 +36,7 @@ def steady(inner, outer, n=3, **more):
 
 
 def turning(n=201, z=7, thickness=(80e-9, 140e-9), seed=3, **more):
-    """Films of balls that pass through a load zone: all capacitances and thicknesses differ and
+    """Films of balls that pass through a load zone; all capacitances and thicknesses differ and
     vary."""
     rng = np.random.default_rng(seed)
     angle = 2 * np.pi * (np.arange(z) / z + np.linspace(0, 1.3, n)[:, None])[:, None]

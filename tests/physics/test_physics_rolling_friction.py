@@ -161,7 +161,7 @@ def test_friction_has_one_circle(physics):
 
 @pytest.mark.parametrize("step", [1e-9, 1e-6, 5e-5, 1e-2])
 def test_spring_in_series(physics, step):
-    """Force and couple equal those of `in_series` in theory.sliding, starting from a given force."""
+    """Force and couple equal those of `sliding.in_series`, starting from a given force."""
     contact = turning(sliding_t=0.009, dt=step)
     before = np.array([15.0, 0.0])
     found = of(physics, "slip_of", contact, before)
@@ -171,7 +171,7 @@ def test_spring_in_series(physics, step):
     force, _ = sliding.in_series(15.0, distance, secant, found.kt, step)
     assert found.friction_t == pytest.approx(force, rel=1e-11)
     assert list(found.states) == [found.friction_t, found.friction_w]
-    # the couple belongs to the slip that remains besides the spring's, at which the force is equal
+    # the couple is that at the slip that remains beside the spring's slip; both have one force
     edge = sliding.edge_slip(*arguments[2:])
     slip = brentq(
         lambda slip: sliding.heathcote(slip, *arguments).force - force, 0, edge, xtol=1e-16

@@ -36,8 +36,8 @@ TINY = dict(
 )
 LARGE = dict(side=OUTER, raceway_radius=36.6e-3)
 
-# Integrals of the exact Hertz gap outside the ellipse, parabola in y to +-S: raceway, load in N, S in
-# m, integrals in mm.
+# Integrals of the exact Hertz gap outside the ellipse, parabola in y to +-S: raceway, load in N, S
+# in m, integrals in mm.
 EXACT = [
     ({}, 8, 4.2e-3, [1914.2, 1628.5, 1247.5, 991.6]),
     ({}, 120, 4.2e-3, [2477.3, 1999.7, 1412.0, 1066.1]),
@@ -166,7 +166,7 @@ def test_total_over_the_range_of_the_closed_form(physics, size, side, conformity
 )
 def test_t2_groove_as_an_arc(physics, side, edge, exact, closed):
     """The closed form agrees with the arc integral of a loaded 6208, and with values of the closed
-    form from another program."""
+    form from elsewhere."""
     raceway = physics.raceway_6208(side)
     near, far = reach(physics, raceway, 2.3e-3)
     assert near == far == pytest.approx(edge, abs=5e-7)
@@ -426,8 +426,8 @@ def test_t6_a_ball_of_a_6208(physics, load, plates, flooded, cavitated):
     "changes", [{}, dict(gap=1.0), dict(at=1, rough=1, surroundings=CAVITATED)]
 )
 def test_four_side_by_side_are_one_by_one(physics, side, changes):
-    """Contacts and gaps, radial and oblique, light and heavy in any mixture, are compared bit by bit
-    in `capacitors`."""
+    """Contacts and gaps, radial and oblique, light and heavy in any mixture, are compared bit by
+    bit in `capacitors`."""
     raceway = physics.raceway_6208(side, **OIL)
     random = np.random.default_rng(13)
     n = 400
