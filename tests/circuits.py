@@ -31,7 +31,7 @@ def films(capacitance, time=None, thickness=200e-9, conductance=0.0, roughness=0
 
 
 def steady(inner, outer, n=3, **more):
-    """`n` points with the same capacitances (Z,), F."""
+    """Films at `n` points with the same capacitances (Z,), F."""
     return films(np.tile([inner, outer], (n, 1, 1)), **more)
 
 

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Changes the record of a run into the record that the same scene gives in another pose in the
-lab."""
+"""Turns the record of a run into the record of the same scene in another pose in the lab."""
 
 import re
 import shutil

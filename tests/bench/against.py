@@ -135,7 +135,7 @@ def spread(values):
 def page(name, found, rounds):
     here = git("rev-parse", "--short", "HEAD")
     lines = [
-        f"Cost of a step of {here} over that of {name}, {date.today()}; {rounds} rounds.",
+        f"Cost of a step of {here} over cost of a step of {name}, {date.today()}; {rounds} rounds.",
         "Median (range) of the ratios within a round. Above 1: this tree is slower.",
         "",
         f"{'scene':44} {'user seconds':28} instructions",

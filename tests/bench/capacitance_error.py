@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Error of the closed form of a contact's total capacitance against numerical integrals, over
+"""Error of the closed form of a contact's total capacitance, compared with numerical integrals, for
 sizes, conformities, raceways, loads and films; writes build/bench/capacitance_error.rst.
 
     .venv/bin/python tests/bench/capacitance_error.py [--print]     --print: leave the page alone

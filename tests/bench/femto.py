@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Temperatures of the bearing of the PRONOSTIA rig (FEMTO) at 1800 rpm and 4 kN: three housing
-parameters fitted to three runs, error of time jumps against full integration, and a cold start of
-ten minutes with the main deck. Writes build/bench/femto.rst.
+parameters fitted to three runs, error of time jumps compared with full integration, and a cold
+start of ten minutes with the main deck. Writes build/bench/femto.rst.
 
 Losses and contact conductances come from statics with the models `full`; heat capacities of
 rings and balls follow from their dimensions. The warm runs start with the housing at ambient

@@ -4,9 +4,9 @@
     .venv/bin/python tests/bench/fleet_record.py [rounds]
 
 A run of in.many with a record of all contacts at several instants of every host step takes turns
-with the same run without output; the page has ratios of their costs. The cost of a run is that of
-its last 90 %: the cost of a run with a tenth of the steps is subtracted. Each record is opened: it
-must have the requested number of samples, and the other run must have no record.
+with the same run without output; the page has ratios of their costs. The cost of a run is the cost
+of its last 90 %: the cost of a run with a tenth of the steps is subtracted. Each record is opened:
+it must have the requested number of samples, and the run without output must have no record.
 """
 
 import sys

@@ -4,7 +4,7 @@ build/bench/implicit_cost.rst.
 
 All scenes take turns in every round; ratios and differences are formed within a round. Medians and
 the range of the rounds are reported. The parts of a step come from `perf record` (Debian's
-linux-perf) where that is installed.
+linux-perf) if it is installed.
 """
 
 import re
@@ -104,8 +104,8 @@ def measure(name, variables):
 
 
 def wide(balls):
-    """Variables of a bearing with 9 k balls on a pitch circle k times that of a 6208, with the
-    same contact loads."""
+    """Variables of a bearing with 9 k balls on a pitch circle k times as large as in a 6208, with
+    the same contact loads."""
     k = balls / 9
     pitch = 30.3e-3 * k
     cage = 2 * (2 * pitch * sin(pi / (2 * balls)) - 6.3e-3) - 33e-6

@@ -142,7 +142,7 @@ def listed(rows):
 
 
 def compared(scene, folder):
-    """Errors of a scene relative to itself at a fine tolerance."""
+    """Errors of a scene relative to the same scene with a fine tolerance."""
     fine = REFERENCE[scene.integrator]
     truth = recorded(played(scene, folder, passes=COMPARED, tolerance=fine, cage_tolerance=fine))
     return errors(recorded(played(scene, folder, passes=COMPARED)), truth)

@@ -47,8 +47,8 @@ GHOST_BYTES = 72  # position, velocity, spin
 
 
 def run(ranks, steps, folder, **variables):
-    """Figures of one run of in.many: times (s) of all loops, per bearing-step and of the host's
-    part of it; memory (kB) and ghosts per rank."""
+    """Figures of one run of in.many: times (s) of all loops, of a bearing-step and of the host's
+    part of a bearing-step; memory (kB) and ghosts per rank."""
     implicit, settle = (
         variables["integrator"] == "implicit",
         INTEGRATORS[variables["integrator"]]["settle"],
@@ -239,8 +239,9 @@ medians, with the range of the rounds in brackets. Ratios are formed within a ro
         *"""\
 *bearing-step*: wall time of the run divided by its steps and bearings. Steps of velocity Verlet
 are 0.4 µs long. Internal steps of the implicit integrator are about 200 µs long, with host steps of
-250 µs and without output. *ratio*: bearing-step of many bearings in a box over that of a single
-bearing, both on one rank. *efficiency* of two ranks: time on one rank over twice the time on two.
+250 µs and without output. *ratio*: bearing-step with many bearings in a box over bearing-step with
+a single bearing, both on one rank. *efficiency* of two ranks: time on one rank over twice the time
+on two.
 """.splitlines(),
         "",
     ]

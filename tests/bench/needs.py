@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Answers of `raceway needs` for 20 random scenes, each judged by runs other than those that the
-command made; writes build/bench/needs.rst.
+"""Answers of `raceway needs` for 20 random scenes, each judged by further runs that the command did
+not make; writes build/bench/needs.rst.
 
     .venv/bin/python tests/bench/needs.py [--print]     --print: leave the page alone
 

@@ -36,11 +36,11 @@ Noise floor of vibration
 
 Written by ``tests/bench/noise_floor.py`` (``make bench``).
 
-A perfect bearing is not silent, since its stiffness varies as balls pass, at BPFO and its
-harmonics. The rest of its spectrum is the noise of the computation. Here it is compared with an
-inner raceway that has waves of {wave:g} µm. The bearing is a 6205 at {rpm} rpm under {load} N with
-VG 46. Signals are sampled at {rate:g} kHz, with ``-var integrator vibration`` and ``-var housing
-springs``. The record is {seconds:.2f} s long.
+A perfect bearing is not silent, because its stiffness varies as balls pass, at BPFO and harmonics
+of BPFO. All other lines of its spectrum are noise of the computation. Here they are compared with a
+bearing with waves of {wave:g} µm on its inner raceway. The bearing is a 6205 at {rpm} rpm under
+{load} N with VG 46. Signals are sampled at {rate:g} kHz, with ``-var integrator vibration`` and
+``-var housing springs``. The record is {seconds:.2f} s long.
 
 The perfect bearing, accelerations along the load in m/s²:
 

@@ -142,7 +142,7 @@ def judge(samples, cost, step, simulated):
 
 
 def whole(samples):
-    """Loads (samples, balls) in N, None where balls were lost."""
+    """Loads (samples, balls) in N; None if balls were lost."""
     loads = [sample.load for sample in samples]
     return np.array(loads) if len({len(row) for row in loads}) == 1 else None
 

@@ -68,7 +68,7 @@ Times in the next two tables include writing the last sample to the operating sy
 The main deck with its defaults is timed from the start of the measured passes and from the start of
 the program. The latter time includes starting, settling and closing the files. ``make run`` is the
 row of {short} passes at 477.5 rpm: {short_wall:.2f} s from start to end of the program,
-{short_loop:.0f} ms of it in the measured passes, without its summary and picture. {passes} passes
+{short_loop:.0f} ms of them in the measured passes, without summary and picture. {passes} passes
 at 477.5 rpm take {long_wall:.2f} s from start to end.
 
 .. list-table:: real-time factor of the measured passes

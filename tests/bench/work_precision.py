@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Error against cost of the integrators; writes build/bench/work_precision.rst and its
+"""Error and cost of the integrators in one diagram; writes build/bench/work_precision.rst and the
 diagram.
 
     python tests/bench/work_precision.py [rad/s ...]

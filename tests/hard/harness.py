@@ -27,7 +27,7 @@ class Course(NamedTuple):
     None."""
 
     load: np.ndarray  # (samples, 2, balls), N; raceway 0 is the inner raceway
-    film: np.ndarray  # (samples, 2, balls), m; 0 where there is no contact or no film
+    film: np.ndarray  # (samples, 2, balls), m; 0 without contact or without film
     capacitance: np.ndarray  # (samples,), F, total of the bearing
     orbit: np.ndarray  # (samples, balls), rad/s
     ball: np.ndarray  # (samples, balls, 2), m: x and y
@@ -159,8 +159,8 @@ class Figures(NamedTuple):
 
     load: float  # relative to the peak load
     orbit: float  # relative to the largest cage speed
-    # relative (to at least 0.1 um, the roughness), where both carry over 1 % of the peak; nan
-    # if dry
+    # relative (to at least 0.1 um, the roughness), if both contacts carry over 1 % of the peak;
+    # nan if dry
     film: float
 
 

@@ -213,7 +213,7 @@ def gyroscope(time):
         e, L = y[:3], y[3:]
         along = e * (L @ e)
         turn = np.cross((L - along) / transverse, e)
-        # spin held: the momentum along e stays I_a spin; the drive takes the rest of the
+        # the spin is held: the momentum along e stays I_a spin, and the drive takes the remaining
         # moment
         return np.concatenate([turn, MOMENT - e * (MOMENT @ e)])
 

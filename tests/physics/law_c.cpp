@@ -281,8 +281,8 @@ EXPORT(int, law_fused, (int law, int sample))
   return different;
 }
 
-// The reason why keywords cannot form this set of parts, which are given one after the other; "" if
-// they can.
+// The reason why keywords cannot form this set of parts; "" if they can. Parts are given one after
+// another.
 EXPORT(const char *, law_contradiction, (const char *names))
 {
   static std::string text;

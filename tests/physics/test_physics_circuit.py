@@ -208,7 +208,7 @@ def test_t11_impedance_of_a_bearing():
 
 @pytest.mark.parametrize("roughness", [0.0, 25e-9, 60e-9])
 def test_threshold_is_that_of_statics(roughness):
-    """The threshold equals that of the function that `raceway electric` uses, for the same
+    """The threshold equals the result of the function that `raceway electric` uses, for the same
     films."""
     random = np.random.default_rng(5)
     thickness = random.uniform(90e-9, 900e-9, (2, 2, 9))

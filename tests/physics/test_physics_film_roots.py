@@ -9,7 +9,7 @@ from film_scene import OVERLAPS, SPEEDS, scene
 from references import film as reference
 from scipy.integrate import quad
 
-# films solved by Newton's method on the film itself
+# films that are solved for by Newton's method
 LAWS = {
     "power": {},
     "moes": {"regimes": True},

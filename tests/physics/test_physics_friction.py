@@ -30,8 +30,8 @@ def test_stribeck_is_the_cubic():
 def test_stribeck_has_no_kink(end):
     h = 1e-4
     inside, outside = (abs(mu(end + side) - mu(end)) / h for side in (-h, h))
-    # one side is constant; on the other mu'' = 6 (mu_f - mu_b)/(l2 - l1)^2 makes the quotient mu''
-    # h/2
+    # mu is constant on one side; on the other side mu'' = 6 (mu_f - mu_b)/(l2 - l1)^2 makes the
+    # quotient mu'' h/2
     assert sorted([inside, outside]) == pytest.approx(
         [0, 0.5 * 6 * 0.10 / 2.1**2 * h], rel=1e-3, abs=1e-12
     )

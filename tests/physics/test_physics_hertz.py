@@ -63,7 +63,7 @@ def test_circle_is_the_sphere(physics, form):
     # two spheres have R_x = R_y = R* = r1 r2/(r1 + r2)
     h, r1, r2 = physics.hertz(2e-3, 2e-3, STEEL, form), 6e-3, 3e-3
     sphere = 4 / 3 * (STEEL / 2) * np.sqrt(2e-3)
-    # the exact root is bracketed to 1e-12 in ln kappa, where K is stationary but the semi-axes are
+    # the exact root is bracketed to 1e-12 in ln kappa; K is stationary there, but the semi-axes are
     # not
     assert h.K == pytest.approx(sphere, rel=ROUNDING)
     assert laws.sphere_stiffness(r1, r2, STEEL) == pytest.approx(sphere, rel=1e-15)

@@ -68,8 +68,8 @@ def curvature_along(rail, angle):
     """Curvature, by differences, of the tube's surface about the ring axis at a point seen at
     `angle` from the seat.
 
-    It is that of the gap between the torus and the tangent plane at the point nearest to the ball,
-    in the direction of the parallel.
+    It is found from the gap between the torus and the tangent plane at the point nearest to the
+    ball, in the direction of the parallel.
     """
     direction = np.array([np.cos(angle), np.sin(angle)])  # from ball to rail in (r, z)
     foot = np.array([rail.circle, rail.offset]) - rail.tube * direction

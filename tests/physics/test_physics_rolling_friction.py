@@ -122,8 +122,8 @@ def test_free_rolling_loses_its_power(physics, side, edge, power):
 @pytest.mark.parametrize("speed", [0.0724764, 0.724764, -0.724764, 14.4946])
 @pytest.mark.parametrize("part", [-0.5, 0.0, 0.1, 0.120615, 0.5, 1.3])
 def test_slip_law_after_a_long_time(physics, side, speed, part):
-    """With dt >> tau, force, couple and power equal those of theory.sliding; they are mirrored for
-    a ball that rolls backwards."""
+    """With dt >> tau, force, couple and power agree with theory.sliding; they are mirrored for a
+    ball that rolls backwards."""
     contact = turning(side, speed)
     arguments = slip_arguments(of(physics, "slip_of", contact), side, abs(speed))
     edge = sliding.edge_slip(abs(speed), *arguments[3:])
@@ -161,7 +161,7 @@ def test_friction_has_one_circle(physics):
 
 @pytest.mark.parametrize("step", [1e-9, 1e-6, 5e-5, 1e-2])
 def test_spring_in_series(physics, step):
-    """Force and couple equal those of `sliding.in_series`, starting from a given force."""
+    """Force and couple agree with `sliding.in_series`, starting from a given force."""
     contact = turning(sliding_t=0.009, dt=step)
     before = np.array([15.0, 0.0])
     found = of(physics, "slip_of", contact, before)
@@ -386,7 +386,7 @@ def test_drag_of_a_ball(physics):
     for reynolds in (1e-3, 0.1, 0.5, 1, 33, 1e3, 4e4, 1e5, 3e6):
         expected = reference.drag_coefficient(reynolds)
         assert drag.coefficient(reynolds) == pytest.approx(expected, rel=1e-13)
-    # the ball's centre moves at -R_b roll_w where there is no sliding
+    # without sliding the ball's centre moves at -R_b roll_w
     for speed in (-7.0, -0.3, 1e-6, 0.3, 7.0):
         contact = REST | dict(side=OUTER, roll_w=-speed / BALL)
         found = of(physics, "all_of", contact)

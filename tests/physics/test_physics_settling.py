@@ -58,8 +58,8 @@ def test_each_figure_has_its_own(physics):
 
 
 def test_a_drift_that_does_not_decay(physics):
-    """The remainder of a drift equals that of the slowest mode that can be distinguished, and grows
-    further only if the drift does."""
+    """The remainder of a drift equals the remainder of the slowest mode that can be distinguished,
+    and grows further only if the drift grows."""
     steady = of_torque(physics, 1 + 1e-3 * np.arange(4))
     assert steady == pytest.approx(0.049, rel=1e-2)
     assert of_torque(physics, 1 + 1e-3 * np.cumsum(1.2 ** np.arange(4))) > 0.049

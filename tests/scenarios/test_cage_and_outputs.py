@@ -94,7 +94,8 @@ def test_totals_are_those_of_the_contacts(run):
 
 
 def test_potential_energy_is_that_of_the_springs(run):
-    """pe = sum of 2/5 Q overlap; cage contacts contribute less than 1e-3 of it."""
+    """The potential energy pe is the sum of 2/5 Q overlap; cage contacts contribute less than
+    1e-3."""
     energy = run.totals[12]
     rows = run.contacts[run.contacts["sample"] > 0]
     springs = (0.4 * rows["load"] * rows["overlap"]).groupby(rows["sample"]).sum().to_numpy()

@@ -271,8 +271,8 @@ def test_a_whirl_has_its_speed_and_name(order, name):
 
 @pytest.mark.parametrize("part", ["shear", "land", "churning"])
 def test_parts_of_a_cage_can_be_left_out(tmp_path, part):
-    """If the other parts are left out, the power loss of a part equals its closed form in samples
-    in which no ball strikes its pocket: the walls' damping is never below 0."""
+    """If other parts are left out, the power loss of a part equals its closed form in samples in
+    which no ball strikes its pocket: the walls' damping is never below 0."""
     out = sorted({"friction", "shear", "land", "churning"} - {part})
     land = dict(cage_guide="outer", cage_land=34e-3, cage_clearance=2e-4, cage_width=2e-3)
     succeed(

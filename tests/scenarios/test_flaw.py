@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A ball that moves over flaws of an outer raceway: its path is compared with that of a rigid ball,
-and energy is balanced."""
+"""A ball that moves over flaws of an outer raceway: its path is compared with the path of a rigid
+ball, and energy is balanced."""
 
 import re
 

@@ -68,7 +68,7 @@ def damped(tmp_path_factory):
     return path
 
 
-# ---- against the beam
+# ---- compared with the beam
 def on_bearings(z, whole, stiffness):
     """(5 N, 5 N) springs at both bearings."""
     springs = np.zeros_like(whole.stiffness)
@@ -170,7 +170,7 @@ def test_deflection_is_that_of_the_beam(resting):
     assert abs(resting["rx1"] - resting["rx2"]) > 1e-4  # it bends
 
 
-# ---- against the equations of a free shaft
+# ---- compared with the equations of a free shaft
 class Support(NamedTuple):
     """Motion of the centre of mass, the same in both planes."""
 
@@ -180,7 +180,7 @@ class Support(NamedTuple):
     tilt_damping: float = 0.0  # N m s/rad
 
     def words(self, *names):
-        """The motion in a deck's words; `names` are those of two displacements and two tilts."""
+        """The motion in a deck's words; `names` has names of two displacements and two tilts."""
         pairs = [self[:2], self[:2], self[2:], self[2:]]
         return " ".join(f"support {name} {k} {c}" for name, (k, c) in zip(names, pairs))
 

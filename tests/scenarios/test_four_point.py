@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Four-point contact: two grooves per ring. docs/decks/in.four_point reverses a thrust; tests put
-other loads into a copy of it. The reference is statics."""
+"""Four-point contact, with two grooves per ring, compared with statics. docs/decks/in.four_point
+reverses a thrust; tests put other loads into a copy of this deck."""
 
 import numpy as np
 import pytest
@@ -141,7 +141,7 @@ def test_tilted_ring_with_both_integrators(tmp_path):
 
 
 def seated(folder, way, extra):
-    """Positions (x, y, z) in m where create_bearing puts ball 1 and the inner ring."""
+    """Positions (x, y, z) in m at which create_bearing puts ball 1 and the inner ring."""
     folder.mkdir()
     dump = "dump all all custom 1 ${out}/all.dump id x y z"
     dump += '\ndump_modify all format "%d %.15g %.15g %.15g"'
@@ -227,7 +227,7 @@ def outputs(tmp_path_factory):
 
 
 def test_by_ball(outputs):
-    """Values by ball are those of the contact with the larger load."""
+    """Values by ball come from the contact with the larger load."""
     folder, loads = outputs
     table = last(folder / "balls.dump")
     assert table[:, 1] == pytest.approx(loads[0].max(axis=0), rel=1e-5)
@@ -254,7 +254,7 @@ def test_sums(outputs):
 
 
 def test_record(outputs):
-    """The record distinguishes grooves; its sums equal those of the computes."""
+    """The record distinguishes grooves; its sums equal the sums of the computes."""
     folder, loads = outputs
     run = raceway.open(folder)
     assert run.contacts.raceway.values.tolist() == ["inner 0", "inner 1", "outer 0", "outer 1"]

@@ -49,7 +49,7 @@ def test_steady_state_with_a_cage_ring(tmp_path):
 def test_oil_that_flows(tmp_path):
     """The steady state agrees with `raceway heat` with the same oil flow. The oil carries away its
     heat capacity rate times its temperature rise; the rest leaves through the housing. At this
-    speed the run's losses are 0.6 % below those of statics, which changes temperatures by
+    speed the run's losses are 0.6 % below the losses of statics, which changes temperatures by
     0.2 K."""
     oil = dict(oil_flow=0.5e-3 / 60, oil_inlet=45)
     words = POINT | dict(load=1000, rpm=9549, passes=1)

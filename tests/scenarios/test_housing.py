@@ -10,7 +10,7 @@ from scipy.linalg import expm
 
 DECK = "tests/scenarios/in.housing"
 RING, HOUSING = (0.5, 2.5e-4), (2.0, 2.5e-3)  # kg, kg m^2
-# {direction: (load, (stiffness, damping) of the ring's support, the same of the housing's support)}
+# {direction: (load, (stiffness, damping) of the ring's and of the housing's support)}
 DIRECTIONS = {
     "x": (200.0, (1e8, 2000.0), (2e8, 4000.0)),
     "y": (1000.0, (5e7, 0.0), (1e8, 1000.0)),

@@ -39,7 +39,7 @@ def test_everything_is_there(made):
 
 
 def test_verdicts(made):
-    """Verdicts equal those in statements.yaml, which docs/paper.rst shows."""
+    """Verdicts equal the verdicts in statements.yaml, which docs/paper.rst shows."""
     judged = pd.read_csv(made / "statements.csv", keep_default_na=False)
     columns = [judged[name] for name in ("corrected", "printed", "whole")]
     assert list(zip(*columns)) == [one.found for one in statements.read()]

@@ -69,7 +69,7 @@ def test_stiffness(line):
 
 
 def test_as_one_double_row_bearing(line):
-    """The displacement under a load equals that of one bearing with two rows."""
+    """The displacement under a load equals the displacement of one bearing with two rows."""
     load, place, *_ = line[:, (line[0] > 0.0) & (line[1] < 0.8 * SPREAD)]
     two = BEARING.double_row(DoubleRow(0.018, SPREAD), ANGLE)
     for k in (len(load) // 3, -1):

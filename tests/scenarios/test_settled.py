@@ -85,7 +85,7 @@ def test_waits_while_pocket_forces_of_a_cage_ring_fall(tmp_path):
 
 
 def test_of_the_record(runs):
-    """The figures equal those recomputed from the last two ball passes of the record."""
+    """The figures equal figures recomputed from the last two ball passes of the record."""
     _, _, figures, folder = runs
     with xarray.open_dataset(folder / "record.nc") as data:
         speed = abs(data["bearing_cage_speed"].isel(bearing=0)).to_numpy()

@@ -52,8 +52,8 @@ def perfect(tmp_path_factory):
 
 
 def test_rate(perfect):
-    """The sampling rate of the record is the requested rate times `oversampling`, and its length is
-    the nearest whole number of samples."""
+    """The sampling rate of the record is the requested rate times `oversampling`, and the record
+    covers its ball passes to the nearest sample."""
     run = raceway.open(perfect)
     sample_s, passes = run.settings["sample_s"], run.settings["passes"]
     assert sample_s == pytest.approx(1 / (2 * 25600), rel=1e-12)
