@@ -94,7 +94,7 @@ WITHIN = dict(
 )
 
 
-# a box with two bearings along x, and no fix that moves them
+# a box with two bearings along x, without a fix that moves them
 SMALL = """
 units si
 atom_style sphere

@@ -52,7 +52,7 @@ def parsed(arguments):
 
 @contextlib.contextmanager
 def built(other):
-    """Root of the tree to compare this one with."""
+    """Root of the tree with which this tree is compared."""
     if Path(other).is_dir():
         yield Path(other).resolve()
         return
@@ -88,7 +88,7 @@ def spent(tree, deck, variables, steps, instructions):
 
 
 def program(tree, deck, variables, instructions):
-    """(user seconds, instructions or None) of a run of a tree's LIGGGHTS, in that tree."""
+    """(user seconds, instructions or None) of a run of a tree's LIGGGHTS in the tree."""
     words = [str(tree / "build/liggghts"), "-in", str(deck), "-log", "none"]
     for name, value in variables.items():
         words += ["-var", name, str(value)]

@@ -24,7 +24,7 @@ PART = "core/parts/part_drag.h"
 
 
 def environment():
-    """The environment of this process, without a compiler cache and without a tree's own Python."""
+    """The environment of this process, without compiler cache and without the Python of a tree."""
     kept = {k: v for k, v in os.environ.items() if not k.startswith(("CCACHE", "MAKE", "VIRTUAL"))}
     paths = [p for p in kept["PATH"].split(os.pathsep) if "ccache" not in p and ".venv" not in p]
     return {**kept, "CCACHE_DISABLE": "1", "PATH": os.pathsep.join(paths)}

@@ -33,7 +33,7 @@ SAMPLES, PARTS = 6000, 12  # of a run; the means of its parts give the standard 
 # steps of velocity Verlet, s; the friction of slow or heavily loaded balls is stiffer
 VERLET, FINE, FINEST = 4e-7, 1e-7, 3e-8
 REVERSAL = "reversal, 300 to -300 rad/s"
-# friction near rest makes velocity Verlet take hours
+# velocity Verlet would take hours because of friction near rest
 ALONE = (REVERSAL, "1 rad/s")
 DOWN = dict(weight=9.81, fall="0 -1 0")
 

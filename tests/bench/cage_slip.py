@@ -48,7 +48,7 @@ PASSES = 48  # six turns of the cage
 
 
 def bearing(folder, balls, ball, pitch, inner, outer):
-    """A bearing data file: the 6208's with these values replaced."""
+    """Path of a bearing data file: the file of the 6208 with these values replaced."""
     own = dict(
         balls=balls,
         ball_diameter=ball,

@@ -28,7 +28,7 @@ ROOT = Path(__file__).resolve().parents[2]
 INPUTS = ROOT / "inputs"
 TABLE = Path(__file__).with_suffix("") / "lines.csv"
 PAGE, PICTURE = ROOT / "build/bench/cwru.rst", ROOT / "docs/images/cwru.png"
-THRUST, LOAD, OIL, TEMPERATURE = 30.0, 10.0, "vg68", 40.0  # N, N, C: not known for that motor
+THRUST, LOAD, OIL, TEMPERATURE = 30.0, 10.0, "vg68", 40.0  # N, N, -, C; not known for this motor
 THRUSTS = np.array([20.0, 25.0, 30.0, 40.0, 50.0])
 CLEARANCES = -5e-6, 20e-6  # m, range
 WITHIN = 2e-4  # of the orders
@@ -91,7 +91,7 @@ def of_a_run(setup, play, folder):
 
 
 def picture(found, ridges):
-    """Measured minus predicted orders, and clearances over thrust."""
+    """Draw measured minus predicted orders, and clearances over thrust."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(11.5, 4.2), layout="constrained")
     for k, (setup, _, orders, _) in enumerate(found.values()):
         measured = np.array(list(setup.orders.values()))

@@ -49,7 +49,7 @@ TASKS = {  # name: statements about `run`, executed in a separate process
 
 
 def run_deck(folder, passes):
-    """Run the main deck with its record into `folder`."""
+    """Run the main deck with a record in `folder`."""
     print(f"simulating {passes} ball passes into {folder}", flush=True)
     words = [ROOT / "build" / "liggghts", "-in", "inputs/in.6208", "-log", "none"]
     for name, value in {"passes": passes, "out": folder, "overwrite": "yes"}.items():

@@ -42,7 +42,7 @@ def csv_table(head, rows):
 
 
 def machine():
-    """Processor, compiler and host versions and the time of the yardstick, in one line each."""
+    """Lines with processor, versions of compiler and hosts, and the time of the yardstick."""
     cpu = re.search(r"model name\s*:\s*(.+)", Path("/proc/cpuinfo").read_text()).group(1)
     gcc = subprocess.run(
         ["g++", "--version"], capture_output=True, text=True, check=True

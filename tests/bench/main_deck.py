@@ -23,7 +23,7 @@ from machine import bench_file, machine
 MODELS = ("paper", "full")
 ASKED = {47.75: 250.0, 477.5: 30.0, 9549.0: 2.0}  # rpm: real-time factor
 REFERENCE = {"implicit": 1e-10, "damping": 1e-9}  # tolerance, m
-HIGH_SPEED = 9549.0  # rpm above which no row has damping, because its steps would be too short
+HIGH_SPEED = 9549.0  # rpm above which damping is left out, because its steps would be too short
 SAMPLES = 200  # per ball pass
 TIMED, COMPARED = 40, 4  # ball passes
 SETTLE = 4  # ball passes, for a run and for its reference: balls are then in equal places

@@ -54,7 +54,7 @@ def run(ranks, steps, folder, **variables):
         INTEGRATORS[variables["integrator"]]["settle"],
     )
     deck = folder / "in.bench"
-    # the load is applied in a first run; the last one is timed
+    # the load is applied in a first run; the last run is timed
     deck.write_text(
         f"include inputs/in.many\nundump table\nrun {steps}\n"
         + ('variable made equal f_move[3]\nprint "internal steps ${made}"\n' if implicit else "")
@@ -135,7 +135,8 @@ def state(ranks, folder, **variables):
     )
     if done.returncode:
         sys.exit(f"failed on {ranks} ranks:\n{done.stdout[-2000:]}")
-    # table rows, sorted by step: their order may depend on the number of ranks, their bits must not
+    # rows of tables, sorted by step: their order may depend on the number of ranks, but not their
+    # bits
     return (
         sorted((folder / "bearings.dump").read_text().splitlines()),
         (folder / "last.dump").read_text(),

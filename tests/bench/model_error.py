@@ -43,7 +43,7 @@ LEAST = 1e-6  # smaller errors are drawn here: the reference is not more accurat
 
 
 class Found(NamedTuple):
-    """A run: its figures by the names that `raceway needs` uses, and the number of contact
+    """Figures of a run by the names that `raceway needs` uses, and its number of contact
     evaluations."""
 
     figures: dict[str, float]
@@ -51,7 +51,7 @@ class Found(NamedTuple):
 
 
 class Curve(NamedTuple):
-    """A set of models in a scene: its runs by tolerance, and the run with the fine integration."""
+    """Runs of a set of models in a scene, by tolerance, and the run with the fine integration."""
 
     runs: dict[str, Found]
     fine: Found
@@ -79,7 +79,7 @@ def curves(scene: dict[str, float], folder: Path) -> dict[str, Curve]:
 
 
 def error(found: Found, truth: Found, yardstick: Found, word: str) -> float:
-    """Error of a figure against `truth`, relative to the yardstick's figure."""
+    """Error of a figure compared with `truth`, relative to the figure of `yardstick`."""
     return abs(found.figures[word] - truth.figures[word]) / abs(yardstick.figures[word])
 
 

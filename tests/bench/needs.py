@@ -32,7 +32,7 @@ TARGET = bench_file("needs.rst")
 SCENES, SEED = 20, 16
 KEPT, CHEAPER = 19, 5  # the requirements
 WANTED = {"torque": 0.1, "capacitance": 0.05, "load": 0.01}
-EXACT = {**REFERENCE, "tolerance": "1e-11", "samples": "1000"}  # finer than the tool's reference
+EXACT = {**REFERENCE, "tolerance": "1e-11", "samples": "1000"}  # finer than the command's reference
 SAME = ("passes", "surroundings")  # in all scenes
 HEAD = ["scene", *WANTED, "cost", "evaluations", "times cheaper", "left out, coarsened"]
 

@@ -25,7 +25,7 @@ TARGET = bench_file("noise_floor.rst")
 SCENE = dict(bearing=6205, load=500, rpm=1797, lubricant="vg46", passes=80, settle=10)
 MODE = dict(integrator="vibration", housing="springs", record="summary")
 RATE = 48e3  # Hz
-BAND = (20.0, 0.4 * RATE)  # Hz, above the filter's influence
+BAND = (20.0, 0.4 * RATE)  # band above the influence of the filter, Hz
 WAVE = 1e-8  # m
 # {waves of the inner raceway: shaft order that they add to BPFI}, for Z - 1 and Z + 1 waves
 WAVES = {8: -1, 10: 1}

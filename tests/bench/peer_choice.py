@@ -33,26 +33,26 @@ class Tried(NamedTuple):
 
     words: str
     error: float  # relative to the finest setting; inf if the run failed or cannot be compared
-    cost: float  # wall s per simulated s, with output
+    cost: float  # wall seconds per simulated second, with output
 
 
 class Choice(NamedTuple):
-    """The chosen setting, and all that were tried."""
+    """The chosen setting, and all settings that were tried."""
 
     setting: Setting
     tried: list[Tried]
 
 
 def error(found: Outcome, truth: Outcome) -> float:
-    """Largest difference of the inner load over balls and samples, relative to the largest load."""
+    """Largest difference in inner load over balls and samples, relative to the largest load."""
     if found.loads is None or truth.loads is None or found.loads.shape != truth.loads.shape:
         return np.inf
     return float(np.abs(found.loads - truth.loads).max() / truth.loads.max())
 
 
 def choose(peer: Peer) -> Choice:
-    """The cheapest setting of a peer with an error of at most ALLOWED, or the finest if there is
-    none."""
+    """The cheapest setting of a peer with an error of at most ALLOWED, or the finest setting if no
+    error is as small."""
     truth = peer.finest.call()
     tried = []
     for setting in peer.settings:

@@ -27,7 +27,7 @@ from host import tables  # noqa: E402
 DECKS = Path("tests/bench/peers")
 OUT = Path("build/bench/peers")
 LOAD, SPEED = 5000.0, 50.0  # N along -y, rad/s
-PERIOD = 1.76e-4  # s between samples, about 200 samples per ball pass
+PERIOD = 1.76e-4  # seconds between samples, about 200 samples per ball pass
 PASSES = 8  # ball passes that Raceway runs
 NAMES = (
     "balls",
@@ -101,8 +101,8 @@ def exact_shift():
 
 
 def exact(shift, balls):
-    """Exact static loads (n,) in N of balls at these positions for this shift of the ring; and
-    their components along it (n,).
+    """Exact static loads (n,) in N of balls at given positions for a given shift of the ring, and
+    their components (n,) along the shift.
 
     Zero clearance and no axial load: both contacts of a ball act in series, K = (K_i^-2/3 +
     K_o^-2/3)^-3/2, under the approach of the raceways at its azimuth.
@@ -265,7 +265,7 @@ def exudyn(stiffness, exponent, friction, step, output=True):
 
 
 def raceway(name, output=True, **variables):
-    """Raceway's main deck under the load, with its defaults."""
+    """Raceway's main deck with its defaults, under the load."""
     host(
         "build/liggghts",
         "inputs/in.6208",

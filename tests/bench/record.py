@@ -20,9 +20,9 @@ from typing import NamedTuple
 from deck_runs import ROOT, cost, factor, run_deck
 from machine import bench_file, machine
 
-# rpm: smallest acceptable real-time factor of the main deck
+# {rpm: smallest acceptable real-time factor of the main deck}
 SPEEDS = {47.75: 200.0, 477.5: 20.0, 9549.0: 0.6}
-# Outputs of the main deck, with one sample per host step and with ten.
+# Outputs of the main deck, with one sample and with ten samples per host step.
 TEXT = {"record": "none", "dumps": "yes", "within": 1}
 RECORD, NOTHING = ({"record": record, "dumps": "no", "within": 1} for record in ("all", "none"))
 OUTPUTS = {
@@ -34,7 +34,7 @@ OUTPUTS = {
 }
 PASSES, TEXT_PASSES = 400, 40
 AS_IT_STANDS = "record, 10 samples per step"  # default of the main deck
-SHORT, SHORT_PASSES = "make run", 4  # rpm of `make run`: the main deck without any -var
+SHORT, SHORT_PASSES = "make run", 4  # name for `make run`: the main deck without any -var
 FASTER, FASTER_WITHIN, COST = 8.0, {47.75: 15.0, 477.5: 15.0, 9549.0: 12.0}, 2.0
 MANY, MANY_COST = 100, 1.3
 PAGE = """\

@@ -80,7 +80,7 @@ def at_static_rate(bearing, raceway, seconds, spin, load):
 
 
 def by_own_fall(run, side, raceway, found, spin):
-    """Lengths (m) from the fall of the balls of the `Passages` `found`."""
+    """Lengths (m) from the fall of the balls in the `Passages` `found`."""
     bearing = run.tables.geometry
     speed, rolling = kinematics.entrainment(bearing, spin), bearing.effective_radii(raceway)[0]
     load, overlap = (

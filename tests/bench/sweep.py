@@ -115,8 +115,8 @@ def figures(folder):
 
 
 def killed_half_way(table, folder, points):
-    """(points finished when the sweep was killed, points finished after the restart, points done
-    twice)."""
+    """(points finished when the sweep was killed, points finished after the restart, points that
+    ran twice)."""
     process = subprocess.Popen(
         command(table, folder, 2), cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
     )

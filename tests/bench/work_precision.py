@@ -262,7 +262,7 @@ def fastest(rows, limit, method=None):
 
 
 def targets(results):
-    """Best real-time factor at an error of at most 1e-3 and 1e-2 for each scene, compared with the
+    """Best real-time factors of each scene at an error of at most 1e-3 and 1e-2, compared with the
     goal and with Verlet."""
     head = (
         "rad/s",

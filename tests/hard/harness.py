@@ -165,8 +165,8 @@ class Figures(NamedTuple):
 
 
 def compare(found, truth, after=0, every=1):
-    """`Figures` of two courses from the sample `after` of `truth` on; `found` contains every
-    `every`-th of its samples."""
+    """`Figures` of two courses, starting from the sample `after` of `truth`; `found` contains every
+    `every`-th sample of `truth`."""
     first = -(-after // every)
     load, film, orbit = (table[::every][first:] for table in (truth.load, truth.film, truth.orbit))
     mine, my_film, my_orbit = (table[first:] for table in (found.load, found.film, found.orbit))
@@ -181,7 +181,7 @@ def compare(found, truth, after=0, every=1):
 
 
 def before_whirl(course, limit):
-    """The course up to 20 ms before the inner ring starts to whirl, that is before the sum of the
+    """The course up to 20 ms before the inner ring starts to whirl; it whirls when the sum of the
     inner loads stays above `limit` (N) for 10 ms."""
     a_sample = course.simulated / (len(course.load) - 1)
     window = round(10e-3 / a_sample)

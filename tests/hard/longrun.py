@@ -69,9 +69,9 @@ class Account(NamedTuple):
     """Energies since the start, J."""
 
     work: float  # work of loads and drives
-    own: float  # lost by the integrator itself
+    own: float  # energy lost by the integrator itself
     dissipated: float  # dissipated in contacts
-    stored: float  # growth of the energy in motion and springs
+    stored: float  # growth of the energy of motion and springs
 
     @property
     def figure(self):

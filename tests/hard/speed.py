@@ -19,7 +19,7 @@ TOLERANCES = (1e-9, 2e-9, 5e-9, 1e-8, 2e-8, 5e-8, 1e-7, 2e-7)
 
 
 class Speed(NamedTuple):
-    factor: float  # simulated over wall time of the host's loop, without set-up
+    factor: float  # simulated time over wall time of the host's loop, without set-up
     step: float  # mean internal step, s
 
 

@@ -37,7 +37,7 @@ SLOW = [
 
 
 def times(name, folder):
-    """(row of the first table, `Speed` without output, period of the resonance in s)."""
+    """(row of the first table, `Speed` without output, period of the contact resonance in s)."""
     case, within = CASES[name], CASES[name]["large"]["factor"]
     record = speed(folder, case, "record")
     period = resonance(folder)

@@ -25,7 +25,7 @@ def loads(folder):
 
 
 def error(tmp_path, control="", verlet_step=5e-8, after=0, **case):
-    """Largest difference of any contact load from sample `after` on, relative to the largest
+    """Largest difference in any contact load, starting from sample `after`, relative to the largest
     load."""
     sample = float(case.get("sample", 1e-4))
     succeed(

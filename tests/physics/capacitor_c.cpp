@@ -143,7 +143,7 @@ RACEWAY_LANES double sum_of(const RacewayPhysics &p, const CapacitorModel &m,
   Lane sum = {};
   for (int i = 0; i < repeats; ++i) {
     ContactStateT<Lane> one = c;
-    one.entrainment = c.entrainment + 1e-9 * i;    // so that nothing can be cached
+    one.entrainment = c.entrainment + 1e-9 * i;    // changes so that nothing can be cached
     if (m.surrounded()) sum += s.capacitor(one, live, cage_speed).total();
     else sum += film_capacitor(p, one, m).capacitance;
   }

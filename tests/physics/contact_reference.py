@@ -60,8 +60,8 @@ def derivative(f):
 
 
 class Reference:
-    """Ball (x, v, w), ring (x, v, w, e) on a torus groove of centre circle `circle` (m) and ball
-    radius `radius`."""
+    """A ball (x, v, w) of `radius` (m) and a ring (x, v, w, e) with a torus groove whose centre
+    circle has the radius `circle` (m)."""
 
     def __init__(self, ball, ring, circle, radius):
         self.ball, self.ring = [vector(q) for q in ball], [vector(q) for q in ring]
@@ -70,7 +70,7 @@ class Reference:
         self.circle, self.radius = mpf(circle), mpf(radius)
 
     def frame(self, t=0):
-        """All geometry at the time t: u, t, e, n, w, s, contact point."""
+        """Geometry at the time t: u, t, e, n, w, s, contact point."""
         t = mpf(t)
         x = add(self.ball[0], self.ball[1], t)
         centre = add(self.ring[0], self.ring[1], t)
@@ -87,7 +87,7 @@ class Reference:
         )
 
     def speeds(self):
-        """overlap_rate, sliding_t, sliding_w, entrainment."""
+        """(overlap_rate, sliding_t, sliding_w, entrainment)"""
         now = self.frame()
         arm = add(now["point"], self.ball[0], -1)
         lever = add(now["point"], self.ring[0], -1)

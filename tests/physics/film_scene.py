@@ -23,7 +23,7 @@ def scene(share=1.0, starvation=1.0, regimes=False, shear=0, sliding=0.0):
 
 
 class Gap:
-    """A contact of a 6208 with its film."""
+    """A contact of a 6208 with its film, on one of the raceways."""
 
     def __init__(self, physics, side):
         self.call = physics.call

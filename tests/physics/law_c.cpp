@@ -301,7 +301,7 @@ EXPORT(int, has_avx2, ())
 #ifdef __x86_64__
   return __builtin_cpu_supports("avx2") != 0;
 #else
-  return 1;    // a single compilation counts as no AVX2
+  return 1;    // a single compilation counts as code without AVX2
 #endif
 }
 EXPORT(int, takes_avx2, ()) { return wide_lanes(); }

@@ -58,7 +58,7 @@ inline Shifted magnitude(const Shifted &a) { return a.value < 0.0 ? -a : a; }
 inline Shifted where(bool test, const Shifted &yes, const Shifted &no) { return test ? yes : no; }
 }    // namespace raceway
 
-// after the number type above, which it needs
+// included after the number type above, which it needs
 #include "any_parts.h"
 
 using namespace raceway;

@@ -175,7 +175,7 @@ def in_series(admittance):
 
 @pytest.mark.parametrize("frequency", [0.1, 1e3, 1e7])
 def test_t11_impedance_and_back(frequency):
-    """The films of a ball leak equally; C and R are recovered to rounding."""
+    """If the films of a ball leak equally, C and R are recovered to rounding."""
     random = np.random.default_rng(11)
     for c, tau in zip(random.uniform(1, 900, 20) * PICO, 10 ** random.uniform(-5, 1, 20)):
         both = np.array([[c], [2 * c]])

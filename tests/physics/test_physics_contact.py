@@ -218,7 +218,7 @@ def test_damping_is_the_sum_of_both_laws(physics, side, angle):
         / np.sqrt(2)
         * (BALL / h_min) ** 1.5
     )
-    # the accuracy of the table, times ln U and ln Q
+    # the error is the accuracy of the table times ln U and ln Q
     assert state.h_min == pytest.approx(h_min, rel=1e-8)
     assert state.lam == pytest.approx(h_min / 50e-9, rel=1e-8)
     assert state.damping == pytest.approx(1.5 * 0.08 * state.load + fluid, rel=3e-8)  # h^-1.5
@@ -248,7 +248,7 @@ def test_no_adhesion(physics, side):
     ball, ring = scene(side)
     state = make(physics, side).contact(ball, ring)
     normal = state.nu * state.u + state.ne * ring[3]
-    # added to the separation speed, N is zero
+    # N is zero if this speed is added to the separation speed
     critical = state.load / state.damping + state.overlap_rate
     for factor, sign in ((0.99, 1), (1.01, 0), (100.0, 0)):
         away = make(physics, side).contact(

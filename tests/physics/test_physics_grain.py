@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""grain_contact.h: a sphere hits a wall."""
+"""grain_contact.h: a sphere that hits a wall."""
 
 import numpy as np
 import pytest

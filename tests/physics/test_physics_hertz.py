@@ -10,7 +10,7 @@ from references import hertz as reference
 from scipy.integrate import quad
 
 STEEL = 210e9 / (1 - 0.09)
-# Some tens of roundings of 1e-16, and a root found to rounding.
+# Errors are some tens of roundings of 1e-16 and the rounding of a root.
 ROUNDING = 1e-13
 
 

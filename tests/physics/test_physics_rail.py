@@ -15,7 +15,8 @@ def seat(physics, gap=0.0, sign=1.0, tube=TUBE):
 
 
 def clearance(rail, radius, height):
-    """Distance of the surfaces of ball and tube, m; the ball's centre is at (radius, height)."""
+    """Distance between the surfaces of ball and tube (m); the ball's centre is at (radius,
+    height)."""
     return np.hypot(radius - rail.circle, height - rail.offset) - BALL - rail.tube
 
 
@@ -93,8 +94,8 @@ def curvature_along(rail, angle):
 @pytest.mark.parametrize("tube", [0.5e-3, 1.0e-3, 3.0e-3])
 def test_stiffness_is_hertz_of_the_true_curvatures(physics, tube):
     rail = seat(physics, tube=tube)
-    # towards positive heights along the normal the surface curves away from the ball: negative
-    # means towards it
+    # positive heights along the normal mean that the surface curves away from the ball, negative
+    # heights that it curves towards the ball
     along = 1 / BALL + curvature_along(rail, np.pi / 4)
     across = 1 / BALL + 1 / tube
     expected = package.stiffness(package.exact(1 / along, 1 / across), MODULUS)

@@ -466,7 +466,7 @@ def rigid_flank(side, free, bottom, play, shoulder):
     height = pitch - shoulder if side == INNER else shoulder - pitch
 
     def wall(angle):
-        """Distance of the groove from the ball's centre in a direction at `angle` from straight
+        """Distance between the groove and the ball's centre in a direction at `angle` from straight
         down, towards the flank."""
         line = np.array([np.cos(angle), -np.sin(angle)])
         along = line @ centre

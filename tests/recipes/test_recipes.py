@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The recipes of docs/extend.rst, carried out in a copy of the tree.
+"""Carries out the recipes of docs/extend.rst in a copy of the tree.
 
 The copy builds and every law passes the derivative test. The additions appear in output, in
 tables of the docs and in a deck.
@@ -112,7 +112,7 @@ def touched(tmp_path_factory):
     targets = ["build/liggghts", "build/libraceway_physics.so", CORE]
     # the library for the tests, with only the functions that the derivative test calls
     physics = "PHYSICS_C=tests/physics/physics_c.cpp tests/physics/law_c.cpp"
-    # nice: ranks of other tests would wait for each other while a compiler occupies their core
+    # low priority: ranks of other tests would wait for each other while a compiler has their core
     nice = ["nice", "-n", "19", "make", "-s", "-j2"]
     run([*nice, "OPTIMISE=-O0 -DRACEWAY_ONE_TARGET", physics, *targets], tree)
     return tree, files

@@ -38,7 +38,7 @@ def groups(viscosity, xi, modulus, r_x, speed, load):
 
 
 def power_law(viscosity, xi, modulus, r_x, kappa, speed, factor=1.0, cut=1.0):
-    """h_c (m) over the load after Masjedi and Khonsari, kept below `cut` N."""
+    """h_c (m) over the load after Masjedi and Khonsari, constant below `cut` N."""
 
     def h(load):
         kept = max(mpf(load), mpf(cut))

@@ -68,7 +68,7 @@ CASES = {
     ),
 }
 WHOLE = dict(cap="surroundings cavitated 1", clearance=2e-5)
-WITHIN = 4  # for the case with instants in steps of four samples
+WITHIN = 4  # samples per step in the case with instants
 
 
 FAST = "x free y free spin speed 150 force 0 -800 0 ramp 3.0e-3"

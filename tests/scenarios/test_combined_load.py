@@ -22,7 +22,7 @@ HELD = dict(radial_load=2000.0, axial_load=1000.0, held={"rx": TILT, "ry": 0.0},
 
 
 def words(case):
-    """The deck's variables for a case of `static.equilibrium`."""
+    """Variables of the deck for a case of `static.equilibrium`."""
     moment = case.get("moment", (0.0, 0.0))
     result = dict(
         load=case["radial_load"],
@@ -39,8 +39,8 @@ def words(case):
 
 
 def samples(folder, case, every=4):
-    """(row of ring.dat, contact loads (2, Z), `Equilibrium`) of samples: balls at their azimuths,
-    with their orbital speed."""
+    """(row of ring.dat, contact loads (2, Z), `Equilibrium`) of samples; the `Equilibrium` has the
+    azimuths and the orbital speed of the balls."""
     bearing = inputs.bearing(ROOT / "inputs/bearings/6208")
     contacts, balls = frames(folder / "contacts.dump"), frames(folder / "balls.dump")
     for row in np.loadtxt(folder / "ring.dat")[::every]:
@@ -70,7 +70,7 @@ def samples(folder, case, every=4):
     [
         # required bounds: 0.2 %, 0.2 %, 1 %; measured 4.2e-4, 7.8e-5, 3.4e-4
         ("combined", COMBINED, 50, 1e-3, 2e-3, 2e-3, 1e-2),
-        # the balls pass ten times slower: measured 1.1e-4, 1.2e-5, 3.2e-5
+        # the balls move ten times more slowly: measured 1.1e-4, 1.2e-5, 3.2e-5
         ("combined, slow", COMBINED, 5, 1e-2, 4e-4, 1e-4, 2e-4),
         # measured 3.5e-4, 3.8e-4, 2.0e-4
         ("preload and moment", PRELOAD, 50, 1e-3, 2e-3, 2e-3, 1e-2),

@@ -52,8 +52,8 @@ def test_displacement_and_loads(tmp_path, rpm, every):
 
 @pytest.mark.parametrize("gap_film", ["power", "moes"])
 def test_light_load_rolls(tmp_path, gap_film):
-    """50 N at 9549 rpm: the centrifugal load lifts the balls off the inner raceway; the film in the
-    gap drives them."""
+    """Under 50 N at 9549 rpm the centrifugal load lifts the balls off the inner raceway, and the
+    film in the gap drives them."""
     case = {"load": 50, "rpm": 9549, "models": "film", "gap_film": gap_film}
     succeed("inputs/in.6208", out=tmp_path, settle=4, passes=3, **case)
     tables = RunTables(tmp_path)

@@ -13,7 +13,7 @@ RACEWAY, BALL, ORBIT = 36.6e-3, 6.3e-3, 30.3e-3  # m
 ROLLING = BALL * (1 + BALL / ORBIT)  # m, effective radius along rolling
 BOTTOM = -np.pi / 2
 MASS = 7800 * 4 / 3 * np.pi * BALL**3  # kg
-EDGE = 5e-6  # m, small because the closed forms assume sharp edges
+EDGE = 5e-6  # edge radius, m; small because the closed forms assume sharp edges
 MOVERS = {
     "verlet": {},
     "implicit": {"mover": "all bearing/implicit tolerance 1.0e-11"},
@@ -233,7 +233,7 @@ def test_flaw_turns_with_its_ring(tmp_path):
 
 
 def test_table(tmp_path):
-    """A measured table: a wave given by its points, and a slot that the ball bridges."""
+    """A measured table gives the points of a wave, and of a slot that the ball bridges."""
     azimuth = np.arange(20000) * 2 * np.pi / 20000
     tables = {
         "wave": 1e-7 * np.cos(31 * azimuth),
@@ -257,7 +257,7 @@ def test_table(tmp_path):
 
 
 def test_table_of_a_ball(tmp_path):
-    """A wave given by its points, on a ball that rotates in place."""
+    """A table gives the points of a wave on a ball that rotates in place."""
     azimuth = np.arange(4000) * 2 * np.pi / 4000
     np.savetxt(tmp_path / "wave.txt", np.c_[azimuth, 3e-7 * np.cos(12 * azimuth)])
     wave, table = (

@@ -278,7 +278,7 @@ def test_in_the_air(tmp_path, damped, support):
 
 
 def test_held_in_the_middle(tmp_path):
-    """A thin shaft held at its middle by stiff supports: each half vibrates like a cantilever."""
+    """Stiff supports hold a thin shaft at its middle, so each half vibrates like a cantilever."""
     thin, end = Section(0.2, 0.006), 0.1
     z, pieces = beam.divided([thin], np.linspace(0.0, 0.2, 21))
     kept = [0, 10, 20]
@@ -363,7 +363,7 @@ def test_within_a_step(tmp_path, damped):
 # ---- bits
 @pytest.fixture(scope="module")
 def whole(tmp_path_factory, damped):
-    """(folder, variables) on one rank."""
+    """(folder, variables) of a run on one rank."""
     folder = tmp_path_factory.mktemp("whole")
     variables = {**BITS, "every": 10, "words": f"flexible {damped} {LOADED} {HELD}"}
     succeed(DECK, out=folder, **variables, steps=60)

@@ -11,7 +11,7 @@ from raceway import cage_speed, identify, inputs, steady_heat
 from raceway.recordings.prediction import Model
 from raceway.recordings.readings import Point, Reading, Readings
 
-# derived from the recordings of Case Western Reserve University (docs/measured_bearings)
+# values derived from recordings of Case Western Reserve University (docs/measured_bearings)
 CWRU = {one.name: one for one in cwru.setups()}
 TRIED = (
     "inner 7 mil",

@@ -10,7 +10,7 @@ from raceway.theory.bearing import DoubleRow
 BEARING = inputs.bearing(catalogue.find("bearings", "7208"))
 SPREAD = 5e-6  # m, of each outer ring
 ANGLE = np.radians(40)
-FIRST_CONTACT = (0.02 + 0.03) * 11.9e-3 * np.sin(ANGLE)  # m, of the inner ring along the axis
+FIRST_CONTACT = (0.02 + 0.03) * 11.9e-3 * np.sin(ANGLE)  # displacement along the axis, m
 CAGE = 2 * np.pi * 10 * (1 - 5.95 / 30 * np.cos(ANGLE)) / 2  # rad/s, at 600 rpm
 
 

@@ -135,8 +135,8 @@ def test_free_body(tmp_path, mover):
 
 @pytest.mark.parametrize("mover", MOVERS)
 def test_unbalance_in_two_planes(tmp_path, mover):
-    """Equal and opposite unbalances at 0.05 and 0.15 m: the centre stays and the axis describes a
-    cone."""
+    """With equal and opposite unbalances at 0.05 and 0.15 m, the centre stays and the axis
+    describes a cone."""
     spin, step = 500.0, MOVERS[mover]["step"]
     words = "mass 4 inertia 2e-3 2e-2 centre 0.1 unbalance 0.05 1e-5 0 unbalance 0.15 1e-5 PI"
     data, _ = swing(
@@ -284,7 +284,7 @@ LENGTH = {"implicit": 60, "verlet": 1500}
 
 @pytest.fixture(scope="module", params=MOVERS)
 def whole(request, tmp_path_factory):
-    """(mover, folder) on one rank."""
+    """(mover, folder) of a run on one rank."""
     folder = tmp_path_factory.mktemp(request.param)
     steps = LENGTH[request.param]
     succeed(DECK, out=folder, **FULL, **MOVERS[request.param], steps=steps, every=steps // 6)
@@ -353,7 +353,7 @@ def test_along_x(tmp_path, moved):
 
 
 def test_weight(tmp_path):
-    """fix gravity acts at the centre of mass: nothing tilts."""
+    """fix gravity acts at the centre of mass, so nothing tilts."""
     text = small(
         tmp_path,
         "fix move all bearing/implicit\nfix g all gravity 9.81 vector 0 -1 0\n"

@@ -100,7 +100,8 @@ def test_ball_pass(scene, closed, tmp_path):
 
 @pytest.mark.parametrize("rate", [48000, 192000])
 def test_rate(rate, tmp_path):
-    """Samples per second instead of samples per ball pass; passes end at the nearest sample."""
+    """With samples per second instead of samples per ball pass, passes end at the nearest
+    sample."""
     succeed(DECK, out=tmp_path, more=f"rate {rate}", passes=3, **DAMPING)
     data, notes = values(tmp_path)
     assert notes["sample_s"] == pytest.approx(1 / rate, rel=1e-12)
@@ -158,7 +159,7 @@ def power(folder):
 
 
 def evaluations(folder):
-    """Number of force evaluations to settle."""
+    """Number of force evaluations until a run has settled."""
     return values(folder)[1]["settling_evaluations"]
 
 
@@ -193,7 +194,8 @@ def test_last_passes_have_the_steps_of_the_deck(tmp_path):
 
 
 def test_auto_asks_for_more(tmp_path):
-    """A tenth of the allowed remainder takes more ball passes, and the limit is met."""
+    """With a tenth of the allowed remainder, settling takes more ball passes, and meets the
+    limit."""
     passes = []
     for settled in (1e-2, 1e-3):
         out = tmp_path / str(settled)

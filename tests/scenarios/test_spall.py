@@ -73,7 +73,7 @@ def test_lines_of_a_flawed_ball(tmp_path):
     for hertz in (2 * turns, 2 * turns - cage, 2 * turns + cage, 4 * turns):
         there, above = peak(found, hertz)
         assert there == pytest.approx(hertz, rel=2e-3) and above > 3, hertz
-    # both impacts are equal: with a single impact the line at one turn would be the higher one
+    # both impacts are equal: with a single impact the line at one turn would be the higher line
     once, twice = (
         found.to_numpy()[np.abs(found["frequency"].to_numpy() - k * turns) < 1.0].max()
         for k in (1, 2)
@@ -100,7 +100,7 @@ def test_length_from_a_housing(tmp_path, raceway, passes, length):
         ("outer", 1e-3, dict(bearing=6208, load=2000, rpm=1500, mass=0.2), False),
         # the largest error on the page
         ("inner", 2e-3, dict(bearing=6208, load=2000, rpm=1500, mass=0.2), False),
-        # the reading was 3.55 mm with the line continued through earlier ringing
+        # a length of 3.55 mm was found when the line was continued through earlier ringing
         ("outer", 1e-3, dict(bearing=6208, load=4000, rpm=3000, mass=0.2, passes=8), True),
     ],
 )

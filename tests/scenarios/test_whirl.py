@@ -61,7 +61,7 @@ def test_closed_form_verlet(words, speed):
     "words, speed", [("unbalance 1e-5 0.3", 100), ("rotating 0.05 -60 0.3", -60)]
 )
 def test_closed_form_implicit(words, speed):
-    """Internal steps follow the tolerance, so host steps of a quarter of a turn are accurate
+    """Internal steps follow the tolerance, so that host steps of a quarter of a turn are accurate
     enough."""
     force = 1e-5 * 100**2 if "unbalance" in words else 0.05
     exact = whirl(force, speed, 0.3, 0.1)
@@ -71,7 +71,7 @@ def test_closed_form_implicit(words, speed):
     ]
     errors = [error(one, exact) for one in found]
     assert errors[1] < 1e-5 and errors[1] < 0.2 * errors[0]
-    # all work of the load is in the motion; the balls are at rest
+    # all work of the load is in the motion, because the balls are at rest
     ring = found[1]
     kinetic = 0.5 * MASS * (exact["vx"] ** 2 + exact["vy"] ** 2)
     assert ring["stored"] == pytest.approx(kinetic, rel=1e-4)
