@@ -123,8 +123,8 @@ def test_load_ramp(tmp_path):
         1000,
     )
     s = t / 1e-3
-    # Verlet integrates the impulse by the trapezoidal rule, plus half a step at the start: the error
-    # h^2/12 F'(end) is below 1e-6 of the impulse
+    # Verlet integrates the impulse by the trapezoidal rule, plus half a step at the start: the
+    # error h^2/12 F'(end) is below 1e-6 of the impulse
     np.testing.assert_allclose(
         rows[4], 5.0 / MASS * 1e-3 * (s**3 - s**4 / 2), rtol=0, atol=1e-5 * 5.0 / MASS * 1e-3
     )
