@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sphinx: one page for each room of the Python package, from its docstrings.
+"""Sphinx: writes one page for each room of the Python package, from docstrings.
 
 The pages are written into docs/api before the build; git ignores them.
 """
@@ -22,7 +22,7 @@ ROOMS = {
     "electric": "Capacitance and circuits",
     "recordings": "Recordings of real bearings",
 }
-# aliases of the package, which Sphinx would write out; the longest first
+# aliases of the package, which Sphinx would write out in full; the longest alias first
 TYPES = {
     stringify_annotation(alias, mode): name
     for mode in ("smart", "fully-qualified")
@@ -41,7 +41,7 @@ def page(title, modules):
 
 
 def write(app):
-    """Writes a page only when its text has changed, so that Sphinx reads it again only then."""
+    """Write pages, but only if their text has changed: otherwise Sphinx would read them again."""
     FOLDER.mkdir(exist_ok=True)
     for room, title in ROOMS.items():
         modules = [
@@ -56,7 +56,7 @@ def write(app):
 
 
 def field_comment(full_name):
-    """Comment at the end of the line that declares a field of a class, "" without one."""
+    """Comment at the end of the line that declares a field of a class; "" without a comment."""
     module, owner, field = full_name.rsplit(".", 2)
     try:
         source = inspect.getsource(getattr(import_module(module), owner))
@@ -67,7 +67,8 @@ def field_comment(full_name):
 
 
 def docstring(app, what, name, thing, options, lines):
-    """Comments of fields are their documentation; bars are absolute values, not substitutions."""
+    """Use comments of fields as their documentation, and take bars as absolute values instead of
+    substitutions."""
     if what == "attribute":
         lines[:] = [field_comment(name)]
     lines[:] = [
@@ -77,7 +78,7 @@ def docstring(app, what, name, thing, options, lines):
 
 
 def signature(app, what, name, thing, options, arguments, result):
-    """Types by the package's own aliases."""
+    """Write types by the aliases of the package."""
     return short(arguments), short(result)
 
 

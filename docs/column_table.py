@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sphinx: tables exported by C++: `.. columns:: SECTION`, output columns;
-`.. law-keywords:: dry|film`, keywords of the contact law; `.. law-parts::`, its parts;
-`.. validity::`, the rules of validity; `.. oil-constants::`, defaults of an oil's constants."""
+"""Sphinx: tables that C++ exports. `.. columns:: SECTION`: output columns;
+`.. law-keywords:: dry|film`: keywords of the contact law; `.. law-parts::`: parts of the law;
+`.. validity::`: rules of validity; `.. oil-constants::`: defaults of an oil's constants."""
 
 from docutils.statemachine import StringList
 from raceway import core
@@ -16,7 +16,7 @@ NEEDS = {
 
 
 def rows(section: str, numbered: bool) -> list[tuple[str, str]]:
-    """(name or number and name, meaning with unit and needs) of the columns of a section."""
+    """[(name or number and name, meaning with unit and needs), ...] of the columns of a section."""
     found = []
     for number, column in enumerate(core.table("columns")[section], 1):
         name = f"*{column['name']}*"
@@ -28,7 +28,7 @@ def rows(section: str, numbered: bool) -> list[tuple[str, str]]:
 
 
 class ColumnTable(SphinxDirective):
-    """The option `numbered` puts the place in a vector before each name."""
+    """Table of columns. The option `numbered` puts the place in a vector before each name."""
 
     required_arguments = 1
     option_spec = {"numbered": lambda argument: True}
@@ -41,7 +41,7 @@ class ColumnTable(SphinxDirective):
 
 
 def range_of(parameter: dict) -> str:
-    """ "> 0", "0 or more", "0 to 2"; empty for a word."""
+    """Range of a number as "> 0", "0 or more" or "0 to 2"; empty for a word."""
     if parameter["choices"]:
         return ""
     if parameter["most"] is not None:
@@ -50,7 +50,7 @@ def range_of(parameter: dict) -> str:
 
 
 def keyword_rows(film: bool) -> list[tuple[str, str, str]]:
-    """(keyword and values, meaning with range, default)."""
+    """[(keyword and values, meaning with range, default), ...] of the contact law."""
     found, seen = [], set()
     for part in core.table("columns")["law"]:
         for keyword in part["keywords"]:
@@ -76,7 +76,7 @@ def keyword_rows(film: bool) -> list[tuple[str, str, str]]:
 
 
 def part_rows() -> list[tuple[str, ...]]:
-    """(part, when it is in the law, keywords, numbers kept by a contact, columns)."""
+    """[(part, condition for the part, keywords, numbers kept by a contact, columns), ...]."""
     return [
         (
             f"*{part['name']}*",
@@ -98,7 +98,7 @@ def table(widths: str, heads: tuple[str, ...], rows: list[tuple[str, ...]]) -> l
 
 
 class KeywordTable(SphinxDirective):
-    """Keywords of the contact law: of every pair style (dry), or of a lubricant only (film)."""
+    """Keywords of the contact law: for every pair style (dry), or only for a lubricant (film)."""
 
     required_arguments = 1
 

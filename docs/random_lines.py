@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Random lines of pages, comments and messages, to be judged by a reader.
+"""Draws random lines of pages, comments and messages, to be judged by a reader.
 
 ``python docs/random_lines.py --seed 1 --lines 40`` prints them with file and line number.
 ``docs/notes/language.rst`` has the verdicts.
@@ -19,7 +19,7 @@ MESSAGE = re.compile(r'"([^"\n]*\s[^"\n]*\s[^"\n]*)"')
 
 
 def prose(text):
-    """(line number, text) of the lines of a page that are neither literal blocks nor directives."""
+    """(line number, text) of the lines of a page that belong to no literal block or directive."""
     literal = None
     for number, line in enumerate(text.splitlines(), 1):
         indent = len(line) - len(line.lstrip())

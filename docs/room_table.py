@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sphinx: `.. rooms::`, the folders of src-package as the sources are now: contents, files, floors,
-and the longest chain of includes (tests/include_graph.py)."""
+"""Sphinx: `.. rooms::`, the folders of src-package with contents, files and floors, and the longest
+chain of includes, from the present sources (tests/include_graph.py)."""
 
 import sys
 from pathlib import Path
@@ -11,7 +11,7 @@ from sphinx.util.docutils import SphinxDirective
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "tests"))
-import include_graph  # noqa: E402  it is among the tests, not in a package
+import include_graph  # noqa: E402  it belongs to the tests, not to a package
 
 
 class RoomTable(SphinxDirective):

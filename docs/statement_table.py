@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Sphinx: `.. paper-statements::`, the statements of the paper with their verdicts, from the table
-that `raceway paper` judges by."""
+that `raceway paper` uses."""
 
 import re
 from collections import Counter
@@ -51,7 +51,7 @@ class StatementTable(SphinxDirective):
             + count(one.found[0] for one in all_of_them)
             + ". From the formulas as printed "
             + count(one.found[one.found[1] != SAME] for one in all_of_them)
-            + f". With all of the capacitance {len(whole)} are judged anew: "
+            + f". With all of the capacitance {len(whole)} statements are judged again: "
             + count(one[2] for one in whole)
             + "; with plates alone "
             + count(one[0] for one in whole)

@@ -31,12 +31,12 @@ def films(capacitance, time=None, thickness=200e-9, conductance=0.0, roughness=0
 
 
 def steady(inner, outer, n=3, **more):
-    """`n` points with the same capacitances (Z,), F."""
+    """Films at `n` points with the same capacitances (Z,), F."""
     return films(np.tile([inner, outer], (n, 1, 1)), **more)
 
 
 def turning(n=201, z=7, thickness=(80e-9, 140e-9), seed=3, **more):
-    """Films of balls that pass through a load zone: all capacitances and thicknesses differ and
+    """Films of balls that pass through a load zone; all capacitances and thicknesses differ and
     vary."""
     rng = np.random.default_rng(seed)
     angle = 2 * np.pi * (np.arange(z) / z + np.linspace(0, 1.3, n)[:, None])[:, None]

@@ -4,8 +4,8 @@
     python3 tests/debian_lammps.py
 
 builds build/own/lammps/src/lmp_mpi, a shared library with PLUGIN, and
-build/own/package/src/lmp_raceway, with Raceway as a package. Existing files are neither
-fetched nor built again (the first build takes about 10 minutes for each).
+build/own/package/src/lmp_raceway, with Raceway as a package. Existing files are neither fetched nor
+built again (the first build of each program takes about 10 minutes).
 """
 
 import json
@@ -15,7 +15,7 @@ from debian_tree import ROOT, run, source_tree, unpacked
 
 OWN = ROOT / "build" / "own"
 INSTALLER = ROOT / "src-package" / "host" / "lammps_tree.py"
-# compiles faster than with the hosts' own flags
+# flags that compile faster than the hosts' flags
 FLAGS = "-O1 -w -fno-math-errno -fno-trapping-math -ffp-contract=off"
 COMPILER = ("CC=mpicxx.openmpi", "LINK=mpicxx.openmpi", "LINKFLAGS=")
 

@@ -4,11 +4,11 @@ build/tree/lmp_raceway.
 
     python3 tests/debian_tree.py
 
-apt runs with a private configuration under build/source: its own sources, derived from those of
-the machine, and its own folders; it does not change the user's apt. Existing files are neither
+apt runs with a private configuration under build/source, with separate folders and with sources
+derived from the machine's sources; it does not change the user's apt. Existing files are neither
 fetched nor built again. The build is unoptimised, which takes a fraction of the compile time. For
-the host's sources the headers that most of them include are precompiled; for Raceway's they are
-not, so each of these still has to include what it needs.
+the host's sources the headers that most of them include are precompiled. For Raceway's sources they
+are not, so each Raceway source still has to include what it needs.
 """
 
 import json
@@ -26,8 +26,8 @@ import source_tree  # noqa: E402
 
 CC, HEADER = "mpicxx.openmpi", TREE / "host.h"
 HOST, OWN = f"-O0 -include {HEADER}", "-O0 -DRACEWAY_ONE_TARGET"
-# if a macro tested in this text was not set, the compiler rejects the precompiled file: Raceway's
-# sources then read the text, which is empty for them
+# Raceway's sources set a macro that was not set for the precompiled file, so the compiler rejects
+# this file for them and reads the text, which is empty for them
 COMMON = """#ifndef RACEWAY_ONE_TARGET
 #include <mpi.h>
 #include <cmath>

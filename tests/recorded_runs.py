@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Decks with a record, for the tests."""
+"""Decks with a record, for tests."""
 
 from host import ROOT
 

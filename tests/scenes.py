@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Short runs of decks of docs/decks and of the main deck: scenes that every reader must handle."""
+"""Short runs of decks of docs/decks and of the main deck, with scenes that every reader must
+handle."""
 
 from host import ROOT, succeed
 
@@ -17,7 +18,7 @@ RING = {"cage": "ring", "models": "full", "record": "all"}
 
 
 def _turning(inner, outer):
-    """in.spall with other ring speeds, in rad/s."""
+    """Changes of in.spall for other ring speeds, in rad/s."""
     return [(old, new.format(inner, outer) if "{0}" in new else new) for old, new in TURNING]
 
 

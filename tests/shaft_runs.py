@@ -42,9 +42,10 @@ def rows_of(folder):
 
 
 def frequencies_of(signals, step, count):
-    """Frequencies in Hz, rising, of `count` free vibrations in signals (channels, samples): a
-    linear map from each instant to the next, from delayed copies. A real vibration has two
-    frequencies, one of them negative; for x + i y the negative ones whirl backward."""
+    """Frequencies in Hz, in ascending order, of `count` free vibrations in signals (channels,
+    samples), from a linear map of each instant to the next, fitted to delayed copies. A real
+    vibration has two frequencies, one of them negative; for x + i y negative frequencies whirl
+    backward."""
     copies, length = 12, signals.shape[1]
     signals = signals - signals.mean(axis=1, keepdims=True)
     delayed = np.vstack([signals[:, k : length - copies + k] for k in range(copies)])
@@ -62,13 +63,13 @@ def rings_follow(folder):
         ring = {name: record[f"ring_{name}"].values[:, inner] for name in names}
         time = record["time"].values
     slope = (ring["vx"][2:] - ring["vx"][:-2]) / (time[2:] - time[:-2])[:, None]
-    # velocities are linear within an internal step, and each sample has its own
+    # velocities are linear within an internal step, and each sample has a step of its own
     apart = np.median(np.abs(ring["ax"][1:-1] - slope), axis=0)
     assert slope.shape[1] == 2 and np.all(apart < 2e-2 * np.abs(slope).max(axis=0))
     return ring
 
 
-# words common to runs on several ranks and hosts: everything moves
+# variables common to runs on several ranks and hosts: everything moves
 BITS = dict(
     cage=1,
     speed=200,
@@ -79,7 +80,7 @@ BITS = dict(
     skin=4e-4,
     control="tolerance 1e-8",
 )
-# labels of the energy balance
+# variables of runs with an energy balance
 ENERGY = dict(
     control="tolerance 1e-10 largest 2e-6 energy yes",
     clearance=1e-5,
@@ -93,7 +94,7 @@ WITHIN = dict(
 )
 
 
-# a box with two bearings along x, and no fix that moves them
+# a box with two bearings along x, without a fix that moves them
 SMALL = """
 units si
 atom_style sphere

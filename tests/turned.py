@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The record of a run as the same scene would produce it at another pose in the lab."""
+"""Turns the record of a run into the record of the same scene in another pose in the lab."""
 
 import re
 import shutil
@@ -18,17 +18,17 @@ VECTORS = [
 
 
 def own_frame(pose):
-    """The `Pose` in the bearing's frame (its axis is z) of a `Pose` in the lab."""
+    """The `Pose` in the bearing's frame (its axis is z) for a `Pose` in the lab."""
     return Pose(tuple((lab - pose.axis - 1) % 3 for lab in pose.axes), pose.signs)
 
 
 def wrapped(angle):
-    """Between -pi and pi."""
+    """`angle` between -pi and pi."""
     return np.mod(angle + np.pi, 2 * np.pi) - np.pi
 
 
 def write(source, folder, pose):
-    """Write the run in `source`, whose axis is z, to `folder` in a `Pose`; without checksums."""
+    """Write the run in `source`, whose axis is z, to `folder` in a `Pose`, without checksums."""
     folder.mkdir(parents=True)
     text = (source / "run.yaml").read_text()
     text = re.sub("load_azimuth_rad: .*\n", "", text)  # the record has it
@@ -79,7 +79,7 @@ def _turned(old, pose):
     for name in ABOUT_AXIS & set(old.variables):
         values[name] = pose.sense * old[name][...]
     inside = own_frame(pose)
-    for k in (0, 1):  # tilts are about the two axes after the bearing's
+    for k in (0, 1):  # tilts are about the two axes that follow the bearing's axis
         own = inside.axes.index(k)
         values[f"ring_tilt_{k + 1}"] = (
             inside.hand * inside.signs[own] * old[f"ring_tilt_{own + 1}"][...]

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Runs `raceway` and Python blocks in forks of a process that has imported numpy, scipy, pandas,
-xarray and matplotlib. A fresh Python spends one to two seconds on that, most examples less."""
+xarray and matplotlib. A fresh Python spends one to two seconds on these imports; most examples take
+less."""
 
 import multiprocessing
 import os
@@ -16,7 +17,7 @@ PRELOAD = (
     *("raceway.cli", "scipy.io", "scipy.optimize", "scipy.signal", "scipy.special", "scipy.stats"),
     *("pandas", "xarray", "matplotlib.pyplot"),
 )
-# what only a shell can run, and what changes the shell for later commands
+# commands that only a shell can run, and commands that change the shell for later commands
 SHELL = re.compile(r"[|&;<>$*?`()#\\]|^(cd|export) ", re.MULTILINE)
 CONTEXT = multiprocessing.get_context("forkserver")
 CONTEXT.set_forkserver_preload(list(PRELOAD))

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cost of a step of this tree against that of another revision.
+"""Cost of a step of this tree compared with another revision.
 
     python3 tests/bench/against.py REVISION|FOLDER [--rounds 9] [--out PAGE]
 
 REVISION is a git revision, which is built in a temporary worktree; FOLDER is the root of a tree
-that is already built. Each tree runs its own decks with its own program. The two alternate in which
-goes first, and ratios are formed within a round. The cost is the user processor time of the steps:
-the time of a run minus the time of a run with a tenth of the steps.
+that is already built. Each tree runs its own decks with its own program. The two trees take turns
+in going first, and ratios are formed within a round. The cost is the user processor time of the
+steps: the time of a run minus the time of a run with a tenth of the steps.
 Where the kernel counts instructions (`perf stat`), their ratio is given as well; it does not depend
 on the machine's load.
 
@@ -52,7 +52,7 @@ def parsed(arguments):
 
 @contextlib.contextmanager
 def built(other):
-    """Root of the tree to compare this one with."""
+    """Root of the tree with which this tree is compared."""
     if Path(other).is_dir():
         yield Path(other).resolve()
         return
@@ -88,7 +88,7 @@ def spent(tree, deck, variables, steps, instructions):
 
 
 def program(tree, deck, variables, instructions):
-    """(user seconds, instructions or None) of a run of a tree's LIGGGHTS, in that tree."""
+    """(user seconds, instructions or None) of a run of a tree's LIGGGHTS in the tree."""
     words = [str(tree / "build/liggghts"), "-in", str(deck), "-log", "none"]
     for name, value in variables.items():
         words += ["-var", name, str(value)]
@@ -106,7 +106,7 @@ def program(tree, deck, variables, instructions):
 
 
 def cost(tree, scene, instructions):
-    """The same for the last nine tenths of the steps, without the start of the run."""
+    """(seconds, instructions or None) of the last nine tenths of the steps, without the start."""
     _, (deck, steps), variables = scene
     long = spent(tree, deck, variables, steps, instructions)
     short = spent(tree, deck, variables, steps // 10, instructions)
@@ -135,7 +135,7 @@ def spread(values):
 def page(name, found, rounds):
     here = git("rev-parse", "--short", "HEAD")
     lines = [
-        f"Cost of a step of {here} over that of {name}, {date.today()}; {rounds} rounds.",
+        f"Cost of a step of {here} over cost of a step of {name}, {date.today()}; {rounds} rounds.",
         "Median (range) of the ratios within a round. Above 1: this tree is slower.",
         "",
         f"{'scene':44} {'user seconds':28} instructions",

@@ -4,7 +4,7 @@ an equal axial load if the balls have a contact angle. Compares the largest ball
 
     .venv/bin/python tests/bench/all_bearings.py [NAME ...]
 
-Takes a few minutes. Exit code 1 when a bearing fails or deviates by more than `WITHIN`.
+Takes a few minutes. Exit code 1 if a bearing fails or deviates by more than `WITHIN`.
 """
 
 import subprocess
@@ -39,7 +39,7 @@ def run(name, load, axial, out):
 
 
 def expected(path, load, axial):
-    """The same by statics, N."""
+    """Largest inner contact load (N) over a ball pass according to statics."""
     bearing = inputs.bearing(path)
     rest = partial(static.equilibrium, bearing, load, axial, finite_shift=True)
     return max(

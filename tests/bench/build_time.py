@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""CPU seconds of `make TARGET` in a clean clone: this commit relative to another one.
+"""CPU seconds of `make TARGET` in a clean clone of this commit, relative to another commit.
 
     .venv/bin/python tests/bench/build_time.py REV [--targets run,build] [--rounds 3]
 
-Every measurement is a clean clone without compiler cache. The two revisions take turns, so that a
-drift of the machine affects both. Run `make test` first: it installs the missing Debian packages
+Every measurement uses a clean clone without compiler cache. The two revisions take turns, so that
+a drift of the machine affects both. Run `make test` first: it installs the missing Debian packages
 and fills pip's cache. The script also counts the objects that are rebuilt when one part of the
 contact law changes. Uncommitted changes are not measured.
 """
@@ -24,7 +24,7 @@ PART = "core/parts/part_drag.h"
 
 
 def environment():
-    """The environment of this process, without a compiler cache and without a tree's own Python."""
+    """The environment of this process, without compiler cache and without the Python of a tree."""
     kept = {k: v for k, v in os.environ.items() if not k.startswith(("CCACHE", "MAKE", "VIRTUAL"))}
     paths = [p for p in kept["PATH"].split(os.pathsep) if "ccache" not in p and ".venv" not in p]
     return {**kept, "CCACHE_DISABLE": "1", "PATH": os.pathsep.join(paths)}
@@ -55,7 +55,7 @@ def build(revision, target, folder):
 
 
 def made_again(folder):
-    """Number of objects that an edit of `PART` rebuilds in a built clone: those that include it."""
+    """Number of objects that are rebuilt in a built clone after an edit of `PART`."""
     seen = (folder / "build").rglob("*.d")
     return sum(PART in path.read_text() for path in seen)
 
@@ -90,7 +90,7 @@ def main():
         ratios = [a[0] / b[0] for a, b in zip(found[head], found[other])]
         walls = {name: statistics.median(w for _, w in of) for name, of in found.items()}
         print(
-            f"make {target}: {head} takes {statistics.median(ratios):.2f} of the CPU seconds of"
+            f"make {target}: {head} takes {statistics.median(ratios):.2f} times the CPU seconds of"
             f" {other} (median of {len(ratios)}, {min(ratios):.2f} to {max(ratios):.2f});"
             f" {walls[head]:.0f} and {walls[other]:.0f} s of wall time"
         )

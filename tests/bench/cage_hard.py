@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A one-piece cage in conditions in which cages fail, under both integrators: largest and mean
+"""A one-piece cage in conditions under which cages fail, with both integrators: largest and mean
 pocket force, cage speed and torque; writes build/bench/cage_hard.rst.
 
     .venv/bin/python tests/bench/cage_hard.py [--print] [--slow] [--only WORD]
 
-A 6208 under gravity in four directions, on housings of 20 to 300 Hz, in a run-up, a reversal and a
-shock of 20 kN; a 7208B under moments. `--slow` adds 1 rad/s. A ball that leaves its pocket, or a
-step too large for velocity Verlet, ends the bench. Exit code 1 if
-means of both integrators differ by more than 2 % and by more than three standard errors.
+A 6208 under gravity in four directions, on housings with natural frequencies of 20 to 300 Hz, in a
+run-up, a reversal and a shock of 20 kN; a 7208B under moments. `--slow` adds a speed of 1 rad/s. A
+ball that leaves its pocket, or a step too large for velocity Verlet, ends the bench. Exit code 1 if
+the means of the two integrators differ by more than 2 % and by more than three standard errors.
 """
 
 import os
@@ -29,11 +29,11 @@ TARGET = bench_file("cage_hard.rst")
 DECK = "tests/scenarios/in.cage_ring"
 ORBIT = (1 - 6.3e-3 / ((24.0e-3 + 36.605e-3) / 2)) / 2  # cage speed over shaft speed
 WORDS = dict(words="friction 0.1 wall 1e6 planar yes")
-SAMPLES, PARTS = 6000, 12  # per run; parts whose means give the standard error
-# s, steps of velocity Verlet; friction of slow or heavily loaded balls is stiffer
+SAMPLES, PARTS = 6000, 12  # of a run; the means of its parts give the standard error
+# steps of velocity Verlet, s; the friction of slow or heavily loaded balls is stiffer
 VERLET, FINE, FINEST = 4e-7, 1e-7, 3e-8
 REVERSAL = "reversal, 300 to -300 rad/s"
-# friction near rest makes velocity Verlet take hours
+# velocity Verlet would take hours because of friction near rest
 ALONE = (REVERSAL, "1 rad/s")
 DOWN = dict(weight=9.81, fall="0 -1 0")
 
@@ -88,7 +88,7 @@ def scene(folder, case, integrator):
 
 
 def moments(folder, integrator):
-    """The same of a 7208B under 3.5 and 5 kN and 25 and 15 N m at 1500 rpm."""
+    """The results of `scene`, for a 7208B under 3.5 and 5 kN, 25 and 15 N m at 1500 rpm."""
     out = folder / f"7208B.{integrator}"
     loads = dict(load=3500, axial=5000, moment_x=25, moment_y=15, rpm=1500)
     own = dict(bearing="7208B", cage="ring", models="full", settle=2, passes=4)

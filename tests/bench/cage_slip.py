@@ -4,11 +4,11 @@
     .venv/bin/python tests/bench/cage_slip.py [--print]
 
 Measured: slip from the ball pass frequency of the outer race of MFPT's bearing (NICE, 8 balls), and
-medians of the envelope's lines of Paderborn's 6203. Clearance, conformity, oil, play and guidance
-of both are not published, nor are the directions of their loads relative to gravity: each column is
-one play and one position of the cage. Exit code 1 unless the slip of the centred cage falls by at
-least 0.2 % from 111 to 1334 N and is within 0.2 % of MFPT's up to 890 N, and the order of the cage
-of a bearing whose balls are all loaded stays the same.
+medians of the envelope's lines of Paderborn's 6203. For neither bearing are clearance, conformity,
+oil, play and guidance published, nor the direction of its load relative to gravity: each column
+assumes one play and one position of the cage. Exit code 1 unless the slip of the centred cage falls
+by at least 0.2 % from 111 to 1334 N and is within 0.2 % of MFPT's slip up to 890 N, and the order
+of the cage stays the same in a bearing whose balls are all loaded.
 """
 
 import itertools
@@ -28,7 +28,7 @@ from raceway.runs.run import Run  # noqa: E402
 TARGET = bench_file("cage_slip.rst")
 DECK = ROOT / "inputs" / "in.6208"
 WEIGHT = "fix weight all gravity 9.81 vector 0 ${down} 0\n"
-# play over the ball's diameter, and what determines the position of the cage
+# play divided by the ball's diameter, what determines the position of the cage, sign of the weight
 HELD = "held in the middle"
 COLUMNS = {
     "0.02 D, held": (0.02, HELD, 0),
@@ -37,18 +37,18 @@ COLUMNS = {
     "0.02 D, on balls, weight along the load": (0.02, "balls", -1),
     "0.02 D, on balls, weight against it": (0.02, "balls", 1),
 }
-# balls, ball and pitch diameter (m), conformities inner and outer, diametral clearance (m)
+# balls, ball and pitch diameter (m), inner and outer conformity, diametral clearance (m)
 MFPT = (8, 5.969e-3, 31.62e-3, 0.515, 0.53, 15e-6)
 SKF_6203 = (8, 6.75e-3, 28.5e-3, 0.52, 0.53, 5e-6)
 SKF_6205 = (9, 7.94e-3, 39.04e-3, 0.515, 0.53, 8e-6)
-# N and slip in % of the measured outer-race series
+# {load in N: slip in %} of the measured outer-race series
 MEASURED = {111: 0.60, 222: 0.48, 445: 0.45, 667: 0.46, 890: 0.28, 1112: 0.05, 1334: -0.22}
 PADERBORN = {400: 0.16, 1000: 0.05}
 PASSES = 48  # six turns of the cage
 
 
 def bearing(folder, balls, ball, pitch, inner, outer):
-    """A bearing data file: the 6208's with these values replaced."""
+    """Path of a bearing data file: the file of the 6208 with these values replaced."""
     own = dict(
         balls=balls,
         ball_diameter=ball,
@@ -98,7 +98,7 @@ def run(folder, data, out, *, down=0, **variables):
 
 
 def slip(folder, data, load, rpm, number, share, place, down):
-    """%"""
+    """Slip of the cage in %."""
     words = {}
     if place == HELD:  # by a land without a film
         land = data[2] / 2 + 0.28 * data[1]

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Error of the closed form of a contact's total capacitance against numerical integrals, over
+"""Error of the closed form of a contact's total capacitance, compared with numerical integrals, for
 sizes, conformities, raceways, loads and films; writes build/bench/capacitance_error.rst.
 
     .venv/bin/python tests/bench/capacitance_error.py [--print]     --print: leave the page alone
 
-Exit code 1 when a row exceeds the stated error.
+Exit code 1 if a row exceeds the stated error.
 """
 
 import sys
@@ -39,7 +39,7 @@ same separations.
 * *parabola*: the integral that the closed form approximates, over a parabola of the same
   half-width.
 * *rigid*: the gap without load, compared with the arc.
-* *play*: the same with 5, 10 and 20 µm of play.
+* *play*: the gap without load, with 5, 10 and 20 µm of play, compared with the arc.
 * *left out*: loads under which the contact reaches the shoulder and is no longer an ellipse
   (:doc:`../scope`).
 

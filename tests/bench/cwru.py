@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Nine set-ups of the motor bearing of Case Western Reserve University (cwru/lines.csv): the
-clearance that gives the line at the first speed under one thrust, the lines it predicts at the
-other speeds, a run with it, and the clearances under other thrusts. Writes build/bench/cwru.rst and
-docs/images/cwru.png.
+clearance that gives the line at the first speed under one thrust, the lines that it predicts at the
+other speeds, a run with this clearance, and the clearances for other thrusts. Writes
+build/bench/cwru.rst and docs/images/cwru.png.
 
     .venv/bin/python tests/bench/cwru.py [--no-runs]
 """
@@ -28,7 +28,7 @@ ROOT = Path(__file__).resolve().parents[2]
 INPUTS = ROOT / "inputs"
 TABLE = Path(__file__).with_suffix("") / "lines.csv"
 PAGE, PICTURE = ROOT / "build/bench/cwru.rst", ROOT / "docs/images/cwru.png"
-THRUST, LOAD, OIL, TEMPERATURE = 30.0, 10.0, "vg68", 40.0  # N, N, C: not known for that motor
+THRUST, LOAD, OIL, TEMPERATURE = 30.0, 10.0, "vg68", 40.0  # N, N, -, C; not known for this motor
 THRUSTS = np.array([20.0, 25.0, 30.0, 40.0, 50.0])
 CLEARANCES = -5e-6, 20e-6  # m, range
 WITHIN = 2e-4  # of the orders
@@ -62,7 +62,7 @@ def readings(setup, speeds, unknown, axial=THRUST):
 
 
 def clearance(setup, axial=THRUST):
-    """`identify.Value` of the clearance from the first speed alone, and its state."""
+    """`identify.Value` of the clearance from the first speed alone, and the state identified."""
     first = next(iter(setup.orders))
     found = identify.identify(readings(setup, [first], {"clearance": CLEARANCES}, axial))
     return found.values["clearance"], found.state
@@ -74,7 +74,7 @@ def predicted(setup, state):
 
 
 def of_a_run(setup, play, folder):
-    """Order of the line, from the cage speed of a run at the first speed."""
+    """Order of the line according to the cage speed of a run at the first speed."""
     words = dict(
         bearing="6205", lubricant=OIL, models="full", rpm=next(iter(setup.orders)), load=LOAD,
         axial=THRUST, clearance=play, passes=10, settle=20, record="summary", out=folder,
@@ -91,7 +91,7 @@ def of_a_run(setup, play, folder):
 
 
 def picture(found, ridges):
-    """Measured minus predicted orders, and clearances over thrust."""
+    """Draw measured minus predicted orders, and clearances over thrust."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(11.5, 4.2), layout="constrained")
     for k, (setup, _, orders, _) in enumerate(found.values()):
         measured = np.array(list(setup.orders.values()))
@@ -108,7 +108,7 @@ def picture(found, ridges):
 
 def main(argv):
     found, ridges = {}, {}
-    head = ["set-up", "clearance, µm", "95 %", "largest error of the other speeds", "run"]
+    head = ["set-up", "clearance, µm", "95 %", "largest error at the other speeds", "run"]
     lines = [
         f"Thrust {THRUST:g} N, {LOAD:g} N radial, {OIL} at {TEMPERATURE:g} C",
         "",

@@ -61,7 +61,7 @@ def model(case):
         cageInitialAngularVelocity=[0, 0, orbit],
         ballsInitialAngularVelocity=[0, 0, orbit * (1 - OUTER / BALL)],
         springStiffnessCage=1e5,
-        springDampingCage=1e2,  # as in Exudyn's own test model; zero would omit the cage
+        springDampingCage=1e2,  # as in Exudyn's test model; zero would omit the cage
         contactParametersRingBalls={
             "contactStiffness": case["stiffness"],
             "contactDamping": case["damping"],
@@ -112,7 +112,7 @@ def run(case):
     settings.timeIntegration.endTime = end
     settings.timeIntegration.numberOfSteps = round(end / case["step"])
     settings.timeIntegration.newton.absoluteTolerance = (
-        1e-8  # these and the solver: its own bearing test model
+        1e-8  # these settings and the solver are those of Exudyn's bearing test model
     )
     settings.timeIntegration.newton.relativeTolerance = 1e-6
     settings.timeIntegration.newton.useModifiedNewton = True
@@ -142,6 +142,6 @@ def run(case):
 
 
 if __name__ == "__main__":
-    # old names of settings, which Exudyn's own examples still use
+    # old names of settings, which Exudyn's examples still use
     warnings.simplefilter("ignore", DeprecationWarning)
     print(json.dumps(run(json.loads(sys.argv[1]))))

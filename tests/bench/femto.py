@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Temperatures of the bearing of the PRONOSTIA rig (FEMTO) at 1800 rpm and 4 kN: three housing
-parameters fitted to three runs, error of time jumps against full integration, and a cold start of
-ten minutes with the main deck. Writes build/bench/femto.rst.
+parameters fitted to three runs, error of time jumps compared with full integration, and a cold
+start of ten minutes with the main deck. Writes build/bench/femto.rst.
 
 Losses and contact conductances come from statics with the models `full`; heat capacities of
 rings and balls follow from their dimensions. The warm runs start with the housing at ambient
@@ -48,7 +48,7 @@ class Losses(NamedTuple):
 
 
 def measured():
-    """{run: (minutes, C)}."""
+    """{run: (minutes, temperatures in C)}."""
     lines = (HERE / "measured.csv").read_text().splitlines()
     rows = list(csv.reader(line for line in lines if not line.startswith("#")))
     minutes = np.array(rows[0][1:], float)
@@ -74,7 +74,7 @@ def losses():
 
 
 def capacities():
-    """J/K of inner ring, balls and outer ring."""
+    """Heat capacities (J/K) of inner ring, balls and outer ring."""
     bearing, steel = inputs.bearing(HERE / "bearing"), laws.steel_of_bearings()
     depth = 0.18 * bearing.ball_diameter
     rings = [
@@ -117,7 +117,7 @@ def integrated(table, start, minutes, seat, housing, capacity):
 
 
 def jumps(table, start, until, change, housing_of):
-    """The same with jumps: seconds, C (N, 4) and the number of ball passes that were simulated."""
+    """Times (s) and temperatures (C) (N, 4) with jumps, and the number of simulated ball passes."""
     control = dict(
         change=change, error=0.5, until=until, steady=0.05, hottest=200.0, share=0.2, both_ends=1.0
     )
@@ -139,7 +139,7 @@ def jumps(table, start, until, change, housing_of):
 
 
 def fit(table):
-    """Housing parameters, and the largest deviation from the three runs in K."""
+    """Housing parameters, and the largest deviation (K) from the measurements of three runs."""
     runs = measured()
 
     def missing(logs):
@@ -161,7 +161,7 @@ def fit(table):
 
 
 def error_of_jumps(table, of, change):
-    """Largest error in K over a cold start of four hours, and the ball passes it took."""
+    """Largest error (K) in a cold start of four hours, and the number of simulated ball passes."""
     start = measured()["cold start"][1][0]
     rows, passes = jumps(table, start, 60 * LAST, change, of)
     keep = np.flatnonzero(np.diff(rows[:, 0], prepend=-1.0))
@@ -188,7 +188,7 @@ def cold_start(of, folder, until=600.0, change=2.0):
 
 
 def picture(table, of):
-    """Measured temperatures beside the outer ring, and those of the fit."""
+    """Plot temperatures beside the outer ring, measured and fitted."""
     figure, axes = plt.subplots(figsize=(7, 4), layout="constrained")
     minutes = np.linspace(0, LAST, 200)
     for k, (name, (read, seen)) in enumerate(measured().items()):
@@ -211,7 +211,7 @@ def main():
         f" {own[2]:.2f} J/K.",
         f"Fitted: outer ring to housing {of['seat']:.3f} W/K, housing to ambient"
         f" {of['housing']:.3f} W/K, housing {of['capacity']:.0f} J/K. Largest deviation from the"
-        f" {FIRST:g} to {LAST:g} min of three runs: {worst:.2f} K.",
+        f" measurements of three runs between {FIRST:g} and {LAST:g} min: {worst:.2f} K.",
         "",
     ]
     for name, (minutes, seen) in measured().items():
@@ -230,7 +230,7 @@ def main():
     balance = float(last["booked"] - last["carried"] - last["stored"]) / float(last["booked"])
     outer = float(last["temperature_outer"])
     more = [
-        f"Cold start of {thermal:g} s within a run of {run:.3f} s (1/{thermal / run:.0f} of that):"
+        f"Cold start of {thermal:g} s in a run of {run:.3f} s (1/{thermal / run:.0f} of that time):"
         f" outer ring {outer:.2f} C, with the losses of statics"
         f" {integrated(table, measured()['cold start'][1][0], [0, 10], **of)[-1, 2]:.2f} C,"
         f" measured {measured()['cold start'][1][1]:g} C; losses {float(last['power']):.2f} W;"

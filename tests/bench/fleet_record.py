@@ -4,9 +4,9 @@
     .venv/bin/python tests/bench/fleet_record.py [rounds]
 
 A run of in.many with a record of all contacts at several instants of every host step takes turns
-with the same run without output; the page has ratios of their costs. The cost of a run is that of
-its last 90 %: the cost of a run with a tenth of the steps is subtracted. Each record is opened: it
-must have the requested number of samples, and the other run must have no record.
+with the same run without output; the page has ratios of their costs. The cost of a run is the cost
+of its last 90 %: the cost of a run with a tenth of the steps is subtracted. Each record is opened:
+it must have the requested number of samples, and the run without output must have no record.
 """
 
 import sys
@@ -56,13 +56,13 @@ def run(folder, bearings, models, steps, recorded, instructions):
         sys.exit(f"{out}: a record {'is missing' if recorded else 'was written'}")
     if recorded:
         found = raceway.open(out).select(1).bearing.sizes["time"]
-        if found != WITHIN * steps + 1:  # one more at the start
+        if found != WITHIN * steps + 1:  # one more sample at the start
             sys.exit(f"{out} has {found} samples, not {WITHIN * steps + 1}")
     return cost
 
 
 def ratios(folder, bearings, models, rounds, instructions):
-    """Cost with over without a record: ([ratio of seconds, ...], [ratio of instructions, ...])"""
+    """Cost with a record over cost without: ([ratio of seconds, ...], [of instructions, ...])"""
     found = ([], [])
     steps = STEPS[bearings]
     for n in range(rounds):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs with hidden clearance, loads and oil temperature: how often the true values lie inside the
-95 % intervals of `identify`. Writes build/bench/identify.rst.
+"""Counts how often true values lie inside the 95 % intervals of `identify`, in runs whose
+clearance, loads and oil temperature it is not given. Writes build/bench/identify.rst.
 
-`identify` sees the readings of one of two sets, each with a random error of one standard deviation:
+`identify` gets the readings of one of two sets, each with a normally distributed random error:
 cage speed and capacitance at three operating points, or four lines at one point (every second time
 with load and oil temperature given). `identify.py N` runs N states of each set (default 30).
 """
@@ -27,14 +27,14 @@ RANGES = {
     "load": (5.0, 300.0),
     "temperature": (25.0, 90.0),
 }
-# standard deviations of the cage's line (absolute), the capacitance and a line (relative)
+# standard deviations of the cage's line (absolute), of the capacitance and of a line (relative)
 ORDER, CAPACITANCE, LINE = 1e-4, 0.01, 2e-4
 WANTED = 0.9  # ranges of the states
 LUBRICANT = "vg100"
 
 
 def drawn(random, least):
-    """A state with all balls loaded; `least` is the smallest ratio of radial load and thrust."""
+    """A state with all balls loaded; `least` is the smallest ratio of radial load to thrust."""
     axial = float(np.exp(random.uniform(np.log(60), np.log(350))))
     return {
         "clearance": random.uniform(1e-6, 14e-6),

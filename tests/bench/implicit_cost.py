@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cost of a step of fix bearing/implicit: feature by feature, part by part, and against the number
-of balls; writes build/bench/implicit_cost.rst.
+"""Cost of a step of fix bearing/implicit by feature, by part and by number of balls; writes
+build/bench/implicit_cost.rst.
 
 All scenes take turns in every round; ratios and differences are formed within a round. Medians and
 the range of the rounds are reported. The parts of a step come from `perf record` (Debian's
-linux-perf) where that is installed.
+linux-perf) if it is installed.
 """
 
 import re
@@ -104,8 +104,8 @@ def measure(name, variables):
 
 
 def wide(balls):
-    """Variables of a bearing with 9 k balls on a pitch circle k times that of a 6208, with the
-    same contact loads."""
+    """Variables of a bearing with 9 k balls on a pitch circle k times as large as in a 6208, with
+    the same contact loads."""
     k = balls / 9
     pitch = 30.3e-3 * k
     cage = 2 * (2 * pitch * sin(pi / (2 * balls)) - 6.3e-3) - 33e-6
@@ -121,7 +121,7 @@ def wide(balls):
 
 
 def profile():
-    """Share of each part in a step with everything on, or None without perf."""
+    """Share of each part in the cost of a step with everything on; None without perf."""
     if not shutil.which("perf"):
         return None
     with tempfile.TemporaryDirectory() as folder:
@@ -223,8 +223,8 @@ medians, with the range of the rounds in brackets.
     if shares:
         lines += [
             (
-                "Everything is on, with order 2 and the capacitance at 10 instants per step. The"
-                " share is the share of processor time in a long run (perf record)."
+                "Everything is on, with order 2 and the capacitance at 10 instants per step. A"
+                " share is a part of the processor time of a long run (perf record)."
             ),
             "",
         ]
@@ -234,8 +234,8 @@ medians, with the range of the rounds in brackets.
     else:
         lines += ["Not measured: perf is not installed here.", ""]
     lines += [
-        "With the number of balls",
-        "------------------------",
+        "Cost by number of balls",
+        "-----------------------",
         "",
         (
             "These bearings have a pitch circle, a load and a number of balls that are larger by"
@@ -271,7 +271,7 @@ medians, with the range of the rounds in brackets.
         ),
         *"""\
 The blocks of four balls, the chain of cage contacts and the coupling to the rings each take a time
-proportional to that number. Part of the host's step does not depend on it.
+proportional to the number of balls. Part of the host's step does not depend on it.
 """.splitlines(),
         "",
     ]

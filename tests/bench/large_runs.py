@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run larger than the memory it should need: simulates a 6208 until its record holds 2 GB, reads
-it in every way the package offers, and writes seconds and memory to build/bench/large_runs.rst.
+"""A run larger than the memory that reading it should need: simulates a 6208 until its record has
+2 GB, reads it in every way that the package offers, and writes seconds and memory to
+build/bench/large_runs.rst.
 
     .venv/bin/python tests/bench/large_runs.py [GIGABYTES [FOLDER]]
 
-A large enough run in FOLDER (default build/run/large) is reused, and a new one is kept there
-for that purpose. Exit code 1 when anything fails, needs 1 GB of memory, or takes longer than
-LONGEST.
+A large enough run in FOLDER (default build/run/large) is reused, and a new run is kept there for
+reuse. Exit code 1 if anything fails, needs 1 GB of memory, or takes longer than LONGEST.
 """
 
 import subprocess
@@ -21,7 +21,7 @@ ROOT = Path(__file__).resolve().parents[2]
 LIMIT = 1000  # MB
 FIGURES, LARGEST = "all figures (`raceway summary`)", "largest load of each ball"
 LONGEST = {FIGURES: 3.0, LARGEST: 1.0}  # s
-TASKS = {  # name: what is done with `run`, in a separate process
+TASKS = {  # name: statements about `run`, executed in a separate process
     "load the package only": "",
     FIGURES: "run.summary()",
     "bearing totals, every sample": "run.bearing",
@@ -49,7 +49,7 @@ TASKS = {  # name: what is done with `run`, in a separate process
 
 
 def run_deck(folder, passes):
-    """Run the main deck with its record into `folder`."""
+    """Run the main deck with a record in `folder`."""
     print(f"simulating {passes} ball passes into {folder}", flush=True)
     words = [ROOT / "build" / "liggghts", "-in", "inputs/in.6208", "-log", "none"]
     for name, value in {"passes": passes, "out": folder, "overwrite": "yes"}.items():
@@ -70,8 +70,8 @@ def passes_of(folder):
 
 
 def simulate(folder, size):
-    """Ball passes of the run in `folder`, made if missing; its length is estimated from a short
-    run."""
+    """Ball passes of the run in `folder`, which is made if missing, with a length estimated from a
+    short run."""
     record = folder / "record.nc"
     if not (passes_of(folder) and record.stat().st_size >= size):
         run_deck(folder, 4)

@@ -19,7 +19,7 @@ def bench_file(name):
 
 
 def yardstick(rounds=9):
-    """Seconds of the fixed work of yardstick.cpp: median, smallest and largest of `rounds`."""
+    """Seconds that the fixed work of yardstick.cpp takes: median, smallest, largest of `rounds`."""
     with tempfile.TemporaryDirectory() as folder:
         program = Path(folder) / "yardstick"
         subprocess.run(["g++", "-std=c++17", "-O2", YARDSTICK, "-o", program], check=True)
@@ -42,7 +42,7 @@ def csv_table(head, rows):
 
 
 def machine():
-    """Processor, compiler and host versions and the time of the yardstick, in one line each."""
+    """Lines with processor, versions of compiler and hosts, and the time of the yardstick."""
     cpu = re.search(r"model name\s*:\s*(.+)", Path("/proc/cpuinfo").read_text()).group(1)
     gcc = subprocess.run(
         ["g++", "--version"], capture_output=True, text=True, check=True

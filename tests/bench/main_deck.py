@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Speed and error of the main deck with its record: models, speeds, integrators; writes
+"""Speed and error of the main deck with its record, by models, speed and integrator; writes
 build/bench/main_deck.rst.
 
     .venv/bin/python tests/bench/main_deck.py [ROUNDS]
@@ -23,10 +23,10 @@ from machine import bench_file, machine
 MODELS = ("paper", "full")
 ASKED = {47.75: 250.0, 477.5: 30.0, 9549.0: 2.0}  # rpm: real-time factor
 REFERENCE = {"implicit": 1e-10, "damping": 1e-9}  # tolerance, m
-HIGH_SPEED = 9549.0  # rpm above which no row has damping, because its steps would be too short
+HIGH_SPEED = 9549.0  # rpm above which damping is left out, because its steps would be too short
 SAMPLES = 200  # per ball pass
 TIMED, COMPARED = 40, 4  # ball passes
-SETTLE = 4  # ball passes, of a run as of its reference: balls are then in equal places
+SETTLE = 4  # ball passes, for a run and for its reference: balls are then in equal places
 LEAST = 0.01  # share of the largest load; contacts below it are left out of the film's error
 HEADS = (
     "models",
@@ -50,12 +50,12 @@ The main deck: speed and error
 Written by ``tests/bench/main_deck.py`` (``make bench``), {today}.
 
 The main deck with its defaults, at 5 kN, with {samples} samples per ball pass. Speeds are
-real-time factors over {timed} ball passes, with the full record and without output, medians
+real-time factors over {timed} ball passes, with the full record and without output, as medians
 of {rounds} rounds. Times include writing all samples to the operating system.
 
 Errors are relative, over {compared} ball passes. The reference has a tolerance of 0.1 nm, also for
 cage balls, and 1 nm with *damping*. Loads are compared contact by contact, relative to the largest
-load. Films are compared for contacts with at least 1 % of the largest load, means over all
+load. Films are compared for contacts with at least 1 % of the largest load, and means over all
 {compared} ball passes. With ``full`` the motion of the cage is chaotic, so that only means repeat.
 
 .. list-table::
@@ -93,7 +93,7 @@ def integrators(rpm):
 
 
 def played(scene, folder, **more):
-    """Run it into `folder`."""
+    """Run a scene with its output in `folder`; return the folder."""
     run_deck(
         "inputs/in.6208",
         out=folder,
@@ -125,7 +125,7 @@ def recorded(folder):
 
 
 def errors(found, truth):
-    """Loads and films of one instant, then the means."""
+    """Errors of loads and films at single instants, then errors of the means."""
     largest = truth[0].max()
     both = (found[0] > LEAST * largest) & (truth[0] > LEAST * largest)
     return [
@@ -142,7 +142,7 @@ def listed(rows):
 
 
 def compared(scene, folder):
-    """Errors of a scene relative to itself at a fine tolerance."""
+    """Errors of a scene relative to the same scene with a fine tolerance."""
     fine = REFERENCE[scene.integrator]
     truth = recorded(played(scene, folder, passes=COMPARED, tolerance=fine, cage_tolerance=fine))
     return errors(recorded(played(scene, folder, passes=COMPARED)), truth)

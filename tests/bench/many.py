@@ -28,9 +28,8 @@ ENVIRONMENT = dict(
     OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
     OMPI_MCA_mpi_yield_when_idle="0",
 )
-# Host steps of the runs (one bearing, many), and the steps of the load ramp before them,
-# s.
-# 140: a ball pass
+# step in s, host steps of a run (of one bearing, of many bearings), duration of the load ramp
+# before it in s; 140 steps are a ball pass
 INTEGRATORS = {
     "verlet": {"step": 4e-7, "steps": (400_000, 1000), "settle": 4e-4},
     "implicit": {"step": 2.5e-4, "steps": (70_000, 140), "settle": 2e-2},
@@ -40,22 +39,22 @@ RANKS = (100, 1000, 10_000)
 FLEETS = (10_000, 100_000, 1_000_000)
 LATENCY, BANDWIDTH = 2e-6, 1e10  # s, bytes/s: a usual cluster network; not measured here
 PACK = (
-    # s, to pack and unpack a ghost; about the time of a copy from outside the cache, not measured
-    # here
+    # time to pack and unpack a ghost, s; about the time of a copy from outside the cache, not
+    # measured here
     20e-9
 )
 GHOST_BYTES = 72  # position, velocity, spin
 
 
 def run(ranks, steps, folder, **variables):
-    """Figures of one run of in.many: times (s) of all loops, per bearing-step and of the host's
-    part of it; memory (kB) and ghosts per rank."""
+    """Figures of one run of in.many: times (s) of all loops, of a bearing-step and of the host's
+    part of a bearing-step; memory (kB) and ghosts per rank."""
     implicit, settle = (
         variables["integrator"] == "implicit",
         INTEGRATORS[variables["integrator"]]["settle"],
     )
     deck = folder / "in.bench"
-    # the load is applied in a first run; the last one is timed
+    # the load is applied in a first run; the last run is timed
     deck.write_text(
         f"include inputs/in.many\nundump table\nrun {steps}\n"
         + ('variable made equal f_move[3]\nprint "internal steps ${made}"\n' if implicit else "")
@@ -118,7 +117,7 @@ def run(ranks, steps, folder, **variables):
 
 
 def state(ranks, folder, **variables):
-    """All bits of the last state of many different bearings."""
+    """The last state of many different bearings, to the last bit."""
     command = [ROOT / "build" / "liggghts", "-in", "tests/hosts/in.many_bits", "-log", "none"]
     for name, value in {"out": folder, **variables}.items():
         command += ["-var", name, value]
@@ -136,7 +135,8 @@ def state(ranks, folder, **variables):
     )
     if done.returncode:
         sys.exit(f"failed on {ranks} ranks:\n{done.stdout[-2000:]}")
-    # table rows, sorted by step: their order may depend on the number of ranks, their bits must not
+    # rows of tables, sorted by step: their order may depend on the number of ranks, but not their
+    # bits
     return (
         sorted((folder / "bearings.dump").read_text().splitlines()),
         (folder / "last.dump").read_text(),
@@ -172,7 +172,7 @@ def measure(rounds, folder):
 
 
 def set_up(folder):
-    """(bearings, wall seconds before the first step) for some numbers of bearings."""
+    """[(number of bearings, wall seconds before the first step), ...]"""
     import time
 
     rows = []
@@ -239,9 +239,10 @@ medians, with the range of the rounds in brackets. Ratios are formed within a ro
         "",
         *"""\
 *bearing-step*: wall time of the run divided by its steps and bearings. Steps of velocity Verlet
-are 0.4 µs. Internal steps of the implicit integrator are about 200 µs, with host steps of 250 µs
-and without output. *ratio*: many bearings in a box over a single one, both on one rank.
-*efficiency* of two ranks: time on one over twice the time on two.
+are 0.4 µs long. Internal steps of the implicit integrator are about 200 µs long, with host steps of
+250 µs and without output. *ratio*: bearing-step with many bearings in a box over bearing-step with
+a single bearing, both on one rank. *efficiency* of two ranks: time on one rank over twice the time
+on two.
 """.splitlines(),
         "",
     ]
@@ -290,7 +291,7 @@ bit by bit on 1, 2 and 4 ranks (4 on two cores):
         + ".",
         *"""\
 A ``create_bearing`` adds its atoms to the host's map, which is rebuilt every thousand atoms. It
-still searches the largest tag of its rank, which takes a nanosecond for every few atoms.
+still searches for the largest tag of its rank, which takes a nanosecond for every few atoms.
 
 Clusters: a model
 -----------------
@@ -358,13 +359,13 @@ directions.
         "",
         *"""\
 - Ranks get equal volumes. If bearings differ in cost (the implicit step refines some more
-  than others), the slowest rank sets the pace. A grid that does not divide evenly among ranks also
-  costs more.
+  than others), the slowest rank sets the pace. A grid that cannot be divided evenly among ranks
+  also costs more.
 - The model assumes that messages within a rank are free and that every bearing costs the same. A
   network shared with others is slower.
 - After every new neighbour list each rank sends every other rank the sizes of its messages, a few
-  bytes for each. With the implicit step that is every few host steps, with Verlet every few
-  thousand.
+  bytes for each rank. With the implicit step this happens every few host steps, with Verlet every
+  few thousand.
 - With the implicit step all ranks exchange lists of the rings that belong together: about 24 bytes
   per ring and rank that sees it. Above about 10\\ :sup:`5` bearings these lists, not the bearings,
   set the pace.

@@ -4,9 +4,9 @@ and its diagram.
 
     .venv/bin/python tests/bench/model_error.py
 
-Every set of models runs over a range of tolerances, measured as `raceway needs` does: against the
-full model with a fine integration. Its numerical error is relative to the same set integrated as
-finely.
+Every set of models runs with a range of tolerances. The total error is measured as `raceway needs`
+does, relative to the full model with a fine integration. The numerical error is relative to the
+same set of models with the same fine integration.
 """
 
 import sys
@@ -43,7 +43,7 @@ LEAST = 1e-6  # smaller errors are drawn here: the reference is not more accurat
 
 
 class Found(NamedTuple):
-    """A run: its figures by the names that `raceway needs` uses, and the number of contact
+    """Figures of a run by the names that `raceway needs` uses, and its number of contact
     evaluations."""
 
     figures: dict[str, float]
@@ -51,7 +51,7 @@ class Found(NamedTuple):
 
 
 class Curve(NamedTuple):
-    """A set of models in a scene: its runs by tolerance, and the run with the fine integration."""
+    """Runs of a set of models in a scene, by tolerance, and the run with the fine integration."""
 
     runs: dict[str, Found]
     fine: Found
@@ -79,7 +79,7 @@ def curves(scene: dict[str, float], folder: Path) -> dict[str, Curve]:
 
 
 def error(found: Found, truth: Found, yardstick: Found, word: str) -> float:
-    """Error of a figure against `truth`, relative to the yardstick's figure."""
+    """Error of a figure compared with `truth`, relative to the figure of `yardstick`."""
     return abs(found.figures[word] - truth.figures[word]) / abs(yardstick.figures[word])
 
 
@@ -164,8 +164,8 @@ def page(results: dict[str, dict[str, Curve]]) -> str:
 The main deck ran with three sets of models, {SAMPLES} samples per ball pass. Tolerances range from
 1 µm to 0.1 nm. Errors of means over a ball pass are relative to ``full`` at 0.01 nm and 800
 samples, as in :doc:`needs`. Filled marks show the total error, open marks the numerical error
-alone, against the same models integrated as finely. All are divided by the same figures, those of
-``full``.
+alone, relative to the same models integrated equally finely. All errors are divided by the figures
+of ``full``.
 
 .. image:: model_error.png
    :alt: error against evaluations, for three sets of models
@@ -174,8 +174,9 @@ Where a solid line is level, the model error dominates, and a finer tolerance ga
 numerical errors are far below it. Where open marks are level, only the error of a mean over
 {SAMPLES} samples remains.
 
-Errors below {LEAST:g} are drawn there. ``paper`` and ``film`` have hardly any friction torque, so
-its relative error is 1. In the table, *model* is the error at the finest integration.
+Errors below {LEAST:g} are drawn at {LEAST:g}. With ``paper`` and ``film`` there is hardly any
+friction torque, so its relative error is 1. In the table, *model* is the error at the finest
+integration.
 """.splitlines(),
             "",
             *table(results),

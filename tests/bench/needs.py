@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Answers of `raceway needs` for 20 random scenes, each judged by runs that the command did not
-make; writes build/bench/needs.rst.
+"""Answers of `raceway needs` for 20 random scenes, each judged by further runs that the command did
+not make; writes build/bench/needs.rst.
 
     .venv/bin/python tests/bench/needs.py [--print]     --print: leave the page alone
 
-Exit code 1 when fewer than 19 answers meet the wanted accuracy, or the median cost is above a
-fifth.
+Exit code 1 if fewer than 19 answers meet the wanted accuracy, or the median cost is above a fifth
+of the cost of the fine full model.
 """
 
 import json
@@ -32,7 +32,7 @@ TARGET = bench_file("needs.rst")
 SCENES, SEED = 20, 16
 KEPT, CHEAPER = 19, 5  # the requirements
 WANTED = {"torque": 0.1, "capacitance": 0.05, "load": 0.01}
-EXACT = {**REFERENCE, "tolerance": "1e-11", "samples": "1000"}  # finer than the tool's reference
+EXACT = {**REFERENCE, "tolerance": "1e-11", "samples": "1000"}  # finer than the command's reference
 SAME = ("passes", "surroundings")  # in all scenes
 HEAD = ["scene", *WANTED, "cost", "evaluations", "times cheaper", "left out, coarsened"]
 
@@ -130,9 +130,9 @@ They were drawn at random with seed {SEED}. Gaps are flooded. Written on {date.t
         *(f"- {line}" for line in machine()),
         "",
         *f"""\
-The errors are those of one more run with the settings of the answer, compared with a run of the
+The errors are found with one more run with the settings of the answer, compared with a run of the
 full model at a tolerance of 0.01 nm and 1000 samples per ball pass, which the command does not
-see. {kept} of {SCENES} answers meet the wanted accuracy; {KEPT} are required.
+use. {kept} of {SCENES} answers meet the wanted accuracy; {KEPT} are required.
 
 The fine full model has a tolerance of 0.1 nm and 400 samples per ball pass. The answers are
 {middle:.1f} times cheaper (median, range {min(cheaper):.1f} to {max(cheaper):.1f}); {CHEAPER} is

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Vibration of a perfect bearing with integrator vibration, compared with 0.01 um of waviness on
-its inner raceway; writes build/bench/noise_floor.rst.
+"""Vibration of a perfect bearing with integrator vibration, compared with a bearing with 0.01 um of
+waviness on its inner raceway; writes build/bench/noise_floor.rst.
 
     .venv/bin/python tests/bench/noise_floor.py [--print]     --print: leave the page alone
 
-Exit code 1 when the perfect bearing exceeds a tenth of the amplitude of the wave's line.
+Exit code 1 if the perfect bearing exceeds a tenth of the amplitude of the wave's line.
 """
 
 import sys
@@ -25,9 +25,9 @@ TARGET = bench_file("noise_floor.rst")
 SCENE = dict(bearing=6205, load=500, rpm=1797, lubricant="vg46", passes=80, settle=10)
 MODE = dict(integrator="vibration", housing="springs", record="summary")
 RATE = 48e3  # Hz
-BAND = (20.0, 0.4 * RATE)  # Hz, above the filter's influence
+BAND = (20.0, 0.4 * RATE)  # band above the influence of the filter, Hz
 WAVE = 1e-8  # m
-# waves of the inner raceway, Z - 1 and Z + 1, and the shaft order that each adds to BPFI
+# {waves of the inner raceway: shaft order that they add to BPFI}, for Z - 1 and Z + 1 waves
 WAVES = {8: -1, 10: 1}
 ENDS = 100  # samples affected by the filter
 PAGE = """\
@@ -36,17 +36,17 @@ Noise floor of vibration
 
 Written by ``tests/bench/noise_floor.py`` (``make bench``).
 
-A perfect bearing is not silent, since its stiffness varies as balls pass, at BPFO and its
-harmonics. The rest of its spectrum is the noise of the computation. Here it is compared with an
-inner raceway that has waves of {wave:g} µm. The bearing is a 6205 at {rpm} rpm under {load} N with
-VG 46. Signals are sampled at {rate:g} kHz, with ``-var integrator vibration`` and ``-var housing
-springs``. The record is {seconds:.2f} s long.
+A perfect bearing is not silent, because its stiffness varies as balls pass, at BPFO and harmonics
+of BPFO. All other lines of its spectrum are noise of the computation. Here they are compared with a
+bearing with waves of {wave:g} µm on its inner raceway. The bearing is a 6205 at {rpm} rpm under
+{load} N with VG 46. Signals are sampled at {rate:g} kHz, with ``-var integrator vibration`` and
+``-var housing springs``. The record is {seconds:.2f} s long.
 
 The perfect bearing, accelerations along the load in m/s²:
 
 {perfect}
 
-* *rms*: of the whole signal, nearly all of it at BPFO and its harmonics.
+* *rms*: root mean square of the whole signal, nearly all of it at BPFO and its harmonics.
 * *median*: median amplitude between {low:g} Hz and {high:g} kHz, the noise floor of a line.
 
 Lines of inner-raceway waves in m/s², and the amplitude of the perfect bearing at the same
@@ -54,9 +54,9 @@ frequency:
 
 {waves}
 
-Waves of order :math:`Z - 1` produce a line at BPFI - shaft, those of :math:`Z + 1` at BPFI + shaft.
-The housing's acceleration is small there: the housing has 2 kg on stiff springs, and only the
-inertia of the inner ring excites it.
+Waves of order :math:`Z - 1` produce a line at BPFI - shaft, waves of order :math:`Z + 1` at BPFI +
+shaft. The housing's acceleration is small at these lines: the housing is a mass of 2 kg on stiff
+springs, and only the inertia of the inner ring excites it.
 """
 
 
@@ -73,8 +73,8 @@ def of_ring(run, ring):
 
 
 def line(found, run, shift):
-    """Amplitude (m/s^2) at BPFI + `shift` times the shaft frequency, from the run's own cage
-    speed."""
+    """Amplitude (m/s^2) at BPFI + `shift` times the shaft frequency, with the cage speed of the
+    run."""
     order, hertz = spectrum.places(run, harmonics=1)["BPFI", 1]
     hertz += shift * hertz / order
     return float(found.sel(frequency=hertz, method="nearest"))

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`settle orbit` of the main deck against long settling: figures and evaluations of the forces;
+"""Figures and force evaluations of the main deck with `settle orbit`, compared with long settling;
 writes build/bench/orbit.rst.
 
     .venv/bin/python tests/bench/orbit.py [SCENE ...]
 
-Figures are means over one ball pass of the orbit, against `MEASURED` ball passes of a run that has
-settled for 30 ball passes, or for as many as its scene needs to be steady. Evaluations are counted
-over settling and one measured ball pass, against 30 ball passes of settling and one measured; they
-do not depend on the load of the machine.
+Figures are means over one ball pass of the orbit. They are compared with `MEASURED` ball passes of
+a run that has settled for 30 ball passes, or for as many as its scene needs to be steady.
+Evaluations during settling and one measured ball pass are compared with those during 30 ball passes
+of settling and one measured ball pass; they do not depend on the load of the machine.
 """
 
 import sys
@@ -29,7 +29,7 @@ THRUST = {"bearing": "7205B", "load": "1e-3"}
 
 
 class Scene(NamedTuple):
-    """Variables of the deck; ball passes after which a marching run is steady."""
+    """Variables of the deck, and number of ball passes after which a marching run is steady."""
 
     words: dict
     steady: int = SETTLED

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Time of the contact laws alone, part by part: "NAME BASE explicit implicit" in ns per contact,
-// one line per law. Explicit is an evaluation in doubles, implicit one with derivatives, four
-// contacts side by side. For part_cost.py.
+// Time of the contact laws alone, part by part, for part_cost.py. Prints one line per law, "NAME
+// BASE explicit implicit", with times in ns per contact. Explicit is an evaluation in doubles;
+// implicit is an evaluation with derivatives, of four contacts side by side.
 #include "../../src-package/core/contact/contact.h"
 #include "../../src-package/core/contact/contact_slopes.h"
 
@@ -127,7 +127,7 @@ struct alignas(sizeof(Lane)) State {
   Lane of;
 };
 
-double kept = 0.0;    // otherwise the compiler removes the unused results
+double kept = 0.0;    // keeps the compiler from removing unused results
 
 template <class L> void report(const char *name, int base, const Film &film = {})
 {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cost of each part of the contact law, alone (part_cost.cpp) and in complete runs of the models
+"""Cost of each part of the contact law alone (part_cost.cpp), and of complete runs with the models
 `paper`, `film` and `full`; writes build/bench/part_cost.rst."""
 
 import statistics
@@ -70,9 +70,9 @@ def main():
         "",
         *"""\
 The laws alone, on 4096 loaded contacts of a 6208. *Adds* is the difference from the law that a row
-builds on, in the same round. Explicit is one evaluation in doubles; implicit is one with
-derivatives, four contacts at a time. The share is the cost of a part in the explicit evaluation of
-nine contacts, relative to a step of velocity Verlet with ``full``. Figures are medians, with the
+builds on, in the same round. Explicit is one evaluation in doubles; implicit is an evaluation with
+derivatives, of four contacts at a time. The share is the cost of a part in the explicit evaluation
+of nine contacts, relative to a step of velocity Verlet with ``full``. Figures are medians, with the
 range of the rounds in brackets.
 """.splitlines(),
         "",

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The best setting of a program: the cheapest of a short list that is within 1e-3 of the
-program's own finest setting; for peers.py."""
+"""The best setting of a program, for peers.py: the cheapest of a short list with results within
+1e-3 of the program's finest setting."""
 
 import statistics
 from collections.abc import Callable, Sequence
@@ -10,7 +10,7 @@ import numpy as np
 from peer_runs import Failure, Outcome
 
 ALLOWED = 1e-3
-RUNS = 3  # runs of an accurate enough setting, of which the median cost counts
+RUNS = 3  # runs of a setting that is accurate enough; their median cost counts
 
 
 class Setting(NamedTuple):
@@ -21,7 +21,7 @@ class Setting(NamedTuple):
 
 
 class Peer(NamedTuple):
-    """A program whose answer converges: coarse settings, and the finest one as their reference."""
+    """A program whose result converges: its coarser settings, and the finest as their reference."""
 
     name: str
     settings: Sequence[Setting]
@@ -32,27 +32,27 @@ class Tried(NamedTuple):
     """Result of a setting."""
 
     words: str
-    error: float  # relative to the finest; inf where the run failed or cannot be compared
-    cost: float  # wall s per simulated s, with output
+    error: float  # relative to the finest setting; inf if the run failed or cannot be compared
+    cost: float  # wall seconds per simulated second, with output
 
 
 class Choice(NamedTuple):
-    """The chosen setting, and all that were tried."""
+    """The chosen setting, and all settings that were tried."""
 
     setting: Setting
     tried: list[Tried]
 
 
 def error(found: Outcome, truth: Outcome) -> float:
-    """Largest difference of the inner load over balls and samples, relative to the largest load."""
+    """Largest difference in inner load over balls and samples, relative to the largest load."""
     if found.loads is None or truth.loads is None or found.loads.shape != truth.loads.shape:
         return np.inf
     return float(np.abs(found.loads - truth.loads).max() / truth.loads.max())
 
 
 def choose(peer: Peer) -> Choice:
-    """The cheapest setting of a peer with an error of at most ALLOWED, or the finest if there is
-    none."""
+    """The cheapest setting of a peer with an error of at most ALLOWED, or the finest setting if no
+    error is as small."""
     truth = peer.finest.call()
     tried = []
     for setting in peer.settings:

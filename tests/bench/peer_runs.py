@@ -2,8 +2,8 @@
 """Runs of a 6208 in stock LIGGGHTS, Exudyn and Raceway, judged by the exact static load; for
 peers.py.
 
-Runs with `output` write the data a user would look at, at samples PERIOD apart unless stated
-otherwise. Runs without it write nothing, and only their cost counts.
+Runs with `output` write the data that a user would look at, in samples PERIOD apart unless stated
+otherwise. Runs without output write nothing, and only their cost counts.
 """
 
 import json
@@ -27,7 +27,7 @@ from host import tables  # noqa: E402
 DECKS = Path("tests/bench/peers")
 OUT = Path("build/bench/peers")
 LOAD, SPEED = 5000.0, 50.0  # N along -y, rad/s
-PERIOD = 1.76e-4  # s between samples, about 200 samples per ball pass
+PERIOD = 1.76e-4  # seconds between samples, about 200 samples per ball pass
 PASSES = 8  # ball passes that Raceway runs
 NAMES = (
     "balls",
@@ -48,13 +48,13 @@ DATA = {
     for name in NAMES
 }
 BEARING = Bearing(int(DATA["balls"]), *(DATA[name] for name in NAMES[1:]))
-# N/m^1.5, exact Hertz
+# exact Hertzian stiffness, N/m^1.5
 STIFFNESS = [
     hertz.stiffness(hertz.exact(*BEARING.effective_radii(side)), BEARING.effective_modulus)
     for side in (INNER, OUTER)
 ]
 IN_SERIES = sum(k ** (-2 / 3) for k in STIFFNESS) ** -1.5
-BOTH_ALIKE = 2**1.5 * IN_SERIES  # of each of two equal contacts that give IN_SERIES together
+BOTH_ALIKE = 2**1.5 * IN_SERIES  # stiffness of each of two equal contacts, in series IN_SERIES
 SPHERE_ON_PLANE = 2 / 3 * BEARING.effective_modulus * BEARING.ball_radius**0.5
 
 
@@ -63,8 +63,8 @@ PASS = 4 * np.pi / (BEARING.balls * SPEED * (1 - DATA["ball_diameter"] / (2 * PI
 
 
 class Sample(NamedTuple):
-    """One instant: the inner ring's shift (2,) and the balls' positions (n, 2) in m, their inner
-    loads (n,) in N."""
+    """One instant: the inner ring's shift (2,) in m, the balls' positions (n, 2) in m and their
+    inner loads (n,) in N."""
 
     shift: np.ndarray
     balls: np.ndarray
@@ -72,8 +72,8 @@ class Sample(NamedTuple):
 
 
 class Outcome(NamedTuple):
-    """One run: its cost, and the load of the ball nearest the load line relative to exact theory
-    (see `judge`)."""
+    """Result of one run: its cost, and the load of the ball nearest the load line relative to exact
+    theory (see `judge`)."""
 
     cost: float  # wall s per simulated s
     step: float  # s
@@ -83,7 +83,7 @@ class Outcome(NamedTuple):
     high: float = np.nan
     same_load: float = np.nan
     left: int = BEARING.balls  # balls still in the bearing
-    loads: np.ndarray | None = None  # N (samples, balls), on the inner ring
+    loads: np.ndarray | None = None  # inner loads (samples, balls), N
 
 
 class Failure(Exception):
@@ -91,7 +91,8 @@ class Failure(Exception):
 
 
 def exact_shift():
-    """Shift in m towards the load of the exact bearing with one ball on the load line."""
+    """Shift (m) towards the load of the inner ring of the exact bearing, one ball on the load
+    line."""
     rest = static.equilibrium(BEARING, LOAD, load_azimuth=-np.pi / 2, phase=-np.pi / 2)
     load, _ = exact(rest.shift[:2], np.stack([np.cos(rest.azimuth), np.sin(rest.azimuth)], 1))
     if np.abs(load - rest.inner.load).max() > 1e-6 * LOAD:
@@ -100,8 +101,8 @@ def exact_shift():
 
 
 def exact(shift, balls):
-    """Exact static loads (n,) in N of balls at these positions for this shift of the ring; and
-    their components along it (n,).
+    """Exact static loads (n,) in N of balls at given positions for a given shift of the ring, and
+    their components (n,) along the shift.
 
     Zero clearance and no axial load: both contacts of a ball act in series, K = (K_i^-2/3 +
     K_o^-2/3)^-3/2, under the approach of the raceways at its azimuth.
@@ -111,7 +112,7 @@ def exact(shift, balls):
 
 
 def judge(samples, cost, step, simulated):
-    """`Outcome` of the samples of one run, by medians over the samples.
+    """`Outcome` of one run, from medians over its samples.
 
     same_shift: load of the ball with the largest theoretical load, relative to the exact load at
     the ring's position, minus one; low and high: its 5 % and 95 % quantiles. same_load: that ball's
@@ -141,7 +142,7 @@ def judge(samples, cost, step, simulated):
 
 
 def whole(samples):
-    """Loads (samples, balls) in N, None where balls were lost."""
+    """Loads (samples, balls) in N; None if balls were lost."""
     loads = [sample.load for sample in samples]
     return np.array(loads) if len({len(row) for row in loads}) == 1 else None
 
@@ -170,7 +171,8 @@ def loop_time(text):
 
 
 def cylinders(young, step=1e-6, output=True):
-    """Smooth cylinders with the ring at the exact shift; balls settle for 0.1 s."""
+    """Stock LIGGGHTS with smooth cylinders and the ring at the exact shift; balls settle for
+    0.1 s."""
     every = round(PERIOD / step)
     steps = 2000 * every
     text = host(
@@ -194,7 +196,7 @@ def cylinders(young, step=1e-6, output=True):
 
 
 def tori(mesh, steps, edges, step=4e-7):
-    """Triangle meshes with the ring at the exact shift."""
+    """Stock LIGGGHTS with triangle meshes and the ring at the exact shift."""
     every = 20
     text = host(
         "liggghts",
@@ -220,8 +222,8 @@ def tori(mesh, steps, edges, step=4e-7):
 
 
 def exudyn(stiffness, exponent, friction, step, output=True):
-    """Exudyn's bearing under the load; damping and sliding speed at full friction as in its own
-    bearing test."""
+    """Exudyn's bearing under the load; damping and sliding speed at full friction are those of
+    Exudyn's bearing test."""
     case = {
         "stiffness": stiffness,
         "exponent": exponent,
@@ -263,7 +265,7 @@ def exudyn(stiffness, exponent, friction, step, output=True):
 
 
 def raceway(name, output=True, **variables):
-    """Raceway's main deck under the load, with its defaults."""
+    """Raceway's main deck with its defaults, under the load."""
     host(
         "build/liggghts",
         "inputs/in.6208",

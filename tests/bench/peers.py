@@ -48,7 +48,7 @@ ROUNDS = 3
 MESHES = {"180x8": (180, 8), "360x16": (360, 16), "720x32": (720, 32)}
 # degrees of groove meshed to either side; the contact reaches 18 degrees at 5 kN
 REACH = np.radians(40)
-SECANT = BOTH_ALIKE * (exact_shift() / 2) ** 0.5  # N/m, of two equal linear contacts
+SECANT = BOTH_ALIKE * (exact_shift() / 2) ** 0.5  # stiffness of two equal linear contacts, N/m
 FITTED = BEARING.young * BOTH_ALIKE / SPHERE_ON_PLANE
 SHARP, SMOOTH = "curvature 0.25", "curvature 20 curvature_tolerant yes"
 # On the tori a ball passes two to four facets, whatever their size; with longer steps balls escape
@@ -60,7 +60,7 @@ SCENES = [  # name, call with or without output
     ("STL tori, 720 by 32 facets", partial(tori, "720x32", 4000, SHARP, step=2e-7)),
     ("STL tori, 360 by 16 facets, edges switched off", partial(tori, "360x16", 8000, SMOOTH)),
     (
-        "Exudyn, linear contact of its own bearing test (5e6 N/m)",
+        "Exudyn, linear contact of Exudyn's bearing test (5e6 N/m)",
         partial(exudyn, 5e6, 1.0, 0.2, PERIOD / 2),
     ),
     (
@@ -92,7 +92,7 @@ def implicit(steps, tolerance):
         partial(
             precision,
             "implicit",
-            # the deck rounds it down so that a sample has a whole number of steps
+            # the deck rounds the step down so that a sample has a whole number of steps
             step=1.001 * PASS / steps,
             samples=steps,
             within=200 // steps,
@@ -160,7 +160,7 @@ def attempt(call):
 
 
 def percent(part):
-    """A fraction in per cent, with two decimals if small."""
+    """A fraction in per cent, with two decimals if it is small."""
     return f"{100 * part:+.{2 if abs(part) < 0.1 else 1 if abs(part) < 1 else 0}f} %".replace(
         "-0.00", "+0.00"
     )
@@ -178,7 +178,7 @@ def spread(outcomes):
 
 
 def row(name, outcomes, bare):
-    """Table rows of one result; `bare` are the runs without output."""
+    """Table rows of one scene; `outcomes` are runs with output, `bare` runs without."""
     for why in (each for each in outcomes + bare if isinstance(each, Failure)):
         cells = ["", "", f"failed: {why}", "", "", ""]
         break
@@ -218,8 +218,7 @@ def exudyn_version():
 
 
 def page(rounds, choices, attempts):
-    """The page: peers/page.txt with the measured figures; `rounds` are {(name, output): its
-    outcomes}."""
+    """The page: peers/page.txt with measured figures; `rounds` is {(name, output): outcomes}."""
     facts = [*machine(), f"Exudyn {exudyn_version()} from PyPI, one thread"]
     names = dict.fromkeys(name for name, _ in rounds)
     table = [

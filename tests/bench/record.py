@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cost of a record: compared with the host's text dumps and with no output, with samples inside
-long steps, from start to end of the program, and for a hundred bearings; writes
-build/bench/record.rst.
+"""Cost of a record compared with the host's text dumps and with no output: with samples inside long
+steps, from start to end of the program, and for a hundred bearings; writes build/bench/record.rst.
 
     .venv/bin/python tests/bench/record.py [ROUNDS] [--print]     --print: leave the page alone
 
 The runs of a round follow one another, so that a drift of the machine affects all alike. Ratios are
-formed within a round; the median counts. Exit code 1 if one exceeds its limit.
+formed within a round; the median counts. Exit code 1 if a ratio exceeds its limit.
 """
 
 import re
@@ -21,9 +20,9 @@ from typing import NamedTuple
 from deck_runs import ROOT, cost, factor, run_deck
 from machine import bench_file, machine
 
-# rpm: smallest acceptable real-time factor of the main deck
+# {rpm: smallest acceptable real-time factor of the main deck}
 SPEEDS = {47.75: 200.0, 477.5: 20.0, 9549.0: 0.6}
-# Outputs of the main deck, with one sample per host step and with ten.
+# Outputs of the main deck, with one sample and with ten samples per host step.
 TEXT = {"record": "none", "dumps": "yes", "within": 1}
 RECORD, NOTHING = ({"record": record, "dumps": "no", "within": 1} for record in ("all", "none"))
 OUTPUTS = {
@@ -35,7 +34,7 @@ OUTPUTS = {
 }
 PASSES, TEXT_PASSES = 400, 40
 AS_IT_STANDS = "record, 10 samples per step"  # default of the main deck
-SHORT, SHORT_PASSES = "make run", 4  # rpm of `make run`: the main deck without any -var
+SHORT, SHORT_PASSES = "make run", 4  # name for `make run`: the main deck without any -var
 FASTER, FASTER_WITHIN, COST = 8.0, {47.75: 15.0, 477.5: 15.0, 9549.0: 12.0}, 2.0
 MANY, MANY_COST = 100, 1.3
 PAGE = """\
@@ -46,7 +45,7 @@ Written by ``tests/bench/record.py`` (``make bench``), {today}.
 
 The main deck was run at 5000 N, with 200 samples per ball pass: {text_passes} passes with text
 output, {passes} otherwise. *text* is contacts, balls and the ring table as dumps of the host.
-*record* is :doc:`../fix_bearing_record` with all its columns. The motion in the first
+*record* is :doc:`../fix_bearing_record` with all columns. The motion in the first
 three rows is the same to the bit. Figures are medians of {rounds} rounds.
 
 Times in the next two tables include writing the last sample to the operating system.
@@ -66,10 +65,10 @@ Times in the next two tables include writing the last sample to the operating sy
      - required
 {ratios}
 
-The main deck with its defaults, timed from the start of the measured passes and from the start of
-the program. The latter includes starting, settling and closing the files. ``make run`` is the row
-of {short} passes at 477.5 rpm: {short_wall:.2f} s from start to end of the program,
-{short_loop:.0f} ms of it in the measured passes, without its summary and picture. {passes} passes
+The main deck with its defaults is timed from the start of the measured passes and from the start of
+the program. The latter time includes starting, settling and closing the files. ``make run`` is the
+row of {short} passes at 477.5 rpm: {short_wall:.2f} s from start to end of the program,
+{short_loop:.0f} ms of them in the measured passes, without summary and picture. {passes} passes
 at 477.5 rpm take {long_wall:.2f} s from start to end.
 
 .. list-table:: real-time factor of the measured passes
@@ -89,11 +88,11 @@ as long as one without. The limit is {many_cost}.
 class Taken(NamedTuple):
     """Times of a run of the main deck."""
 
-    sample: float  # s for a sample, over the measured passes
+    sample: float  # time per sample in the measured passes, s
     factor: float  # real-time factor of the measured passes
     loop: float  # s of the measured passes
-    wall: float  # s from start to end of the program
-    whole: float  # real-time factor of the measured passes if they took `wall`
+    wall: float  # time from start to end of the program, s
+    whole: float  # real-time factor of the measured passes, with `wall` as their wall time
 
 
 def main_deck(folder, rpm, output):
@@ -114,7 +113,7 @@ def main_deck(folder, rpm, output):
 
 
 def many(folder, record):
-    """s of the loop of a hundred bearings."""
+    """Loop time (s) of a hundred bearings."""
     text = (ROOT / "inputs" / "in.many").read_text()
     text, count = re.subn(r"(?m)^dump(_modify)? table (.*&\n)*.*\n", "", text)
     assert count == 2, "in.many writes one table"
@@ -172,7 +171,7 @@ def ratios(results):
         ("text over record, 10 samples per step", ratio("text", AS_IT_STANDS), FASTER_WITHIN, True),
         ("record over nothing", ratio("record", "nothing"), dict.fromkeys(SPEEDS, COST), False),
         (
-            "the same with 10 samples per step",
+            "record over nothing, 10 samples per step",
             ratio(AS_IT_STANDS, "nothing, a tenth of the steps"),
             dict.fromkeys(SPEEDS, COST),
             False,

@@ -2,7 +2,7 @@
 """Speed and error of a shaft on two 6208s at 3000 rpm; writes build/bench/shaft.rst.
 
 The deck is docs/decks/in.shaft at twice its speed. All settings take turns in every round. Loads
-are compared at the same instants with those of a run with a tolerance of 0.1 nm.
+are compared, instant by instant, with a run with a tolerance of 0.1 nm.
 """
 
 import re
@@ -43,7 +43,7 @@ rounds. The reference has a tolerance of 0.1 nm. Errors are shares of the larges
 
 * *mean of a ball*: load of the worst ball, averaged over {measure:g} s;
 * *mean of the largest*: mean over time of the largest load;
-* *one instant*: the worst ball at the worst instant.
+* *one instant*: load of the worst ball at the worst instant.
 
 """
 TAIL = """
@@ -84,7 +84,7 @@ def deck(control, step, cage, folder):
 
 
 def simulated(control, step, cage, folder):
-    """(real-time factor, loads of every contact (samples, raceways, balls), N)."""
+    """(real-time factor, loads of all contacts in N (samples, raceways, balls))."""
     file = folder / "in.shaft"
     file.write_text(deck(control, step, cage, folder / "run"))
     run_deck(file)
@@ -94,7 +94,7 @@ def simulated(control, step, cage, folder):
 
 
 def errors(loads, truth):
-    """(mean of a ball, mean of the largest, one instant), over the largest load."""
+    """Errors (mean of a ball, mean of the largest, one instant), relative to the largest load."""
     largest = truth.max()
     return (
         np.abs(loads.mean(axis=0) - truth.mean(axis=0)).max() / largest,

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Spall lengths from a sensor on the housing, by four ways to read the time from entry to
+"""Spall lengths from a sensor on the housing, by four ways to interpret the time from entry to
 impact; writes build/bench/spall_length.rst.
 
     .venv/bin/python tests/bench/spall_length.py [--print]     --print: leave the page alone
 
-Exit code 1 when raceway.spall deviates by more than 5 %.
+Exit code 1 if raceway.spall deviates by more than 5 %.
 """
 
 import sys
@@ -41,7 +41,7 @@ Length of a spall
 
 Written by ``tests/bench/spall_length.py`` (``make bench``).
 
-The first column is the true length of the spall. The others are read from the time between entry
+The first column is the true length of the spall. The others are found from the time between entry
 and impact in the acceleration of the housing, at 192 kHz and without noise (``raceway.passages``).
 They are medians over the balls that pass under the load, in mm:
 
@@ -51,15 +51,15 @@ They are medians over the balls that pass under the load, in mm:
 * *static rate*: the ball leaves the raceway at the rate of the static drop; the ring stands still.
 * *two masses*: ball and ring move, ``raceway.spall.length``.
 * *the ball's own fall*: distance that the ball has fallen when it strikes, from the record.
-  No sensor measures that.
+  No sensor measures this distance.
 
 All except the first use the edge radius, 0.05 mm: the signal of a ball that keeps its load appears
-that much before the middle. The largest error of *two masses* is {error:.1f} %.
+0.05 mm before the middle. The largest error of *two masses* is {error:.1f} %.
 """
 
 
 def at_static_rate(bearing, raceway, seconds, spin, load):
-    """Lengths (m) if a ball leaves at a given share of the drop's static rate."""
+    """Lengths (m) if a ball leaves the raceway at the rate of the static drop."""
     orbit = spin * kinematics.frequencies(bearing).cage
     speed = kinematics.entrainment(bearing, spin)
     full = static.equilibrium(bearing, load, orbital_speed=orbit)
@@ -80,7 +80,7 @@ def at_static_rate(bearing, raceway, seconds, spin, load):
 
 
 def by_own_fall(run, side, raceway, found, spin):
-    """Lengths (m) from the fall of the balls of the `Passages` `found`."""
+    """Lengths (m) from the fall of the balls in the `Passages` `found`."""
     bearing = run.tables.geometry
     speed, rolling = kinematics.entrainment(bearing, spin), bearing.effective_radii(raceway)[0]
     load, overlap = (

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cost of one step, feature by feature, and of a comparable scene in stock LIGGGHTS; writes
+"""Cost of one step by feature, and of a step of a comparable scene in stock LIGGGHTS; writes
 build/bench/step_cost.rst.
 
 All scenes take turns in every round, so that a drift of the machine affects all alike; the ratio to

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A sweep of 200 points: throughput of two processes relative to one, and a sweep that is killed
-half-way; writes build/bench/sweep.rst.
+"""A sweep of 200 points: throughput of two processes relative to one, and loss of points if it is
+killed half-way; writes build/bench/sweep.rst.
 
     .venv/bin/python tests/bench/sweep.py [--print]     --print: leave the page alone
 
-One and two processes take turns, so that a drift of the machine affects both. Exit code 1 when a
+One and two processes take turns, so that a drift of the machine affects both. Exit code 1 if a
 point was lost or done twice.
 """
 
@@ -27,7 +27,7 @@ from machine import bench_file, machine
 ROOT = Path(__file__).resolve().parents[2]
 LOADS, SPEEDS = (1000, 2000, 5000, 10000, 20000), (100, 250, 477.5, 1000, 2000)
 CLEARANCES, OILS = (-2e-5, 0, 1e-5, 2e-5), ("mineral", "pao48")
-# ball passes of a point: more than the default, so that light loads settle even at high speed
+# ball passes per point: more than the default, so that light loads settle even at high speed
 PASSES, SETTLE, SAMPLES = (4, 3, 100)
 ROUNDS = 3
 WANTED = 1.8
@@ -115,8 +115,8 @@ def figures(folder):
 
 
 def killed_half_way(table, folder, points):
-    """(points finished when the sweep was killed, points finished after the restart, points done
-    twice)."""
+    """(points finished when the sweep was killed, points finished after the restart, points that
+    ran twice)."""
     process = subprocess.Popen(
         command(table, folder, 2), cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
     )

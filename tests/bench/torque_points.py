@@ -4,7 +4,8 @@ eight bearings and at the reference speed of five: writes docs/torque_points.rst
 
     .venv/bin/python tests/bench/torque_points.py [--no-page]
 
-Both have an oil bath to the middle of the lowest ball. SKF's rolling moment includes hysteresis.
+In both, an oil bath reaches the middle of the lowest ball. SKF's rolling moment includes
+hysteresis.
 """
 
 import argparse
@@ -46,18 +47,18 @@ POINTS = {
 REFERENCE = ("6204", "6205", "6208", "6306", "6310")
 SHARES = ("rolling", "sliding", "drag")
 CONFORMITIES = ((0.51, 0.52), (0.515, 0.525), (0.52, 0.53))
-MOST_OFF = 1.5  # of a share above LEAST of SKF's torque
+MOST_OFF = 1.5  # largest factor between shares that are above LEAST of SKF's torque
 LEAST = 0.1
 
 
 def temperature(viscosity):
-    """C, at which the oil has a `viscosity` in Pa s."""
+    """Temperature in C at which the oil has a `viscosity` in Pa s."""
     path = INPUTS / "lubricants" / OIL
     return brentq(lambda at: inputs.fluid(path, at).viscosity - viscosity, -10.0, 180.0, xtol=1e-9)
 
 
 def shares(parts, speed):
-    """Torques (N mm) of the losses in W at `speed` rad/s."""
+    """{share: torque in N mm} of losses `parts` in W at a `speed` in rad/s."""
     torque = {part: 1e3 * power / speed for part, power in parts.items()}
     return {
         "rolling": torque["rolling"] + torque["hysteresis"],
@@ -77,7 +78,7 @@ def with_grooves(name, folder, conformity):
 
 
 def point(path, radial, axial, rpm, viscosity):
-    """(own shares, SKF's shares), N mm, of the bearing in a data file."""
+    """(own shares, SKF's shares) of the torque of the bearing in a data file, N mm."""
     at, boundary = temperature(1e-3 * viscosity), inputs.boundary(path)
     loads = [share * boundary.static_rating for share in (radial, axial)]
     one = figures(
@@ -98,7 +99,7 @@ def point(path, radial, axial, rpm, viscosity):
 
 
 def reference(name):
-    """Heat at the catalogue's reference speed without drag, and the cooling power, W."""
+    """Catalogue's reference speed (rpm), heat at this speed without drag and cooling power (W)."""
     path = INPUTS / "bearings" / name
     boundary, fluid = inputs.boundary(path), inputs.lubricant(INPUTS / "lubricants/vg32")
     rpm = float(inputs.values(path)["reference_speed"])
@@ -113,8 +114,8 @@ def reference(name):
 
 
 def rows(conformity=None):
-    """(name, point, own shares, SKF's shares) of each point, with another `conformity` of the
-    grooves than in the files if given."""
+    """[(name, point, own shares, SKF's shares), ...] of all points. A `conformity` replaces the
+    grooves in the files."""
     found = []
     with TemporaryDirectory() as folder:
         for name, points in POINTS.items():
@@ -126,7 +127,7 @@ def rows(conformity=None):
 
 
 def off(own, skf):
-    """Shares of SKF's torque above LEAST that differ by more than MOST_OFF."""
+    """Shares that are above LEAST of SKF's torque and differ by a factor above MOST_OFF."""
     total = sum(skf.values())
     large = [share for share in SHARES if skf[share] > LEAST * total]
     return [share for share in large if not 1 / MOST_OFF <= own[share] / skf[share] <= MOST_OFF]
@@ -193,7 +194,8 @@ def page(found, others, heats):
 
 
 def numbers(found):
-    """(geometric mean, spread, least, most) of the ratios of the sums, points with a share off."""
+    """(geometric mean, spread, least, most) of the ratios of the sums, and the number of points
+    with a share off."""
     ratio = np.array([sum(own.values()) / sum(skf.values()) for _, _, own, skf in found])
     log = np.log(ratio)
     wrong = sum(bool(off(own, skf)) for _, _, own, skf in found)

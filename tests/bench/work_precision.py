@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Error against cost of the integrators; writes build/bench/work_precision.rst and its
+"""Error and cost of the integrators in one diagram; writes build/bench/work_precision.rst and the
 diagram.
 
     python tests/bench/work_precision.py [rad/s ...]
 
-Error: the largest over balls and samples of one ball pass of inner and outer load (relative to the
-largest load), orbital speed (relative to its mean) and film of balls with more than 1 % of the
-largest load (relative), against a reference with the same friction law. Cost: wall seconds per
-simulated second on one core with the capacitance at 200 instants of a ball pass and no output,
-median of ROUNDS; all methods of a scene take turns in a round.
+Error: the largest error over balls and samples of one ball pass, of inner and outer load (relative
+to the largest load), orbital speed (relative to its mean) and film of balls with more than 1 % of
+the largest load (relative), compared with a reference with the same friction law. Cost: wall
+seconds per simulated second on one core with the capacitance at 200 instants of a ball pass and no
+output, median of ROUNDS; all methods of a scene take turns in a round.
 """
 
 import re
@@ -48,9 +48,9 @@ STYLE = {
     "Verlet, history spring": ("#009e73", "v"),
     "dampers implicit": ("#cc79a7", "D"),
 }
-# friction that suits Verlet: a spring with history, since the smoothed law is a stiff damper
+# friction that suits Verlet: a spring with history, because the smoothed law is a stiff damper
 SPRING = "tangential 0.8235 0.3"
-# steps of Verlet (s) by rad/s: the longest stable with this clearance, and shorter ones
+# {rad/s: steps of Verlet in s}: the longest stable step with this clearance, and shorter steps
 SAME_STEPS = {50.0: (1.6e-7, 8e-8, 4e-8), 1000.0: (2e-6, 1e-6, 5e-7)}
 SPRING_STEPS = {
     5.0: (1e-6, 8e-7, 4e-7),
@@ -124,7 +124,7 @@ def error(found, truth):
 
 def settings(speed):
     """(method, words for the table, variables of the deck, kind of reference) of every point."""
-    # the deck rounds it down so that a sample has a whole number of steps
+    # the deck rounds the step down so that a sample has a whole number of steps
     sample = 1.7627e-4 * 50 / speed * 1.001
     for order in (1, 2):
         for samples in (10, 20, 40, 100, 200):
@@ -180,9 +180,9 @@ def settings(speed):
 
 
 def references(scene, speed):
-    """{kind: truth} and the difference of two methods: Verlet with 25 ns and the implicit step with
-    0.1 nm; at 5 rad/s, where the same friction limits Verlet to nanoseconds, the implicit step with
-    order 1 and order 2."""
+    """{kind: truth} and the difference between two methods: Verlet with a step of 25 ns and the
+    implicit step with a tolerance of 0.1 nm; at 5 rad/s, where the same friction limits the steps
+    of Verlet to nanoseconds, the implicit step with order 1 and with order 2."""
     fine = recorded(
         **scene,
         step=1e-5 if speed < 50 else 2e-6 if speed < 1000 else 1e-7,
@@ -199,8 +199,8 @@ def references(scene, speed):
 
 
 def measure(speed, clearance):
-    """Rows (method, words, mean step, error, wall per simulated second: median, least, most) and
-    the references' difference."""
+    """Rows (method, words, mean step, error, wall time per simulated second: median, least, most)
+    and the difference between the references."""
     scene = dict(speed=speed, clearance=clearance)
     truths, apart = references(scene, speed)
     points = []
@@ -228,7 +228,8 @@ def measure(speed, clearance):
 
 
 def slope(rows, method):
-    """Observed order: error against mean step, between its coarsest and finest fixed setting."""
+    """Observed order of a method, from error and mean step of its coarsest and finest fixed
+    setting."""
     points = sorted((r[2], r[3]) for r in rows if r[0] == method and r[3] and "nm" not in r[1])
     return (
         np.polyfit(np.log([p[0] for p in points]), np.log([p[1] for p in points]), 1)[0]
@@ -261,7 +262,7 @@ def fastest(rows, limit, method=None):
 
 
 def targets(results):
-    """Best real-time factor at an error of at most 1e-3 and 1e-2 for each scene, compared with the
+    """Best real-time factors of each scene at an error of at most 1e-3 and 1e-2, compared with the
     goal and with Verlet."""
     head = (
         "rad/s",
@@ -343,9 +344,9 @@ The bearing is a 6208 at 5 kN in mineral oil, with film, friction, cage and free
 capacitance is computed at 200 instants per ball pass (:doc:`../fix_bearing_capacitance`,
 *within*). There is no output.
 
-The error is the largest over balls and instants of one ball pass, against a reference with the
-same friction. It covers inner and outer load (relative to the largest load), cage speed (relative
-to its mean) and film, for balls that carry more than 1 % of the largest load.
+The error is the largest over balls and instants of one ball pass, compared with a reference with
+the same friction. It covers inner and outer load (relative to the largest load), cage speed
+(relative to its mean) and film, for balls that carry more than 1 % of the largest load.
 
 All runs use one core. Figures are the median of {ROUNDS} rounds, in which all settings of a
 scene take turns. Measured on {date.today()}:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A fixed amount of work like that of the contact law and the Newton iteration: powers, roots and
-// small linear systems. The pages of `make bench` state its time, so that pages from different days
-// and machines can be compared: divide their times by it.
+// A fixed amount of work of the kind that the contact law and the Newton iteration do: powers,
+// roots and small linear systems. The pages of `make bench` state its time, so that pages from
+// different days and machines can be compared: divide their times by the time of this work.
 
 #include <chrono>
 #include <cmath>
@@ -42,5 +42,5 @@ int main()
     x = 1.0 + std::fabs(solved(a, b));
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  std::printf("%.4f %.15g\n", seconds.count(), x);    // x, so that no compiler omits the work
+  std::printf("%.4f %.15g\n", seconds.count(), x);    // prints x so that no compiler omits the work
 }

@@ -28,8 +28,9 @@ def contacts(folder, step):
 
 
 def test_second_order(tmp_path):
-    """A load of 3 kN is applied in 0.3 ms at 1000 rad/s: the largest error of any contact, relative
-    to an eighth of the smallest step, falls to a sixteenth at a quarter of the step."""
+    """A load of 3 kN is applied in 0.3 ms at 1000 rad/s. The largest error of any contact, compared
+    with a run with an eighth of the smallest step, falls to a sixteenth with a quarter of the
+    step."""
     truth = contacts(tmp_path / "truth", 1.25e-7)
     errors = {name: [] for name in NAMES}
     for step in (4e-6, 2e-6, 1e-6):

@@ -15,19 +15,19 @@ DECK = "tests/hard/in.hard"
 BALLS = 9  # every case is a 6208
 _data = yaml.safe_load((Path(__file__).parent / "cases.yaml").read_text())
 CASES, BOUNDS, EXPLICIT = _data["cases"], _data["bounds"], _data["explicit"]
-# Settings of the references "fine" and of all comparisons of the fix with
-# itself, independent of the defaults.
+# Settings of the references "fine" and of all comparisons of the fix with itself; they do not
+# depend on the defaults.
 FINE = "tolerance 1e-10"
-# `Course.error` of a run that ended normally with fewer atoms
+# `Course.error` of a run that ended normally, but with fewer atoms
 LOST = "atoms were lost without an error message"
 
 
 class Course(NamedTuple):
-    """A run, sample by sample; `error` is the host's message if it stopped, in which case tables
-    are None."""
+    """A run, sample by sample. If it stopped, `error` is the host's message and tables are
+    None."""
 
-    load: np.ndarray  # (samples, 2, balls), N; raceway 0 is the inner one
-    film: np.ndarray  # (samples, 2, balls), m; 0 where there is no contact or no film
+    load: np.ndarray  # (samples, 2, balls), N; raceway 0 is the inner raceway
+    film: np.ndarray  # (samples, 2, balls), m; 0 without contact or without film
     capacitance: np.ndarray  # (samples,), F, total of the bearing
     orbit: np.ndarray  # (samples, balls), rad/s
     ball: np.ndarray  # (samples, balls, 2), m: x and y
@@ -42,7 +42,7 @@ class Course(NamedTuple):
 
 
 def run(folder, case, **over):
-    """The `Course` of one case; `over` are deck variables that replace the case's."""
+    """The `Course` of one case; `over` are deck variables that replace those of the case."""
     variables = {
         "samples": 400,
         "sample": 1e-4,
@@ -159,14 +159,14 @@ class Figures(NamedTuple):
 
     load: float  # relative to the peak load
     orbit: float  # relative to the largest cage speed
-    # relative (to at least 0.1 um, the roughness), where both carry over 1 % of the peak; nan
-    # if dry
+    # relative (to at least 0.1 um, the roughness), if both contacts carry over 1 % of the peak;
+    # nan if dry
     film: float
 
 
 def compare(found, truth, after=0, every=1):
-    """`Figures` of two courses from the sample `after` of `truth` on; `found` contains every
-    `every`-th of its samples."""
+    """`Figures` of two courses, starting from the sample `after` of `truth`; `found` contains every
+    `every`-th sample of `truth`."""
     first = -(-after // every)
     load, film, orbit = (table[::every][first:] for table in (truth.load, truth.film, truth.orbit))
     mine, my_film, my_orbit = (table[first:] for table in (found.load, found.film, found.orbit))
@@ -181,7 +181,7 @@ def compare(found, truth, after=0, every=1):
 
 
 def before_whirl(course, limit):
-    """The course up to 20 ms before the inner ring starts to whirl, that is before the sum of the
+    """The course up to 20 ms before the inner ring starts to whirl; it whirls when the sum of the
     inner loads stays above `limit` (N) for 10 ms."""
     a_sample = course.simulated / (len(course.load) - 1)
     window = round(10e-3 / a_sample)
@@ -199,7 +199,7 @@ class Average(NamedTuple):
 
 
 def averages(course, after=0, every=1):
-    """Time averages by which a chaotic case is judged, {name: `Average`}."""
+    """{name: `Average`} of the time averages by which a chaotic case is judged."""
     first = -(-after // every)
     load, orbit = course.load[first:], course.orbit[first:]
     inner, outer = load[:, 0] > 0, load[:, 1] > 0
@@ -219,9 +219,9 @@ def averages(course, after=0, every=1):
 
 
 def full(folder, case, truth=None):
-    """The courses of the implicit step and of velocity Verlet with the models `full`, cage
-    tolerance and control as in the decks, and the `Verdict` of the first compared with the second.
-    A given `truth` is not run again."""
+    """The courses of the implicit step and of velocity Verlet with the models `full`, with cage
+    tolerance and control as in the decks, and the `Verdict` on the first, compared with the second.
+    If `truth` is given, Verlet is not run again."""
     film = "full_dry" if case["variables"].get("lubricant") == "dry" else "full"
     words = {"step": 5e-7, "after": 0, "last": None, **case.get("full", {})}
     own = case.get("control", "") + " cage_tolerance 1e-6 control estimate"
@@ -259,8 +259,8 @@ class Verdict(NamedTuple):
 
 
 def judge(found, truth, case, words, every=1):
-    """`Verdict` of one course against another with the settings (`bound`, `after`) of a reference
-    or of `large`."""
+    """`Verdict` on one course compared with another, with the settings (`bound`, `after`) of a
+    reference or of `large`."""
     bound, after = BOUNDS[words["bound"]]["value"], words.get("after", 0)
     if case.get("chaotic"):
         full = len(found.load)
@@ -279,8 +279,9 @@ def judge(found, truth, case, words, every=1):
 
 
 def _judge_averages(found, truth, bound):
-    """The worst of the averages: loads and speeds relative, shares absolute. A run with occasional
-    bursts has a large statistical error, so bounds are limited to a half."""
+    """`Verdict` on the worst of the averages, with relative differences of loads and speeds and
+    absolute differences of shares. A run with occasional bursts has a large statistical error, so
+    bounds are limited to a half."""
     verdicts = []
     for name, (mean, error) in truth.items():
         scale = 1 if name.startswith("share") else mean
@@ -297,8 +298,8 @@ def _judge_averages(found, truth, bound):
 
 
 def least_room(course, truths, case):
-    """The `Verdict` nearest to its bound over all references of the case; `truths` are the courses
-    of reference runs."""
+    """The `Verdict` nearest to its bound over all references of the case; `truths` holds the
+    courses of reference runs."""
     verdicts = [
         judge_statics(course, case)
         if kind == "statics"
@@ -314,7 +315,7 @@ def truths_of(folder, case):
 
 
 def judge_statics(found, case):
-    """`Verdict` of the largest difference from static loads, relative to the largest of them."""
+    """`Verdict` on the largest difference from static loads, over the largest static load."""
     picked, loads = statics(found, case)
     return Verdict(
         np.abs(found.load[picked] - loads).max() / loads.max(),

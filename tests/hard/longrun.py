@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A 6208 at 5 kN and 477.5 rpm over many simulated seconds, coarsely sampled: drift and energy."""
+"""Drift and energy of a 6208 at 5 kN and 477.5 rpm over many simulated seconds, coarsely
+sampled."""
 
 import re
 from typing import NamedTuple
@@ -24,12 +25,12 @@ class Drift(NamedTuple):
 
     @property
     def figure(self):
-        """Relative difference."""
+        """Relative difference between the two means."""
         return abs(self.last / self.first - 1)
 
 
 def long_run(folder, seconds, control="energy yes", substeps=4) -> Course:
-    """The run with every sample; `substeps` host steps per sample."""
+    """A run that writes every sample, with `substeps` host steps per sample."""
     case = {
         "variables": {
             "inner": "x free y free spin speed 50 force 0 -5000 0 ramp 3.0e-3",
@@ -68,17 +69,17 @@ class Account(NamedTuple):
     """Energies since the start, J."""
 
     work: float  # work of loads and drives
-    own: float  # lost by the integrator itself
+    own: float  # energy lost by the integrator itself
     dissipated: float  # dissipated in contacts
-    stored: float  # growth of the energy in motion and springs
+    stored: float  # growth of the energy of motion and springs
 
     @property
     def figure(self):
-        """The integrator's own loss relative to the dissipation."""
+        """Energy lost by the integrator itself, relative to the dissipation."""
         return self.own / self.dissipated
 
 
 def account(course):
-    """Energy `Account` of a course, from the line ENERGY that report.implicit prints."""
+    """`Account` of the energies of a course, from the line ENERGY that report.implicit prints."""
     line = r"^ENERGY work (\S+) own (\S+) dissipated (\S+) stored (\S+)"
     return Account(*map(float, re.search(line, course.text, re.MULTILINE).groups()))

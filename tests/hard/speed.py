@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Speed of the hard cases with host steps as long as their loads allow, with a record and
-without output; and the steps of the error control relative to the natural periods."""
+"""Speed of the hard cases with host steps as long as their loads allow, with a record and without
+output, and steps of the error control relative to the natural periods."""
 
 import re
 import statistics
@@ -13,18 +13,19 @@ from host import liggghts
 
 from hard.harness import DECK, coarse, first_samples, judge, least_room, run
 
-RUNS = 3  # rounds, of which the median counts
-# m, rising: the coarsest that meets the bounds gives the steps needed per period
+RUNS = 3  # rounds; their median counts
+# in ascending order, m: the coarsest that meets the bounds gives the steps needed per period
 TOLERANCES = (1e-9, 2e-9, 5e-9, 1e-8, 2e-8, 5e-8, 1e-7, 2e-7)
 
 
 class Speed(NamedTuple):
-    factor: float  # simulated over wall time of the host's loop, without set-up
-    step: float  # s, mean internal
+    factor: float  # simulated time over wall time of the host's loop, without set-up
+    step: float  # mean internal step, s
 
 
 def speed(folder, case, writes, control=None):
-    """The `Speed` with output `writes` (record or nothing), with the host steps of `large`."""
+    """The `Speed` of a case with output `writes` (record or nothing) and the host steps of
+    `large`."""
     samples, sample = case["variables"]["samples"], float(case["variables"]["sample"])
     within = case["large"]["factor"]
     variables = {
@@ -45,8 +46,8 @@ def speed(folder, case, writes, control=None):
 
 
 def resonance(folder):
-    """Shortest period of a ball on the springs of its two contacts in the record of the last run,
-    s."""
+    """Shortest period (s) of a ball on the springs of its two contacts in the record of the last
+    run."""
     with xr.open_dataset(Path(folder) / "record" / "record.nc") as record:
         load, overlap = record["load"].values, record["overlap"].values
         mass = float(record["ball_mass"].values.flat[0])
@@ -57,9 +58,9 @@ def resonance(folder):
 
 
 def nearest(folder, case, control, truths):
-    """(`Verdict` nearest to its bound, mean internal step in s) with these keywords; the verdict
-    with one host step per sample, the step with the host steps of `large`. None if the run
-    stopped."""
+    """(`Verdict` nearest to its bound, mean internal step in s) with the keywords `control`. The
+    verdict covers one host step per sample and the host steps of `large`; the step is that of the
+    latter. None if a run stopped."""
     case = dict(case, control=control)
     found, long = run(folder, case), coarse(folder, case)
     if found.error or long.error:
@@ -74,7 +75,7 @@ def nearest(folder, case, control, truths):
 
 
 def coarsest(folder, case, truths):
-    """(tolerance in m, mean internal step in s) of the coarsest of `TOLERANCES` up to which all
+    """(tolerance in m, mean internal step in s) with the coarsest of `TOLERANCES` up to which all
     bounds are met."""
     held = None
     for tolerance in TOLERANCES:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs the hard cases and their references, the latter also with half their step, and writes
+"""Runs the hard cases and their references, which also run with half their step, and writes
 build/bench/hard_cases.rst.
 
     python tests/hard/table.py          # all
@@ -44,7 +44,7 @@ def number(value):
 
 
 def rows_of(name, folder):
-    """Table rows of one case, one for each reference; and names of references that are not
+    """Table rows of one case, one row for each reference, and names of references that have not
     converged."""
     case, unsure, rows = CASES[name], [], []
     found = harness.run(folder, case)
@@ -92,7 +92,7 @@ def rows_of(name, folder):
 
 
 def too_large(name, folder):
-    """Result of the case with host steps and Verlet steps that are deliberately too large."""
+    """Results of a case with host steps and Verlet steps that are deliberately too large."""
     case = CASES[name]
     kinds = case["references"]
     truth_kind = next(k for k in ("verlet", "fine") if k in kinds)
@@ -128,7 +128,7 @@ def too_large(name, folder):
 
 
 def thirty_seconds(folder):
-    """Lines of the last part of the page: drift and energy of a long run."""
+    """Lines of the last part of the page, on drift and energy of a long run."""
     course = longrun.long_run(folder, 30)
     if course.error:
         return [LAST, "-" * len(LAST), "", f"The run of 30 s stopped: {course.error}", ""]
@@ -166,7 +166,7 @@ def thirty_seconds(folder):
 
 
 def last_part():
-    """Rewrites the last part of the page."""
+    """Rewrite the last part of the page."""
     page = TARGET.read_text()
     with tempfile.TemporaryDirectory() as folder:
         part = thirty_seconds(folder)
@@ -194,13 +194,13 @@ settings, one host step per sample. The bearing is a 6208, in mineral oil unless
 ``tests/hard/cases.yaml`` lists the scenes, the bounds with their reasons, and the cases that miss
 their bound. Written on {date.today()}: {len(rows)} figures, {missed} outside their bound.
 
-The figure is the largest difference of the contact load over balls, raceways and samples, relative
-to the peak load, from the sample on that the case specifies. *Whole course* is the same figure from
-the first sample on. Remarks give the largest differences of cage speed and film.
+The figure is the largest difference in contact load over balls, raceways and samples, relative to
+the peak load, starting from the sample that the case specifies. *Whole course* is the same figure
+starting from the first sample. Remarks give the largest differences in cage speed and film.
 
-Quasi-static cases are compared with statics, transients over their whole course. A
-chaotic case, up to a whirl of the ring (:ref:`known-limits`), is compared by time averages
-and their statistical error. :doc:`hard_cases_speed` lists the speeds.
+Quasi-static cases are compared with statics, transients over their whole course. A chaotic case is
+compared up to a whirl of the ring (:ref:`known-limits`), by time averages and their statistical
+errors. :doc:`hard_cases_speed` lists the speeds.
 """.splitlines(),
         "",
         *csv_table(HEAD, rows),

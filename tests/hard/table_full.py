@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs the hard cases with the models `full` under both integrators and writes
+"""Runs the hard cases with the models `full` with both integrators and writes
 build/bench/hard_cases_full.rst.
 
     python tests/hard/table_full.py
@@ -52,10 +52,10 @@ def main():
         *f"""\
 The scenes of :doc:`hard_cases` with film in the gap, film branch, mixed friction, differential
 slip, spin, rolling resistance and drag. The implicit step with its defaults is compared with
-velocity Verlet with the same law and steps of 0.5 µs, or those of ``tests/hard/cases.yaml``. The
-figure is the largest difference of the contact load over balls, raceways and samples, relative to
-the peak load. Cage speed and film are the largest relative differences. Written on {date.today()}:
-{missed} of {len(rows)} are outside their bound.
+velocity Verlet with the same law and steps of 0.5 µs, or steps from ``tests/hard/cases.yaml``. The
+figure is the largest difference in contact load over balls, raceways and samples, relative to the
+peak load. For cage speed and film, largest relative differences are given. Written on
+{date.today()}: {missed} of {len(rows)} are outside their bound.
 """.splitlines(),
         "",
         *csv_table(HEAD, rows),

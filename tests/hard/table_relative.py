@@ -27,13 +27,13 @@ HEAD += ["bound", *(f"figure, R = {share:g}" for share in SHARES)]
 
 
 def corrections(course):
-    """Evaluations of the whole run, including refused steps."""
+    """Number of corrections in the whole run, including refused steps."""
     found = re.search(r"CONTROL .* substeps (\S+) corrections (\S+)", course.text)
     return float(found[1]) * float(found[2])
 
 
 def by_smoothed_friction(name, folder):
-    """(course, verdict nearest to its bound) by share."""
+    """Yields (course, verdict nearest to its bound) for each share."""
     case = CASES[name]
     truths = truths_of(folder, case)
     for share in SHARES:
@@ -43,7 +43,8 @@ def by_smoothed_friction(name, folder):
 
 
 def by_full(name, folder):
-    """The same with the models `full`, against velocity Verlet."""
+    """Yields (course, verdict) for each share with the models `full`, compared with velocity
+    Verlet."""
     truth = None
     for share in SHARES:
         case = dict(CASES[name])
@@ -56,8 +57,8 @@ def by_full(name, folder):
 
 
 def compared(by, folder):
-    """Table rows, and for each share the number of cases that save a third and that miss their
-    bound."""
+    """Table rows, and for each share the numbers of cases that save a third and of cases that miss
+    their bound."""
     rows, halves, misses = [], [0] * len(SHARES), [0] * len(SHARES)
     for name in CASES:
         found = list(by(name, folder))
@@ -99,15 +100,15 @@ def main():
         *f"""\
 The scenes of :doc:`hard_cases` and :doc:`hard_cases_full` with *relative* R of
 :doc:`../fix_bearing_implicit`. The tolerance is the larger of 1 nm and R times the largest overlap.
-Corrections include those of refused steps. The figure is the largest difference of the
-contact load relative to the peak load, against the reference nearest to its bound. Written on
+Corrections in refused steps are included. The figure is the largest difference in contact load
+relative to the peak load, compared with the reference nearest to its bound. Written on
 {date.today()}.
 """.splitlines(),
         "",
     ]
     for title, (rows, halves, misses) in (
         ("Smoothed friction", smoothed),
-        ("Models full, against velocity Verlet", full),
+        ("Models full, compared with velocity Verlet", full),
     ):
         text += [title, "-" * len(title), "", *sentence(halves, misses), ""]
         text += csv_table(HEAD, rows)

@@ -37,7 +37,7 @@ SLOW = [
 
 
 def times(name, folder):
-    """(row of the first table, `Speed` without output, period of the resonance in s)."""
+    """(row of the first table, `Speed` without output, period of the contact resonance in s)."""
     case, within = CASES[name], CASES[name]["large"]["factor"]
     record = speed(folder, case, "record")
     period = resonance(folder)
@@ -48,7 +48,7 @@ def times(name, folder):
 
 
 def fast(name, folder):
-    """(`Speed` with a record and without output) with the faster settings."""
+    """[`Speed` with a record, `Speed` without output] with the faster settings."""
     words = CASES[name]["fast"]
     return [speed(folder, CASES[name], writes, words) for writes in ("record", "nothing")]
 
@@ -87,12 +87,12 @@ def main():
         "=======================",
         "",
         *f"""\
-The scenes of :doc:`hard_cases` with host steps as long as their loads and motions allow. That
-page lists the errors of these host steps. *With a record* is :doc:`../fix_bearing_record` with the
-samples of that page, taken within the host steps. *Nothing written* is the same motion without
-output. A factor is simulated over wall time of the host's loop, without set-up. It is the median of
-{RUNS} runs on a shared virtual core. Written on {date.today()}: without output {below} of
-{len(timed)} are slower than real time with the default settings.
+The scenes of :doc:`hard_cases` run with host steps as long as their loads and motions allow. That
+page lists the errors of these host steps. *With a record* means :doc:`../fix_bearing_record` with
+the samples of that page, taken within the host steps. *Nothing written* is the same motion without
+output. A factor is simulated time over wall time of the host's loop, without set-up. It is the
+median of {RUNS} runs on a shared virtual core. Written on {date.today()}: without output {below} of
+{len(timed)} scenes are slower than real time with the default settings.
 """.splitlines(),
         "",
         *csv_table(HEAD, [row for row, _, _ in timed.values()]),
@@ -104,11 +104,11 @@ Balls between two loaded contacts vibrate. *Contact resonance* is the shortest p
 the springs of its two contacts in the run. The default tolerance follows this motion with more
 steps than the bounds require. *Coarsest tolerance* is the largest of the series 1, 2, 5, 10, 20,
 50, 100 and 200 nm up to which all bounds are met. The series was run with one host step per sample,
-and with the host steps above; the steps per period are those of the latter. Steps as long as the
+and with the host steps above; the steps per period are given for the latter. Steps as long as the
 period damp the vibration, while the loads stay within the bound.
 
 *Words* are the keywords of :doc:`../fix_bearing_implicit` that meet the same bounds faster. The
-figure is the one nearest to its bound, for both lengths of host steps.
+figure nearest to its bound is given, for both lengths of host steps.
 """.splitlines(),
         "",
         *csv_table(SLOW, slow),

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The hard cases of cases.yaml: figures against their references, deliberately large steps, and
-a run of thirty seconds."""
+"""The hard cases of cases.yaml: comparison with references, deliberately large steps, and a run of
+thirty seconds."""
 
 import re
 from functools import cache
@@ -24,7 +24,7 @@ from hard.speed import nearest
 
 
 def marked(*keys, name, key):
-    """A pytest parameter, marked as an expected failure where cases.yaml lists a miss."""
+    """A pytest parameter, marked as an expected failure if cases.yaml lists a miss."""
     why = CASES[name].get("misses", {}).get(key)
     return pytest.param(
         name,
@@ -36,7 +36,8 @@ def marked(*keys, name, key):
 
 @pytest.fixture(scope="module")
 def courses(tmp_path_factory):
-    """(case, kind) -> `Course`, made on first use; kind "default" is the fix itself."""
+    """Function of (case, kind) that returns a `Course`, which is made on first use; kind "default"
+    is the fix itself."""
     folder = tmp_path_factory.mktemp("hard")
 
     @cache
@@ -52,7 +53,7 @@ def courses(tmp_path_factory):
 
 def yardstick(name):
     """The reference with the same friction law by which a run is judged, and the Verlet reference
-    with its settings."""
+    and its settings."""
     kinds = CASES[name]["references"]
     return next(k for k in ("verlet", "fine") if k in kinds), next(
         k for k in ("verlet", "history") if k in kinds
@@ -68,7 +69,7 @@ def yardstick(name):
     ],
 )
 def test_figure(courses, name, kind):
-    """The fix with its defaults, one host step per sample, against a reference."""
+    """The fix with its defaults and one host step per sample agrees with a reference."""
     case, found = CASES[name], courses(name, "default")
     verdict = (
         judge_statics(found, case)
@@ -93,7 +94,8 @@ def test_fast_words(courses, tmp_path, name):
 
 @pytest.mark.parametrize("name", CASES)
 def test_models_full(tmp_path, name):
-    """The implicit step with its defaults against velocity Verlet, both with the models `full`."""
+    """The implicit step with its defaults agrees with velocity Verlet, both with the models
+    `full`."""
     found, truth, verdict = full(tmp_path, CASES[name])
     assert not found.error and not truth.error, found.error or truth.error
     print(f"{name}, full: {verdict}")
@@ -118,8 +120,8 @@ def test_kept_derivatives_solve_the_same_stages(tmp_path):
 
 @pytest.mark.parametrize("name", [marked(name=name, key="large") for name in CASES])
 def test_host_step_too_large(courses, tmp_path, name):
-    """The error control refines the step until the case's bound holds at its samples, or the run is
-    refused with a clear message."""
+    """The error control refines the step until the bound of the case holds at its samples, or the
+    run is refused with a clear message."""
     case, kind = CASES[name], yardstick(name)[0]
     found = coarse(tmp_path, case)
     if found.error:
@@ -165,7 +167,7 @@ def thirty_seconds(tmp_path_factory):
 
 
 def test_no_drift_in_thirty_seconds(thirty_seconds):
-    """Means over the first and the last second agree within 1e-4 and three times their
+    """Means over the first and the last second agree within 1e-4 and within three times their
     statistical error: a rounding or damping error that adds up over the 850 ball passes between
     them would show."""
     for name, drift in longrun.drifts(thirty_seconds).items():
@@ -174,7 +176,7 @@ def test_no_drift_in_thirty_seconds(thirty_seconds):
 
 
 def test_energy_of_thirty_seconds(thirty_seconds):
-    """The energy balance closes to 1e-3 of the losses with the defaults. The losses are 1.5 mW,
+    """With the defaults the energy balance closes to 1e-3 of the losses. The losses are 1.5 mW,
     hundreds of times less than the power exchanged as balls enter and leave the load zone."""
     found = longrun.account(thirty_seconds)
     print(found, found.figure)
@@ -203,6 +205,6 @@ def test_the_integrators_own_loss(tmp_path):
 
 
 def test_thirty_seconds_with_one_step_a_sample(tmp_path):
-    """Twelve host steps per ball pass, 2.9 ms each, refined by the error control."""
+    """The error control refines host steps of 2.9 ms, twelve per ball pass, without an error."""
     course = longrun.long_run(tmp_path, 30, substeps=1)
     assert not course.error, course.error

@@ -31,9 +31,9 @@ static RacewayPhysics outer_6208(double mu)
   return p;
 }
 
-// State of a ball (x, v, w: 9 numbers) on a 6208 outer ring that rotates at `spin`: damping, mu and
-// the friction's denominator sqrt(s^2 + v_0^2) come from `frozen` (3 numbers) if the first is not
-// negative, and are stored there otherwise. Returns the force on the ball.
+// Force on a ball with a given state (x, v, w: 9 numbers) on a 6208 outer ring that rotates at
+// `spin`. Damping, mu and the friction's denominator sqrt(s^2 + v_0^2) are taken from `frozen` (3
+// numbers) if the first is not negative, and are stored there otherwise.
 static ContactState contact(const double *s, double spin, double mu, double *frozen, double *force)
 {
   const RacewayPhysics p = outer_6208(mu);
@@ -66,8 +66,8 @@ EXPORT(void, contact_force,
   contact(state, spin, mu, frozen, force);
 }
 
-// Derivative of the force with respect to the velocity, for a stage of 1 s in which positions
-// follow for the time `follows`: 3 x 3 in the lab, and the normal.
+// Derivative of the force with respect to the velocity (3 x 3 in the lab frame), for a stage of 1 s
+// in which positions follow for the time `follows`, and the normal.
 static void lab_derivative(const ContactState &c, const RacewayPhysics &p, double follows,
                            double *D, double *normal)
 {
@@ -98,7 +98,8 @@ static void lab_derivative(const ContactState &c, const RacewayPhysics &p, doubl
   }
 }
 
-// Velocity derivative D at a given position, position derivative K, and the normal.
+// Derivative D with respect to velocity at a given position, derivative K with respect to position,
+// and the normal.
 EXPORT(void, contact_derivatives,
        (const double state[9], double spin, double mu, double D[9], double K[9], double n[3]))
 {
@@ -110,7 +111,8 @@ EXPORT(void, contact_derivatives,
   for (int k = 0; k < 9; ++k) K[k] = both[k] - D[k];
 }
 
-// Four systems of size 6 or 3; A[4][36] with rows 6 apart; r[4][6] holds the solution on return.
+// Solves four systems of size 6 or 3; rows of A[4][36] are 6 apart; r[4][6] holds the solution on
+// return.
 EXPORT(void, blocks, (int n, const double A[144], double r[24]))
 {
   Lane a[36], x[6];
@@ -136,15 +138,15 @@ EXPORT(void, dense, (int n, const double *A, double *y))
   lu.solve(y);
 }
 
-// Links between bodies with given inverse blocks (9 numbers each); x: right-hand sides on entry,
-// forces on return.
+// Solves for the forces in links between bodies with given inverse blocks (9 numbers each); x holds
+// right-hand sides on entry and forces on return.
 EXPORT(int, chain,
        (int bodies, const double *inverse, int links, const int *pairs, const double *normals,
         const double *a, double *x))
 {
   LinkChain c;
   c.resize(bodies);
-  // the second time with used memory: must give the same answer
+  // solves a second time with used memory, which must give the same answer
   for (int round = 0; round < 2; ++round) {
     c.clear();
     for (int i = 0; i < links; ++i) {
@@ -163,7 +165,7 @@ EXPORT(int, chain,
   return 1;
 }
 
-// Position and velocity (lab) after a drift over the time h.
+// Position and velocity in the lab frame after a drift over the time h.
 EXPORT(void, drift,
        (const double x[3], const double v[3], double h, double x_new[3], double v_new[3]))
 {
@@ -246,9 +248,9 @@ EXPORT(void, lone_ring,
   rings[0].v.to(out->v);
 }
 
-// A single ring of 0.5 kg, free along z on a spring (0: none) under a constant force, from place[0]
-// (m) and velocity[0] (m/s): place[1] and velocity[1] after n steps of h seconds. Returns the
-// largest error (m) estimated in a step.
+// A single ring of 0.5 kg, free along z on a spring (0: none) under a constant force, moves from
+// place[0] (m) and velocity[0] (m/s) to place[1] and velocity[1] in n steps of h seconds. Returns
+// the largest error (m) estimated in a step.
 EXPORT(double, estimated_errors,
        (int n, double h, double stiffness, double force, double place[2], double velocity[2]))
 {
@@ -284,7 +286,7 @@ EXPORT(double, estimated_errors,
 }
 
 // Corrections of the velocity (x, y, z) of a free ring of 0.5 kg under a force of 1, 2, 3 N: with
-// its own factors, and twice more with those.
+// new factors, and twice more with the same factors.
 EXPORT(void, old_factors, (double h, double found[9]))
 {
   BearingModel m;
@@ -317,9 +319,9 @@ EXPORT(void, old_factors, (double h, double found[9]))
   }
 }
 
-// A ball on an outer raceway with a notch, or with a pit of its own, in a stage of h seconds: the
-// matrix of the linear system and difference quotients of its right-hand side. Rows: the ball's
-// velocity and spin; columns: the same, and x, y and spin of the outer ring.
+// A ball on an outer raceway with a notch, or a ball with a pit, in a stage of h seconds: the
+// matrix of the linear system and difference quotients of its right-hand side. Rows: velocity and
+// spin of the ball; columns: velocity and spin of the ball, then x, y and spin of the outer ring.
 EXPORT(void, flawed_system,
        (const double notch[4], int of_ball, double off_middle, double overlap, double h,
         double matrix[54], double differences[54], double transposed[18]))
@@ -388,9 +390,10 @@ EXPORT(void, flawed_system,
   }
 }
 
-// A ball that rolls around an outer raceway pressed only by its inertia, initially `gap` (m) away
-// from it, in steps of h seconds: corrections and estimated error of each step, and the overlap
-// after it. If `heavy` (m) is above 0, a second ball with that overlap rolls around with it.
+// A ball that rolls around an outer raceway, pressed on it only by inertia and initially `gap` (m)
+// away from it, in steps of h seconds: corrections and estimated error of each step, and the
+// overlap after it. If `heavy` (m) is above 0, a second ball with this overlap rolls around as
+// well.
 EXPORT(void, resting,
        (double speed, double gap, double heavy, double newton, double h, int n, double *corrections,
         double *error, double *overlap))
@@ -446,9 +449,9 @@ EXPORT(void, meeting, (double gap, double speed, double h, double newton, double
   *corrections = o.solved() ? o.corrections : HUGE_VAL;
 }
 
-// A ball and a ring that is free along both radial axes: matrix[48] holds the block of the ball
-// (36) and its columns of the ring (12), as restored by restore() after corrections with new and,
-// if `again`, with old derivatives.
+// A ball and a ring that is free along both radial axes: matrix[48] is the block of the ball (36)
+// and its columns for the ring (12), as restored by restore() after corrections with new and, if
+// `again`, with old derivatives.
 EXPORT(void, matrix_kept, (int again, const double matrix[48], double restored[48]))
 {
   BearingModel model;

@@ -17,7 +17,7 @@ TILTED = (
 
 def sampled(folder, within, **case):
     """(rows of contacts, totals, values for thermo) of a run of in.case with the capacitance at
-    instants."""
+    instants within steps."""
     folder.mkdir()
     more = folder / "more"
     more.write_text(
@@ -31,7 +31,7 @@ def sampled(folder, within, **case):
 
 
 def by_instant(rows, instants, column):
-    """A column of contacts as (instants, raceways, balls); 0 without contact."""
+    """A column of contacts as an array (instants, raceways, balls); 0 without contact."""
     table = np.zeros((instants + 1, 2, 9))
     table[
         np.rint(rows[:, 1] * instants / rows[-1, 1]).astype(int),
@@ -43,9 +43,9 @@ def by_instant(rows, instants, column):
 
 @pytest.mark.parametrize("inner", [RADIAL, TILTED], ids=["radial", "tilted"])
 def test_instants_are_what_finer_steps_give(inner, tmp_path):
-    """Host steps of 0.8 ms with 8 instants each, 1 degree of orbit, compared with host steps of 0.1
-    ms, both with an error of 1 nm per internal step: at 2e8 N/m that is 0.2 N, 1e-4 of the largest
-    load, plus the errors of a few earlier steps that are not damped yet.
+    """Host steps of 0.8 ms (1 degree of orbit) with 8 instants each are compared with host steps of
+    0.1 ms, both with an error of 1 nm per internal step: at 2e8 N/m this is 0.2 N, 1e-4 of the
+    largest load, plus the errors of a few earlier steps that are not damped yet.
     """
     case = dict(inner=inner, control="tolerance 1e-9")
     coarse, _, _ = sampled(tmp_path / "coarse", 8, sample=8e-4, samples=20, **case)
@@ -59,8 +59,8 @@ def test_instants_are_what_finer_steps_give(inner, tmp_path):
 
 
 def test_a_load_that_comes_on_within_steps(tmp_path):
-    """A ramp of 3 ms with host steps of 1 ms: instants are taken from every internal step, not only
-    from the ends of host steps."""
+    """During a ramp of 3 ms with host steps of 1 ms, instants are taken from every internal step,
+    not only from the ends of host steps."""
     coarse, _, _ = sampled(
         tmp_path / "coarse", 10, sample=1e-3, samples=4, inner=RADIAL, control="tolerance 1e-9"
     )
@@ -76,8 +76,8 @@ def test_a_load_that_comes_on_within_steps(tmp_path):
 
 
 def test_columns(tmp_path):
-    """Capacitance by the package from a row's load and film; totals, largest value, active balls
-    and the figures of a step from the rows."""
+    """Capacitances agree with those that the Python package computes from the load and film of each
+    row; totals, largest values, active balls and the figures of a step agree with the rows."""
     rows, totals, now = sampled(tmp_path / "run", 5, sample=4e-4, samples=8, inner=RADIAL)
     bearing = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     for side in (0, 1):

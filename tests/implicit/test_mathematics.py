@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Contact derivatives against finite differences, solvers against numpy, rotating frames, a single
-ring against scipy."""
+"""Contact derivatives compared with finite differences, solvers with numpy and a single ring with
+scipy; rotating frames."""
 
 import subprocess
 from pathlib import Path
@@ -56,14 +56,14 @@ def force(lib, state, spin, mu, frozen):
 
 
 def derivatives(lib, state, spin, mu):
-    """D and K as matrices, and the normal."""
+    """The derivatives D and K as matrices, and the normal."""
     D, K, n = lib.call("contact_derivatives", state=state, spin=spin, mu=mu)
     return D.reshape(3, 3), K.reshape(3, 3), n
 
 
 def differences(lib, state, spin, mu, first, step):
-    """-df/ds over three entries of the state from `first`, with C, mu and the friction's
-    denominator held at their values here."""
+    """-df/ds for three entries of the state from `first`, with C, mu and the friction's denominator
+    held at their values in `state`."""
     frozen = np.array([-1.0, 0, 0])
     force(lib, state, spin, mu, frozen)
     columns = []
@@ -96,8 +96,8 @@ def test_velocity_derivative_is_exact(lib, angle, mu):
 
 @pytest.mark.parametrize("angle, tolerance", [(0.0, 1e-6), (0.4, 1e-2)])
 def test_position_derivative(lib, angle, tolerance):
-    """Exact for a radial contact; under an angle, the derivative of the frozen constants is
-    neglected."""
+    """The derivative is exact for a radial contact; with a contact angle, the derivative of the
+    frozen constants is neglected."""
     state = ball(angle=angle)
     _, K, _ = derivatives(lib, state, 0.0, 0.0)
     numeric = differences(lib, state, 0.0, 0.0, 0, 1e-9)
@@ -105,8 +105,8 @@ def test_position_derivative(lib, angle, tolerance):
 
 
 def test_turn_of_the_normal(lib):
-    """The two terms from the rotation of the normal, isolated: across the groove N/s, along it
-    N/r."""
+    """The two terms from the rotation of the normal alone are N/s across the groove and N/r along
+    it."""
     state = ball()
     frozen = np.array([-1.0, 0, 0])
     N = np.linalg.norm(force(lib, state, 0.0, 0.0, frozen))
@@ -205,15 +205,15 @@ def lone_ring(lib, order, steps, time):
 
 
 def gyroscope(time):
-    """Axis and its rate from L' = M + reaction along e, integrated by scipy with the complete
-    kinematics."""
+    """Axis and its rate of change from L' = M + reaction along e, integrated by scipy with the
+    complete kinematics."""
     axial, transverse = INERTIA
 
     def slope(_, y):
         e, L = y[:3], y[3:]
         along = e * (L @ e)
         turn = np.cross((L - along) / transverse, e)
-        # spin held: the momentum along e stays I_a spin; the drive takes the rest of the
+        # the spin is held: the momentum along e stays I_a spin, and the drive takes the remaining
         # moment
         return np.concatenate([turn, MOMENT - e * (MOMENT @ e)])
 
@@ -225,8 +225,8 @@ def gyroscope(time):
 
 @pytest.mark.parametrize("order, method", [(1, 1), (2, 2), (1, 0)], ids=["1", "2", "dampers only"])
 def test_gyroscope(lib, order, method):
-    """A spinning ring under a moment precesses and nutates according to theory, with the order of
-    the method."""
+    """A spinning ring under a moment precesses and nutates according to theory, with errors of the
+    order of the method."""
     time = 5e-3
     axis, rate = gyroscope(time)
     errors = []
@@ -245,8 +245,8 @@ def test_gyroscope(lib, order, method):
 
 @pytest.mark.parametrize("method", [2, 0], ids=["order 2", "dampers only"])
 def test_free_fall_is_exact(lib, method):
-    """Under a constant force, order 2 gives the parabola to rounding; springs behave as in velocity
-    Verlet."""
+    """Under a constant force, order 2 gives the exact parabola to rounding, and so does `solve
+    damping`, which treats springs as velocity Verlet does."""
     out, time = lone_ring(lib, method, 7, 2e-3), 2e-3
     acceleration = np.array([1.0, 2.0, 3.0]) / 0.5
     np.testing.assert_allclose(out.v, acceleration * time, rtol=1e-12)
@@ -254,7 +254,7 @@ def test_free_fall_is_exact(lib, method):
 
 
 def estimated(lib, n, h, place, velocity, stiffness=0.0, force=0.0):
-    """The largest error estimated in a step, and position and velocity at the end."""
+    """Largest error estimated in a step, and position and velocity at the end."""
     x, v = np.array([place, 0.0]), np.array([velocity, 0.0])
     error = lib.call(
         "estimated_errors", n=n, h=h, stiffness=stiffness, force=force, place=x, velocity=v
@@ -262,7 +262,7 @@ def estimated(lib, n, h, place, velocity, stiffness=0.0, force=0.0):
     return error, x[1], v[1]
 
 
-RATE, SWING = 2000.0, 1e-6  # rad/s and m, of a ring of 0.5 kg on a spring
+RATE, SWING = 2000.0, 1e-6  # vibration of a ring of 0.5 kg on a spring: rate (rad/s), amplitude (m)
 SPRING = 0.5 * RATE**2
 GAMMA = 1 - np.sqrt(0.5)
 
@@ -272,7 +272,7 @@ def test_estimate_of_a_step_of_a_vibration(lib, turn):
     """The velocity is the same at the ends of both stages, so that the bound is 0. The error that
     counts is the distance of the end point in the plane of position and velocity: R(z) of the
     method lacks c z^3, and the first stage has the second difference gamma z^2 v, not z^2 v/2. Four
-    times the error for a velocity given as a function of time is 0.59 of that."""
+    times the error for a velocity given as a function of time is 0.59 of this distance."""
     h = turn / RATE
     start = -0.5 * (1 + GAMMA) * turn
     error, x, v = estimated(
@@ -287,7 +287,8 @@ def test_estimate_of_a_step_of_a_vibration(lib, turn):
 
 
 def test_estimate_of_a_constant_force_is_a_share_of_the_bound(lib):
-    """The method has no error there, so 0.3 of the error of a first-order method counts."""
+    """The method has no error under a constant force, so 0.3 of the error of a first-order method
+    counts."""
     h, acceleration = 1e-4, 3.0 / 0.5
     error, x, _ = estimated(lib, 1, h, 0.0, 0.0, force=3.0)
     bound = GAMMA * (1 - GAMMA) * h**2 * acceleration
@@ -297,8 +298,9 @@ def test_estimate_of_a_constant_force_is_a_share_of_the_bound(lib):
 
 @pytest.mark.parametrize("periods", [1, 10])
 def test_vibration_lags_by_less_than_the_stated_bound(lib, periods):
-    """After s radians of a vibration that sets the step: 0.65 s times the largest error that a step
-    estimated (docs/fix_bearing_implicit). In theory c/(0.3 gamma (1 - gamma)) times that."""
+    """After s radians of a vibration that sets the step, the error is below 0.65 s times the
+    largest error estimated in a step (docs/fix_bearing_implicit). In theory it is c/(0.3 gamma
+    (1 - gamma)) s times this estimate."""
     turn = 0.02
     n = round(2 * np.pi * periods / turn)
     error, x, v = estimated(lib, n, turn / RATE, SWING, 0.0, stiffness=SPRING)
@@ -329,7 +331,7 @@ def test_between_steps_a_cubic_is_exact(lib):
 
 
 def test_between_steps_an_axis_turns_to_fourth_order(lib):
-    """A precessing ring: half-way, the error of the axis is of order h^4."""
+    """Half-way between two instants, the error of the axis of a precessing ring is of order h^4."""
     errors = []
     for h in (2e-3, 1e-3, 5e-4):
         miss = lib.call("axis_between", [40.0, -60.0, 30.0], h)
@@ -341,8 +343,8 @@ def test_between_steps_an_axis_turns_to_fourth_order(lib):
 @pytest.mark.parametrize("width", [0, 3e-4], ids=["full", "pit"])
 @pytest.mark.parametrize("off_middle", [-4e-4, 1e-5, 2e-4, 2e-3])
 def test_derivatives_over_a_flaw(lib, off_middle, width):
-    """The slope and curvature of a flaw enter the matrix of the implicit step: on a flank,
-    at an edge, and on a wave. So does the motion of the ring that carries it."""
+    """Slope and curvature of a flaw enter the matrix of the implicit step, on a flank, at an edge
+    and on a wave. So does the motion of the ring with the flaw."""
 
     def found(overlap):
         return [
@@ -361,7 +363,7 @@ def test_derivatives_over_a_flaw(lib, off_middle, width):
     mass, frame, _ = found(-2e-4)  # without contact
     force, want = (matrix - mass)[:3], (differences - frame)[:3]
     stiff = want[0, 0]
-    # the matrix rotates the force with the ball's position, which its frame does already: h^2 N/r
+    # the matrix rotates the force with the ball's position, as its frame already does: h^2 N/r
     assert np.abs(force[1, 1] - want[1, 1]) < 7e-4 * stiff
     force[1, 1] = want[1, 1]
     assert np.abs(force - want)[:, [0, 1, 2, 6, 7]].max() < 5e-5 * stiff
@@ -374,7 +376,8 @@ def test_derivatives_over_a_flaw(lib, off_middle, width):
 @pytest.mark.parametrize("width", [5e-3, 3e-4], ids=["wide", "narrow"])
 @pytest.mark.parametrize("off_middle", [-4e-4, 1e-5, 2e-4, 2e-3])
 def test_derivatives_over_a_flaw_of_the_ball(lib, off_middle, width):
-    """As above, with the ball's spin about the axis instead of its motion along the raceway."""
+    """For a flaw of a ball, the ball's spin about the axis takes the place of its motion along the
+    raceway."""
 
     def found(overlap):
         return [
@@ -423,8 +426,9 @@ def resting(lib, steps=1, **words):
 
 def test_a_ball_that_rests_stays(lib):
     """A ball of 8 g that rolls around at 2 rad/s is pressed on its raceway by 1 mN, to an overlap
-    of 1 nm. It starts a nanometre away. The tolerance is 5 nm, a step a few of its vibration
-    periods. One correction per stage brings it there, without a jump off the raceway and back."""
+    of 1 nm. It starts a nanometre away. The tolerance is 5 nm, and a step lasts a few of its
+    vibration periods. One correction per stage brings the ball to its place, without a jump off the
+    raceway and back."""
     scene = dict(speed=2 * 30.3e-3, gap=1e-9, heavy=0.0, h=4e-3, steps=10)
     corrections, _, overlap = resting(lib, newton=5e-9, **scene)
     assert corrections.tolist() == [2] * 10
@@ -434,7 +438,7 @@ def test_a_ball_that_rests_stays(lib):
 
 
 def test_a_light_ball_counts_a_tenth(lib):
-    """An unloaded ball next to one with an overlap of 0.1 um behaves like the same ball alone."""
+    """The error of an unloaded ball counts a tenth if another ball has an overlap of 0.1 um."""
     scene = dict(speed=30.0, gap=1e-6, newton=1e-9, h=1e-7)
     alone, beside = (resting(lib, heavy=heavy, **scene)[1][0] for heavy in (0.0, 1e-7))
     assert alone > 1e-11
@@ -454,7 +458,8 @@ def test_a_contact_that_opens_and_closes_in_turn_is_met_half_way(lib, gap, speed
 
 @pytest.mark.parametrize("again", [0, 1])
 def test_corrections_of_the_cage_alone_start_from_the_matrix_of_the_raceways(lib, again):
-    """Also after a correction that used the factors of an earlier matrix."""
+    """The matrix is restored, also after a correction that used the factors of an earlier
+    matrix."""
     want = np.random.default_rng(4).standard_normal(48)
     want[:36:7] += 10.0
     np.testing.assert_array_equal(lib.call("matrix_kept", again=again, matrix=want), want)

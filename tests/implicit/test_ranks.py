@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/implicit: the same bits on any number of ranks, wherever the box is cut, with other
-bearings in the box, and through a restart on another number of ranks.
+"""fix bearing/implicit gives the same bits on any number of ranks, wherever the box is cut, with
+other bearings in the box, and through a restart on another number of ranks.
 
 The scene (in.ranks) is a transient under a growing load with refused steps. The inner ring
 starts on the cuts through the middle of the box and leaves them, so the bearing moves to another
@@ -18,7 +18,7 @@ LAST = 60  # steps
 
 
 def state(folder):
-    """All written bits, step by step."""
+    """All bits that a run has written, step by step."""
     return [frames(folder / name) for name in ("balls.dump", "contacts.dump")] + [
         (folder / name).read_text()
         for name in ("ring.txt", "control.txt", "capacitance.txt", "between.txt", "events.txt")
@@ -34,7 +34,7 @@ def first_bearing(folder):
 
 
 def last(folder):
-    """Last sample of atoms, contacts and ring."""
+    """Last samples of atoms, contacts and ring."""
     return [frames(folder / name)[LAST] for name in ("balls.dump", "contacts.dump")] + [
         (folder / "ring.txt").read_text().splitlines()[-1]
     ]
@@ -125,8 +125,8 @@ def test_a_fix_for_each_bearing(both, ranks, tmp_path):
 
 @pytest.mark.parametrize("bearings", [1, 2])
 def test_restart_on_other_ranks(whole, both, bearings, tmp_path):
-    """Written by two ranks in the middle of a run, while the load grows and steps are refined;
-    resumed by one and by four."""
+    """Two ranks write a restart file in the middle of a run, while the load grows and steps are
+    refined; one rank and four ranks resume it."""
     case = TWO if bearings == 2 else {}
     unbroken = {1: whole, 2: both}[bearings]
     succeed(DECK, ranks=2, out=tmp_path, keep=22, first=22, second=38, **case)
@@ -147,9 +147,9 @@ def test_restart_on_other_ranks(whole, both, bearings, tmp_path):
 
 @pytest.mark.parametrize("scene", ["full", "full by estimates", "flaw"])
 def test_models_full_or_flaws(scene, tmp_path):
-    """With film in the gap, film branch and tangential springs, which store forces between steps;
-    or with flaws of balls and of a ring, whose ghosts must have its angle: two and four ranks, with
-    a restart file written in the middle and resumed by four, give the bits of one."""
+    """Two and four ranks, with a restart file written in the middle and resumed by four, give the
+    bits of one rank: with film in the gap, film branch and tangential springs, which store forces
+    between steps, or with flaws of balls and of a ring, whose ghosts must have the ring's angle."""
     kept = {
         "full": {"control": "tolerance 1e-8 cage_tolerance 1e-6"},
         "full by estimates": {"control": "tolerance 1e-8 cage_tolerance 1e-6 control estimate"},
@@ -179,8 +179,8 @@ def test_models_full_or_flaws(scene, tmp_path):
 
 
 def test_a_fixed_housing_is_the_ground(tmp_path):
-    """A fixed housing on the pitch circle, nearer to some cage balls than their own ring, gives the
-    bits of the ground."""
+    """A fixed housing on the pitch circle, nearer to some cage balls than their ring, gives the
+    same bits as the ground."""
     held = (ROOT / "tests/hosts/bits.housing.1").read_text().split("fix housing")[0]
     text = (ROOT / DECK).read_text()
     for name, words in (
@@ -197,8 +197,8 @@ def test_a_fixed_housing_is_the_ground(tmp_path):
 
 
 def test_only_dampers_implicit(tmp_path):
-    """`solve damping` on two ranks, with a restart file written in the middle and resumed by four,
-    gives the bits of one rank."""
+    """`solve damping` on two ranks, with a restart file written in the middle and resumed by four
+    ranks, gives the bits of one rank."""
     words = dict(control="solve damping")
     succeed(DECK, out=tmp_path / "one", **words)
     succeed(DECK, ranks=2, out=tmp_path / "two", keep=22, first=22, second=38, **words)

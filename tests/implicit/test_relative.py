@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A tolerance relative to the largest overlap in the main deck."""
+"""The main deck with a tolerance relative to the largest overlap."""
 
 import pytest
 from host import liggghts, succeed
@@ -10,7 +10,7 @@ SCENE = {"passes": 2, "samples": 20, "load": 5000}
 
 @pytest.fixture(scope="module")
 def runs(tmp_path_factory):
-    """share -> folder of the run"""
+    """{share: folder of the run}"""
     folder = tmp_path_factory.mktemp("relative")
     for share in (0, 5e-4, 2e-3):
         succeed("inputs/in.6208", out=folder / f"{share:g}", relative_tolerance=share, **SCENE)
@@ -19,7 +19,8 @@ def runs(tmp_path_factory):
 
 
 def test_fewer_evaluations_and_exact_loads(runs):
-    """Steps may have an error of R relative to the largest overlap, and loads an error of 1.5 R."""
+    """Steps may have an error of R relative to the largest overlap; loads then have an error of
+    1.5 R."""
     exact = Run(runs / "fine").contacts["load"]
     evaluations = []
     for share in (0, 5e-4, 2e-3):

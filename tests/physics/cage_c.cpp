@@ -33,7 +33,7 @@ FORMULA(double, cage_churning,
   return churning_couple(share, density, viscosity, radius, speed);
 }
 
-// A cage with ball and ring at positions set by a test.
+// A cage with a ball and a ring at positions that a test sets.
 RECORD(CageScene, double pockets, spherical, pitch, phase, along, across, stiffness, mass, friction,
        creep, shear, guide, radius, clearance, width, viscosity, land_stiffness, wall, x[3], v[3],
        w[3], e[3], angle, ball_x[3], ball_v[3], ball_w[3], ball_radius, ball_mass, ring_x[3],

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A ball and a ring as moving rigid bodies in 40-digit arithmetic: reference for contact.h.
 
-It does not use the header's derivation. Points of the bodies are followed along the motion
-(constant velocities, Rodrigues rotation) and differentiated in time; vectors are mpmath, so no step
-size enters.
+It does not use the derivation in the header. Points of the bodies are followed along the motion
+(constant velocities, Rodrigues rotation) and differentiated in time; vectors are mpmath vectors, so
+no step size enters.
 """
 
 import mpmath
@@ -46,7 +46,7 @@ def turn(a, w):
 
 
 def derivative(f):
-    """df/dt at t = 0 of a vector function: central differences, Richardson.
+    """df/dt at t = 0 of a vector function, from central differences with Richardson extrapolation.
 
     Motions here vary over T = 1e-5 s and more: truncation (h/T)^4 = 1e-36, rounding 1e-40 m/h =
     1e-26 m/s.
@@ -60,8 +60,8 @@ def derivative(f):
 
 
 class Reference:
-    """Ball (x, v, w), ring (x, v, w, e) on a torus groove of centre circle `circle` (m) and ball
-    radius `radius`."""
+    """A ball (x, v, w) of `radius` (m) and a ring (x, v, w, e) with a torus groove whose centre
+    circle has the radius `circle` (m)."""
 
     def __init__(self, ball, ring, circle, radius):
         self.ball, self.ring = [vector(q) for q in ball], [vector(q) for q in ring]
@@ -70,7 +70,7 @@ class Reference:
         self.circle, self.radius = mpf(circle), mpf(radius)
 
     def frame(self, t=0):
-        """All geometry at the time t: u, t, e, n, w, s, contact point."""
+        """Geometry at the time t: u, t, e, n, w, s, contact point."""
         t = mpf(t)
         x = add(self.ball[0], self.ball[1], t)
         centre = add(self.ring[0], self.ring[1], t)
@@ -87,7 +87,7 @@ class Reference:
         )
 
     def speeds(self):
-        """overlap_rate, sliding_t, sliding_w, entrainment."""
+        """(overlap_rate, sliding_t, sliding_w, entrainment)"""
         now = self.frame()
         arm = add(now["point"], self.ball[0], -1)
         lever = add(now["point"], self.ring[0], -1)

@@ -45,8 +45,8 @@ RacewayPhysics with_gap(const RacewayPhysics &p, const FilmScene &scene)
   return q;
 }
 
-// At rest in the normal direction, so that the normal force is the load. Returns whether it is
-// open.
+// A contact at rest in the normal direction, so that the normal force is the load. Returns whether
+// it is open.
 template <class T, class Mask = decltype(T() < T())>
 Mask squeeze(const RacewayPhysics &p, const T &overlap, const T &speed, double sliding,
              ContactStateT<T> &c, T &slope)
@@ -88,7 +88,7 @@ EXPORT(double, film_stored,
   return FullLaw<>::energy(q, c);
 }
 
-// Number of values whose bits differ between four contacts together and each alone.
+// Number of values whose bits differ between four contacts together and each contact alone.
 EXPORT(int, film_lanes,
        (const RacewayPhysics *p, const FilmScene *scene, const double overlap[4],
         const double speed[4]))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A contact of a 6208 with its film: from a run, from the package and in 40 digits."""
+"""A contact of a 6208 with its film, computed by a run's code, by the package and in 40 digits."""
 
 import pytest
 from raceway import film_factors, film_gap
@@ -23,7 +23,7 @@ def scene(share=1.0, starvation=1.0, regimes=False, shear=0, sliding=0.0):
 
 
 class Gap:
-    """A contact of a 6208 with its film."""
+    """A contact of a 6208 with its film, on one of the raceways."""
 
     def __init__(self, physics, side):
         self.call = physics.call
@@ -37,7 +37,7 @@ class Gap:
         assert exact["stiffness"] == pytest.approx(self.stiffness, rel=1e-13)
 
     def cpp(self, overlap, speed, share=1.0, starvation=1.0, **changes):
-        """(whether the contact is open, its numbers)."""
+        """(whether the contact is open, its numbers) by the code of a run."""
         return self.call(
             "film_contact",
             p=self.raceway._handle,
@@ -47,7 +47,7 @@ class Gap:
         )
 
     def stored(self, overlap, speed, **changes):
-        """Energy, J."""
+        """Stored energy, J."""
         return self.call(
             "film_stored",
             p=self.raceway._handle,
@@ -69,7 +69,7 @@ class Gap:
         return reference.heated(law, loading, peak, sliding / speed, cut)
 
     def python(self, law, speed, share=1.0, factor=1.0, overlap=0.0):
-        """`film_gap.Squeeze` by the package; `law` as in `cpp`."""
+        """`film_gap.Squeeze` by the package; `law` has the changes that `cpp` takes."""
         contact = (*OIL, self.modulus, self.r_x)
         if law.get("regimes"):
             film = film_gap.all_regimes(*contact, self.r_y, speed, factor=factor)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Parts of rolling friction in a law whose contact a test describes by its motions, for
+// Parts of rolling friction in a law; tests describe the contact by its motions. For
 // test_physics_rolling_friction.py.
 #include "../../src-package/core/interface/exports.h"
 #include "any_parts.h"

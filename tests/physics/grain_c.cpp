@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A sphere that strikes a wall or another sphere, by velocity Verlet, for test_physics_grain.py.
+// A sphere that strikes a wall or another sphere, integrated by velocity Verlet, for
+// test_physics_grain.py.
 #include "../../src-package/core/interface/exports.h"
 #include "../../src-package/core/laws/grain_contact.h"
 

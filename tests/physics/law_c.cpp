@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Every possible contact law behind a C interface, for test_physics_laws.py: its slopes by duals
-// and by differences; its values one by one and four at a time, part by part and as a whole.
+// Every possible contact law behind a C interface, for test_physics_laws.py: slopes by duals and by
+// differences; values one by one and four at a time, part by part and as a whole.
 #include "../../src-package/core/interface/exports.h"
 #include "../../src-package/core/numbers/instruction_set.h"
 
@@ -17,8 +17,8 @@ template <class T> const T *force_of(const ContactStateT<T> &c, int i)
   return forces[i];
 }
 
-// Local forces after the k-th motion has changed by `step` of its own size; held quantities do not
-// change.
+// Local forces after the k-th motion has changed by `step` times its natural size; quantities that
+// are held fixed do not change.
 template <class L>
 void shifted_forces(const L &law, const Scene &s, const ContactState &c, int k, double step,
                     double *change, double &size)
@@ -102,7 +102,7 @@ template <class L> Found<L::motions> found_by(const L &law, const Scene &s, bool
   return f;
 }
 
-// The same with four identical contacts at once; returns one lane.
+// Result of an evaluation of four identical contacts at once; returns one lane.
 template <class L> Found<L::motions> found_in_lanes(const L &law, const Scene &s, bool with_slopes)
 {
   ContactStateT<Lane> four;
@@ -173,8 +173,8 @@ template <class L> int fused_differences(const Scene &s)
   return different;
 }
 
-// Four contacts of one raceway, the last of which may be open, at once and one by one: number of
-// values with different bits.
+// Number of values whose bits differ between four contacts of one raceway at once and one by one;
+// the last contact may be open.
 int lane_differences(unsigned parts, int n)
 {
   const bool decides = law_facts(parts).decides;
@@ -186,7 +186,7 @@ int lane_differences(unsigned parts, int n)
   double kept[2][lanes][most_states], x[lanes][3], v[lanes][3], w[lanes][3];
   for (int i = 0; i < lanes; ++i) {
     s[i] = scene(parts, n + each * i);
-    if (decides && i == open) {    // within reach, since no film is as thick
+    if (decides && i == open) {    // within reach, because no film is as thick
       const double away = n % 2 ? 50e-6 : -50e-6;
       s[i].ball.x = s[i].ball.x + s[i].ball.x * (away / norm(s[i].ball.x));
     }
@@ -256,7 +256,7 @@ EXPORT(int, law_slopes,
   return n;
 }
 
-// For a law that implicit steps can use.
+// Number of values with different bits, for a law that implicit steps can use.
 EXPORT(int, law_bits, (int law, int sample))
 {
   const Scene s = scene(laws_of_parts()[law], sample);
@@ -281,7 +281,8 @@ EXPORT(int, law_fused, (int law, int sample))
   return different;
 }
 
-// Why keywords cannot form this set of parts, given one after the other; "" if they can.
+// The reason why keywords cannot form this set of parts; "" if they can. Parts are given one after
+// another.
 EXPORT(const char *, law_contradiction, (const char *names))
 {
   static std::string text;
@@ -300,7 +301,7 @@ EXPORT(int, has_avx2, ())
 #ifdef __x86_64__
   return __builtin_cpu_supports("avx2") != 0;
 #else
-  return 1;    // a single compilation counts as no AVX2
+  return 1;    // a single compilation counts as code without AVX2
 #endif
 }
 EXPORT(int, takes_avx2, ()) { return wide_lanes(); }

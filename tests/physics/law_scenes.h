@@ -12,8 +12,8 @@
 
 namespace raceway {
 
-// A number, and the same number after a small change of the motions. held() returns the first:
-// whatever a law holds in its derivative must not change in the difference either.
+// A number, and the same number after a small change of the motions. held() returns the first
+// number: what a law holds fixed in its derivative must not change in the difference either.
 struct Shifted {
   double value = 0.0, moved = 0.0;
   Shifted() = default;
@@ -44,7 +44,7 @@ inline Shifted operator/(const Shifted &a, const Shifted &b)
   return {a.value / b.value, a.moved / b.moved};
 }
 inline Shifted operator-(const Shifted &a) { return {-a.value, -a.moved}; }
-// the branch of the unperturbed number: a law is differentiated within its branches
+// takes the branch of the unperturbed number: a law is differentiated within its branches
 inline bool operator<(const Shifted &a, double b) { return a.value < b; }
 inline bool operator>(const Shifted &a, double b) { return a.value > b; }
 inline bool operator>(const Shifted &a, const Shifted &b) { return a.value > b.value; }
@@ -58,7 +58,7 @@ inline Shifted magnitude(const Shifted &a) { return a.value < 0.0 ? -a : a; }
 inline Shifted where(bool test, const Shifted &yes, const Shifted &no) { return test ? yes : no; }
 }    // namespace raceway
 
-// after the number type above, which it needs
+// included after the number type above, which it needs
 #include "any_parts.h"
 
 using namespace raceway;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The physics headers behind a C interface, for the tests in this folder (called by name through
-// physics_c.py, see src-package/core/interface/exports.h). All numbers are doubles, including
-// choices.
+// physics_c.py, see src-package/core/interface/exports.h). All numbers are doubles, even those that
+// make a choice.
 #include "../../src-package/core/geometry/rail.h"
 #include "../../src-package/core/geometry/ring_body.h"
 #include "../../src-package/core/interface/exports.h"
@@ -29,7 +29,7 @@ RECORD(Constants, double K, a, b, p, min_lnA, min_p, min_m, central_lnA, central
 RECORD(Derived, double centre_circle, slack, largest_overlap, roughness, inverse_roughness, floor,
        kt_ratio, ct_factor, modulus;)
 RECORD(Place, double u[3], t[3], r, z, s, nu, ne;)
-// lam is lambda, which is reserved in Python
+// lam stands for lambda, which is reserved in Python
 RECORD(State, double u[3], t[3], r, z, nu, ne, overlap, root, cos_angle, overlap_rate, load,
        stiffness, damping, normal, entrainment, sliding_t, sliding_w, h_min, lam, mu, kt, ct,
        friction_t, friction_w;)
@@ -121,7 +121,7 @@ static void put(const ContactState &c, State *out)
   out->friction_w = c.friction_w;
 }
 
-// One of the functions of exp_log.h, on n numbers, one by one and four at a time.
+// One of the functions of exp_log.h, applied to n numbers, one by one and four at a time.
 template <class T> static T elementary_of(int which, const T &x)
 {
   return which == 0   ? exponential(x)
@@ -321,8 +321,7 @@ EXPORT(void, raceway_radial, (const RacewayPhysics *p, Constants *out))
   put(p->law.radial(), out);
 }
 
-// Without contact, touch() leaves the frame unset; it is filled in here, overlap <=
-// 0.
+// Without contact (overlap <= 0) touch() leaves the frame unset; it is filled in here.
 EXPORT(double, contact_touch,
        (const RacewayPhysics *p, const double d[3], const double e[3], State *state))
 {

@@ -13,7 +13,7 @@ FRICTIONLESS, CONSTANT, STRIBECK = 0, 1, 2  # Friction
 PITCH, BALL = 30.3e-3, 6.3e-3  # m, of a 6208
 BALL_MASS = 4 / 3 * np.pi * BALL**3 * 7800
 
-# Data of a raceway, RacewayInput of physics_c.cpp; the values are a dry 6208 inner ring.
+# Data of a raceway, RacewayInput of physics_c.cpp; the values are those of a dry 6208 inner ring.
 RACEWAY = dict(
     side=INNER,
     raceway_radius=24.0e-3,
@@ -57,10 +57,10 @@ class Physics(Library):
 
     def __init__(self, path):
         super().__init__(path)
-        self.record("RacewayInput", RACEWAY)  # the same names on both sides
+        self.record("RacewayInput", RACEWAY)  # names in C++ and Python must be equal
 
     def elementary(self, name, x):
-        """A function of `ELEMENTARY` on an array: (one by one, four at a time)."""
+        """A function of `ELEMENTARY` applied to an array: (one by one, four at a time)."""
         one, four = np.full(len(x), np.nan), np.full(len(x), np.nan)
         self.call(
             "elementary",
@@ -108,7 +108,7 @@ class Physics(Library):
 
 
 class Raceway:
-    """A RacewayPhysics; `data` is its input."""
+    """A RacewayPhysics and its input `data`."""
 
     def __init__(self, physics, changes):
         assert not set(changes) - set(RACEWAY)

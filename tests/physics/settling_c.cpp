@@ -5,8 +5,8 @@
 
 RECORD(SettlingRest, double torque, load, cage_speed, spin_axis, pocket_fall;)
 
-// Per ball pass: torque, load of either raceway, cage speed, pocket force, pitch of the spin axis
-// (rad).
+// Remainders from torque, load of each raceway, cage speed, pocket force and pitch of the spin axis
+// (rad), given per ball pass.
 EXPORT(void, settling_rest,
        (int passes, const double *torque, const double *load, const double *cage_speed,
         const double *pocket_force, const double *pitch, SettlingRest *out))

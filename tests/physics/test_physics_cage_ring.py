@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""cage_drag.h and cage_ring.h: laws against closed forms; a pocket and a land anywhere in space
+"""cage_drag.h and cage_ring.h: laws agree with closed forms; a pocket and a land anywhere in space
 conserve momentum, angular momentum and energy, and do not depend on the orientation of the lab."""
 
 import numpy as np
@@ -7,7 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 OIL = 0.04
-# a running bearing: ball diameter, pitch (m), cage speed, ball spin in the cage's frame (rad/s)
+# a running bearing: ball and pitch diameter (m), cage speed, ball spin in the cage's frame (rad/s)
 BEARINGS = {
     "6205": (7.940e-3, 39.04e-3, 74.954, 443.50),
     "MFPT": (5.969e-3, 31.62e-3, 63.076, 397.22),
@@ -43,8 +43,8 @@ def test_a_centred_land_is_petroffs_bearing(physics, name, outer, inner):
 
 
 def film(physics, e, angle=0.0, speed=74.954, whirl=0.0, v=(0.0, 0.0)):
-    """Force on the cage of a 6205, radially outwards and along the rotation, with `e` towards
-    `angle`."""
+    """Force on the cage of a 6205, radially outwards and along the rotation, with an eccentricity
+    `e` towards `angle`."""
     ball, pitch, _, _ = BEARINGS["6205"]
     c = 0.2e-3
     out, along = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
@@ -92,7 +92,7 @@ def test_a_disc_churns_as_in_the_tables(physics):
         assert found == pytest.approx(couple, rel=0.02)
         assert law(0.1, 870.0, OIL, pitch / 2 + 0.3 * ball, -cage) == -found
     assert law(0.1, 870.0, OIL, 0.02, 0.0) == 0
-    # turbulent: the fifth root of the Reynolds number
+    # turbulent flow: the fifth root of the Reynolds number
     fast = law(1.0, 870.0, 1e-4, 0.05, np.array([400.0, 800.0]))
     assert fast[1] / fast[0] == pytest.approx(2**1.8, rel=1e-12)
 
@@ -157,7 +157,7 @@ def test_a_pocket_keeps_angular_momentum_and_power(physics, push, tilt, spherica
         assert c.pocket == 4 and c.overlap > 0
         about_cage = np.cross(s["ball_x"] - s["x"], c.force) + c.ball_torque + c.cage_moment
         assert about_cage == pytest.approx([0, 0, 0], abs=1e-13 * (1 + np.linalg.norm(c.force)))
-        # power from both bodies: a spring stores F d(overlap)/dt, the rest is dissipated
+        # power taken from both bodies: a spring stores F d(overlap)/dt, the rest is dissipated
         power = (
             np.dot(c.force, s["ball_v"] - s["v"])
             + np.dot(c.ball_torque, s["ball_w"])
@@ -195,7 +195,7 @@ def test_the_force_of_a_pocket_is_the_slope_of_its_energy(physics, along, across
 
 
 def test_a_wall_is_a_spring_with_a_damper_that_grows(physics):
-    """k x + 2 sqrt(k m) min(1, x/x_1) dx/dt, with x_1 a fiftieth of the half play."""
+    """The force is k x + 2 sqrt(k m) min(1, x/x_1) dx/dt, with x_1 a fiftieth of half the play."""
     still = {name: np.zeros(3) for name in ("v", "w", "ball_w")}
     k, mass = 1e6, 2e-3 * 0.01 / (2e-3 + 0.01)
     for overlap, v in ((0.5e-6, 1e-2), (1e-6, -1e-3), (5e-6, 1e-2), (1e-6, -1.0)):

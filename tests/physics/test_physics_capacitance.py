@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""capacitance.h against equations 8 and 10-12, their limits and CODATA."""
+"""capacitance.h compared with equations 8 and 10 to 12, their limits and CODATA."""
 
 import numpy as np
 import pytest
@@ -16,7 +16,7 @@ def test_clausius_mossotti_is_proportional_to_density(ambient, pressure):
     eps = laws.permittivity(ambient, pressure)
     density = (0.59e9 + 1.34 * pressure) / (0.59e9 + pressure)
     assert laws.density_ratio(pressure) == pytest.approx(density, rel=1e-15)
-    # inverse of the function tested; 1 - c >= 0.3 here, which magnifies roundings by a few
+    # inverse of the function tested; 1 - c >= 0.3 here, which magnifies roundings a few times
     assert (eps - 1) / (eps + 2) == pytest.approx(
         (ambient - 1) / (ambient + 2) * density, rel=1e-14, abs=1e-15
     )
@@ -24,7 +24,7 @@ def test_clausius_mossotti_is_proportional_to_density(ambient, pressure):
 
 def test_limits():
     assert laws.density_ratio(0.0) == 1
-    # next term 0.2e9/p
+    # the next term is 0.2e9/p
     assert laws.density_ratio(1e20) == pytest.approx(1.34, rel=1e-10)
     assert laws.permittivity(2.15, 0.0) == pytest.approx(2.15, rel=1e-15)
     assert laws.permittivity(1.0, 3e9) == 1

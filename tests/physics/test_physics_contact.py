@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""contact.h: one ball on one raceway, against moving rigid bodies in 40-digit arithmetic and the
-conservation laws.
+"""contact.h: one ball on one raceway, compared with moving rigid bodies in 40-digit arithmetic and
+with the conservation laws.
 
 Rounding: positions have errors of 1e-17 m (an ulp of 0.03 m), and the ball is s = 0.2 mm from its
 circle of groove centres, so directions are accurate to 1e-13 and speeds (at most 100 m/s here,
-cancelling) to 1e-12 of the largest one; the overlap (10 um) is accurate to 1e-12 of itself.
+cancelling) to 1e-12 of the largest speed; the overlap (10 um) has a relative accuracy of 1e-12.
 """
 
 import mpmath
@@ -100,13 +100,13 @@ def test_a_moving_observer_sees_the_same(physics, side):
         (ball[0], ball[1] + drift, ball[2]), (ring[0], ring[1] + drift, *ring[2:])
     )
     for name in ("overlap_rate", "sliding_t", "sliding_w", "entrainment"):
-        # v - V, an ulp of 2 m/s
+        # v - V has an error of an ulp of 2 m/s
         assert getattr(moved, name) == pytest.approx(getattr(still, name), abs=1e-14)
 
 
 @SIDES
 def test_overlap_rate_along_the_motion(physics, side):
-    # by finite differences of the header's own overlap, with a tilting ring
+    # by finite differences of the header's overlap, with a tilting ring
     ball, ring = scene(side)
     ring_model = make(physics, side)
 
@@ -155,9 +155,9 @@ def test_pure_rolling_does_not_slide(physics, side, inner, outer):
     state = make(physics, side).contact(
         (ball[0] * (1 + (1e-12 if side == OUTER else -1e-12)), *ball[1:]), ring
     )
-    # the ball is 3e-14 m from the pitch circle, so that it touches at all
+    # the ball is 3e-14 m from the pitch circle, so that it just touches
     assert state.sliding_t == pytest.approx(0, abs=1e-10)
-    # the textbook's (1 - gamma^2)/2 omega r_pitch for the speed difference of the rings
+    # the textbook has (1 - gamma^2)/2 omega r_pitch for the speed difference of the rings
     gamma = BALL / PITCH
     assert state.entrainment == pytest.approx(
         abs(inner - outer) * PITCH * (1 - gamma**2) / 2, abs=1e-10
@@ -179,7 +179,7 @@ def test_load_and_stiffness(physics, side, angle):
     exact = raceway.exact(np.cos(angle)).K
     assert state.load == pytest.approx(exact * 1e-5**1.5, rel=1e-9)  # accuracy of the table
     assert state.root**2 == pytest.approx(state.overlap, rel=1e-15)
-    # stiffness = dQ/d(overlap): the ball displaced along the normal, at one contact angle
+    # stiffness = dQ/d(overlap): the ball is displaced along the normal, at one contact angle
     normal, h = state.nu * state.u + state.ne * ring[3], 2e-9
     loads = [raceway.contact((ball[0] + step * normal, *ball[1:]), ring).load for step in (h, -h)]
     # truncation (h/overlap)^2/24 of a 3/2 power, rounding 2e-17 m/h
@@ -195,8 +195,8 @@ def test_damping_is_the_slope_of_the_normal_force(physics, side):
     state = raceway.contact(ball, ring)
     normal, step = state.nu * state.u + state.ne * ring[3], 1e-3
     pushed = raceway.contact((ball[0], ball[1] + step * normal, ball[2]), ring)
-    # N is linear in the rate, and a motion along n changes only U_r; rounding: 1e-12 of forces of
-    # 1e3 N divided by C step
+    # N is linear in the rate, and a motion along n changes only U_r; rounding is 1e-12 of forces
+    # of 1e3 N divided by C step
     found = (pushed.normal - state.normal) / step
     assert found == pytest.approx(state.damping, rel=1e-10 + 1e-9 / (state.damping * step))
     assert pushed.overlap_rate - state.overlap_rate == pytest.approx(step, abs=1e-12)
@@ -218,7 +218,7 @@ def test_damping_is_the_sum_of_both_laws(physics, side, angle):
         / np.sqrt(2)
         * (BALL / h_min) ** 1.5
     )
-    # the accuracy of the table, times ln U and ln Q
+    # the error is the accuracy of the table times ln U and ln Q
     assert state.h_min == pytest.approx(h_min, rel=1e-8)
     assert state.lam == pytest.approx(h_min / 50e-9, rel=1e-8)
     assert state.damping == pytest.approx(1.5 * 0.08 * state.load + fluid, rel=3e-8)  # h^-1.5
@@ -248,7 +248,7 @@ def test_no_adhesion(physics, side):
     ball, ring = scene(side)
     state = make(physics, side).contact(ball, ring)
     normal = state.nu * state.u + state.ne * ring[3]
-    # added to the separation speed, N is zero
+    # N is zero if this speed is added to the separation speed
     critical = state.load / state.damping + state.overlap_rate
     for factor, sign in ((0.99, 1), (1.01, 0), (100.0, 0)):
         away = make(physics, side).contact(
@@ -355,7 +355,8 @@ def test_force_and_torque_act_at_the_contact_point(physics, side, axis, angle, a
 @SIDES
 @SCENES
 def test_momentum_is_conserved(physics, side, axis, angle, azimuth):
-    # the force on the ring is minus that on the ball; moments of both about any point cancel
+    # the force on the ring is opposite to the force on the ball; their moments about any point
+    # cancel
     ball, ring = scene(side, axis, angle, azimuth=azimuth)
     state = make(physics, side).contact(ball, ring, dt=1e-7)
     for about in (np.zeros(3), np.array([0.2, -0.1, 0.4])):
@@ -372,8 +373,8 @@ def test_momentum_is_conserved(physics, side, axis, angle, azimuth):
 @SIDES
 @SCENES
 def test_power_is_that_of_the_contact(physics, side, axis, angle, azimuth):
-    # the power both bodies receive is that of spring, damper and friction: this ties rates to
-    # forces
+    # the power that both bodies receive equals the power of spring, damper and friction: this ties
+    # rates to forces
     ball, ring = scene(side, axis, angle, azimuth=azimuth)
     state = make(physics, side).contact(ball, ring, dt=1e-7)
     received = (

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""damping.h against equations 4 and 5, the lower bound and the options of the errata."""
+"""damping.h compared with equations 4 and 5, the lower bound and the options of the errata."""
 
 import numpy as np
 import pytest
@@ -20,7 +20,8 @@ def test_equation_5():
 
 
 def test_numbers_of_the_6208():
-    """docs/theory, Normal damping: 0.8, 3.1, 8.7 kN s/m at 5 kN, 0.04 Pa s."""
+    """Damping equals the numbers in docs/theory, Normal damping: 0.8, 3.1, 8.7 kN s/m at 5 kN and
+    0.04 Pa s."""
     found = [film_damping(0.04, 2.059e-3, BALL, h) for h in (500e-9, 200e-9, 100e-9)]
     assert found == pytest.approx([0.8e3, 3.1e3, 8.7e3], abs=50)
 

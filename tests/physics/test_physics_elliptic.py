@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""elliptic.h against 80-digit arithmetic; m1 is the complementary parameter."""
+"""elliptic.h compared with 80-digit arithmetic; m1 is the complementary parameter."""
 
 import mpmath
 import numpy as np

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""film.h against equations 6 and 9 as printed in the paper, their limits and the errata."""
+"""film.h compared with equations 6 and 9 as printed in the paper, their limits and the errata."""
 
 import itertools
 
@@ -92,7 +92,7 @@ def test_errata_the_plus_sign_agrees_with_hamrock_dowson(physics, side):
         physics.film(model, kappa, 0.04, 13e-9, STEEL, r_x, 0.01, 2436.0)[1]
         for model in (MASJEDI_PRINTED, HAMROCK_DOWSON)
     )
-    # "up to 65 % high at low speed", the more so on the inner ring
+    # "up to 65 % high at low speed", and more on the inner ring than on the outer ring
     assert 1.5 < minus / reference < 1.66
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Inlet shear and starvation thin the film: against published numbers and 40 digits."""
+"""Inlet shear and starvation thin the film: comparison with published numbers and 40 digits."""
 
 import pytest
 from film_scene import ROUNDING, SPEEDS, Gap
@@ -52,7 +52,8 @@ def test_gupta(physics, speed, sliding):
 
 
 def test_gupta_beyond_its_range(physics):
-    """Python refuses; a run continues with a tenth of the value without pressure."""
+    """Beyond the range Python raises an error; a run continues with a tenth of the value without
+    pressure."""
     loading = film_factors.thermal_loading(0.047, 0.04, 90.0, 0.134)
     with pytest.raises(ValueError, match="range of Gupta"):
         film_factors.gupta(loading, 0.02)

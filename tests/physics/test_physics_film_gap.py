@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The film in the gap by a power law: against published numbers, 40 digits, and differences."""
+"""The film in the gap by a power law, compared with published numbers, 40 digits and
+differences."""
 
 import itertools
 
@@ -39,7 +40,7 @@ def test_against_high_precision(gap, overlap, speed, share, starvation):
     assert open_ == (load == 0) == (package.load == 0)
     if open_:
         return
-    # near the edge the overlap cancels the film: its rounding is that of the exponents of the film
+    # near the edge the overlap cancels the film: its rounding comes from the exponents of the film
     worst = ROUNDING * (1 + share * h_c / elastic)
     for compression, other in ((found.compression, found), (package.elastic, package)):
         assert compression == pytest.approx(elastic, rel=worst)
@@ -50,8 +51,8 @@ def test_against_high_precision(gap, overlap, speed, share, starvation):
 
 
 def test_the_equation_holds_everywhere(gap):
-    """delta_H = delta + zeta h_c(Q), Q = K delta_H^1.5, for any film and overlap on a rough
-    grid."""
+    """delta_H = delta + zeta h_c(Q) and Q = K delta_H^1.5 hold for all films and overlaps of a
+    coarse grid."""
     radial = gap.raceway.radial()
     for speed, share in itertools.product(np.geomspace(1e-4, 100, 25), (1e-3, 0.3, 1.0, 2.0)):
         edge = share * np.exp(radial.central_lnA + radial.central_p * np.log(speed))
@@ -106,7 +107,7 @@ def test_at_rest_it_is_hertz(gap):
 
 
 def test_a_film_beyond_the_reach_is_held_there(gap):
-    """1e9 m/s: contacts begin at the reach, without load."""
+    """At 1e9 m/s contacts begin at the reach, without load."""
     reach = gap.cpp(0.0, 1.0)[1].reach
     assert reach == pytest.approx(0.01 * 6.3e-3, rel=1e-14)
     assert gap.cpp(-reach * (1 + 1e-12), 1e9)[0]
@@ -115,7 +116,8 @@ def test_a_film_beyond_the_reach_is_held_there(gap):
 
 
 def test_energy_is_the_work(gap):
-    """From the edge of the film to an overlap at constant speed."""
+    """The stored energy equals the work from the edge of the film to an overlap at constant
+    speed."""
     for speed in SPEEDS:
         edge = float(gap.law(speed)(1.0))
         for end in (0.5e-6, 17e-6):

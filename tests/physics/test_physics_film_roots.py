@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Films whose thickness is the root of an equation: all regimes, and Gupta's factor."""
+"""Films whose thickness is the root of an equation: all regimes and Gupta's factor."""
 
 import itertools
 
@@ -9,7 +9,7 @@ from film_scene import OVERLAPS, SPEEDS, scene
 from references import film as reference
 from scipy.integrate import quad
 
-# films solved by Newton's method on the film itself
+# films that are solved for by Newton's method
 LAWS = {
     "power": {},
     "moes": {"regimes": True},
@@ -20,7 +20,7 @@ ROOTS = {name: law for name, law in LAWS.items() if law}
 
 
 def theory(gap, law, speed, share=1.0, starvation=1.0):
-    """The film of `law` in 40 digits."""
+    """The film by `law` in 40 digits."""
     base, cut = (gap.regimes, 0.0) if "regimes" in law else (gap.law, 1.0)
     film_law = base(speed, starvation)
     return gap.heated(film_law, speed, law["sliding"], cut) if "shear" in law else film_law
@@ -53,14 +53,14 @@ def test_roots_against_high_precision(gap, law, speed, share, starvation):
 
 
 def test_digits_of_all_regimes(inner):
-    """At zero overlap and 9549 rpm, with a film that is not cut off."""
+    """The film has known digits at zero overlap and 9549 rpm if it is not cut off."""
     assert inner.cpp(0.0, 14.4946, regimes=True)[1].load == pytest.approx(81.56, abs=0.005)
 
 
 @pytest.mark.parametrize("law", ROOTS.values(), ids=ROOTS)
 def test_roots_everywhere(gap, law):
-    """delta_H = delta + zeta h, with h at most the reach; from the edge of the film
-    to a heavy load, at low to high speed."""
+    """delta_H = delta + zeta h holds, with h at most the reach, from the edge of the film to a
+    heavy load and from low to high speed."""
     reach = gap.cpp(0.0, 1.0)[1].reach
     for speed, share in itertools.product(np.geomspace(1e-6, 60, 15), (1e-3, 0.3, 1.0, 2.0)):
         law_there = theory(gap, law, speed)
@@ -116,7 +116,7 @@ def test_slopes_of_roots_are_differences(gap, law):
 @pytest.mark.parametrize("law", ROOTS.values(), ids=ROOTS)
 @pytest.mark.parametrize("speed", [0.0725, 14.4946])
 def test_energy_of_roots_is_the_work(gap, law, speed):
-    """Between two overlaps at constant speed."""
+    """The change in stored energy equals the work between two overlaps at constant speed."""
     reach = gap.cpp(0.0, speed)[1].reach
     first = -0.3 * reach if "regimes" in law else -1e-8
     if gap.cpp(first, speed, **law)[0]:
@@ -133,7 +133,8 @@ def test_energy_of_roots_is_the_work(gap, law, speed):
 
 @pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
 def test_lanes_have_the_bits_of_a_double(gap, law):
-    """Lanes with contacts of all kinds: none takes another's number of iterations."""
+    """In lanes with contacts of all kinds, no contact takes another contact's number of
+    iterations."""
     random = np.random.default_rng(1)
     for _ in range(200):
         speed = np.exp(random.uniform(np.log(1e-3), np.log(30), 4))

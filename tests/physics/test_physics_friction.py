@@ -20,7 +20,7 @@ def test_stribeck_ends():
 
 
 def test_stribeck_is_the_cubic():
-    # the only cubic with these ends and zero slope there: s^2 (3 - 2 s)
+    # the only cubic with these ends and zero slope at both: s^2 (3 - 2 s)
     for s in np.linspace(0.05, 0.95, 7):
         expected = 0.12 - 0.10 * (3 * s**2 - 2 * s**3)
         assert mu(0.8 + 2.1 * s) == pytest.approx(expected, rel=1e-14)
@@ -30,8 +30,8 @@ def test_stribeck_is_the_cubic():
 def test_stribeck_has_no_kink(end):
     h = 1e-4
     inside, outside = (abs(mu(end + side) - mu(end)) / h for side in (-h, h))
-    # one side is constant; on the other mu'' = 6 (mu_f - mu_b)/(l2 - l1)^2 makes the quotient mu''
-    # h/2
+    # mu is constant on one side; on the other side mu'' = 6 (mu_f - mu_b)/(l2 - l1)^2 makes the
+    # quotient mu'' h/2
     assert sorted([inside, outside]) == pytest.approx(
         [0, 0.5 * 6 * 0.10 / 2.1**2 * h], rel=1e-3, abs=1e-12
     )
@@ -85,8 +85,8 @@ def test_steady_sliding_reaches_coulomb(physics):
 
 
 def test_a_sticking_ball_swings_on_the_spring(physics):
-    # x'' = -k x/m from one side: after half a period it is on the far side, without loss if
-    # undamped
+    # x'' = -k x/m from one side: after half a period the mass is on the far side, without loss if
+    # it is undamped
     k, m, steps = 1e7, 1e-3, 2000
     period = 2 * np.pi * np.sqrt(m / k)
     dt, xi, v = period / 2 / steps, np.array([1e-6, 0.0]), 0.0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""grain_contact.h: a sphere hits a wall."""
+"""grain_contact.h: a sphere that hits a wall."""
 
 import numpy as np
 import pytest
@@ -38,8 +38,8 @@ def test_a_bounce_without_damping(physics):
 
 @pytest.mark.parametrize("restitution", [0.2, 0.5, 0.9])
 def test_damping_against_the_equation_of_motion(physics, restitution):
-    """m x'' = max(0, k x - c x') with an independent integrator, and c from the decay of a free
-    vibration over half a period, which `restitution` defines."""
+    """The rebound agrees with an independent integration of m x'' = max(0, k x - c x'), with c from
+    the decay of a free vibration over half a period, which `restitution` defines."""
     decay = -np.log(restitution) / TIME  # to first order; the exact value is below
     decay = -np.log(restitution) * np.sqrt(K / M / (np.pi**2 + np.log(restitution) ** 2))
 
@@ -52,8 +52,8 @@ def test_damping_against_the_equation_of_motion(physics, restitution):
     apart.terminal, apart.direction = True, -1
     exact = solve_ivp(motion, (0, 1), (1e-14, V), events=apart, rtol=1e-10, atol=1e-16)
     after = collide(physics, restitution)
-    # one step late at the end, where the force is small; first order in the step because of the
-    # damper
+    # the end is one step late, where the force is small; the error is of first order in the step
+    # because of the damper
     assert after.normal == pytest.approx(-exact.y[1][-1], rel=4 * STEP / TIME)
     # without attraction a body leaves slightly faster than in the free vibration
     assert restitution <= after.normal / V < restitution + 0.2 * (1 - restitution)
@@ -65,8 +65,8 @@ def test_a_sliding_collision_in_closed_form(physics, restitution):
     mu, along = 0.2, 5 * V
     after = collide(physics, restitution, mu, along=along)
     impulse = M * (V + after.normal)
-    # below the limit until the spring is stretched: for the fraction mu F / (kt v) of the time, and
-    # its square
+    # friction is below the limit until the spring is stretched: for the fraction mu F / (kt v) of
+    # the time, and its square
     assert after.along == pytest.approx(along - mu * impulse / M, rel=1e-3)
     # the lever is the radius minus the overlap
     overlap = V * np.sqrt(M / K)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""groove.h: the position of a ball in a torus groove, against the surfaces themselves."""
+"""groove.h: the position of a ball in a torus groove, compared with the surfaces themselves."""
 
 import mpmath
 import numpy as np
@@ -93,7 +93,7 @@ def test_overlap_is_the_depth_of_the_ball_in_the_ring(physics, side, azimuth, ra
         method="Nelder-Mead",
         options=dict(xatol=1e-8, fatol=1e-13, maxiter=2000),
     )
-    # at the top of a smooth hill: the angular error (1e-7) squared times 30 mm
+    # at the top of a smooth hill the error is the angular error (1e-7) squared times 30 mm
     assert -1e-3 * found.fun == pytest.approx(state.overlap, abs=1e-14)
     assert touching == (state.overlap > 0)
 
@@ -109,7 +109,7 @@ def test_free_contact_angle_and_endplay(physics):
         for side, ring, height in ((INNER, inner, endplay / 2), (OUTER, outer, 0.0))
     }
     line = centres[INNER] - centres[OUTER]
-    # roundings of 0.03 m against a distance of 0.5 mm
+    # roundings of 0.03 m relative to a distance of 0.5 mm
     assert np.linalg.norm(line) == pytest.approx(groove_distance(bearing), abs=3e-17)
     ball = (centres[INNER] + centres[OUTER]) / 2
     for ring, centre, sign in ((inner, endplay / 2, -1), (outer, 0.0, 1)):
@@ -118,6 +118,6 @@ def test_free_contact_angle_and_endplay(physics):
         assert [state.nu, state.ne] == pytest.approx(
             [sign * np.cos(angle), sign * np.sin(angle)], abs=1e-12
         )
-    # slightly further the ball is compressed
+    # slightly further away the ball is compressed
     _, state = inner.touch(ball - [0, 0, endplay / 2 + 1e-7], [0.0, 0.0, 1.0])
     assert state.overlap > 0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""hertz.h against 40-digit arithmetic, the sphere, Hertz's own equations and the errata."""
+"""hertz.h compared with 40-digit arithmetic, the sphere, Hertz's equations and the errata."""
 
 import numpy as np
 import pytest
@@ -10,7 +10,7 @@ from references import hertz as reference
 from scipy.integrate import quad
 
 STEEL = 210e9 / (1 - 0.09)
-# Some tens of roundings of 1e-16, and a root found to rounding.
+# Errors are some tens of roundings of 1e-16 and the rounding of a root.
 ROUNDING = 1e-13
 
 
@@ -23,8 +23,7 @@ def test_ellipse_against_high_precision(physics, alpha):
 
 
 def approach_and_curvatures(a, b, pressure, modulus):
-    """Displacement and curvatures of an elastic half-space pair under p sqrt(1 - x^2/a^2 -
-    y^2/b^2).
+    """Displacement and curvatures of two elastic half-spaces under p sqrt(1 - x^2/a^2 - y^2/b^2).
 
     Hertz's potential integrals (Johnson 3.39, 4.19) by quadrature, without elliptic integrals:
     the displacement is (p a b/E*)/2 int (1 - x^2/(a^2 + s) - y^2/(b^2 + s)) ds/sqrt((a^2 +
@@ -64,7 +63,7 @@ def test_circle_is_the_sphere(physics, form):
     # two spheres have R_x = R_y = R* = r1 r2/(r1 + r2)
     h, r1, r2 = physics.hertz(2e-3, 2e-3, STEEL, form), 6e-3, 3e-3
     sphere = 4 / 3 * (STEEL / 2) * np.sqrt(2e-3)
-    # the exact root is bracketed to 1e-12 in ln kappa, where K is stationary but the semi-axes are
+    # the exact root is bracketed to 1e-12 in ln kappa; K is stationary there, but the semi-axes are
     # not
     assert h.K == pytest.approx(sphere, rel=ROUNDING)
     assert laws.sphere_stiffness(r1, r2, STEEL) == pytest.approx(sphere, rel=1e-15)
@@ -117,7 +116,8 @@ def test_fits_as_written(physics, form):
     first = (1 if form == PRINTED else np.pi / 2) + q * np.log(alpha)
     assert [h.kappa, h.Fbar, h.Ebar] == pytest.approx([kappa, first, second], rel=1e-15)
     curve = 5e-3 * alpha / (1 + alpha)
-    # eq 2 in its own symbols: 2 pi kappa G/(1 - nu) sqrt(2 E R/(9 F^3)), G = E/(2(1 + nu))
+    # eq 2 in the symbols of the paper: 2 pi kappa G/(1 - nu) sqrt(2 E R/(9 F^3)),
+    # G = E/(2(1 + nu))
     shear = 210e9 / 2.6
     assert h.K == pytest.approx(
         2 * np.pi * kappa * shear / 0.7 * np.sqrt(2 * second * curve / (9 * first**3)), rel=ROUNDING
@@ -148,7 +148,7 @@ def test_errata_equation_3_has_an_extra_factor():
 
 def test_like_bodies_have_the_plane_strain_modulus():
     assert laws.reduced_modulus(210e9, 0.3, 210e9, 0.3) == pytest.approx(STEEL, rel=1e-15)
-    # on a rigid body only the soft one deforms
+    # in contact with a rigid body only the soft body deforms
     assert laws.reduced_modulus(3.3e9, 0.41, 1e30, 0.3) == pytest.approx(
         2 * 3.3e9 / (1 - 0.41**2), rel=1e-15
     )
@@ -158,7 +158,7 @@ def test_like_bodies_have_the_plane_strain_modulus():
 @pytest.mark.parametrize("angle", [0.0, 0.5, 1.4, np.pi / 2])
 def test_effective_radii_are_the_curvatures_of_the_surfaces(physics, side, sign, angle):
     r_x, r_y = physics.radii(side, np.cos(angle))
-    # along rolling, a raceway's normal curvature is that of its parallel by Meusnier:
+    # along rolling, a raceway's normal curvature follows from its parallel by Meusnier:
     # cos(angle)/radius of the contact point, convex inside and concave outside; the contact point
     # is R_b cos(angle) from the pitch circle
     contact = PITCH + sign * BALL * np.cos(angle)
@@ -174,7 +174,7 @@ def test_mindlin_of_like_bodies(nu):
 
 
 def test_mindlin_of_unlike_bodies_adds_compliances():
-    # both compliances over 1/a: tangential (2 - nu)/(8 G) each, normal (1 - nu^2)/(2 E) each
+    # compliances of each body times a: tangential (2 - nu)/(8 G), normal (1 - nu^2)/(2 E)
     bodies = ((210e9, 0.3), (3.3e9, 0.41))
     tangential = sum((2 - nu) * 2 * (1 + nu) / (8 * young) for young, nu in bodies)
     normal = sum((1 - nu**2) / (2 * young) for young, nu in bodies)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every set of parts that forms a contact law: its derivative by duals against differences; equal
-bits part by part, as a whole and in lanes; and the contradictory sets.
+"""Every set of parts that forms a contact law: derivatives by duals compared with differences;
+equal bits part by part, as a whole and in lanes; contradictory sets.
 
-A law states in its text what its derivative holds fixed; the differences hold the same. Central
-differences of fourth order use a step of 1e-5 of the natural size of a motion, 0.1 m/s and
-10 rad/s. They are accurate to rounding, 2e-16/1e-5 of the force over that size, well below 1e-9
-of the largest slope.
+A law's text states what its derivative holds fixed; the differences hold the same quantities fixed.
+Central differences of fourth order use a step of 1e-5 of the natural size of a motion, 0.1 m/s and
+10 rad/s. They are accurate to rounding, 2e-16/1e-5 of the force over that size, well below 1e-9 of
+the largest slope.
 """
 
 import ctypes
@@ -22,7 +22,7 @@ def laws(physics):
 
 
 def some(law):
-    """A few samples, different for each law: over all sets every part is tested with all
+    """A few samples, different for each law: over all sets of parts, every part is tested with all
     samples."""
     return [(7 * law + 5 * k) % SAMPLES for k in range(4)]
 
@@ -52,8 +52,8 @@ def test_duals_are_differences(physics):
 
 
 def test_sets_that_nobody_listed_are_there(physics):
-    """Each part is present with and without a film, except parts that need one; 2 and 4 models are
-    compiled."""
+    """Sets of parts include each part with and without a film, except parts that need a film; 7
+    laws are compiled as a whole."""
     names = laws(physics)
     assert len(names) == len(set(names)) > 600
     fused = [name for law, name in enumerate(names) if physics.call("law_fused", law, 0) >= 0]
@@ -68,8 +68,8 @@ def test_lanes_and_duals_have_the_bits_of_a_double(physics):
 
 
 def test_a_law_compiled_as_a_whole_has_the_bits_of_its_parts(physics):
-    """All figures of the contact, its stored states and, where an implicit step uses the law,
-    slopes."""
+    """All figures of the contact, its stored states and, if an implicit step uses the law, its
+    slopes have equal bits."""
     for law, name in enumerate(laws(physics)):
         if physics.call("law_fused", law, 0) >= 0:
             different = [physics.call("law_fused", law, sample) for sample in range(SAMPLES)]
@@ -77,7 +77,7 @@ def test_a_law_compiled_as_a_whole_has_the_bits_of_its_parts(physics):
 
 
 def test_contacts_of_the_host_s_step_in_lanes(physics):
-    """Four different contacts, one of them open, give the bits of each alone."""
+    """Four different contacts, one of them open, give the same bits as each contact alone."""
     for law, name in enumerate(laws(physics)):
         different = [physics.call("law_lanes", law, sample) for sample in some(law)]
         assert different == [0] * len(different), name

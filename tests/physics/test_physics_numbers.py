@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""docs/theory, Numbers to reproduce, and Table 3 of the paper from the headers' constants: static
-theory of a 6208 at 5 kN."""
+"""Numbers to reproduce in docs/theory and Table 3 of the paper, from the constants of the headers:
+static theory of a 6208 at 5 kN."""
 
 import numpy as np
 import pytest
@@ -20,8 +20,8 @@ def ball_loads(series, shift, clearance):
 
 
 def equilibrium(physics, load, clearance=0.0, form=EXACT):
-    """(shift, ball loads) for an inner ring pushed towards ball 0, with each ball in equilibrium
-    between the raceways."""
+    """(shift, ball loads) of an inner ring that is pushed towards ball 0, with each ball in
+    equilibrium between the raceways."""
     series = np.sum(np.array(stiffness(physics, form)) ** (-2 / 3)) ** -1.5
     shift = brentq(
         lambda s: ball_loads(series, s, clearance) @ np.cos(PSI) - load, 1e-7, 2e-4, xtol=1e-15
@@ -65,7 +65,7 @@ def parameter(physics, ratio, form):
     return 0.5 * (1 - clearance / (2 * equilibrium(physics, 5000.0, clearance, form)[0]))
 
 
-# form: the load parameters of docs/errata at P_d/D, to the digits and ranges (ball phase) given
+# {form: load parameters of docs/errata at P_d/D}, with the digits and ranges (ball phase) given
 # there
 @pytest.mark.parametrize(
     "form, expected",
@@ -104,8 +104,8 @@ def test_errata_of_table_3(physics):
 
 
 def test_the_contacts_themselves_balance_the_load(physics):
-    # including geometry: each ball settles on its radius between the grooves, and the inner ring
-    # remains a circle, which the theory neglects off the load line (0.4 % for a ball at 80 degrees,
+    # with geometry: each ball settles on its radius between the grooves, and the inner ring remains
+    # a circle, which the theory neglects off the load line (0.4 % for a ball at 80 degrees,
     # raceway.static)
     shift, loads = equilibrium(physics, 5000.0)
     inner, outer = physics.raceway_6208(INNER), physics.raceway_6208(OUTER)

@@ -32,7 +32,7 @@ def compare(one, other, rel, ln_abs):
 @pytest.mark.parametrize("film", [MASJEDI, MASJEDI_PRINTED, HAMROCK_DOWSON])
 def test_table_against_the_exact_constants(physics, side, ellipse, film):
     ring = physics.raceway_6208(side, ellipse=ellipse, film=film, damper_rolling_radius=1, **OIL)
-    # off the nodes, where a four-point cubic is worst, and at both ends
+    # between nodes, where a four-point cubic is worst, and at both ends
     for cosine in [
         0.0,
         1e-9,
@@ -59,7 +59,7 @@ def test_nodes_are_exact(physics):
         16,
         32,
         63,
-    ):  # interpolation returns the nodes to rounding (ln A to that of numbers near 30)
+    ):  # interpolation returns the nodes to rounding (ln A to the rounding of numbers near 30)
         compare(ring.table(node / 64), ring.exact(node / 64), rel=1e-14, ln_abs=1e-14 * 30)
 
 

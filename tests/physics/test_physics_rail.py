@@ -15,13 +15,15 @@ def seat(physics, gap=0.0, sign=1.0, tube=TUBE):
 
 
 def clearance(rail, radius, height):
-    """Distance of the surfaces of ball and tube, m; the ball's centre is at (radius, height)."""
+    """Distance between the surfaces of ball and tube (m); the ball's centre is at (radius,
+    height)."""
     return np.hypot(radius - rail.circle, height - rail.offset) - BALL - rail.tube
 
 
 @pytest.mark.parametrize("margin", [0.0, 1e-9])
 def test_a_ball_that_touches_is_never_left_out(physics, margin):
-    """At overlaps from a few ulps to a few per cent of the distance, around the tube."""
+    """A ball with an overlap from a few ulps to a few per cent of the distance, anywhere around the
+    tube, counts as touching."""
     rail = seat(physics)
     reach = BALL + TUBE + margin
     for angle in np.linspace(0.1, 6.2, 50):
@@ -39,7 +41,7 @@ def test_a_ball_that_touches_is_never_left_out(physics, margin):
 def test_a_centred_ball_is_a_gap_away(physics, gap, sign):
     rail = seat(physics, gap, sign)
     assert clearance(rail, PITCH, 0.0) == pytest.approx(gap, abs=2e-17)  # ulps of 0.03 m
-    # outside the pitch circle, at 45 degrees, on the side of the sign
+    # seats are outside the pitch circle, at 45 degrees, on the side of the sign
     assert rail.circle - PITCH == pytest.approx(sign * rail.offset, rel=1e-14)
     assert rail.circle > PITCH and np.sign(rail.offset) == sign and rail.tube == TUBE
 
@@ -59,7 +61,7 @@ def test_the_pair_of_rails_is_a_stable_seat(physics):
     for sign in (1, -1):
         up = squeeze(0.0, sign * step)
         assert up[::sign] == pytest.approx([step / np.sqrt(2), 0.0], abs=step**2 / (BALL + TUBE))
-    # inwards the ball leaves the rails, and the balls push it back
+    # if a cage ball moves inwards it leaves the rails, and the balls push it back
     assert squeeze(-step, 0.0).tolist() == [0, 0]
 
 
@@ -67,8 +69,8 @@ def curvature_along(rail, angle):
     """Curvature, by differences, of the tube's surface about the ring axis at a point seen at
     `angle` from the seat.
 
-    The gap between the torus and the tangent plane at the point nearest to the ball, in the
-    direction of the parallel.
+    It is found from the gap between the torus and the tangent plane at the point nearest to the
+    ball, in the direction of the parallel.
     """
     direction = np.array([np.cos(angle), np.sin(angle)])  # from ball to rail in (r, z)
     foot = np.array([rail.circle, rail.offset]) - rail.tube * direction
@@ -84,16 +86,16 @@ def curvature_along(rail, angle):
         return brentq(outside, -0.2 * rail.tube, 0.2 * rail.tube, xtol=1e-18, rtol=1e-14)
 
     y = 2e-5
-    # height = c y^2/2 to a relative y^2/(4 r tube), 7e-6 for the thinnest tube; rounding
-    # of 1e-17/y^2 is smaller
+    # height = c y^2/2 with a relative error of y^2/(4 r tube), 7e-6 for the thinnest tube; the
+    # rounding of 1e-17/y^2 is smaller
     return 2 * height(y) / y**2
 
 
 @pytest.mark.parametrize("tube", [0.5e-3, 1.0e-3, 3.0e-3])
 def test_stiffness_is_hertz_of_the_true_curvatures(physics, tube):
     rail = seat(physics, tube=tube)
-    # towards positive heights along the normal the surface curves away from the ball: negative
-    # means towards it
+    # positive heights along the normal mean that the surface curves away from the ball, negative
+    # heights that it curves towards the ball
     along = 1 / BALL + curvature_along(rail, np.pi / 4)
     across = 1 / BALL + 1 / tube
     expected = package.stiffness(package.exact(1 / along, 1 / across), MODULUS)

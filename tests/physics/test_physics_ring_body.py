@@ -66,7 +66,7 @@ def test_the_axis_stays_a_unit_vector_and_keeps_its_angle_to_the_momentum(physic
     L, steps = momentum(physics), 5000
     e = drift(physics, L, AXIS, 1e-5, steps)
     assert np.linalg.norm(e) == pytest.approx(1, abs=steps * 4e-16)  # one rounding per step
-    # nutation: L.e is constant in the closed form; second-order oscillation, no drift
+    # nutation: L.e is constant in the closed form; it oscillates to second order, without drift
     assert L @ e / np.linalg.norm(L) == pytest.approx(L @ AXIS / np.linalg.norm(L), abs=2e-5)
 
 

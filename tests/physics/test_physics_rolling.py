@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""rolling.h: no slip at either raceway, the frequencies of the 6208, limits."""
+"""rolling.h: no slip at either raceway, frequencies of the 6208, limits."""
 
 import numpy as np
 import pytest
@@ -42,7 +42,7 @@ def test_entrainment_of_the_errata(physics):  # 477.5 rpm gives 0.725 m/s, 0.41 
     for rpm, expected in ((477.5, 0.725), (270.0, 0.41)):
         omega = rpm * 2 * np.pi / 60
         motion = physics.rolling(omega)
-        # surfaces move at spin - orbit relative to the ball's centre, equally at both contacts
+        # surfaces move with spin - orbit about the ball's centre, equally at both contacts
         inner = abs((omega - motion.orbit) * (PITCH - BALL))
         ball = abs((motion.spin - motion.orbit) * BALL)
         assert [inner, ball] == pytest.approx([expected] * 2, abs=5e-4)

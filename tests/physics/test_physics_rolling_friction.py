@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Slip, spin, rolling resistance, mixed friction and drag: against integrals over the contact,
-40-digit arithmetic, and published numbers."""
+"""Slip, spin, rolling resistance, mixed friction and drag, compared with integrals over the
+contact, 40-digit arithmetic and published numbers."""
 
 import numpy as np
 import pytest
@@ -67,7 +67,7 @@ def of(physics, kind, contact, before=NONE):
 
 
 def slip_arguments(found, side=INNER, speed=0.724764, cos_angle=1.0):
-    """(load, friction, speed, a, R_d, R_x) of theory.sliding."""
+    """Arguments (load, friction, speed, a, R_d, R_x) of functions in theory.sliding."""
     r_d = sliding.deformed_radius(GROOVE, BALL)
     return found.load, FRICTION, speed, found.a, r_d, radii(side, cos_angle)[0]
 
@@ -87,7 +87,7 @@ def test_closed_form():
         assert found.couple == pytest.approx(couple, abs=1e-12)
         assert sliding.heathcote(slip, **unit) == pytest.approx((force, couple, power), abs=1e-12)
         assert sliding.secant(slip, **unit) == pytest.approx(found.secant, rel=1e-12)
-        # t0 is the root of the deficit of F at its end: its rounding is 1e-8
+        # near s_e the root follows from the deficit of F, so its rounding is 1e-8
         root = laws.slip_root_of_force(found.force)
         assert root == pytest.approx(found.root, abs=1e-12 if slip < 0.9 else 1e-7)
     found = laws.differential_slip(0.0)
@@ -101,7 +101,7 @@ def test_closed_form():
     "side, edge, power", [(INNER, 0.047939, 0.94098), (OUTER, 0.029443, 0.57793)]
 )
 def test_free_rolling_loses_its_power(physics, side, edge, power):
-    """At 2436.2 N and mu 0.05: F = 0 at the slip 0.120615 s_e, and the couple dissipates the
+    """At 2436.2 N and mu = 0.05, F is 0 at a slip of 0.120615 s_e, and the couple dissipates the
     power."""
     r_x = radii(side)[0]
     k = hertz.exact(*radii(side))
@@ -122,8 +122,8 @@ def test_free_rolling_loses_its_power(physics, side, edge, power):
 @pytest.mark.parametrize("speed", [0.0724764, 0.724764, -0.724764, 14.4946])
 @pytest.mark.parametrize("part", [-0.5, 0.0, 0.1, 0.120615, 0.5, 1.3])
 def test_slip_law_after_a_long_time(physics, side, speed, part):
-    """dt >> tau: force, couple and power of theory.sliding; mirrored for a ball rolling
-    backwards."""
+    """With dt >> tau, force, couple and power agree with theory.sliding; they are mirrored for a
+    ball that rolls backwards."""
     contact = turning(side, speed)
     arguments = slip_arguments(of(physics, "slip_of", contact), side, abs(speed))
     edge = sliding.edge_slip(abs(speed), *arguments[3:])
@@ -142,7 +142,7 @@ def test_slip_law_after_a_long_time(physics, side, speed, part):
 
 
 def test_friction_has_one_circle(physics):
-    """Gross sliding at any angle: a force mu Q opposite to the sliding velocity."""
+    """Gross sliding at any angle causes a force mu Q opposite to the sliding velocity."""
     for angle in np.linspace(0, 2 * np.pi, 13):
         along, across = 50 * np.cos(angle), 50 * np.sin(angle)
         found = of(physics, "slip_of", turning(sliding_t=along, sliding_w=across))
@@ -161,7 +161,7 @@ def test_friction_has_one_circle(physics):
 
 @pytest.mark.parametrize("step", [1e-9, 1e-6, 5e-5, 1e-2])
 def test_spring_in_series(physics, step):
-    """Force and couple of theory.sliding's series, starting from a given force."""
+    """Force and couple agree with `sliding.in_series`, starting from a given force."""
     contact = turning(sliding_t=0.009, dt=step)
     before = np.array([15.0, 0.0])
     found = of(physics, "slip_of", contact, before)
@@ -171,7 +171,7 @@ def test_spring_in_series(physics, step):
     force, _ = sliding.in_series(15.0, distance, secant, found.kt, step)
     assert found.friction_t == pytest.approx(force, rel=1e-11)
     assert list(found.states) == [found.friction_t, found.friction_w]
-    # the couple is that of the slip remaining beside the spring, which has this force
+    # the couple is that at the slip that remains beside the spring's slip; both have one force
     edge = sliding.edge_slip(*arguments[2:])
     slip = brentq(
         lambda slip: sliding.heathcote(slip, *arguments).force - force, 0, edge, xtol=1e-16
@@ -187,7 +187,7 @@ def test_no_time_changes_nothing(physics):
 
 
 def test_spring_sticks_at_rest(physics):
-    """Without rolling, a push below mu Q creeps at 1e-4 m/s over 3.80 at full force."""
+    """Without rolling, a contact under a force below mu Q creeps, at 1e-4/3.80 m/s per mu Q."""
     found = of(physics, "slip_of", REST | dict(sliding_t=1e-3, dt=1e-6))
     assert found.friction_t == pytest.approx(found.kt * 1e-3 * 1e-6, rel=1e-3)  # a spring
     assert found.couple_w == 0
@@ -238,7 +238,8 @@ def test_mixed_friction(physics):
 
 @pytest.mark.parametrize("oil", [(0.04, 22e-9), (0.005, 15e-9), (0.1, 25e-9)])
 def test_film_coefficient(oil):
-    """Its eight Gauss points in 40 digits; the integral itself differs by less than 1 %."""
+    """The coefficient equals its eight Gauss points in 40 digits; the integral itself differs by
+    less than 1 %."""
     lowest = []
     for pressure in (1e7, 1e9, 2.5e9, 4e9):
         for rate in np.geomspace(1e-3, 1e9, 13):
@@ -252,7 +253,8 @@ def test_film_coefficient(oil):
 
 
 def test_inverse_sinh_has_no_seam():
-    """A film with so low a stress that the coefficient is asinh alone, across x = 1e-3 and 1."""
+    """With so low a stress in the film that the coefficient is asinh alone, it has no seam at
+    x = 1e-3 and 1."""
     for x in (1e-6, 0.999e-3, 1.001e-3, 0.5, 30.0):
         found = traction.coefficient(1.0, 1e-30, 1e9, x, 1.0, 1.0)
         assert found == pytest.approx(1.5e-9 * np.arcsinh(x), rel=1e-12)
@@ -260,7 +262,8 @@ def test_inverse_sinh_has_no_seam():
 
 
 def test_mixed_friction_with_a_film_after_eyring(physics):
-    """The coefficient of the film at the speed of free rolling, with additional sliding."""
+    """The film's coefficient is taken at the sliding speed of free rolling plus additional
+    sliding."""
     r_d = sliding.deformed_radius(GROOVE, BALL)
     found = []
     for speed, along, across in (
@@ -355,7 +358,8 @@ def test_slow_spin_at_rest_has_the_least_width_of_slip(physics):
 
 @pytest.mark.parametrize("part", [0.1, 0.3, 0.5, 0.7, 1.0, 2.0, 5.0])
 def test_spin_beside_differential_slip(physics, part):
-    """Moment and power against Gauss points over the ellipse; omega a = part s_e, no force."""
+    """Moment and power agree with Gauss points over the ellipse, for omega a = part s_e without
+    force."""
     free = of(physics, "dry_of", turning())
     r_d = sliding.deformed_radius(GROOVE, BALL)
     edge = sliding.edge_slip(0.724764, free.a, r_d, radii(INNER)[0])
@@ -382,7 +386,7 @@ def test_drag_of_a_ball(physics):
     for reynolds in (1e-3, 0.1, 0.5, 1, 33, 1e3, 4e4, 1e5, 3e6):
         expected = reference.drag_coefficient(reynolds)
         assert drag.coefficient(reynolds) == pytest.approx(expected, rel=1e-13)
-    # the ball's centre moves at -R_b roll_w where there is no sliding
+    # without sliding the ball's centre moves at -R_b roll_w
     for speed in (-7.0, -0.3, 1e-6, 0.3, 7.0):
         contact = REST | dict(side=OUTER, roll_w=-speed / BALL)
         found = of(physics, "all_of", contact)
@@ -400,7 +404,8 @@ def test_drag_of_a_ball(physics):
 
 # ---- energy --------------------------------------------------------------------------------------
 def test_losses_are_the_work_on_the_motions(physics):
-    """All forces and couples times their motions, except for the Hertzian spring."""
+    """The loss equals all forces and couples times their motions, except for the Hertzian
+    spring."""
     contact = turning(
         OUTER, 2.9, sliding_t=0.01, sliding_w=-0.02, spin_n=20.0, overlap_rate=0.003, cos_angle=0.9
     )

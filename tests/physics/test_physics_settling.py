@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""settling_rest.h: remainder of a decay, from means over ball passes."""
+"""settling_rest.h: the remainder of a decay, estimated from means over ball passes."""
 
 import numpy as np
 import pytest
@@ -8,7 +8,8 @@ S = 1e-2  # of `settled`
 
 
 def rest(physics, passes, **series):
-    """Remainders after ball passes with these means; other series are 1, and the pitch is 0."""
+    """Remainders after ball passes with the means `series`; means not given are 1, and the pitch is
+    0."""
     given = dict(
         torque=np.ones(passes),
         load=np.ones((passes, 2)),
@@ -57,8 +58,8 @@ def test_each_figure_has_its_own(physics):
 
 
 def test_a_drift_that_does_not_decay(physics):
-    """The remainder is that of the slowest mode that can be distinguished, and does not grow
-    further."""
+    """The remainder of a drift equals the remainder of the slowest mode that can be distinguished,
+    and grows further only if the drift grows."""
     steady = of_torque(physics, 1 + 1e-3 * np.arange(4))
     assert steady == pytest.approx(0.049, rel=1e-2)
     assert of_torque(physics, 1 + 1e-3 * np.cumsum(1.2 ** np.arange(4))) > 0.049
@@ -72,9 +73,9 @@ def test_a_small_change_in_the_middle_of_a_decay(physics):
 
 
 def test_noise_ends_as_early_as_the_change_of_a_pass(physics):
-    """Without a drift the remainder is the change in one ball pass over the longest span, apart
-    from chance: the median number of ball passes is that for the change alone, with a noise of a
-    third, one, or three of the limit."""
+    """Without a drift the remainder is the change per ball pass over the longest span, apart from
+    chance: the median number of ball passes is as with the change alone as the criterion, for a
+    noise of a third of the limit, once and three times the limit."""
     draw = np.random.default_rng(3)
     for noise in (S / 3, S, 3 * S):
         ends, changes = [], []
@@ -94,8 +95,8 @@ def test_noise_ends_as_early_as_the_change_of_a_pass(physics):
 
 
 def test_a_slow_mode_shows_in_noise(physics):
-    """A change of 1 % per ball pass with a time constant of 50 ball passes, in a noise of 0.1 %:
-    the criterion of the change alone would end at once, with 40 % left."""
+    """A change of 1 % per ball pass with a time constant of 50 ball passes shows in a noise of
+    0.1 %: with the change alone as the criterion, settling would end at once, with 40 % left."""
     draw = np.random.default_rng(4)
     left = []
     for _ in range(100):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Slip and spin in slices of the ellipse: against fine Gauss points over it (references/spin) and
-the closed forms at their limits; and the states of the part over a time step."""
+"""Slip and spin in slices of the ellipse, compared with fine Gauss points over it (references/spin)
+and with the closed forms at their limits; states of the part over a time step."""
 
 import itertools
 
@@ -22,7 +22,7 @@ def sums(**motion):
 
 
 def fine(along, across, turned, aspect=1 / 8):
-    """Divided by mu Q and the semi-axis across the groove."""
+    """Reference values, divided by mu Q and the semi-axis across the groove."""
     return reference.with_slip(
         1.0, 1.0, 1.0, aspect, along, across, -turned, curve=1.0, width=1e-4, points=120
     )
@@ -57,7 +57,8 @@ def test_pure_spin(kappa, expected, bound):
 
 
 def test_free_rolling():
-    """Heathcote's solution: no force at 0.120615 s_e, 0.161142 mu Q s_e lost."""
+    """Free rolling agrees with Heathcote's solution: no force at 0.120615 s_e, and a loss of
+    0.161142 mu Q s_e."""
     found = sums(along=sliding.FREE**2)
     assert found.along == pytest.approx(0, abs=2e-3)
     power = found.couple + found.along * sliding.FREE**2
@@ -75,7 +76,7 @@ def test_forces_have_no_steps():
 
 
 def test_mirrored():
-    """Reversed spin reverses the moment, reversed rolling the couple."""
+    """Reversed spin reverses the moment, reversed rolling reverses the couple."""
     one = sums(along=0.3, across=0.1, spin=0.5)
     other = sums(along=0.3, across=0.1, spin=-0.5)
     assert (other.along, other.across) == pytest.approx((one.along, one.across), rel=1e-12)
@@ -86,7 +87,8 @@ def test_mirrored():
 
 # ---- the part ------------------------------------------------------------------------------------
 def steady(physics, part, **changes):
-    """After a second of the same motion, with the spin `part` s_e and the slip without force."""
+    """A contact after a second of constant motion, with a spin omega a of `part` s_e, and reference
+    values for the slip without force."""
     free = of(physics, "slices_of", turning(), np.zeros(4))
     r_d = sliding.deformed_radius(6.552e-3, 6.3e-3)
     edge = sliding.edge_slip(0.724764, free.a, r_d, radii(0)[0])
@@ -100,8 +102,8 @@ def steady(physics, part, **changes):
 
 @pytest.mark.parametrize("part", [0.0, 0.2, 0.7, 2.0, 10.0])
 def test_free_rolling_with_spin(physics, part):
-    """Moment and power of a freely rolling contact: within 1 % of mu Q a and of mu Q s_e or
-    the power, where the closed forms deviate by up to 5 %."""
+    """The moment of a freely rolling contact agrees within 1 % of mu Q a and its power within 1 %;
+    the closed forms deviate by up to 5 %."""
     free, edge, contact, gauss = steady(physics, part)
     lo, hi = 0.0, edge
     for _ in range(40):

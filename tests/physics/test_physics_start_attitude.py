@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The balls' initial rotation (start_rotation.h) against its definition: the motion that rolls
-on both raceways with the least potential of the spin couples, by vectors in 40 digits and a
-search for the minimum; contact angles and loads from the equilibrium of a ball under thrust."""
+"""The balls' initial rotation (start_rotation.h), compared with its definition: the motion that
+rolls on both raceways with the least potential of the spin couples, by vectors in 40 digits and a
+search for the minimum; contact angles and loads follow from the equilibrium of a ball under
+thrust."""
 
 from types import SimpleNamespace
 
@@ -18,7 +19,8 @@ WIDTH = 0.78  # omega a over s_e (docs/tribology, Spin)
 
 
 def contact(side, cosine, load):
-    """Compression (m), spin couple divided by the friction coefficient (N m), half width a (m)."""
+    """Compression (m), spin couple divided by the friction coefficient (N m) and half-width a (m)
+    of a contact."""
     gamma = BALL / PITCH * cosine * (-1 if side == INNER else 1)
     r_x, r_y = BALL * (1 + gamma), BALL * GROOVE / (GROOVE - BALL)
     found = hertz.contact(r_x, r_y, YOUNG, load)
@@ -29,7 +31,7 @@ def contact(side, cosine, load):
 
 
 def under_thrust(thrust, centrifugal, clearance):
-    """Angles (rad), contacts and path (m) of a ball."""
+    """Contact angles (rad), contacts and radius of the path (m) of a ball."""
     slack = GROOVE - BALL
 
     def at(angle):
@@ -116,7 +118,8 @@ def test_least_loss_under_thrust(physics, thrust, speeds, clearance):
 
 
 def test_without_contact_angle_about_the_axis(physics):
-    """Also under a thrust beyond the capacity of the grooves."""
+    """Without a contact angle the balls rotate about the axis, also under a thrust beyond the
+    capacity of the grooves."""
     rolling = laws.pure_rolling(BALL, PITCH, 90.0, -20.0)
     for thrust in (0.0, 1e12):
         found = start(

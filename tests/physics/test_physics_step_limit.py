@@ -11,8 +11,8 @@ SPRING, DAMPER = 4.19e8, 2 * 8.7e3
 
 
 def verlet(k, c, m, step, steps):
-    """Largest norm of (x, v in natural units) near the end of a run; force from x and the half-step
-    velocity."""
+    """Largest norm of (x, v in natural units) near the end of a run; the force follows from x and
+    the velocity at half a step."""
     x, v, force, unit = 1.0, 0.0, -k * 1.0, step
     sizes = []
     for _ in range(steps):
@@ -31,8 +31,8 @@ def verlet(k, c, m, step, steps):
 )
 def test_the_limit_divides_growth_from_decay(physics, k, c):
     limit = physics.call("largest_step", k=k, c=c, m=BALL_MASS)
-    # one per cent from the limit, the multiplier deviates from one by about as much (by the square
-    # root for a spring alone)
+    # one per cent from the limit the multiplier deviates from one by about one per cent (by its
+    # square root for a spring alone)
     assert verlet(k, c, BALL_MASS, 0.99 * limit, 4000) < 100
     assert verlet(k, c, BALL_MASS, 1.01 * limit, 4000) > 1e6
 

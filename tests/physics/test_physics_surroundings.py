@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""film_capacitor.h, gap_integral.h, groove_shoulder.h: the surroundings of a contact against exact
-integrals and limits."""
+"""film_capacitor.h, gap_integral.h, groove_shoulder.h: the surroundings of a contact, compared with
+exact integrals and limits."""
 
 import numpy as np
 import pytest
@@ -25,7 +25,7 @@ MODEL = dict(
     surroundings=ALL,
     outlet=1.0,
     inner_shoulder=52.6e-3,
-    outer_shoulder=68.6e-3,  # 2.3 mm deep, like the inner one
+    outer_shoulder=68.6e-3,  # 2.3 mm deep, like the inner groove
     gap=0.0,
 )
 SMALL = dict(
@@ -36,7 +36,8 @@ TINY = dict(
 )
 LARGE = dict(side=OUTER, raceway_radius=36.6e-3)
 
-# Exact Hertz gap integrated outside the ellipse, parabola in y to +-S: N, m, mm.
+# Integrals of the exact Hertz gap outside the ellipse, parabola in y to +-S: raceway, load in N, S
+# in m, integrals in mm.
 EXACT = [
     ({}, 8, 4.2e-3, [1914.2, 1628.5, 1247.5, 991.6]),
     ({}, 120, 4.2e-3, [2477.3, 1999.7, 1412.0, 1066.1]),
@@ -49,7 +50,7 @@ EXACT = [
 
 
 def integral(physics, raceway, load, height, reach, cos_angle=1.0, play=None):
-    """m; without load the play is the gap's height unless given"""
+    """Integral outside a contact, m. Without load the play is `height` unless it is given."""
     return physics.call(
         "outside_integral",
         p=raceway._handle,
@@ -73,8 +74,8 @@ def reach(physics, raceway, depth, angle=0.0, semi_axis=0.0):
 
 
 def capacitors(physics, raceway, overlap, speed=1.5, cage_speed=62.0, cos_angle=1.0, **changes):
-    """h_c, capacitance, separation, outside by overlap; checks that one by one equals four at a
-    time."""
+    """h_c, capacitance, separation and capacitance outside, for each overlap; checks that contacts
+    evaluated one by one and four at a time are equal."""
     columns = np.broadcast_arrays(np.asarray(overlap, float), cos_angle, speed, cage_speed)
     n = columns[0].size
     padded = [np.pad(np.ravel(c), (0, -n % 4), mode="edge") for c in columns]
@@ -101,14 +102,14 @@ def test_t1_exact_integral(physics, changes, load, edge, exact):
 
 
 def quadrature(n):
-    """Nodes and weights on 0 to 1."""
+    """Nodes and weights on the interval from 0 to 1."""
     x, w = np.polynomial.legendre.leggauss(n)
     return (x + 1) / 2, w / 2
 
 
 def exact_integral(a, b, overlap, load, modulus, r_x, r_y, h, edge):
-    """I outside the ellipse in the exact Hertz gap (Carlson's integrals), m: to +-edge across, x to
-    infinity. More nodes change it by 3e-8."""
+    """I outside the ellipse in the exact Hertz gap (Carlson's integrals), m, to +-edge across the
+    groove and to infinity along rolling. More nodes change it by 3e-8."""
     x, w = quadrature(16)
     beside = a * np.sin(x * np.pi / 2), b * np.cos(x * np.pi / 2), w * np.pi / 2 * a
     beside = beside[0], beside[1], beside[2] * np.cos(x * np.pi / 2)
@@ -138,8 +139,8 @@ def exact_integral(a, b, overlap, load, modulus, r_x, r_y, h, edge):
 @pytest.mark.parametrize("side", [INNER, OUTER])
 @pytest.mark.parametrize("conformity", [0.505, 0.52, 0.54])
 def test_total_over_the_range_of_the_closed_form(physics, size, side, conformity):
-    """20 nm to 2 um, up to 3 kN on a ball of 12.6 mm and the same pressure on smaller ones: plates
-    and surroundings within 1.5 %."""
+    """From 20 nm to 2 um, and up to 3 kN on a ball of 12.6 mm and equal pressure on smaller balls,
+    the total of plates and surroundings is accurate within 1.5 %."""
     ball = size.get("ball_radius", BALL)
     raceway = physics.raceway(**(size | dict(side=side, groove_radius=2 * conformity * ball)))
     derived = raceway.radial()
@@ -164,7 +165,8 @@ def test_total_over_the_range_of_the_closed_form(physics, size, side, conformity
     ],
 )
 def test_t2_groove_as_an_arc(physics, side, edge, exact, closed):
-    """The arc integral of a loaded 6208, and values of the closed form elsewhere."""
+    """The closed form agrees with the arc integral of a loaded 6208, and with values of the closed
+    form from elsewhere."""
     raceway = physics.raceway_6208(side)
     near, far = reach(physics, raceway, 2.3e-3)
     assert near == far == pytest.approx(edge, abs=5e-7)
@@ -186,8 +188,8 @@ def test_t3_rigid_surfaces(physics, side, exact):
 @pytest.mark.parametrize("size", [{}, SMALL, TINY], ids=["12.6 mm", "7.9 mm", "4.0 mm"])
 @pytest.mark.parametrize("side", [INNER, OUTER])
 def test_closed_forms_in_40_digits(physics, size, side):
-    """Rigid at plays below, at and above that of concentric circles; loaded with thin to thick
-    films."""
+    """Closed forms are accurate for rigid surfaces, at plays below, at and above the play of
+    concentric circles, and for loaded contacts with thin to thick films."""
     ball = size.get("ball_radius", BALL)
     raceway = physics.raceway(**(size | dict(side=side, groove_radius=1.01 * ball)))
     edge = reach(physics, raceway, 0.36 * ball)[0]
@@ -210,7 +212,8 @@ def test_closed_forms_in_40_digits(physics, size, side):
 
 @pytest.mark.parametrize("side", [INNER, OUTER])
 def test_rigid_form_is_that_of_two_parabolas(physics, side):
-    """4 pi sqrt(R_x R_y) asinh(S/sqrt(2 R_y g)); the radius across is within 1 % of R_y."""
+    """Two parabolas give 4 pi sqrt(R_x R_y) asinh(S/sqrt(2 R_y g)); the radius across the groove is
+    within 1 % of R_y."""
     raceway = physics.raceway_6208(side)
     gap, edge = 5e-6, 5e-3
     r_x, r_y = physics.radii(side)
@@ -224,7 +227,8 @@ def test_rigid_form_is_that_of_two_parabolas(physics, side):
     + [(1e3, 0.097902), (1e-9, 3.5501e3), (1e9, np.pi * 10**-4.5)],
 )
 def test_t4_beside_the_ellipse(h, exact):
-    """The quadrature's values, and the limits 3.5501 H^(-1/3) and pi H^(-1/2)."""
+    """The form agrees with values by quadrature and with the limits 3.5501 H^(-1/3) and
+    pi H^(-1/2)."""
     assert capacitance_outside.beside(h) == pytest.approx(exact, rel=0.002 if h > 1e-8 else 0.006)
 
 
@@ -276,7 +280,8 @@ def test_t5_what_fills_the_gap(physics):
 @pytest.mark.parametrize("gap", [0.0, 0.5, 1.0, 1.5])
 @pytest.mark.parametrize("cage_speed", [0.0, 62.0, 250.0])
 def test_t7_through_loss_of_contact(physics, gap, cage_speed):
-    """Steps of 1 nm, and of 1e-12 m where contacts begin; also with film in the gap."""
+    """Nothing jumps in steps of 1 nm, and of 1e-12 m where contacts begin; also with film in the
+    gap."""
     raceway = physics.raceway(**OIL)
     overlap = np.arange(-1e-6, 1e-6, 1e-9)
     named = dict(cage_speed=cage_speed, gap=gap)
@@ -294,7 +299,7 @@ def test_t7_through_loss_of_contact(physics, gap, cage_speed):
 
 
 def test_the_separation(physics):
-    """h_c of max(Q, Q_u), then the gap."""
+    """The separation is h_c of max(Q, Q_u), or the gap if it is larger."""
     raceway = physics.raceway(**OIL)
     derived = raceway.radial()
     cage_speed = 200.0
@@ -333,7 +338,8 @@ def test_mean_permittivity(ambient, pressure):
 
 @pytest.mark.parametrize("at, eps", [(0, 2.654), (1, 2.578), (2, 2.593)])
 def test_where_the_permittivity_is_taken(physics, at, eps):
-    """Relative permittivity 2.2 under 1.5 GPa."""
+    """A relative permittivity of 2.2 at ambient pressure grows under 1.5 GPa, depending on where it
+    is taken."""
     raceway = physics.raceway(**OIL)
     derived = raceway.radial()
     overlap = (1.5e9 / derived.p) ** 2
@@ -356,7 +362,8 @@ def test_t12_rough_films(physics):
 
 @pytest.mark.parametrize("side", [INNER, OUTER])
 def test_reach_of_a_groove(physics, side):
-    """With a contact angle the sides differ: 4 tan of a quarter of the angle to each shoulder."""
+    """With a contact angle the two sides differ: the reach is 4 tan of a quarter of the angle to
+    each shoulder."""
     raceway = physics.raceway_6208(side)
     gamma = 0.09 * (BALL / PITCH) * (1 if side == INNER else -1)
     cosine = 1 - 2.3e-3 / 6.552e-3
@@ -372,8 +379,8 @@ def test_reach_of_a_groove(physics, side):
 @pytest.mark.parametrize("side", [INNER, OUTER])
 @pytest.mark.parametrize("angle", [0.0, 0.3])
 def test_reach_around_an_ellipse(physics, side, angle):
-    """As in Python: narrow ellipses do not change the reach, wide ones reduce it by the arc
-    within."""
+    """The reach agrees with Python: narrow ellipses do not change it, wide ellipses reduce it by
+    the arc within."""
     raceway = physics.raceway_6208(side)
     bearing = Bearing(9, 2 * BALL, 24e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     plain = reach(physics, raceway, 2.3e-3, angle)
@@ -384,7 +391,8 @@ def test_reach_around_an_ellipse(physics, side, angle):
         assert np.all(np.abs(found - plain) < 4e-5 + 0.03 * semi_axis)
 
 
-# T6: 6208 at 1500 rpm: film of table 1's oil, groove 2.3 mm deep; N, pF of the ball
+# T6: 6208 at 1500 rpm with the oil of table 1, groove 2.3 mm deep; load in N, capacitances of the
+# ball in pF
 @pytest.mark.parametrize(
     "load, plates, flooded, cavitated",
     [(1461.7, 44.9, 65.5, 59.9), (980.1, 33.3, 52.9, 47.5), (105.8, 6.27, 22.0, 17.7)],
@@ -418,8 +426,8 @@ def test_t6_a_ball_of_a_6208(physics, load, plates, flooded, cavitated):
     "changes", [{}, dict(gap=1.0), dict(at=1, rough=1, surroundings=CAVITATED)]
 )
 def test_four_side_by_side_are_one_by_one(physics, side, changes):
-    """Contacts and gaps, radial and oblique, light and heavy in any mixture; compared bit by bit
-    in `capacitors`."""
+    """Contacts and gaps, radial and oblique, light and heavy in any mixture, are compared bit by
+    bit in `capacitors`."""
     raceway = physics.raceway_6208(side, **OIL)
     random = np.random.default_rng(13)
     n = 400
@@ -437,8 +445,8 @@ def test_four_side_by_side_are_one_by_one(physics, side, changes):
 
 # ---- two grooves per ring
 def arch(physics, side, free, bottom):
-    """One of two grooves of a 6208's ring: a centred ball makes contact at the angle `free`
-    (rad), as far out as in a single groove of the radius `bottom` (m)."""
+    """One of two grooves of a 6208's ring. A centred ball makes contact at the angle `free` (rad),
+    as far out as in a single groove with the radius `bottom` (m)."""
     gap, way = 6.552e-3 - BALL, -1 if side == INNER else 1
     radius = bottom + way * gap * (1 - np.cos(free))
     return physics.raceway(side=side, raceway_radius=radius, offset=gap * np.sin(free), **OIL)
@@ -446,8 +454,8 @@ def arch(physics, side, free, bottom):
 
 def rigid_flank(side, free, bottom, play, shoulder):
     """I (m) between a rigid centred ball and one flank of an arch, from the edge between the
-    grooves to the shoulder of that radius (m). Planes through the bearing's axis, and a parabola
-    along rolling in each direction from the ball's centre."""
+    grooves to a `shoulder` with a given radius (m): planes through the bearing's axis, and a
+    parabola along rolling in each direction from the ball's centre."""
     groove, gap = 6.552e-3, 6.552e-3 - BALL
     # coordinates of the groove relative to the ball
     centre = np.array([-gap * np.cos(free), gap * np.sin(free)])
@@ -458,7 +466,7 @@ def rigid_flank(side, free, bottom, play, shoulder):
     height = pitch - shoulder if side == INNER else shoulder - pitch
 
     def wall(angle):
-        """Distance of the groove from the ball's centre in a direction at `angle` from straight
+        """Distance between the groove and the ball's centre in a direction at `angle` from straight
         down, towards the flank."""
         line = np.array([np.cos(angle), -np.sin(angle)])
         along = line @ centre
@@ -482,7 +490,7 @@ def rigid_flank(side, free, bottom, play, shoulder):
 @pytest.mark.parametrize("free", np.radians([20.0, 35.0]))
 @pytest.mark.parametrize("play", [2e-6, 10e-6])
 def test_a_flank_of_two_grooves(physics, side, bottom, shoulder, free, play):
-    """Without contact, from the edge between the grooves to the shoulder."""
+    """Without contact, a flank is integrated from the edge between the grooves to the shoulder."""
     raceway = arch(physics, side, free, bottom)
     named = {"inner_shoulder": 2 * shoulder} if side == INNER else {"outer_shoulder": 2 * shoulder}
     outside = capacitors(

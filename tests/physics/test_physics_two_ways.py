@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""One table of inputs evaluated by the laws of a run and by Python, both compared with 40
-digits of mpmath.
+"""One table of inputs evaluated by the laws of a run and by Python, both compared with 40 digits of
+mpmath.
 
-1e-12 relative: a film is the exponential of a sum of terms of at most 50, each rounded to 2e-16 of
-itself, so it is accurate to about 1e-14; ellipse and pressure carry the rounding of an iteration, a
-few 1e-15. The table's own rounding enters all three.
+Relative errors are below 1e-12: a film is the exponential of a sum of terms of at most 50, each
+with a relative rounding of 2e-16, so it is accurate to about 1e-14; ellipse and pressure carry the
+rounding of an iteration, a few 1e-15. The rounding of the table enters all three results.
 """
 
 import itertools
@@ -60,7 +60,7 @@ def electric(ambient, pressure, a, b, h):
 
 
 def agree(cpp, python, exact):
-    """Both equal the reference, and so each other."""
+    """Assert that both equal the reference, and so each other."""
     exact = [float(value) for value in exact]
     np.testing.assert_allclose(cpp, exact, rtol=EQUAL)
     np.testing.assert_allclose(python, exact, rtol=EQUAL)
@@ -84,8 +84,8 @@ def test_hertz(physics, name, side, angle):
             * modulus
             * mpmath.sqrt(second * radius / (mpmath.mpf("4.5") * first**3))
         )
-        # not E and F themselves: for an ellipse that is longer along rolling the headers use those
-        # of the other modulus
+        # E and F themselves are not compared: for an ellipse that is longer along rolling the
+        # headers use the integrals of the other modulus
         agree(
             [cpp.kappa, cpp.K], [python.kappa, hertz.stiffness(python, STEEL)], [kappa, stiffness]
         )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""vec3.h against numpy and scipy's rotations."""
+"""vec3.h compared with numpy and scipy's rotations."""
 
 import numpy as np
 import pytest
@@ -25,7 +25,7 @@ def test_products(physics):
 @pytest.mark.parametrize("angle", [1e-9, 1e-3, 0.5, 3.0, 7.0])
 def test_rotation_is_the_right_handed_one(physics, angle):
     w = angle * B / np.linalg.norm(B)
-    # the angle itself is rounded before its sine is computed
+    # the angle is rounded before its sine is computed
     assert physics.rotate(A, w) == pytest.approx(
         Rotation.from_rotvec(w).apply(A), abs=10 * ROUNDING * (1 + angle)
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The recipes of docs/extend.rst, carried out in a copy of the tree.
+"""Carries out the recipes of docs/extend.rst in a copy of the tree.
 
 The copy builds and every law passes the derivative test. The additions appear in output, in
 tables of the docs and in a deck.
@@ -24,7 +24,7 @@ MOST_FILES = {"law": 5, "column": 1, "lubricant": 5, "keyword": 2}
 
 
 def carry_out(recipe: str, tree: Path) -> set[str]:
-    """Make the edits of a recipe in `tree`; return the files touched."""
+    """Make the edits of a recipe in `tree`; return the files that it touches."""
     touched = set()
     for edit in yaml.safe_load((RECIPES / f"{recipe}.yaml").read_text()):
         path = tree / edit["file"]
@@ -44,7 +44,8 @@ def carry_out(recipe: str, tree: Path) -> set[str]:
 
 
 def add_wrong_toy(tree: Path) -> None:
-    """A second toy that the derivative test must reject: its slope is twice that of its value."""
+    """Add a second toy that the derivative test must reject: its slope is twice that of its
+    value."""
     core = tree / "src-package/core"
     text = (core / "parts/part_toy.h").read_text()
     for old, new in {
@@ -83,7 +84,7 @@ struct WrongToyLoss""",
 
 
 def run(command: list[str], folder: Path, tree: Path | None = None, **more) -> str:
-    """What `command` prints in `folder`, with the Python package of `tree` (the folder)."""
+    """What `command` prints in `folder`, with the Python package of `tree` (default: `folder`)."""
     path = {"PYTHONPATH": str((tree or folder) / "python" / "src")}
     done = subprocess.run(
         command, cwd=folder, env=os.environ | path, capture_output=True, text=True, **more
@@ -109,9 +110,9 @@ def touched(tmp_path_factory):
     files = {recipe: carry_out(recipe, tree) for recipe in MOST_FILES}
     add_wrong_toy(tree)
     targets = ["build/liggghts", "build/libraceway_physics.so", CORE]
-    # from the library for the tests, the functions that the derivative test calls
+    # the library for the tests, with only the functions that the derivative test calls
     physics = "PHYSICS_C=tests/physics/physics_c.cpp tests/physics/law_c.cpp"
-    # nice: ranks of other tests would wait for each other while a compiler occupies their core
+    # low priority: ranks of other tests would wait for each other while a compiler has their core
     nice = ["nice", "-n", "19", "make", "-s", "-j2"]
     # clang takes two thirds of the time of g++
     words = ["CXX=clang++", "OPTIMISE=-O0 -DRACEWAY_ONE_TARGET", physics]
@@ -125,7 +126,7 @@ def test_few_files(touched, recipe):
 
 
 def test_the_derivative_test_refuses_the_wrong_toy_alone(touched):
-    """All sets of parts pass, also with the toy; only those with the wrong toy fail."""
+    """All sets of parts pass, also with the toy; only sets with the wrong toy fail."""
     tests = "tests/physics/test_physics_laws.py"
     command = [PYTHON, "-m", "pytest", "-q", "-c", "tests/pytest.ini", "--rootdir=.", tests]
     done = subprocess.run(command, cwd=touched[0], capture_output=True, text=True)
@@ -157,7 +158,7 @@ def test_docs_have_the_part_its_keywords_and_columns(touched):
 
 
 def rows(dump: Path) -> list[list[float]]:
-    """Rows of the last frame."""
+    """Rows of the last frame of a dump."""
     lines = dump.read_text().splitlines()
     first = max(n for n, line in enumerate(lines) if line.startswith("ITEM: ENTRIES")) + 1
     return sorted([float(x) for x in line.split()] for line in lines[first:])
@@ -180,9 +181,9 @@ def test_the_deck_runs_with_both_integrators(ran):
     """The couple of a ball that rolls steadily is the toy's stiffness times its time times the
     rolling speed.
 
-    After ten times the toy's time the integrators agree within the first-order error of Verlet's
-    step in the memory, 1e-6/1e-3. Balls that barely touch are left out because their contacts open
-    and close.
+    After ten times the toy's time the integrators agree within the first-order error that Verlet's
+    step causes in the memory, 1e-6/1e-3. Balls that barely touch are left out because their
+    contacts open and close.
     """
     found = {key: rows(folder / "toys.dump") for key, folder in ran.items()}
     loaded = {key: [row for row in found[key] if row[2] > 100] for key in found}
@@ -206,8 +207,8 @@ print(json.dumps({"summary": found, "needs": figures(found), "report": report}))
 
 def test_the_loss_arrives_in_torque_summary_needs_and_report(touched, ran):
     """The toy's loss appears in the friction torque, losses_W, the figures of raceway needs and the
-    page of the run: the sum over the contacts of the record, apart from the damping that the law
-    also has."""
+    page of the run. It is the sum over the contacts of the record, apart from the damping that the
+    law also has."""
     folder = ran["1"] / "toy"
     found = json.loads(
         run([PYTHON, "-c", SHOWN, str(folder), str(folder / "report.html")], touched[0])

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The circuit of a bearing as dense systems: nodal matrices of balls and inner ring without
-elimination of nodes. Two-stage SDIRK in the charges; failed films are conductors with an unknown
-charge."""
+"""The circuit of a bearing as dense systems, with nodal matrices of balls and inner ring without
+elimination of nodes. Charges are integrated by a two-stage SDIRK method; failed films are
+conductors with an unknown charge."""
 
 import numpy as np
 
@@ -17,8 +17,8 @@ def matrix(films, ring):
 
 
 def voltages(made, right, driving=None, broken=()):
-    """Solution of `made` v = `right`; the ring at `driving` unless None, films of `broken` (side,
-    ball) without voltage. A node with nothing attached has 0 V."""
+    """Solution of `made` v = `right`, with the ring at `driving` unless it is None and no voltage
+    across the films `broken` (side, ball). A node with nothing attached has 0 V."""
     made, right, n = made.copy(), right.copy(), len(right)
     alone = np.flatnonzero(~made.any(axis=1))
     made[alone, alone], right[alone] = 1.0, 0.0
@@ -41,8 +41,9 @@ def energy(capacitance, beside, coupling, driving, v):
 
 
 def discharge(capacitance, limit, outer, charge, v):
-    """(charges, voltages, failures as rows of side, ball, film voltage, bearing voltage before and
-    after, film energy, energy) at one point; `outer` is (parallel, coupling, driving)."""
+    """(charges, voltages, failures) at one point. Failures are rows of side, ball, film voltage,
+    bearing voltage before and after, film energy, energy; `outer` is (parallel, coupling,
+    driving)."""
     beside, coupling, driving = outer
     whole, push = matrix(capacitance, beside + coupling), np.zeros(len(v))
     push[-1] = coupling * driving
@@ -68,9 +69,9 @@ def discharge(capacitance, limit, outer, charge, v):
 
 
 def solve(time, capacitance, conductance, limit, outer, start):
-    """(voltages (n, Z + 1), ring last; charge into the ring's films in each step (n,);
-    failures with the point first) over films (n, 2, Z); `outer` (n, 4): parallel, coupling,
-    conductance, driving."""
+    """(voltages (n, Z + 1), with the ring last; charge into the ring's films in each step (n,);
+    failures, with the point first) for films (n, 2, Z). `outer` (n, 4) has parallel, coupling,
+    conductance and driving."""
     stiff = np.isinf(outer[0, 2])
     n, _, z = capacitance.shape
     found, flown, failures = np.zeros((n, z + 1)), np.zeros(n), []

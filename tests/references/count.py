@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Counts, law by law, the tests with an expected value that does not come from the package:
-40-digit arithmetic, quadrature, a solver of another kind, printed numbers.
+"""Counts, law by law, the tests with an expected value that does not come from the package, but
+from 40-digit arithmetic, quadrature, another kind of solver or printed numbers.
 
     python tests/references/count.py [--list] [TREE ...]
 
-A test belongs to a law whose words occur in its name, its body or the name of its file. Its
+A test belongs to a law if words of the law occur in its name, its body or the name of its file. Its
 reference may also be in the helpers, fixtures and constants of its file that it uses."""
 
 import ast
@@ -14,7 +14,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDERS = ("physics", "python", "friction", "implicit")
-# law: tests at a7b5052, which had most laws in two languages; words that mark its tests
+# {law: (tests at a7b5052, which had most laws in two languages; words that mark its tests)}
 LAWS = {
     "elliptic integrals, Hertz": (16, r"elliptic|ellipk|hertz|semi_axes"),
     "effective radii": (9, r"effective_radii|curvatures|meusnier"),
@@ -91,7 +91,7 @@ def _all_of(name, known):
 
 
 def found(root: Path) -> dict[str, list[str]]:
-    """Tests of each law with a reference of their own, `file::test`, in the tree `root`."""
+    """Tests of each law that have a reference, as `file::test`, in the tree `root`."""
     result = {law: [] for law in LAWS}
     for folder in FOLDERS:
         for path in sorted((root / "tests" / folder).glob("test_*.py")):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Films in 40 digits, as printed in their sources; a film "over the load" is a function of it."""
+"""Films in 40 digits, as printed in their sources; a film "over the load" is a function of the
+load."""
 
 import mpmath
 from mpmath import exp, log, mpf
@@ -28,7 +29,7 @@ def hamrock_dowson(r_x, u, g, w, k):
 
 
 def groups(viscosity, xi, modulus, r_x, speed, load):
-    """U, G, W."""
+    """(U, G, W)"""
     return (
         mpf(viscosity) * speed / (mpf(modulus) * r_x),
         mpf(xi) * modulus,
@@ -37,7 +38,7 @@ def groups(viscosity, xi, modulus, r_x, speed, load):
 
 
 def power_law(viscosity, xi, modulus, r_x, kappa, speed, factor=1.0, cut=1.0):
-    """h_c (m) over the load after Masjedi and Khonsari, kept below `cut` N."""
+    """h_c (m) over the load after Masjedi and Khonsari, constant below `cut` N."""
 
     def h(load):
         kept = max(mpf(load), mpf(cut))
@@ -83,7 +84,7 @@ def wilson(loading):
 
 
 def gupta(loading, pressure, slide_roll=0.0):
-    """Gupta et al. (1992), with a pressure reduction of at most 0.9."""
+    """Film factor of Gupta et al. (1992), with a pressure reduction of at most 0.9."""
     lost = min(mpf("13.2") * pressure * mpf(loading) ** mpf("0.42"), mpf("0.9"))
     slid = 1 + mpf("2.23") * abs(mpf(slide_roll)) ** mpf("0.83")
     return (1 - lost) / (1 + mpf("0.213") * slid * mpf(loading) ** mpf("0.64"))
@@ -98,8 +99,8 @@ def heated(film, loading, peak, slide_roll, cut):
 
 def in_gap(overlap, stiffness, film, share=1.0):
     """Load (N), h_c (m), elastic approach (m) and dQ/d(overlap) (N/m) of a contact with its film in
-    the gap: bisection for ln Q of (Q/K)^(2/3) = overlap + share h_c(Q), then secants. The load is 0
-    where the film does not reach across the gap."""
+    the gap, by bisection for ln Q in (Q/K)^(2/3) = overlap + share h_c(Q), then by secants. The
+    load is 0 if the film does not reach across the gap."""
     with mpmath.workdps(30):
 
         def gap(y):

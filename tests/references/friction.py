@@ -10,14 +10,14 @@ from scipy.integrate import quad
 
 from references import hertz
 
-# a sphere's drag coefficient at Re = 0.1 ... 1e5
+# drag coefficient of a sphere at Re = 0.1 ... 1e5
 DRAG = {0.1: 275, 1.0: 30, 10.0: 4.2, 1e2: 1.2, 1e3: 0.48, 1e4: 0.40, 1e5: 0.45}
 
 
 def heathcote(slip):
-    """(F, C, power) of Coulomb's law by integration over the strips of an ellipse that rolls with
-    s_e = 1: F over mu Q, C over mu Q a^2/(2 R_d), power over mu Q s_e. A strip at z has the share
-    3/4 (1 - z^2) of the load and the sliding speed slip - z^2."""
+    """(F, C, power) by Coulomb's law, integrated over the strips of an ellipse that rolls with
+    s_e = 1: F in units of mu Q, C of mu Q a^2/(2 R_d), power of mu Q s_e. A strip at z has the
+    share 3/4 (1 - z^2) of the load and the sliding speed slip - z^2."""
     with mpmath.workdps(30):
         slip = mpf(slip)
         turns = [mpmath.sqrt(slip)] if 0 < slip < 1 else []
@@ -32,14 +32,14 @@ def heathcote(slip):
 
 
 def free_rolling():
-    """(slip, lost power, slope of F) where F is zero, in units of s_e, mu Q s_e and mu Q/s_e."""
+    """(slip, lost power, slope of F) at which F is zero, in units of s_e, mu Q s_e and mu Q/s_e."""
     with mpmath.workdps(30):
         t = mpmath.findroot(lambda t: 3 * t - t**3 - 1, mpf("0.35"))
         return float(t**2), heathcote(t**2)[2], float(3 * (1 - t**2) / (2 * t))
 
 
 def roelands(viscosity, xi, pressure):
-    """Pa s, in 40 digits."""
+    """Viscosity under `pressure` (Pa s), in 40 digits."""
     with mpmath.workdps(40):
         lift = mpmath.log(mpf(viscosity)) + mpf("9.67")
         z = mpf("1.96e8") * mpf(xi) / lift
@@ -47,8 +47,8 @@ def roelands(viscosity, xi, pressure):
 
 
 def film_coefficient(viscosity, xi, pressure, rate, stress, limit, points=None):
-    """Mean over the ellipse of Eyring's stress, limited to `limit` p, divided by its mean pressure;
-    by adaptive quadrature, or with this number of Gauss points in 40 digits."""
+    """Mean over the ellipse of Eyring's stress, limited to `limit` p, divided by the mean pressure;
+    by adaptive quadrature, or with a number of Gauss `points` in 40 digits."""
 
     def shear(t):
         p = mpf(t) * pressure
@@ -64,14 +64,14 @@ def film_coefficient(viscosity, xi, pressure, rate, stress, limit, points=None):
 
 
 def slip(law, slid, load, speed, a, b, r_d, r_x, points=400):
-    """(force along rolling N, couple about the rolling axis N m, power W) of a contact under any
-    stress law(pressure in Pa, |s| in m/s) in Pa, by midpoints: `points` across the groove, a
-    quarter as many along rolling. s = slid - (|u|/(2 R_d R_x)) z^2."""
+    """(force along rolling in N, couple about the rolling axis in N m, power in W) of a contact
+    with any stress `law`(pressure in Pa, |s| in m/s) in Pa, by the midpoint rule with `points`
+    across the groove and a quarter as many along rolling; s = slid - (|u|/(2 R_d R_x)) z^2."""
     z = (np.arange(points) + 0.5) / points  # of a
     many = points // 4
     angle = (np.arange(many) + 0.5) * np.pi / many
     half = b * np.sqrt(1 - z**2)
-    x = np.cos(angle) / np.ones((points, 1))  # of the strip's half-length
+    x = np.cos(angle) / np.ones((points, 1))  # in units of the strip's half-length
     width = half[:, None] * np.sin(angle) * np.pi / many
     peak = 1.5 * load / (np.pi * a * b)
     pressure = peak * np.sqrt(1 - z[:, None] ** 2) * np.sqrt(1 - x**2)
@@ -82,8 +82,8 @@ def slip(law, slid, load, speed, a, b, r_d, r_x, points=400):
 
 
 def hydrodynamic_rolling(viscosity, modulus, r_x, r_y, speed, load, limit=False):
-    """f in N of Biboulet and Houpert (2010, part 2, eq 32), with `limit` its elastic limit M ->
-    infinity (eq 33)."""
+    """Rolling force f (N) of Biboulet and Houpert (2010, part 2, eq 32), or with `limit` its
+    elastic limit M -> infinity (eq 33)."""
     found = hertz.contact(r_x, r_y, modulus, load)
     kappa, unit = found["kappa"], modulus * r_x**2
     double = 2 * viscosity * speed / (modulus * r_x)
@@ -96,7 +96,7 @@ def hydrodynamic_rolling(viscosity, modulus, r_x, r_y, speed, load, limit=False)
 
 
 def rolling_powers(viscosity, modulus, r_x, r_y, speed, load):
-    """f in N of Balan et al. (2015), in 40 digits."""
+    """Rolling force f (N) of Balan et al. (2015), in 40 digits."""
     with mpmath.workdps(40):
         u = mpf(viscosity) * speed / (mpf(modulus) * r_x)
         w, ratio = mpf(load) / (mpf(modulus) * mpf(r_x) ** 2), mpf(r_y) / r_x
@@ -121,9 +121,9 @@ def drag_coefficient(reynolds):
 
 
 def inlet_share(length, thickness):
-    """Share of the rolling resistance that remains with an inlet of length `length` b, h_c =
-    thickness b^2/(2 R_x): by adaptive quadrature of Reynolds's equation in the inlet of a Hertz
-    contact."""
+    """Share of the rolling resistance that remains with an inlet of length `length` b and a film of
+    h_c = thickness b^2/(2 R_x), by adaptive quadrature of Reynolds's equation in the inlet of a
+    Hertzian contact."""
 
     def slope(s):
         x = 1 + math.exp(s)
@@ -140,7 +140,8 @@ def inlet_share(length, thickness):
 
 
 def immersed(level, pitch):
-    """Share of the balls' volume below the oil level over their path, from slices of the balls."""
+    """Share of the balls' volume that is below the oil level, as a mean over their path, from
+    slices of the balls."""
     azimuth, node = np.meshgrid((np.arange(2000) + 0.5) * np.pi / 2000, np.linspace(-1, 1, 2001))
     height = -pitch * np.cos(azimuth) + node  # half-width of a slice, relative to the ball radius
     below = height <= -pitch - 1 + 2 * level

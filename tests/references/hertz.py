@@ -9,8 +9,8 @@ from mpmath import mpf
 
 @functools.cache
 def ellipse(r_x, r_y):
-    """(kappa, F, E, R) of effective radii in m, with F and E of modulus^2 1 - 1/kappa^2, from
-    (kappa^2 E - F)/(F - E) = R_y/R_x."""
+    """(kappa, F, E, R) for effective radii in m, from (kappa^2 E - F)/(F - E) = R_y/R_x; F and E
+    have a squared modulus of 1 - 1/kappa^2."""
     with mpmath.workdps(40):
         r_x, r_y = mpf(float(r_x)), mpf(float(r_y))
 
@@ -27,7 +27,7 @@ def ellipse(r_x, r_y):
 
 
 def contact(r_x, r_y, modulus, load):
-    """A contact under `load` (N) with E' = `modulus` (Pa): its figures by name, as floats."""
+    """Figures, by name and as floats, of a contact under `load` (N) with E' = `modulus` (Pa)."""
     with mpmath.workdps(40):
         kappa, first, second, radius = ellipse(r_x, r_y)
         modulus, load = mpf(modulus), mpf(load)

@@ -16,17 +16,17 @@ class Spin(NamedTuple):
 
 
 def with_slip(load, friction, a, b, along, across, spin, *, curve=0.0, width=0.0, points=24):
-    """`Spin` if the point (x along, z across) slides at (along + spin z - curve z^2, across - spin
-    x).
+    """`Spin` if the point (x along, z across) slides with the velocity (along + spin z - curve z^2,
+    across - spin x).
 
-    Stress mu p along the sliding v, smoothed as v/sqrt(v^2 + width^2) with `width` in m/s.
-    Gauss-Legendre in the radius, `points` of it, and four times as many even angles.
+    The stress is mu p along the sliding velocity v, smoothed as v/sqrt(v^2 + width^2) with `width`
+    in m/s. There are `points` Gauss-Legendre radii and four times as many evenly spaced angles.
     """
     along, across, spin = np.broadcast_arrays(
         *(np.asarray(v, float) for v in (along, across, spin))
     )
     node, weight = np.polynomial.legendre.leggauss(points)
-    # r = sin(t) takes the square root out of the pressure
+    # r = sin(t) removes the square root from the pressure
     t = (node + 1) * np.pi / 4
     radius, angle = np.sin(t)[:, None], (np.arange(4 * points) + 0.5) * np.pi / (2 * points)
     share = weight * np.pi / 4 * np.cos(t) ** 2 * np.sin(t) * 1.5 / np.pi * np.pi / (2 * points)
@@ -43,8 +43,8 @@ def with_slip(load, friction, a, b, along, across, spin, *, curve=0.0, width=0.0
 
 
 def free_slip(load, friction, a, b, spin, curve, *, points=16):
-    """`with_slip` at the slip along rolling that gives no force, `spin` (n,); stresses smoothed
-    over 1e-3 of the slip at the edge."""
+    """`with_slip` for `spin` (n,) at the slip along rolling that gives no force; stresses are
+    smoothed over 1e-3 of the slip at the edge."""
     edge = curve * a**2
     low, high = np.zeros_like(spin), np.full_like(spin, edge)
     options = dict(curve=curve, width=1e-3 * edge, points=points)

@@ -22,13 +22,13 @@ def bearing_of(settings):
 
 
 def shaft_speed(settings):
-    """rad/s."""
+    """Speed of the shaft, rad/s."""
     return settings["rpm"] * np.pi / 30
 
 
 def equilibrium(run, sample, film=None):
-    """Static equilibrium with the balls at their positions in a sample of the run; `film` is the
-    film in the gap, a `FilmInGap`."""
+    """Static equilibrium with the balls at their positions in a sample of the run. `film`, a
+    `FilmInGap`, is the film in the gap."""
     settings, balls = run.settings, run.balls
     now = balls[(balls["sample"] == sample) & (balls["type"] == 1)].sort_values("id")
     orbit = kinematics.frequencies(bearing_of(settings)).cage * shaft_speed(settings)
@@ -63,12 +63,12 @@ def static_largest_load(run, _):
 
 
 def cage_speed(run, _):
-    """Kinematic, rad/s."""
+    """Kinematic cage speed, rad/s."""
     return kinematics.frequencies(bearing_of(run.settings)).cage * shaft_speed(run.settings)
 
 
 def entrainment(run, _):
-    """Kinematic, m/s."""
+    """Kinematic entrainment speed, m/s."""
     return kinematics.entrainment(bearing_of(run.settings), shaft_speed(run.settings))
 
 

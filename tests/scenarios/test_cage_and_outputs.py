@@ -94,7 +94,8 @@ def test_totals_are_those_of_the_contacts(run):
 
 
 def test_potential_energy_is_that_of_the_springs(run):
-    """pe = sum of 2/5 Q overlap; cage contacts contribute less than 1e-3 of it."""
+    """The potential energy pe is the sum of 2/5 Q overlap; cage contacts contribute less than
+    1e-3."""
     energy = run.totals[12]
     rows = run.contacts[run.contacts["sample"] > 0]
     springs = (0.4 * rows["load"] * rows["overlap"]).groupby(rows["sample"]).sum().to_numpy()
@@ -102,8 +103,8 @@ def test_potential_energy_is_that_of_the_springs(run):
 
 
 def test_background_is_added_once(run):
-    """f_ID[1] is eq 12 plus the background; f_ID[2] is the largest ball without it; f_ID[3] is the
-    number of balls in the sum."""
+    """f_ID[1] is the capacitance of eq 12 plus the background; f_ID[2] is the largest capacitance
+    of a ball without the background; f_ID[3] is the number of balls in the sum."""
     more, top, active, bare = run.totals[15:19]
     np.testing.assert_allclose(more - bare, 30e-12, rtol=1e-9)  # 12 digits of 300 pF
     pairs = run.pairs[run.pairs["sample"] > 0].groupby("sample")["capacitance"]
@@ -131,7 +132,7 @@ def test_virial_is_that_of_the_contact_forces(run):
 
 
 def test_cage_balls_stay_centred(run):
-    """They stay on the pitch circle within the 190 um that pocket and chord allow, and in the
+    """Cage balls stay on the pitch circle within the 190 um that pocket and chord allow, and in the
     middle plane."""
     cage = run.balls[run.balls["type"] == 2]
     radius = np.hypot(cage["x"], cage["y"])
@@ -140,17 +141,17 @@ def test_cage_balls_stay_centred(run):
 
 
 def test_rails_carry_the_centrifugal_load_at_least(run):
-    """m_c r w^2 of nine polyamide balls, divided by the cosine of the seat angle (45 degrees), is
-    the force on the rails; balls that push cage balls outwards add to it."""
+    """The force on the rails is m_c r w^2 of nine polyamide balls divided by the cosine of the seat
+    angle (45 degrees), plus the force of balls that push cage balls outwards."""
     mass = 4 / 3 * np.pi * 4.19e-3**3 * 1140
     orbit = 19.8
     assert run.totals[8].mean() > 0.99 * 9 * mass * 30.3e-3 * orbit**2 / np.cos(np.pi / 4)
 
 
 def test_step_limit_is_that_of_the_stiffest_ball(tmp_path):
-    """fix bearing/timestep: dry, so 2 sqrt(m/k) with k of both raceways (tangential modes are
-    softer here: the rolling sphere has 2/7 of the mass, but the limit is checked against the
-    smaller of the two)."""
+    """The limit of fix bearing/timestep for a dry bearing is 2 sqrt(m/k) with the stiffness k of
+    both raceways (tangential modes are softer here: the rolling sphere has 2/7 of the mass, but the
+    limit is compared with the smaller of the two)."""
     deck = tmp_path / "in.limit"
     main = (ROOT / "inputs" / "in.6208").read_text()
     deck.write_text(

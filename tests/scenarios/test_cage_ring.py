@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A one-piece rigid cage (fix bearing/cage/ring) in a 6208, under both integrators: it conserves
-momentum, is slowed by its oil according to the law, slips because of its play, and bad data are
+"""A one-piece rigid cage (fix bearing/cage/ring) in a 6208, with both integrators: it conserves
+momentum, is slowed by oil according to the law and slips because of its play. Bad data are
 refused."""
 
 import re
@@ -18,14 +18,14 @@ from raceway.theory.operating_point import figures as statics
 DECK = "tests/scenarios/in.cage_ring"
 VERLET = dict(integrator="verlet", dt=2e-7)
 BOTH = {"implicit": {}, "verlet": VERLET}
-MASS, AXIAL = 0.03, 2.8e-5  # kg, kg m^2, of the cage
+MASS, AXIAL = 0.03, 2.8e-5  # mass (kg) and axial moment of inertia (kg m^2) of the cage
 PITCH, BALL = (24.0e-3 + 36.605e-3) / 2, 6.3e-3
 LAND = "guide outer 33.0e-3 0.15e-3 2.0e-3 2"
 FREE = "x free y free spin free"
 
 
 def scene(folder, integrator="implicit", *, span=0.02, samples=20, **changes):
-    """Run the deck for `span` seconds in `folder`; return its `Outcome` and the rows of the cage:
+    """Run the deck for `span` seconds in `folder`; return its `Outcome` and rows with the cage's
     step, time, x, y, spin, angle, largest and total pocket force, loss, eccentricity, torque."""
     dt = float(changes.pop("dt", 2e-7 if integrator == "verlet" else 2e-5))
     sample = round(span / dt / samples)
@@ -35,8 +35,8 @@ def scene(folder, integrator="implicit", *, span=0.02, samples=20, **changes):
 
 
 def momenta(folder):
-    """Momentum (kg m/s) and angular momentum about the origin along the axis (kg m^2/s) of all
-    bodies, and the sums of their magnitudes: an array (samples,) or (samples, 2) each."""
+    """Momentum (kg m/s) of all bodies, their angular momentum (kg m^2/s) about the axis through the
+    origin, and the sums of their magnitudes: an array (samples,) or (samples, 2) each."""
     p, size, turn, turns = [], [], [], []
     for _, rows in tables(folder / "balls.dump"):
         kind, x, v, w, m, r = rows[:, 1], rows[:, 2:5], rows[:, 5:8], rows[:, 8:11], *rows[:, 11:].T
@@ -70,14 +70,14 @@ def test_pockets_and_land_keep_momentum(tmp_path, integrator, shape):
     assert cage[:, 7].max() > 0.1 and np.ptp(cage[:, 4]) > 0.01
     p, size, turn, turns = momenta(tmp_path)
     assert np.abs(p - p[0]).max() < 1e-9 * size
-    # implicit steps with the raceway contacts alone leave 1e-7
+    # with raceway contacts alone, implicit steps conserve momentum to 1e-7
     assert np.abs(turn - turn[0]).max() < (2e-7 if integrator == "implicit" else 1e-11) * turns
 
 
 @pytest.mark.parametrize("integrator", BOTH)
 def test_a_free_cage_slows_as_its_oil_says(tmp_path, integrator):
-    """With pockets too wide for any ball contact: Petroff's couple at the land of the rotating
-    outer ring, and churning."""
+    """The pockets are too wide for any ball contact. Petroff's couple at the land of the rotating
+    outer ring and churning act on the cage."""
     _, cage = scene(
         tmp_path,
         integrator,
@@ -121,8 +121,8 @@ def test_work_is_stored_or_lost(tmp_path, words):
 
 
 def test_both_integrators_agree(tmp_path):
-    """Motion in the pockets is chaotic over long times, so the mean speed and the path are
-    compared, the latter to a few micrometres."""
+    """Motion in the pockets is chaotic over long times, so mean speeds are compared, and paths to a
+    few micrometres."""
     rows = {
         name: scene(tmp_path / name, name, span=0.03, words=f"friction 0.1 planar yes {LAND}")[1]
         for name in BOTH
@@ -149,8 +149,8 @@ def slip(folder, words=f"friction 0.1 planar yes {CENTRED}", **changes):
 
 
 def test_play_over_the_loaded_arc_makes_a_cage_slip(tmp_path):
-    """Unloaded balls fall back through the play of their pockets where drag slows them, and loaded
-    ones drive the cage, here centred by its land. Without drag there is no slip."""
+    """Unloaded balls, slowed by drag, fall back through the play of their pockets, and loaded balls
+    drive the cage, which is centred by its land here. Without drag there is no slip."""
     plays = [1e-4, 2e-4, 3e-4]
     found, arcs = zip(*(slip(tmp_path / str(j), play=j) for j in plays), strict=True)
     assert np.polyfit(plays, found, 1)[0] / 100 == pytest.approx(1 / np.mean(arcs), rel=0.15)
@@ -164,14 +164,14 @@ def test_play_over_the_loaded_arc_makes_a_cage_slip(tmp_path):
 
 
 def test_a_cage_on_balls_slips_more_than_one_on_its_land(tmp_path):
-    """The cage's centre moves as well, within the play."""
+    """A cage on balls slips more because its centre moves as well, within the play."""
     centred, _ = slip(tmp_path / "land")
     free, _ = slip(tmp_path / "balls", "friction 0.1 planar yes")
     assert 1.2 * centred < free < 2.5 * centred
 
 
 def test_a_run_tells_slip_orbit_and_pocket_forces(tmp_path):
-    """The deck in inputs: its figures agree with the samples of the record."""
+    """The figures of a run of the deck in inputs agree with the samples of its record."""
     succeed("inputs/in.cage_ring", out=tmp_path, settle=4, passes=4, cage_play=2e-4)
     run = Run(tmp_path)
     record = run.tables.record
@@ -192,9 +192,9 @@ def test_a_run_tells_slip_orbit_and_pocket_forces(tmp_path):
     causes = [figures[f"cage_slip_{cause}"] for cause in ("angle", "groove", "play")]
     assert sum(causes) == pytest.approx(figures["cage_slip"], rel=1e-12)
     assert causes[0] == 0  # a radial load
-    # Heathcote's free rolling by the contacts of the run, weighted with their loads
+    # Heathcote's free rolling at the contacts of the run, weighted with their loads
     contact = record.read(["load", "a"])
-    # along rolling 1/R_x = 1/R_b + 1/r of the inner raceway, - 1/r of the outer one
+    # along rolling 1/R_x = 1/R_b + 1/r at the inner raceway and 1/R_b - 1/r at the outer raceway
     r_x = 1 / (1 / BALL + np.array([1 / inner, -1 / outer])[:, None])
     r_d = 2 * 6.552e-3 * BALL / (6.552e-3 + BALL)
     both = (contact["load"] > 0).all(axis=1)
@@ -219,8 +219,8 @@ def test_a_run_tells_slip_orbit_and_pocket_forces(tmp_path):
 
 
 def test_pockets_are_drawn_around_their_balls(tmp_path):
-    """In the samples of a run: each ball is within the play of its own spherical pocket, and
-    touches its wall where it has a force. ParaView and pictures show the same pockets."""
+    """In the samples of a run each ball is within the play of its own spherical pocket, and touches
+    the wall if it has a pocket force. ParaView and pictures show the same pockets."""
     play, phase = 2e-4, 0.3
     succeed("inputs/in.cage_ring", out=tmp_path, passes=2, cage_play=play, phase=phase)
     run = Run(tmp_path).tables
@@ -233,7 +233,7 @@ def test_pockets_are_drawn_around_their_balls(tmp_path):
     assert (force > 0).sum() > 50 and off[force > 0].min() > play / 2
     picture = drawn(run, np.arange(samples), factor=1.0)
     assert np.abs(picture.pockets - found.centre).max() < 1e-15
-    # magnified so that a pocket stays at its ball
+    # pictures magnify displacements so that a pocket stays at its ball
     magnified = drawn(run, np.arange(samples)).pockets
     away = np.abs(np.hypot(magnified[..., 0], magnified[..., 1]) - run.geometry.pitch_radius)
     assert away.max() < 0.2 * run.geometry.ball_radius
@@ -258,7 +258,7 @@ def test_pockets_are_drawn_around_their_balls(tmp_path):
     ],
 )
 def test_a_whirl_has_its_speed_and_name(order, name):
-    """A circle of 20 um with some noise, 10 turns of the cage."""
+    """The cage's path is a circle with a radius of 20 um, with some noise, over 10 turns."""
     turn, noise = 2 * np.pi / 200, np.random.default_rng(1).normal(size=(2, 2000))
     place = 2e-5 * np.exp(1j * order * turn * np.arange(2000)) + 1e-6 * (noise[0] + 1j * noise[1])
     found = whirl_order(place - place.mean(), turn, 2e-4)
@@ -271,8 +271,8 @@ def test_a_whirl_has_its_speed_and_name(order, name):
 
 @pytest.mark.parametrize("part", ["shear", "land", "churning"])
 def test_parts_of_a_cage_can_be_left_out(tmp_path, part):
-    """If the other parts are left out, the power loss of a part equals its closed form in samples
-    in which no ball strikes its pocket: the walls' damping is never below 0."""
+    """If other parts are left out, the power loss of a part equals its closed form in samples in
+    which no ball strikes its pocket: the walls' damping is never below 0."""
     out = sorted({"friction", "shear", "land", "churning"} - {part})
     land = dict(cage_guide="outer", cage_land=34e-3, cage_clearance=2e-4, cage_width=2e-3)
     succeed(
@@ -313,8 +313,8 @@ def share_below(level, pitch):
 
 
 def test_a_cage_under_moments_bears_what_statics_estimates(tmp_path):
-    """Balls that would run ahead by ten times the play press with their traction. The largest force
-    also includes impacts. The load of the run is along -y, the load in statics along x."""
+    """Balls that would run ahead by ten times the play press on the cage with their traction. The
+    largest force also includes impacts. The load is along -y in the run and along x in statics."""
     point = dict(load=3500.0, axial=5000.0, rpm=1500.0)
     found = dict(bearing="7208B", moment_x=25, moment_y=15, settle=1, passes=2)
     succeed("inputs/in.cage_ring", out=tmp_path, **found, **point)
@@ -384,9 +384,9 @@ def test_a_cage_bears_gravity(tmp_path, integrator, fall):
 @pytest.mark.parametrize("fall", ["1 0 0", "0 1 0", "-1 0 0", "0 -1 0"])
 @pytest.mark.parametrize("speed", [1, 100, 1000])
 def test_no_ball_leaves_its_pocket_under_gravity(tmp_path, speed, fall):
-    """A run ends when a ball is beyond a wall by a tenth of its radius. This run covers two ball
-    passes at 1 rad/s; the test above covers a turn of the cage. The cage hangs on two balls at most
-    one spacing apart, which leave the pitch circle by the clearance, and the walls deform."""
+    """A run ends if a ball is beyond a wall by a tenth of its radius. This run covers two ball
+    passes at 1 rad/s; the test above covers a turn of the cage. The cage hangs on two balls, at
+    most one spacing apart, which leave the pitch circle by the clearance; walls deform."""
     passes = 2 if speed == 1 else 9
     _, cage = scene(
         tmp_path,

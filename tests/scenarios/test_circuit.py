@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/circuit: agreement with the Python package on the record of the same run, its events,
-and refused input."""
+"""fix bearing/circuit: agreement with the Python package, given the record of the same run; events;
+refused input."""
 
 import shutil
 
@@ -17,7 +17,7 @@ from raceway.electric.waveforms import CommonMode, Constant, Sine, Table
 from raceway.errors import RunError
 from raceway.runs.columns import _TABLES
 
-# scenes with few steps, the same in C++ and Python
+# scenes with few steps, evaluated in C++ and in Python
 pytestmark = pytest.mark.filterwarnings("ignore:films fail late")
 SAMPLES = 120
 NAMES = [row["name"] for row in _TABLES["fix_circuit"]]
@@ -68,7 +68,7 @@ CASES = {
     ),
 }
 WHOLE = dict(cap="surroundings cavitated 1", clearance=2e-5)
-WITHIN = 4  # for the case with instants in steps of four samples
+WITHIN = 4  # samples per step in the case with instants
 
 
 FAST = "x free y free spin speed 150 force 0 -800 0 ramp 3.0e-3"
@@ -77,7 +77,8 @@ RECORD = "fix rec all bearing/record 1 {}\n"
 
 
 def run_with(folder, words, more="", samples=SAMPLES, record=RECORD, cap="", **options):
-    """in.case with a record, and a circuit by `words`, in `folder`; its `Outcome`."""
+    """Run in.case in `folder` with a record and a circuit according to `words`; return its
+    `Outcome`."""
     folder.mkdir(exist_ok=True)
     (folder / "table.txt").write_text("# s V\n0 0\n2e-3 40\n5e-3 -25 # the end\n")
     values = "".join(f"variable v{k} equal f_cir[{k}]\n" for k in range(1, len(NAMES) + 1))
@@ -122,7 +123,7 @@ def pair(request, tmp_path_factory):
 
 
 def test_the_fix_gives_the_numbers_of_python(pair):
-    """At every sample after the first one, which LIGGGHTS does not print."""
+    """The numbers agree at every sample after the first, which LIGGGHTS does not print."""
     rows, _, (data, events), points = pair
     on_films = float(np.abs(data.film_capacitance * data.film_voltage).max())
     step = float(data.time.diff("time").min())
@@ -145,7 +146,7 @@ def test_the_fix_gives_the_numbers_of_python(pair):
 
 def test_metal(tmp_path):
     """Films with asperity contact conduct, in the fix as in Python; an asperity share of 0.1
-    separates them from the others."""
+    separates them from other films."""
     here = tmp_path / "here"
     shutil.copytree(ROOT / "tests/implicit", here, ignore=shutil.ignore_patterns("__pycache__"))
     contact = here / "contact.film"
@@ -192,8 +193,8 @@ def test_the_events_are_those_of_python(pair):
 
 
 def test_current_of_a_failure(pair):
-    """Peak through the arc, duration from the charge that flows, density over the total Hertz
-    area."""
+    """The peak current flows through the arc, its duration follows from the charge, and its density
+    is relative to the total Hertz area."""
     _, rows, (_, events), _ = pair
     if "current" not in rows:
         return

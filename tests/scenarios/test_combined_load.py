@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The simulation against statics for a ring that is free to tilt: radial and axial load with
-moments, and held tilts.
+"""The simulation agrees with statics for a ring that is free to tilt, under radial and axial load
+with moments, and for held tilts.
 
-Statics keeps the groove's circle a circle (`finite_shift`), like the simulation, and has no
-friction, so the scenes have none: friction (0.05 to 0.12) changes loads by 1.3 % of the largest,
-and a tenth of that friction by 0.4 %. The remaining difference comes from film damping, since balls
-and ring move as the balls pass; it grows with the speed.
+Statics keeps the groove's circle a circle (`finite_shift`), like the simulation, and neglects
+friction, so the scenes are without friction: friction (0.05 to 0.12) changes loads by 1.3 % of the
+largest load, and a tenth of this friction by 0.4 %. The remaining difference comes from film
+damping, because balls and ring move as the balls pass; it grows with the speed.
 """
 
 import numpy as np
@@ -22,7 +22,7 @@ HELD = dict(radial_load=2000.0, axial_load=1000.0, held={"rx": TILT, "ry": 0.0},
 
 
 def words(case):
-    """The deck's variables for a case of `static.equilibrium`."""
+    """Variables of the deck for a case of `static.equilibrium`."""
     moment = case.get("moment", (0.0, 0.0))
     result = dict(
         load=case["radial_load"],
@@ -39,8 +39,8 @@ def words(case):
 
 
 def samples(folder, case, every=4):
-    """(row of ring.dat, contact loads (2, Z), `Equilibrium`) of samples: balls at their azimuths,
-    with their orbital speed."""
+    """(row of ring.dat, contact loads (2, Z), `Equilibrium`) of samples; the `Equilibrium` has the
+    azimuths and the orbital speed of the balls."""
     bearing = inputs.bearing(ROOT / "inputs/bearings/6208")
     contacts, balls = frames(folder / "contacts.dump"), frames(folder / "balls.dump")
     for row in np.loadtxt(folder / "ring.dat")[::every]:
@@ -63,19 +63,19 @@ def samples(folder, case, every=4):
         yield row, load, state
 
 
-# speed in rad/s; largest error of a contact load relative to the largest load, of the displacement
-# relative to its length, of the tilt
+# speed in rad/s; largest error of a contact load relative to the largest load, largest relative
+# errors of displacement and tilt
 @pytest.mark.parametrize(
     "name, case, speed, sample, load, shift, tilt",
     [
         # required bounds: 0.2 %, 0.2 %, 1 %; measured 4.2e-4, 7.8e-5, 3.4e-4
         ("combined", COMBINED, 50, 1e-3, 2e-3, 2e-3, 1e-2),
-        # the balls pass ten times slower: measured 1.1e-4, 1.2e-5, 3.2e-5
+        # the balls move ten times more slowly: measured 1.1e-4, 1.2e-5, 3.2e-5
         ("combined, slow", COMBINED, 5, 1e-2, 4e-4, 1e-4, 2e-4),
         # measured 3.5e-4, 3.8e-4, 2.0e-4
         ("preload and moment", PRELOAD, 50, 1e-3, 2e-3, 2e-3, 1e-2),
-        # steady as the balls pass: measured 9e-6, 3e-6; the tilt, zero, in rad: 5e-8, from
-        # the step's 1 nm divided by 30 mm
+        # steady as the balls pass: measured 9e-6, 3e-6; the tilt should be zero and is 5e-8 rad,
+        # the step's error of 1 nm divided by 30 mm
         ("axial", AXIAL, 50, 1e-3, 1e-4, 1e-4, 2e-7),
         # measured 5.4e-4, 4.9e-4; the tilt is imposed
         ("20 arc-minutes", HELD, 50, 1e-3, 2e-3, 2e-3, 1e-9),
@@ -101,8 +101,8 @@ def test_combined_load(tmp_path, name, case, speed, sample, load, shift, tilt):
 
 
 def test_every_ball_at_its_own_load(tmp_path):
-    """At 5 rad/s each contact agrees within 0.2 % of its own static load (measured 7.3e-4); all
-    carry more than 50 N."""
+    """At 5 rad/s the load of each contact agrees with its static load within 0.2 % (measured
+    7.3e-4); all contacts carry more than 50 N."""
     succeed(DECK, out=tmp_path, speed=5, sample=1e-2, **words(COMBINED))
     for _, found, state in samples(tmp_path, COMBINED):
         theory = np.array([state.inner.load, state.outer.load])
@@ -111,8 +111,8 @@ def test_every_ball_at_its_own_load(tmp_path):
 
 
 def test_moment_that_holds_a_tilt(tmp_path):
-    """A tilt of 20 arc-minutes is held: the moment of the contacts on the ring, 65 N m, agrees
-    within 0.1 % (measured 5e-5)."""
+    """A tilt of 20 arc-minutes is held. The moment of the contacts on the ring, 65 N m, agrees with
+    statics within 0.1 % (measured 5e-5)."""
     succeed(DECK, out=tmp_path, **words(HELD))
     for row, _, state in samples(tmp_path, HELD):
         assert row[9:11] == pytest.approx(state.moment[:2], abs=1e-3 * np.hypot(*state.moment[:2]))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """fix bearing/capacitance with resistivity, frequency and strength: leakage, impedance, threshold,
-energy and Hertz area equal those of the Python package on the record of the same run (T11)."""
+energy and Hertz area equal what the Python package finds from the record of the same run (T11)."""
 
 import numpy as np
 import pytest
@@ -58,7 +58,8 @@ def test_the_fix_gives_the_numbers_of_python(pair):
 
 
 def test_impedance_is_that_of_the_whole(pair):
-    """Far above the corner frequency only the capacitance matters, far below only the leakage."""
+    """Far above the corner frequency only the capacitance matters, far below it only the
+    leakage."""
     _, of = pair
     whole = whole_capacitance.over_time(of)
     z = film_figures.spectrum(whole, np.array([1e-4, 1e8]), RHO)
@@ -69,7 +70,7 @@ def test_impedance_is_that_of_the_whole(pair):
 
 
 def test_one_fill_relaxes_with_its_resistivity(tmp_path):
-    """Unloaded and flooded: R C = rho eps_0 eps. The ring is not included yet."""
+    """In an unloaded and flooded bearing R C = rho eps_0 eps. The ring is not included yet."""
     rows, _ = measured(tmp_path / "run", f"surroundings flooded {ASKED}", False, 1)
     none = rows["capacitance"] == 0
     assert none[0] and rows["hertz_area"][0] == 0
@@ -78,8 +79,8 @@ def test_one_fill_relaxes_with_its_resistivity(tmp_path):
 
 
 def test_plates_alone_and_a_background(tmp_path):
-    """Without surroundings a ball without contact is open; the background is in parallel with the
-    films."""
+    """Without surroundings a ball without contact is an open circuit; the background is in parallel
+    with the films."""
     rows, of = measured(tmp_path / "run", f"background {BESIDE} {ASKED}")
     whole = of.contacts
     area = np.pi * (whole["a"] * whole["b"]).fillna(0.0).sum(("raceway", "ball"))

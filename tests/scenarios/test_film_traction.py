@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sliding losses of runs with the models `full` and `eyring` against those of statics."""
+"""Sliding losses of runs with the models `full` and `eyring`, compared with statics."""
 
 from functools import partial
 
@@ -42,8 +42,8 @@ def found(tmp_path_factory):
 
 @pytest.mark.parametrize("models", ["full", "eyring"])
 def test_sliding_is_that_of_statics(found, models):
-    """9549 rpm: without drag, rolling resistance and cage, balls slide as in statics within the
-    spread over their positions; with all parts within 5 %."""
+    """At 9549 rpm without drag, rolling resistance and cage, the sliding loss agrees with statics
+    within the spread over the positions of the balls; with all parts it agrees within 5 %."""
     statics, places = of_statics(models, lambda slowing, rate, time: 1.0)
     within = places if models == "eyring" else 1e-2 * statics
     assert found[f"free {models}"] == pytest.approx(statics, rel=0, abs=within)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/shaft flexible: a flexible shaft on two 6208s, against the beam with all its nodes.
+"""fix bearing/shaft flexible: a flexible shaft on two 6208s agrees with a beam with all its nodes.
 
 The shaft lies along z from 0 to 0.3 m, its bearings at 0 and 0.2 m.
 """
@@ -68,7 +68,7 @@ def damped(tmp_path_factory):
     return path
 
 
-# ---- against the beam
+# ---- compared with the beam
 def on_bearings(z, whole, stiffness):
     """(5 N, 5 N) springs at both bearings."""
     springs = np.zeros_like(whole.stiffness)
@@ -89,8 +89,9 @@ def stiffness_of(clearance):
 
 
 def test_bending_pairs(tmp_path, file):
-    """Free vibration on preloaded bearings: the first pair agrees with the beam on their stiffness
-    within 1e-3, the second within 5e-3, both split by the spin."""
+    """Free vibration on preloaded bearings: the first pair of frequencies agrees within 1e-3 with
+    the beam on springs with the stiffness of the bearings, the second pair within 5e-3. The spin
+    splits both pairs."""
     spin, clearance = 2000.0, 2 * PRELOAD
     data, _ = swing(
         tmp_path,
@@ -137,8 +138,8 @@ def resting(tmp_path_factory, damped):
 
 
 def test_steady_loads(resting):
-    """Positions of the bearings and forces on them agree with the beam supported by the statics of
-    its bearings."""
+    """Positions of the bearings and forces on them agree with a beam on bearings computed by
+    statics."""
     seats = [shaft.Seat(at, B6208, clearance=PRELOAD, phase=-np.pi / 2) for at in (0.0, 0.2)]
     rest = shaft.rest(shaft.Shaft(SECTIONS), seats, STEADY)
     for n, one in enumerate(rest.bearings, 1):
@@ -169,7 +170,7 @@ def test_deflection_is_that_of_the_beam(resting):
     assert abs(resting["rx1"] - resting["rx2"]) > 1e-4  # it bends
 
 
-# ---- against the equations of a free shaft
+# ---- compared with the equations of a free shaft
 class Support(NamedTuple):
     """Motion of the centre of mass, the same in both planes."""
 
@@ -179,14 +180,14 @@ class Support(NamedTuple):
     tilt_damping: float = 0.0  # N m s/rad
 
     def words(self, *names):
-        """The motion in a deck; `names` of two displacements and two tilts."""
+        """The motion in a deck's words; `names` has names of two displacements and two tilts."""
         pairs = [self[:2], self[:2], self[2:], self[2:]]
         return " ".join(f"support {name} {k} {c}" for name, (k, c) in zip(names, pairs))
 
 
 def in_the_air(found, time, spin, support):
-    """(2 (2 + n),) coordinates of the shaft under loads `time` s after rest, and their rates:
-    position, slope and modes in the plane of y, then in that of z."""
+    """(2 (2 + n),) coordinates of the shaft and their rates, under loads for `time` s from rest:
+    position, slope and modes in the plane of y, then in the plane of z."""
     from scipy.integrate import solve_ivp
 
     body, n = found.body, len(found.mass) + 2
@@ -277,7 +278,7 @@ def test_in_the_air(tmp_path, damped, support):
 
 
 def test_held_in_the_middle(tmp_path):
-    """A thin shaft held at its middle by stiff supports: each half vibrates like a cantilever."""
+    """Stiff supports hold a thin shaft at its middle, so each half vibrates like a cantilever."""
     thin, end = Section(0.2, 0.006), 0.1
     z, pieces = beam.divided([thin], np.linspace(0.0, 0.2, 21))
     kept = [0, 10, 20]
@@ -341,7 +342,8 @@ def test_stiff_is_rigid(tmp_path):
 
 # ---- balances
 def test_energy(tmp_path, damped):
-    """The work of loads equals the energy in motion, springs, supports and bending plus heat."""
+    """The work of the loads equals heat plus the energy in motion, springs, supports and
+    bending."""
     _, energy = swing(
         tmp_path,
         **ENERGY,
@@ -353,7 +355,7 @@ def test_energy(tmp_path, damped):
 
 
 def test_within_a_step(tmp_path, damped):
-    """Samples inside long steps: accelerations of rings are derivatives of their velocities."""
+    """In samples inside long steps, accelerations of rings are derivatives of their velocities."""
     swing(tmp_path, **WITHIN, words=f"flexible {damped} {LOADED} {ACROSS}", clearance=PRELOAD)
     rings_follow(tmp_path)
 
@@ -361,7 +363,7 @@ def test_within_a_step(tmp_path, damped):
 # ---- bits
 @pytest.fixture(scope="module")
 def whole(tmp_path_factory, damped):
-    """(folder, variables) on one rank."""
+    """(folder, variables) of a run on one rank."""
     folder = tmp_path_factory.mktemp("whole")
     variables = {**BITS, "every": 10, "words": f"flexible {damped} {LOADED} {HELD}"}
     succeed(DECK, out=folder, **variables, steps=60)

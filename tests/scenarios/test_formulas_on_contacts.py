@@ -14,8 +14,8 @@ from scenarios import closed_forms
 
 @pytest.fixture(scope="module", params=["radial", "printed", "preload", "play"])
 def run(request, tmp_path_factory):
-    """The main deck for one ball pass; and the same with the central film as printed in the
-    paper."""
+    """The main deck for one ball pass; also with the central film as printed in the paper, with
+    preload and with play."""
     folder = tmp_path_factory.mktemp("main")
     deck = "inputs/in.6208"
     if request.param == "printed":
@@ -35,7 +35,7 @@ def run(request, tmp_path_factory):
 
 @pytest.mark.parametrize("side", [INNER, OUTER])
 def test_contacts(run, side):
-    """Agreement to 1e-9, relative."""
+    """Columns and formulas agree with a relative error of at most 1e-9."""
     settings = run.settings
     bearing = closed_forms.bearing_of(settings)
     rows = run.contacts

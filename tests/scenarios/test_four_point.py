@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Four-point contact: two grooves per ring. docs/decks/in.four_point reverses a thrust; tests put
-other loads into a copy of it. The reference is statics."""
+"""Four-point contact, with two grooves per ring, compared with statics. docs/decks/in.four_point
+reverses a thrust; tests put other loads into a copy of this deck."""
 
 import numpy as np
 import pytest
@@ -21,7 +21,7 @@ B6208 = bearing.Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 FOUR = B6208.four_point(np.radians(35))
 STRAIGHT = dict.fromkeys(("x", "y", "rx", "ry"), 0.0)
 LIMIT = 400.0  # N, largest thrust
-SETTLED = 0.012  # s, after which the starting transient has decayed
+SETTLED = 0.012  # time after which the starting transient has decayed, s
 VERLET = {
     "fix move all bearing/implicit": "fix move balls nve/sphere",
     "timestep 2.5e-5": "timestep 1.0e-6",
@@ -33,7 +33,7 @@ MOVERS = {"implicit": {}, "verlet": VERLET}
 
 
 def turned(folder, changes):
-    """The deck with replaced words, run in `folder`."""
+    """Run the deck with replaced words in `folder`."""
     text = DECK.read_text()
     for old, new in changes.items():
         assert text.count(old) == 1, old
@@ -44,7 +44,8 @@ def turned(folder, changes):
 
 @pytest.fixture(scope="module", params=MOVERS)
 def path(request, tmp_path_factory):
-    """(time s, displacement m, force of the balls N, loads (n, raceway, groove, ball) N)."""
+    """(time in s, displacement in m, force of the balls in N, loads (n, raceway, groove, ball) in
+    N)."""
     folder = tmp_path_factory.mktemp("four_point")
     turned(folder, MOVERS[request.param])
     thrust, place, force = np.loadtxt(folder / "line.dat").T
@@ -63,7 +64,7 @@ def rests(force):
 
 
 def test_path_of_statics(path):
-    """Displacement against force over the whole cycle."""
+    """The displacement as a function of the force agrees over the whole cycle."""
     time, place, force, _ = path
     some = np.flatnonzero(time > SETTLED)[::4]
     want = np.array([rest.shift[2] for rest in rests(force[some])])
@@ -72,7 +73,7 @@ def test_path_of_statics(path):
 
 
 def test_grooves_of_statics(path):
-    """The loads of each groove."""
+    """The loads of each groove agree."""
     time, _, force, loads = path
     some = np.flatnonzero(time > SETTLED)[::16]
     for rest, load in zip(rests(force[some]), loads[some]):
@@ -81,8 +82,8 @@ def test_grooves_of_statics(path):
 
 
 def test_balls_change_grooves_without_a_jump(path):
-    """At +400 N one pair of grooves is unloaded, at -400 N the other. In between each load changes
-    little from sample to sample, and no more than that when a contact opens or closes."""
+    """At +400 N one pair of grooves is unloaded, at -400 N the other pair. In between each load
+    changes little from sample to sample, and no more than usual when a contact opens or closes."""
     time, _, force, loads = path
     late = time > SETTLED
     loads, force = loads[late], force[late]
@@ -124,7 +125,7 @@ def tilted(folder, changes):
 
 
 def test_tilted_ring_of_statics(tmp_path):
-    """Friction keeps the balls at their azimuths; when smoothed, it lets the ring come to rest."""
+    """Friction keeps the balls at their azimuths; smoothed friction lets the ring come to rest."""
     rough = {"pair_style bearing/hertz": "pair_style bearing/hertz friction constant 0.1"}
     found = tilted(tmp_path / "rough", rough)
     rest = static.equilibrium(FOUR, 300, 200, moment=(1, 0.5), clearance=-4e-6)
@@ -133,14 +134,14 @@ def test_tilted_ring_of_statics(tmp_path):
 
 
 def test_tilted_ring_with_both_integrators(tmp_path):
-    """Without friction the balls leave the load zone, equally in both integrators."""
+    """Without friction the balls leave the load zone, in the same way with both integrators."""
     one = tilted(tmp_path / "implicit", {})
     other = tilted(tmp_path / "verlet", VERLET)
     assert np.abs(one - other).max() < 1e-3 * np.abs(one).max()
 
 
 def seated(folder, way, extra):
-    """Positions (x, y, z) in m where create_bearing puts ball 1 and the inner ring."""
+    """Positions (x, y, z) in m at which create_bearing puts ball 1 and the inner ring."""
     folder.mkdir()
     dump = "dump all all custom 1 ${out}/all.dump id x y z"
     dump += '\ndump_modify all format "%d %.15g %.15g %.15g"'
@@ -216,7 +217,7 @@ def last(path):
 
 @pytest.fixture(scope="module")
 def outputs(tmp_path_factory):
-    """(folder, loads now (raceway, groove, ball) N) of a lubricated run with all outputs."""
+    """(folder, last loads (raceway, groove, ball) in N) of a lubricated run with all outputs."""
     folder = tmp_path_factory.mktemp("outputs")
     turned(folder, WET)
     loads = np.zeros((2, 2, 9))
@@ -226,7 +227,7 @@ def outputs(tmp_path_factory):
 
 
 def test_by_ball(outputs):
-    """Values of the contact with the larger load."""
+    """Values by ball come from the contact with the larger load."""
     folder, loads = outputs
     table = last(folder / "balls.dump")
     assert table[:, 1] == pytest.approx(loads[0].max(axis=0), rel=1e-5)
@@ -253,7 +254,7 @@ def test_sums(outputs):
 
 
 def test_record(outputs):
-    """The record distinguishes grooves; its sums equal those of the computes."""
+    """The record distinguishes grooves; its sums equal the sums of the computes."""
     folder, loads = outputs
     run = raceway.open(folder)
     assert run.contacts.raceway.values.tolist() == ["inner 0", "inner 1", "outer 0", "outer 1"]
@@ -277,8 +278,8 @@ PARTS = ("a", "b", "h_c", "capacitance")
 
 
 def test_grooves_of_a_ring_are_parallel_films(outputs):
-    """Film figures of the fix from the contacts of the record: capacitances and conductances of the
-    two grooves of a ring add up, and the thinner film fails."""
+    """Film figures of the fix follow from the contacts of the record: capacitances and conductances
+    of the two grooves of a ring add up, and the thinner film fails."""
     folder, loads = outputs
     assert ((loads > 0).sum(axis=1) == 2).any()
     with open(folder / "figures.dat") as file:
@@ -343,7 +344,7 @@ def test_main_deck(tmp_path):
     assert sums["capacitance_total"].to_numpy() == pytest.approx(series, rel=1e-12)
     read = whole_capacitance.over_time(recorded)
     assert read["bearing"].to_numpy() == pytest.approx(series, rel=1e-12)
-    # statics at the places that the balls pass
+    # statics at the positions that the balls pass
     points = [
         electric_point.solve(
             "6208",

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs with the models `full` against statics: positions, loads, losses, stiffness, and the steady
-temperature; one groove per ring, four points, two rows, with and without unloaded balls. Both use
-the slices for spin."""
+"""Runs with the models `full` agree with statics in positions, loads, losses, stiffness and steady
+temperature, for one groove per ring, four points and two rows, with and without unloaded balls.
+Runs and statics use slices for spin."""
 
 import numpy as np
 import pytest
@@ -16,13 +16,13 @@ from raceway.theory.operating_point import figures
 LAWS = {"spin_law": "slices"}
 OIL = {"lubricant": "vg46", "rpm": 1910}
 HELD = {"rx": 0.0, "ry": 0.0}
-# N, and m of clearance: two contacts per ball, four, four under a thrust
+# loads in N and clearance in m: two contacts per ball, four contacts, four contacts under a thrust
 CASES = {"thrust": (2000.0, 0.0), "preload": (200.0, -20e-6), "both": (1500.0, -20e-6)}
 PHASES = np.arange(4) * np.pi / 18  # positions of the balls over a ball pass
 
 
 def over_a_pass(lubricant, **point):
-    """Torque and losses from statics."""
+    """Torque and losses from statics, as means over a ball pass."""
     found = [
         figures("6208", lubricant, ROOT / "inputs", models="full", phase=phase, **point)
         for phase in PHASES
@@ -79,7 +79,7 @@ def test_unloaded_balls_of_four_points(tmp_path):
 
 @pytest.mark.parametrize("name", ["thrust", "preload"])
 def test_stiffness_of_four_points(tmp_path, name):
-    """Change of displacement from one thrust to the next."""
+    """The displacement changes from one thrust to the next as in statics."""
     axial, clearance = CASES[name]
     step = 40.0
     ends = [
@@ -113,8 +113,8 @@ LOADS = {"across": 400.0, "thrust": 300.0, "moment": 4.0}
 
 
 def double_row(folder, fluid, **changes):
-    """(y m, z m, tilt rad), {part: W}: means over the last 30 ms of the deck with the models `full`
-    and other loads."""
+    """((y in m, z in m, tilt in rad), {part: loss in W}) as means over the last 30 ms of the deck
+    with the models `full` and other loads."""
     folder.mkdir(exist_ok=True)
     loads = LOADS | changes
     film = f"{fluid.temperature_viscosity} {fluid.conductivity}"
@@ -152,7 +152,8 @@ def double_row(folder, fluid, **changes):
 
 
 def of_statics(fluid):
-    """The same values from statics, as means over a ball pass; also the stiffness along z."""
+    """The values of `double_row` from statics as means over a ball pass, and the stiffness along
+    z."""
     path = catalogue.find("bearings", "7208")
     bearing = inputs.bearing(path, double_row=ROWS)
     oil = inputs.Oil(fluid.viscosity, fluid.pressure_viscosity, fluid.permittivity, 1e-7)

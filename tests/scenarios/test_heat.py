@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/heat: its steady state agrees with `raceway heat`, heat and work balance, oil and
+"""fix bearing/heat: the steady state agrees with `raceway heat`, heat and work balance, oil and
 clearance follow the temperatures, and cooling decides whether a preloaded bearing seizes."""
 
 import numpy as np
@@ -16,7 +16,7 @@ PARTS = ("inner", "balls", "outer")
 
 @pytest.fixture(scope="module")
 def warm(tmp_path_factory):
-    """The 6208 from cold to its steady state."""
+    """A run of the 6208 from cold to its steady state."""
     folder = tmp_path_factory.mktemp("warm")
     succeed("inputs/in.6208", heat="yes", out=folder, **POINT)
     return raceway.open(folder)
@@ -47,9 +47,10 @@ def test_steady_state_with_a_cage_ring(tmp_path):
 
 
 def test_oil_that_flows(tmp_path):
-    """Steady state of `raceway heat` with the same oil flow. What the oil carries away is its heat
-    capacity times its rise, the rest leaves through the housing. The run's losses are 0.6 % below
-    those of statics at this speed, 0.2 K."""
+    """The steady state agrees with `raceway heat` with the same oil flow. The oil carries away its
+    heat capacity rate times its temperature rise; the rest leaves through the housing. At this
+    speed the run's losses are 0.6 % below the losses of statics, which changes temperatures by
+    0.2 K."""
     oil = dict(oil_flow=0.5e-3 / 60, oil_inlet=45)
     words = POINT | dict(load=1000, rpm=9549, passes=1)
     succeed("inputs/in.6208", heat="yes", out=tmp_path, **oil, **words)
@@ -71,7 +72,7 @@ def test_oil_that_flows(tmp_path):
 
 
 def test_heat_balances(warm):
-    """Heat of the losses is stored or removed; in the steady state all of it is removed."""
+    """The heat of the losses is stored or removed; in the steady state all of it is removed."""
     jumps = warm.heat
     booked, rest = jumps["booked"], jumps["carried"] + jumps["stored"]
     assert booked.to_numpy() == pytest.approx(rest.to_numpy(), rel=1e-9, abs=1e-9)
@@ -84,10 +85,10 @@ def test_heat_balances(warm):
 
 
 def test_work_of_the_drive_is_the_heat(warm, tmp_path):
-    """Torque of the inner ring times its speed, minus the balls' gain of kinetic energy, over the
-    measured passes: the cage makes balls speed up and slow down. Iterations end when the torque at
-    an instant equals the torque that moved the balls; at the defaults both differ by up to
-    1.3e-3."""
+    """Over the measured passes the heat equals the torque of the inner ring times its speed, minus
+    the balls' gain in kinetic energy: the cage makes balls speed up and slow down. Iterations end
+    when the torque at an instant equals the torque that moved the balls; with the default settings
+    the two differ by up to 1.3e-3."""
     succeed("inputs/in.6208", heat="yes", out=tmp_path, tolerance=1e-10, **POINT)
     fine = raceway.open(tmp_path)
     rings, balls, said = fine.rings, fine.balls, fine.summary()
@@ -118,7 +119,8 @@ def test_the_contacts_run_at_these_temperatures(warm, tmp_path):
 
 
 def test_jumps_against_small_ones(tmp_path):
-    """After a minute, jumps of 2 K end within 0.5 K, and close to jumps of 0.25 K."""
+    """After a minute, temperatures with jumps of 2 K and with jumps of 0.25 K agree within
+    0.1 K."""
     ends = []
     for change in (2, 0.25):
         words = dict(heat="yes", warm_time=60, warm_change=change, record="summary")

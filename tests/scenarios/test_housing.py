@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A ring on supports in a housing with mass, compared with two oscillators in closed
-form."""
+"""A ring on supports in a housing with mass, compared with the closed form of two oscillators."""
 
 import re
 
@@ -11,7 +10,7 @@ from scipy.linalg import expm
 
 DECK = "tests/scenarios/in.housing"
 RING, HOUSING = (0.5, 2.5e-4), (2.0, 2.5e-3)  # kg, kg m^2
-# columns of ring.dat: load, support of the ring, support of the housing: stiffness, damping
+# {direction: (load, (stiffness, damping) of the ring's and of the housing's support)}
 DIRECTIONS = {
     "x": (200.0, (1e8, 2000.0), (2e8, 4000.0)),
     "y": (1000.0, (5e7, 0.0), (1e8, 1000.0)),
@@ -23,8 +22,8 @@ MOVERS = {"implicit": {}, "verlet": {"mover": "moving nve/sphere", "show": "time
 
 
 def swing(t, load, inertia, held, ground):
-    """Displacements of ring and housing at even times t (s), from one step after a load on the
-    ring, starting at rest."""
+    """Displacements of ring and housing at evenly spaced times t (s), which start one step after a
+    load is applied to the ring at rest."""
     masses = np.array(inertia)
     stiff, damp = (np.array([[a, -a], [-a, a + b]]) for a, b in zip(held, ground))
     system = np.zeros((5, 5))  # displacements, velocities, 1
@@ -51,7 +50,8 @@ def run(request, tmp_path_factory):
 
 
 def test_free_decay(run):
-    """Both bodies, in every direction, within 1e-3 of the largest displacement."""
+    """Both bodies move as in the closed form in every direction, within 1e-3 of the largest
+    displacement."""
     t = run["step"] * 1e-6
     for name, (load, held, ground) in DIRECTIONS.items():
         which = 0 if len(name) == 1 else 1
@@ -61,8 +61,8 @@ def test_free_decay(run):
 
 
 def test_momentum(run):
-    """The support between ring and housing acts equally on both: the remaining force on the housing
-    comes from its own support."""
+    """The support between ring and housing acts equally on both, so the remaining force on the
+    housing comes from its own support."""
     assert RING[0] * run["ax"] == pytest.approx(run["fx"] + 200, abs=1e-6)
     assert HOUSING[0] * run["hax"] == pytest.approx(run["hfx"], abs=1e-6)
     t = run["step"] * 1e-6
@@ -74,8 +74,8 @@ def test_momentum(run):
 
 
 def frequencies(t, x, y):
-    """The four roots (1/s) of two coupled oscillators from displacements at even times: linear
-    prediction of both from the two samples before."""
+    """The four roots (1/s) of two coupled oscillators, from displacements at evenly spaced times by
+    linear prediction of both from the two samples before."""
     step = 2
     late = np.c_[x, y][2 * step :]
     early = np.c_[x, y, np.ones_like(x)]
@@ -101,7 +101,7 @@ def test_frequencies_and_damping(run, name):
 
 @pytest.mark.parametrize("mover", MOVERS)
 def test_ranks(tmp_path, mover):
-    """Two ranks, with housing and ring on different ones, give the bits of one rank."""
+    """Two ranks, one with the housing and one with the ring, give the same bits as one rank."""
     words = dict(MOVERS[mover], steps=300)
     succeed(DECK, out=tmp_path / "one", **words)
     succeed(DECK, out=tmp_path / "two", ranks=2, **words)
@@ -119,7 +119,7 @@ def test_a_driven_housing_carries_the_ring(tmp_path):
     done = succeed(deck, out=tmp_path / "out").text
     data = columns(tmp_path / "out")
     t, free = data["step"] * 1e-6, np.sqrt(2e8)
-    # an undamped bound: the transient is as large as the response
+    # bound without damping: the transient is as large as the response
     assert 0.5e-6 < np.abs(data["x"]).max() < 1e-6 * (1 + 1e4 / free) / (1 - 1e8 / free**2)
     assert data["hx"] == pytest.approx(1e-6 * np.sin(1e4 * t), abs=1e-15)
     work, lost, stored, rest = map(float, re.findall(r"^ *3000 +(.*)$", done, re.M)[-1].split())
@@ -156,7 +156,7 @@ def test_order_and_need(tmp_path):
 
 
 def test_energy(tmp_path):
-    """The work of the load equals the heat in the dampers plus the energy in motion and springs."""
+    """The work of the load equals the heat in the dampers plus the energy of motion and springs."""
     text = succeed(DECK, out=tmp_path).text
     work, lost, stored, rest = map(float, re.findall(r"^ *3000 +(.*)$", text, re.M)[-1].split())
     assert work == pytest.approx(lost + stored, abs=1e-6 * work)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs against the cage speed from statics; hidden clearances of runs, and the mounting of a
-published motor bearing, from their spectral lines."""
+"""Cage speeds of runs agree with statics; spectral lines reveal the hidden clearances of runs and
+the mounting of a published motor bearing."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ from raceway import cage_speed, identify, inputs, steady_heat
 from raceway.recordings.prediction import Model
 from raceway.recordings.readings import Point, Reading, Readings
 
-# derived from the recordings of Case Western Reserve University (docs/measured_bearings)
+# values derived from recordings of Case Western Reserve University (docs/measured_bearings)
 CWRU = {one.name: one for one in cwru.setups()}
 TRIED = (
     "inner 7 mil",
@@ -31,7 +31,7 @@ def readings(found, unknown, oil="vg68", models="full", **known):
 
 
 def cage(folder, **variables):
-    """Cage speed of a run relative to that of its inner ring."""
+    """Cage speed of a run relative to the speed of its inner ring."""
     case = {"bearing": "6205", "lubricant": "vg68", "passes": 10, "settle": 20, "record": "summary"}
     succeed("inputs/in.6208", out=folder, **case | variables)
     motion = raceway.open(folder).motion
@@ -45,8 +45,8 @@ def cage(folder, **variables):
 )
 def test_speeds_of_cage_and_balls(tmp_path, models, within, rpm, load, axial, clearance):
     """Differential slip alone contributes 2e-4 to 1e-3 to the cage speed and 1e-3 to the ball
-    speed; the spin axis of the balls 1e-4 to 3e-4. With models paper, that axis stays as it
-    starts."""
+    speed; the spin axis of the balls contributes 1e-4 to 3e-4. With models paper, the spin axis
+    stays as it starts."""
     case = {"rpm": rpm, "load": load, "axial": axial, "clearance": clearance}
     cage(tmp_path, models=models, **case, record="all")
     motion = raceway.open(tmp_path).motion
@@ -62,7 +62,8 @@ def test_speeds_of_cage_and_balls(tmp_path, models, within, rpm, load, axial, cl
 
 
 def test_hidden_clearance_of_a_run(tmp_path):
-    """With the thrust known, the clearance is found; with neither known, a curve through both."""
+    """With the thrust known, the clearance is found; with neither known, a curve through the true
+    thrust and clearance is found."""
     clearance, axial = 6e-6, 60.0
     run = cage(tmp_path, models="full", rpm=1797, load=10, axial=axial, clearance=clearance)
     at = [Reading("BPFO", 9 * run, 1e-4, Point(1797.0))]
@@ -78,9 +79,9 @@ def test_hidden_clearance_of_a_run(tmp_path):
 
 
 def test_two_states_with_the_same_lines(tmp_path):
-    """A run whose four lines also belong to a bearing with twice the clearance under a twentieth of
-    the thrust: both states are given, and the intervals contain the run's own. Lines of 2e-4 leave
-    the clearance a standard deviation of 1.8 um."""
+    """The four lines of this run also belong to a bearing with twice the clearance under a
+    twentieth of the thrust: both states are given, and the intervals contain the state of the run.
+    Lines with errors of 2e-4 leave the clearance a standard deviation of 1.8 um."""
     true = {"clearance": 13.4e-6, "axial": 148.0}
     known = {"load": 21.0, "temperature": 82.0}
     cage(tmp_path, models="full", rpm=1797, record="all", **true, **known)
@@ -103,8 +104,8 @@ def test_two_states_with_the_same_lines(tmp_path):
 
 @pytest.mark.parametrize("name", TRIED)
 def test_a_motor_bearing(tmp_path, name):
-    """One clearance, from the line at one speed, gives the lines at the other speeds and the line
-    of a run; with a single thrust it is within class CN."""
+    """One clearance, from the line at one speed, predicts the lines at the other speeds and the
+    line of a run; with a single thrust it is within class CN."""
     line, orders = CWRU[name].line, list(CWRU[name].orders.values())
     rows = [Reading(line, at, 2e-4, Point(rpm)) for rpm, at in CWRU[name].orders.items()]
     found = identify.identify(readings(rows[:1], {"clearance": (-5e-6, 20e-6)}))
@@ -129,7 +130,7 @@ def test_cooling_from_a_temperature():
 
 
 def test_a_capacitance_parts_clearance_and_thrust():
-    """Readings from statics with errors of one standard deviation: the truth is within the
+    """From readings computed by statics with random errors, the true values are found within the
     intervals."""
     true = {"clearance": 6e-6, "axial": 120.0, "load": 20.0, "temperature": 40.0}
     unknown = {"clearance": (0.0, 15e-6), "axial": (20.0, 400.0)}

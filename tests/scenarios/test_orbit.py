@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`settle orbit` of run_bearing: the state in which a ball pass repeats the one before."""
+"""`settle orbit` of run_bearing finds the state in which a ball pass repeats the one before."""
 
 import pytest
 import raceway
@@ -11,7 +11,7 @@ from scenarios.test_run_bearing import TURNS, differ, stop, values
 DECK = "inputs/in.6208"
 FULL = {"models": "full", "passes": 1}
 PRELOAD = {**FULL, "clearance": "-20e-6", "load": 2000, "rpm": 1500}
-# a light thrust: gyroscopic moments turn the spin axes over more than a hundred ball passes
+# light thrust: gyroscopic moments turn the spin axes over more than a hundred ball passes
 THRUST = {**FULL, "bearing": "7205B", "axial": 300, "load": "1e-3", "rpm": 8000}
 FIGURES = ("friction_torque_N_m", "cage_speed_rad_s", "h_min_m", "q_max_N", "capacitance_F")
 
@@ -55,7 +55,7 @@ def test_scenes_without_an_orbit_settle_until_ball_passes_agree(words, why, tmp_
     assert found["rest_torque"] <= 1e-2
 
 
-# the same with dry contacts; five ball passes hold two with chosen speeds
+# the same scene with dry contacts; two of five ball passes have chosen speeds
 SHORT = {**TURNS, "settle": "orbit", "more": "limit 5"}
 
 
@@ -74,7 +74,8 @@ def test_ranks(whole, tmp_path):
 
 @pytest.mark.parametrize("at", [2, 3, 4])
 def test_stopped_on_the_way(at, whole, tmp_path):
-    """The same bits, even if chosen speeds pass through a restart file."""
+    """A run that was stopped gives the same bits, even if chosen speeds pass through a restart
+    file."""
     stop(tmp_path, SHORT, at)
     succeed(run_deck, out=tmp_path, resume="yes", **SHORT)
     assert differ(whole, tmp_path) == []

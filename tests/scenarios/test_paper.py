@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway paper` as a whole: verdicts, tables of docs/paper.rst, numbers known from elsewhere."""
+"""`raceway paper` as a whole: verdicts, tables of docs/paper.rst, numbers from other sources."""
 
 import pandas as pd
 import pytest
@@ -9,7 +9,7 @@ from raceway.paper import statements
 from raceway.paper.figures import FIGURES
 from raceway.paper.tables import TABLES
 
-# factors for the columns of a table on the page, from SI units to those shown; None for words
+# factors for the columns of a table on the page, from SI units to the units shown; None for words
 FACTORS = {
     "table_2": (None, None, 1e3, 1e9, 1, 1e6),
     "table_3": (1e6, 1, 1, 1, 1, 1),
@@ -31,7 +31,7 @@ def made(tmp_path_factory):
 def test_everything_is_there(made):
     for name in FIGURES:
         picture = (made / f"fig_{name}.png").read_bytes()
-        # not empty, and of a size for the docs
+        # not empty, and small enough for the docs
         assert picture[:4] == b"\x89PNG" and 20_000 < len(picture) < 150_000, name
         assert len(pd.read_csv(made / f"fig_{name}.csv")) > 5
     for name in TABLES:
@@ -39,7 +39,7 @@ def test_everything_is_there(made):
 
 
 def test_verdicts(made):
-    """Statements of statements.yaml, which docs/paper.rst shows."""
+    """Verdicts equal the verdicts in statements.yaml, which docs/paper.rst shows."""
     judged = pd.read_csv(made / "statements.csv", keep_default_na=False)
     columns = [judged[name] for name in ("corrected", "printed", "whole")]
     assert list(zip(*columns)) == [one.found for one in statements.read()]
@@ -67,14 +67,14 @@ def test_tables_of_the_page(made, name):
 
 def test_static_theory(made):
     numbers = pd.read_csv(made / "quantities.csv").set_index(["formulas", "quantity"])["value"]
-    # 0.1 %: C varies as U^-0.7, and the speed of the runs differs by 0.1 % from the speed with
-    # undeformed radii
+    # within 0.1 %: C varies as U^-0.7, and the speed of the runs differs by 0.1 % from the speed
+    # with undeformed radii
     assert numbers["corrected", "theory_ball"] < 1e-3
     assert numbers["corrected", "theory_bearing"] < 1e-3
 
 
 def test_known_numbers(made):
-    """Numbers that are known from elsewhere (docs/errata, Hertz, Harris)."""
+    """Results agree with numbers from other sources (docs/errata, Hertz, Harris)."""
     table = pd.read_csv(made / "quantities.csv").set_index(["formulas", "quantity"])["value"]
     corrected, printed = table["corrected"], table["printed"]
     assert (corrected["p_inner"], corrected["p_outer"]) == pytest.approx((2571e6, 2123e6), rel=1e-3)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""docs/decks/in.pair: two 7208s back to back under preload, against statics of one bearing."""
+"""docs/decks/in.pair: two 7208s back to back under preload agree with statics of one bearing."""
 
 import numpy as np
 import pytest
@@ -10,7 +10,7 @@ from raceway.theory.bearing import DoubleRow
 BEARING = inputs.bearing(catalogue.find("bearings", "7208"))
 SPREAD = 5e-6  # m, of each outer ring
 ANGLE = np.radians(40)
-FIRST_CONTACT = (0.02 + 0.03) * 11.9e-3 * np.sin(ANGLE)  # m, of the inner ring along the axis
+FIRST_CONTACT = (0.02 + 0.03) * 11.9e-3 * np.sin(ANGLE)  # displacement along the axis, m
 CAGE = 2 * np.pi * 10 * (1 - 5.95 / 30 * np.cos(ANGLE)) / 2  # rad/s, at 600 rpm
 
 
@@ -24,7 +24,7 @@ def pull(displacement):
 
 @pytest.fixture(scope="module")
 def line(tmp_path_factory):
-    """(load N, displacement m, axial loads of both bearings N) during the load ramp."""
+    """(load in N, displacement in m, axial loads of both bearings in N) during the load ramp."""
     folder = tmp_path_factory.mktemp("pair")
     succeed("docs/decks/in.pair", out=folder)
     return np.loadtxt(folder / "line.dat").T
@@ -38,7 +38,8 @@ def test_preload(line):
 
 
 def test_preload_line(line):
-    """Each bearing has the load of its own displacement; their difference is within 1 %."""
+    """Each bearing carries the load that belongs to its displacement; the difference between the
+    two loads agrees with the applied load within 1 %."""
     load, place, first, second = line[:, (line[0] > 0.0) & (line[1] < 0.8 * SPREAD)]
     want = np.array([[pull(SPREAD + one), pull(SPREAD - one)] for one in place]).T
     assert len(load) > 40 and load[-1] > 1100
@@ -48,8 +49,8 @@ def test_preload_line(line):
 
 
 def test_unloading(line):
-    """One bearing is unloaded when the other has the whole spread: 2.8 times the preload, and
-    slightly more because the contact angle grows."""
+    """One bearing is unloaded when the other takes the whole spread, at 2.8 times the preload, and
+    slightly later because the contact angle grows."""
     load, place, _, second = line
     at_end = np.interp(SPREAD, place, load)
     assert at_end == pytest.approx(pull(2 * SPREAD), rel=1e-2)
@@ -59,7 +60,7 @@ def test_unloading(line):
 
 
 def test_stiffness(line):
-    """Under preload the pair is twice as stiff as one bearing, until one is unloaded."""
+    """Under preload the pair is twice as stiff as one bearing, until one bearing is unloaded."""
     load, place = line[0], line[1]
     start = (load > 0) & (load < 200)
     found = np.polyfit(place[start], load[start], 1)[0]
@@ -68,7 +69,7 @@ def test_stiffness(line):
 
 
 def test_as_one_double_row_bearing(line):
-    """The displacement under a load is that of one bearing with two rows."""
+    """The displacement under a load equals the displacement of one bearing with two rows."""
     load, place, *_ = line[:, (line[0] > 0.0) & (line[1] < 0.8 * SPREAD)]
     two = BEARING.double_row(DoubleRow(0.018, SPREAD), ANGLE)
     for k in (len(load) // 3, -1):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures read from runs of the main deck: kinematic frequencies, the power balance,
+"""Figures found from runs of the main deck: kinematic frequencies, the power balance,
 MDAnalysis."""
 
 import numpy as np
@@ -12,8 +12,9 @@ from raceway.cli import main
 
 @pytest.fixture(scope="module")
 def long(tmp_path_factory):
-    """40 ball passes, which are 4.4 turns of the cage. The tolerance is 0.1 nm, since the ripple of
-    the force along the load, fy, is no larger than its error with 1 nm (docs/output.rst)."""
+    """A run over 40 ball passes, which are 4.4 turns of the cage. The tolerance is 0.1 nm, because
+    the ripple of the force along the load, fy, is no larger than its error with a tolerance of 1 nm
+    (docs/output.rst)."""
     folder = tmp_path_factory.mktemp("long") / "run"
     succeed("inputs/in.6208", out=folder, passes=40, tolerance=1e-10)
     return raceway.open(folder)
@@ -21,9 +22,9 @@ def long(tmp_path_factory):
 
 @pytest.mark.parametrize("signal", ["x", "y", "shift", "fx", "fy", "mz", "capacitance"])
 def test_ball_pass_frequency_and_harmonics(long, signal):
-    """Stiffness varies as balls pass the load. Within 0.2 %: slip makes the cage 4e-4 slower than
-    kinematics, and noise in the weakest signal (fx, from the implicit step) moves a peak by
-    2e-4."""
+    """Stiffness varies as balls pass the load. Frequencies agree with kinematics within 0.2 %: slip
+    makes the cage slower by 4e-4, and noise in the weakest signal (fx, from the implicit step)
+    moves a peak by 2e-4."""
     found = {
         (line.name, line.harmonic): line
         for line in spectrum.lines(long, spectrum.of_run(long, signal))
@@ -34,8 +35,8 @@ def test_ball_pass_frequency_and_harmonics(long, signal):
 
 
 def test_displacement_shows_the_slip_of_the_cage(long):
-    """The line follows the balls: BPFO is Z times their mean orbital speed. 1e-3 of a bin,
-    1/40 of a pass."""
+    """The line follows the balls: BPFO is Z times their mean orbital speed, to 1e-3 of a bin, which
+    is 1/40 of the frequency of ball passes."""
     (line,) = (
         line for line in spectrum.lines(long, spectrum.of_run(long, "x"), 1) if line.name == "BPFO"
     )
@@ -75,8 +76,8 @@ def test_universe(long):
 
 
 def test_smoothed_friction_takes_force_times_sliding(long):
-    """Friction acts against the sliding, so the power is the product of the magnitudes (12 digits
-    in the dump)."""
+    """Friction opposes sliding, so its power is the product of the magnitudes (the dump has 12
+    digits)."""
     contacts = long.contacts
     np.testing.assert_allclose(
         contacts["friction_power"],
@@ -88,9 +89,9 @@ def test_smoothed_friction_takes_force_times_sliding(long):
 
 
 def test_shaft_pays_what_the_contacts_lose(tmp_path):
-    """With velocity Verlet. The input power varies by 40 mW about a mean of 1.4 mW as springs load
-    and unload; because of slip 4e-4 of each of the 20 passes is not covered, 40 mW * 4e-4 = 1.2 %
-    of the mean. The tolerance is three times that.
+    """The input power equals the losses with velocity Verlet. It varies by 40 mW about a mean of
+    1.4 mW as springs load and unload. Because of slip, 4e-4 of each of the 20 passes is not
+    covered: 40 mW * 4e-4 is 1.2 % of the mean. The tolerance is three times as large.
     """
     succeed("inputs/in.6208", out=tmp_path / "run", passes=20, settle=4, integrator="verlet")
     mean = losses.losses(raceway.open(tmp_path / "run")).mean()

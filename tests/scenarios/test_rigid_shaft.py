@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/shaft: a rigid body on two 6208s against closed forms, statics and its own balances.
+"""fix bearing/shaft: a rigid body on two 6208s agrees with closed forms, with statics and with its
+balances of momentum and energy.
 
 The shaft lies along z, its bearings at 0 and 0.2 m. `data` of a run are columns of the shaft (x, rx
 ...) and of its rings (x1, f2y ...).
@@ -30,7 +31,7 @@ from shaft_runs import (
 
 MASS, AXIAL, ACROSS = 4.0, 2.0e-3, 2.0e-2  # kg, kg m^2
 MOVERS = {"implicit": {"step": 5e-5}, "verlet": {"mover": "verlet", "step": 1e-6}}
-AIR = 1.0e-3  # m, a clearance so large that no ring touches its balls
+AIR = 1.0e-3  # clearance so large that no ring touches its balls, m
 
 
 # ---- at rest
@@ -40,7 +41,7 @@ CALM = "support y 1.0 2000 support rx 1.0 20"  # dampers, with springs too soft 
 
 @pytest.fixture(scope="module")
 def resting(tmp_path_factory):
-    """Under 3 kN at 0.12 m, damped until it is at rest."""
+    """The shaft under 3 kN at 0.12 m, damped until it is at rest."""
     folder = tmp_path_factory.mktemp("resting")
     words = f"mass 4 inertia 2e-3 2e-2 centre 0.1 load 0.12 0 -3000 0 ramp 5e-3 {CALM}"
     data, _ = swing(
@@ -50,7 +51,8 @@ def resting(tmp_path_factory):
 
 
 def test_lever_rule(resting):
-    """3 kN at 0.12 m of 0.2 m: the bearings' own moments change little."""
+    """3 kN at 0.12 m of 0.2 m are shared by the lever rule; moments of the bearings change it
+    little."""
     assert resting["f1y"] == pytest.approx(1200.0, rel=1e-3)
     assert resting["f2y"] == pytest.approx(1800.0, rel=1e-3)
     own = resting["m1x"] + resting["m2x"]  # N m; the shaft's levers are measured from 0.12 m
@@ -58,7 +60,7 @@ def test_lever_rule(resting):
 
 
 def test_as_statics(resting):
-    """Agreement with `raceway shaft` for a rigid shaft."""
+    """The shaft at rest agrees with `raceway shaft` for a rigid shaft."""
     seats = [shaft.Seat(at, B6208, phase=-np.pi / 2) for at in (0.1, 0.3)]
     rest = shaft.rest(
         shaft.Shaft([Section(0.4, 0.3)], Steel(young=2.1e13)),
@@ -73,7 +75,8 @@ def test_as_statics(resting):
 
 
 def test_as_one_double_row_bearing(resting):
-    """Statics of two rows on one ring, loaded off its middle; the ring is free to tilt."""
+    """The shaft agrees with statics of two rows on one ring that is loaded off its middle and free
+    to tilt."""
     loads = {"load_azimuth": -np.pi / 2, "moment": (60.0, 0.0), "held": {"z": 0.0}}
     rest = static.equilibrium(B6208.double_row(DoubleRow(0.2)), 3000.0, phase=-np.pi / 2, **loads)
     assert resting["y"] == pytest.approx(rest.shift[1], rel=2e-3)
@@ -92,7 +95,7 @@ def test_rings_are_on_the_shaft(resting):
 
 # ---- in the air
 def gyroscope(time, moment, spin):
-    """rx + i ry (rad) of a free body after a moment Mx + i My from rest: It W' - i Ip spin W =
+    """rx + i ry (rad) of a free body, from rest, under a moment Mx + i My: It W' - i Ip spin W =
     M."""
     rate = 1j * AXIAL * spin / ACROSS
     return moment / (ACROSS * rate) * ((np.exp(rate * time) - 1) / rate - time)
@@ -121,7 +124,7 @@ def test_free_body(tmp_path, mover):
     assert np.abs(data["rx"] + 1j * data["ry"] - tilt).max() < 2e-4 * np.abs(tilt).max()
     assert data["x1"] == pytest.approx(data["x"] - 0.08 * data["ry"], abs=1e-9)
     assert data["x2"] == pytest.approx(data["x"] + 0.12 * data["ry"], abs=1e-9)
-    # motion of a ring: motion of the centre plus motion due to the tilt
+    # a ring moves with the centre and with the tilt
     growth = 0.07 * 30 / ACROSS * np.cos(AXIAL * 3000 / ACROSS * time)
     for ring, lever in (("a1x", -0.08), ("a2x", 0.12)):
         assert data[ring] == pytest.approx(30 / MASS + lever * growth, rel=0, abs=1e-3)
@@ -132,8 +135,8 @@ def test_free_body(tmp_path, mover):
 
 @pytest.mark.parametrize("mover", MOVERS)
 def test_unbalance_in_two_planes(tmp_path, mover):
-    """Equal and opposite unbalances at 0.05 and 0.15 m: the centre stays and the axis describes a
-    cone."""
+    """With equal and opposite unbalances at 0.05 and 0.15 m, the centre stays and the axis
+    describes a cone."""
     spin, step = 500.0, MOVERS[mover]["step"]
     words = "mass 4 inertia 2e-3 2e-2 centre 0.1 unbalance 0.05 1e-5 0 unbalance 0.15 1e-5 PI"
     data, _ = swing(
@@ -159,7 +162,8 @@ def test_unbalance_in_two_planes(tmp_path, mover):
 
 # ---- whirl
 def natural_frequencies(mass, axial, across, spin, levers, stiffness):
-    """Hz, rising, of a rigid shaft on bearings at `levers` (m) from its centre."""
+    """Natural frequencies in Hz, in ascending order, of a rigid shaft on bearings at `levers` (m)
+    from its centre."""
     whole = np.zeros((4, 4))
     for at in levers:
         turn = np.array([[1, 0, 0, at], [0, 1, -at, 0], [0, 0, 1, 0], [0, 0, 0, 1]], float)
@@ -178,7 +182,8 @@ def natural_frequencies(mass, axial, across, spin, levers, stiffness):
 
 @pytest.mark.parametrize("spin", [0.0, 2000.0])
 def test_whirl_frequencies(tmp_path, spin):
-    """Preloaded bearings without friction; 1 % for the inertia of the balls and other effects."""
+    """On preloaded bearings without friction, whirl frequencies agree within 1 %, which covers the
+    inertia of the balls and other effects."""
     mass, axial, across, centre, clearance = 40.0, 0.8, 1.0, 0.06, -20e-6
     data, _ = swing(
         tmp_path,
@@ -206,8 +211,8 @@ def test_whirl_frequencies(tmp_path, spin):
 
 # ---- balances under load
 def test_energy(tmp_path):
-    """The work of loads equals the energy in motion and springs plus heat; the integrator loses one
-    thousandth."""
+    """The work of the loads equals heat plus the energy of motion and springs; the integrator loses
+    one thousandth."""
     words = "mass 4 inertia 2e-3 2e-2 centre 0.08 load 0.15 -300 -3000 0 unbalance 0.02 2e-4 0.4"
     _, energy = swing(
         tmp_path,
@@ -225,7 +230,7 @@ LOADED = "mass 4 inertia 2e-3 2e-2 load 0.15 -300 -3000 200 unbalance 0.02 2e-4 
 OIL = "lubricant 0.04 22e-9 roughness 1e-7 0"
 LAWS = {
     "dry": {},
-    # a film that stores a state of each contact
+    # a law that stores a state of each contact
     "film": {
         "style": "bearing/ehd",
         "law": f"{OIL} gap 0 film_damping branch friction stribeck 0.12 0.05 smoothed 0.01",
@@ -259,8 +264,8 @@ def test_integrators_agree(tmp_path, law):
 
 
 def test_within_a_step(tmp_path):
-    """Samples inside long steps: rings stay on the shaft, and accelerations are derivatives of the
-    velocities."""
+    """In samples inside long steps, rings stay on the shaft, and accelerations are derivatives of
+    the velocities."""
     text = succeed(DECK, out=tmp_path, **WITHIN, words=LOADED).text
     said = yaml.safe_load((tmp_path / "run.yaml").read_text())
     # both bearings form one system and share its internal steps
@@ -279,7 +284,7 @@ LENGTH = {"implicit": 60, "verlet": 1500}
 
 @pytest.fixture(scope="module", params=MOVERS)
 def whole(request, tmp_path_factory):
-    """(mover, folder) on one rank."""
+    """(mover, folder) of a run on one rank."""
     folder = tmp_path_factory.mktemp(request.param)
     steps = LENGTH[request.param]
     succeed(DECK, out=folder, **FULL, **MOVERS[request.param], steps=steps, every=steps // 6)
@@ -332,7 +337,7 @@ def test_restart(whole, tmp_path):
 # ---- another axis, gravity, mistakes
 @pytest.mark.parametrize("moved", ["all bearing/implicit", "balls nve/sphere"])
 def test_along_x(tmp_path, moved):
-    """A load along z off the centre: the tilt is about y."""
+    """A load along z off the centre tilts the shaft about y."""
     free = "mass 4 inertia 2e-3 2e-2 x free y free z free ry free rz free spin speed 0"
     text = small(
         tmp_path,
@@ -348,7 +353,7 @@ def test_along_x(tmp_path, moved):
 
 
 def test_weight(tmp_path):
-    """fix gravity acts at the centre of mass: nothing tilts."""
+    """fix gravity acts at the centre of mass, so nothing tilts."""
     text = small(
         tmp_path,
         "fix move all bearing/implicit\nfix g all gravity 9.81 vector 0 -1 0\n"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/ring against the mechanics of a free body: fall, gyroscopic motion, driven motion,
-conservation."""
+"""fix bearing/ring, compared with the mechanics of a free body: fall, gyroscopic motion, driven
+motion, conservation."""
 
 import numpy as np
 from host import BOX, succeed
@@ -8,7 +8,7 @@ from host import BOX, succeed
 MASS, AXIAL, ACROSS = 0.2, 1.2e-4, 6.5e-5  # kg, kg m^2
 BALL_MASS = 4 / 3 * np.pi * 6.3e-3**3 * 7800
 
-# Balls are away from the rings (0.2 mm of radial play): nothing touches unless the clearance is
+# A radial play of 0.2 mm keeps balls and rings apart: nothing touches unless the clearance is
 # changed.
 DECK = (
     BOX
@@ -61,11 +61,11 @@ def test_constant_force_on_a_free_ring(tmp_path):
 
 
 def test_moment_on_a_spinning_ring(tmp_path):
-    """A moment M about x on a ring with spin W and free tilts, linear theory: with n = I_a W/I_t
-    tilt about x = M/(I_t n^2) (1 - cos n t), about y = -M/(I_t n^2) (n t - sin n t) ... the
-    gyroscope yields sideways. Sign: dL/dt = M along +x turns the axis e (L = I_a W e) towards +x,
-    which is a positive tilt about y. Nonlinear terms are of the order of the tilt squared, 1e-5
-    relative; errors of the step are of the order of (n h)^2/12 = 3e-7.
+    """A moment M about x acts on a ring with spin W and free tilts. In linear theory, with n =
+    I_a W/I_t, the tilt about x is M/(I_t n^2) (1 - cos n t) and the tilt about y is -M/(I_t n^2)
+    (n t - sin n t): the gyroscope yields sideways. Sign: dL/dt = M along +x turns the axis e
+    (L = I_a W e) towards +x, which is a positive tilt about y. Nonlinear terms are of the order of
+    the tilt squared, 1e-5 relative; errors of the step are of the order of (n h)^2/12 = 3e-7.
     """
     spin, moment = 1000.0, 0.05
     t, *_, rx, ry, rate, angle = motion(
@@ -113,7 +113,7 @@ def test_driven_degrees_of_freedom(tmp_path):
 
 
 def test_load_ramp(tmp_path):
-    """The load grows as 3 s^2 - 2 s^3: the momentum after the ramp is half of F T."""
+    """The load grows as 3 s^2 - 2 s^3, so the momentum after the ramp is half of F T."""
     (
         t,
         *_,
@@ -123,24 +123,24 @@ def test_load_ramp(tmp_path):
         1000,
     )
     s = t / 1e-3
-    # the impulse from the trapezoidal rule of Verlet: h^2/12 F'(end) is below 1e-6 of it, plus half
-    # a step at the start
+    # Verlet integrates the impulse by the trapezoidal rule, plus half a step at the start: the
+    # error h^2/12 F'(end) is below 1e-6 of the impulse
     np.testing.assert_allclose(
         rows[4], 5.0 / MASS * 1e-3 * (s**3 - s**4 / 2), rtol=0, atol=1e-5 * 5.0 / MASS * 1e-3
     )
 
 
 def test_free_bearing_keeps_its_momentum(tmp_path):
-    """Two free rings and nine compressed, sliding balls: linear momentum and angular momentum about
-    any axis are conserved.
+    """Linear momentum and angular momentum about any axis of two free rings and nine compressed,
+    sliding balls are conserved.
 
-    Every contact exerts opposite forces on both bodies at one point, so both hold to rounding:
-    about 1e5 additions of 1e-16 relative to the largest single momenta."""
+    Every contact exerts opposite forces on both bodies at one point, so both momenta are conserved
+    to rounding: about 1e5 additions of 1e-16 relative to the largest single momenta."""
     free = "mass 0.2 inertia 1.2e-4 6.5e-5 x free y free z free rx free ry free spin free"
     deck = tmp_path / "in.free"
     deck.write_text(
         DECK
-        # balls at rest: they slip
+        # balls are at rest, so they slip
         + "fix inner inner bearing/ring spin speed 300\nrun 0\nunfix inner\nfix inner inner"
         f" bearing/ring {free}\nfix outer outer bearing/ring {free}\nvelocity inner set 0.01 0.02"
         " 0.005\ndump all all custom 500 ${out} id type x y z vx vy vz omegax omegay"
@@ -157,8 +157,8 @@ def test_free_bearing_keeps_its_momentum(tmp_path):
     linear, angular = zip(*(_momenta(frame) for frame in frames))
     largest = 300 * AXIAL  # kg m^2/s, initial value of the inner ring
     np.testing.assert_allclose(linear, np.tile(linear[0], (11, 1)), rtol=0, atol=1e-12)
-    # the spin about z; across it the rings' axes tilt and their dumped omega alone does not give I
-    # omega
+    # spin about z only; about other axes the rings tilt, and their dumped omega alone does not give
+    # I omega
     np.testing.assert_allclose(np.array(angular)[:, 2], angular[0][2], rtol=0, atol=1e-9 * largest)
     spins = [frame[9, 10] for frame in frames]
     assert spins[-1] < 0.999 * spins[0]  # friction did act

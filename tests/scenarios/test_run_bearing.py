@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""run_bearing: the same bits as the host's own commands, however it is stopped, on any number of
+"""run_bearing gives the same bits as the host's commands, however it is stopped, on any number of
 ranks."""
 
 import math
@@ -20,8 +20,8 @@ VERLET = {"move": "nve/sphere", "movers": "parts", "rpm": 5000}
 
 
 def ball_pass(rpm=1500.0, outer_rpm=0.0, angle=0.0, clearance=0.0):
-    """s, for balls that roll without slip (Harris): their centres move at the mean speed of both
-    surfaces."""
+    """Duration (s) for balls that roll without slip (Harris): their centres move at the mean speed
+    of both surfaces."""
     pitch = INNER + OUTER + 0.5 * clearance
     share = BALL * math.cos(angle) / pitch
     cage = 0.5 * (rpm * (1 - share) + outer_rpm * (1 + share)) * 2 * math.pi / 60
@@ -29,7 +29,7 @@ def ball_pass(rpm=1500.0, outer_rpm=0.0, angle=0.0, clearance=0.0):
 
 
 def values(folder):
-    """All variables of a record, and its numeric notes."""
+    """All variables and numeric notes of a record."""
     with netcdf_file(folder / "record.nc", mmap=False) as file:
         return (
             {name: variable.data.tobytes() for name, variable in file.variables.items()},
@@ -54,7 +54,8 @@ def written(value):
     ids=["implicit", "damping", "step"],
 )
 def test_same_bits_as_commands_of_the_host(scene, within, tmp_path):
-    """`settle N` is one run: the load ramp, then N ball passes. The measurement is another."""
+    """`settle N` is one run with the load ramp and N ball passes; the measurement is a second
+    run."""
     settle, passes, samples = 2, 1, 200
     once = written(ball_pass())
     largest = written(once / samples * within)
@@ -99,7 +100,8 @@ def test_ball_pass(scene, closed, tmp_path):
 
 @pytest.mark.parametrize("rate", [48000, 192000])
 def test_rate(rate, tmp_path):
-    """Samples per second instead of samples per ball pass; passes end at the nearest sample."""
+    """With samples per second instead of samples per ball pass, passes end at the nearest
+    sample."""
     succeed(DECK, out=tmp_path, more=f"rate {rate}", passes=3, **DAMPING)
     data, notes = values(tmp_path)
     assert notes["sample_s"] == pytest.approx(1 / rate, rel=1e-12)
@@ -108,7 +110,7 @@ def test_rate(rate, tmp_path):
 
 @pytest.mark.parametrize("scene", [IMPLICIT, DAMPING, VERLET], ids=["all", "damping", "verlet"])
 def test_more_passes(scene, tmp_path):
-    """A pass continued by another equals two."""
+    """A pass that is continued by another pass equals a run of two passes."""
     succeed(DECK, out=tmp_path / "two", passes=2, **scene)
     for passes in (1, 2):
         succeed(DECK, out=tmp_path / "one", passes=passes, resume="yes", **scene)
@@ -147,7 +149,7 @@ TURNS = {
 
 
 def power(folder):
-    """W, mean loss of the bearing."""
+    """Mean loss of the bearing, W."""
     with netcdf_file(folder / "record.nc", mmap=False) as file:
         return sum(
             np.nanmean(variable.data)
@@ -157,14 +159,14 @@ def power(folder):
 
 
 def evaluations(folder):
-    """Number of force evaluations to settle."""
+    """Number of force evaluations until a run has settled."""
     return values(folder)[1]["settling_evaluations"]
 
 
 def test_auto_settles(tmp_path):
-    """After one ball pass the loss is 70 % off; after six, at a turning point, it equals that of a
-    long run, but then changes by 3 % once more. `auto` continues past this point, at a fraction of
-    the evaluations."""
+    """After one ball pass the loss is 70 % off; after six, at a turning point, it equals the loss
+    of a long run, but then changes by 3 % once more. `auto` continues past this point, with a
+    fraction of the evaluations of the long run."""
     for settle in (1, "auto", 60):
         succeed(DECK, out=tmp_path / str(settle), settle=settle, **TURNS)
     want = power(tmp_path / "60")
@@ -178,8 +180,8 @@ def test_auto_settles(tmp_path):
 
 
 def test_last_passes_have_the_steps_of_the_deck(tmp_path):
-    """Steps during settling are coarse and do not depend on the tolerance; the measurement follows
-    at least one ball pass with that tolerance."""
+    """Steps during settling are coarse and do not depend on the tolerance; at least one ball pass
+    with the deck's tolerance precedes the measurement."""
     for tolerance in ("1.0e-9", "1.0e-10"):
         scene = {**TURNS, "move": f"bearing/implicit tolerance {tolerance}"}
         done = succeed(DECK, out=tmp_path / tolerance, settle="auto", **scene)
@@ -192,7 +194,8 @@ def test_last_passes_have_the_steps_of_the_deck(tmp_path):
 
 
 def test_auto_asks_for_more(tmp_path):
-    """A tenth of the allowed remainder takes more ball passes, and the limit is met."""
+    """With a tenth of the allowed remainder, settling takes more ball passes, and meets the
+    limit."""
     passes = []
     for settled in (1e-2, 1e-3):
         out = tmp_path / str(settled)
@@ -204,7 +207,7 @@ def test_auto_asks_for_more(tmp_path):
 
 
 def test_auto_ends_at_its_limit(tmp_path):
-    """The run warns with the numbers and then measures."""
+    """The run gives a warning with the numbers and then measures."""
     done = succeed(DECK, out=tmp_path, settle="auto", more="limit 2", **TURNS)
     assert re.search(r"WARNING: run_bearing: not settled after 2 ball passes: .* 0\.01", done.text)
     notes = values(tmp_path)[1]
@@ -212,7 +215,7 @@ def test_auto_ends_at_its_limit(tmp_path):
 
 
 def stop(out, scene, share, deck=DECK):
-    """Stops a run when its settling has reached this share (%), or this ball pass."""
+    """Stop a run when settling has reached a share (%) or a ball pass."""
     command = [HOSTS["liggghts"][0], "-in", deck, "-log", "none", "-var", "out", out]
     for name, value in scene.items():
         command += ["-var", name, str(value)]
@@ -250,8 +253,8 @@ def stop(out, scene, share, deck=DECK):
     ids=["implicit", "verlet", "ramp, auto", "coarse, auto", "last, auto", "verlet, auto"],
 )
 def test_stopped_while_it_settles(scene, at, tmp_path):
-    """A run stopped there continues, also with adaptive steps: while the loads are applied in
-    coarse steps, in a ball pass with coarse steps, and in the last one."""
+    """A run continues, also with adaptive steps, after it was stopped while the loads are applied
+    in coarse steps, in a ball pass with coarse steps, or in the last ball pass."""
     stop(tmp_path / "stopped", scene, at)
     assert not (tmp_path / "stopped" / "record.nc").exists()
     succeed(DECK, out=tmp_path / "whole", **scene)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every scenario of scenarios.yaml: run the deck, compare its summary with closed forms and
+"""Runs the deck of every scenario of scenarios.yaml and compares its summary with closed forms and
 references."""
 
 from pathlib import Path
@@ -27,5 +27,5 @@ def test_scenario(name, tmp_path):
         )
         allowed = want["within"] if "within" in want else want["tolerance"] * abs(value)
         assert abs(figures[key] - value) <= allowed, (
-            f"{key} is {figures[key]}, should be {value} within {allowed} ({want['why']})"
+            f"{key} is {figures[key]}, but should be {value} within {allowed} ({want['why']})"
         )

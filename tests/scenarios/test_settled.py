@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs with the deck's own settling, and with one ball pass of it, against runs that settled for
-100 ball passes and against their own estimate. Balls that start with their spin about the
+"""Runs with the deck's default settling, or with one ball pass of settling, compared with runs that
+settled for 100 ball passes and with their own estimate. Balls that start with their spin about the
 bearing's axis lose 14 % more in the first scene and 17 % more in the second."""
 
 import re
@@ -23,7 +23,8 @@ OIL = dict(models="full", lubricant="vg46", temperature=70)
 
 @pytest.fixture(scope="module", params=SCENES)
 def runs(request, tmp_path_factory):
-    """Summaries of a run of the default length and of a settled one, with its folder."""
+    """Scene, summaries of a run with one ball pass of settling and of a settled run, and the folder
+    of the latter."""
     found = []
     for settle in (1, 100):
         folder = tmp_path_factory.mktemp(request.param)
@@ -33,7 +34,8 @@ def runs(request, tmp_path_factory):
 
 
 def test_torque(runs):
-    """Torque under thrust agrees within 1 %; a run with a tilted ring warns: not settled."""
+    """Torque under thrust agrees within 1 %; the summary of a run with a tilted ring shows that it
+    is not settled."""
     name, first, settled, _ = runs
     off = abs(first["friction_torque_N_m"] / settled["friction_torque_N_m"] - 1)
     if name == "tilted":
@@ -51,8 +53,8 @@ def test_a_settled_run_says_so(runs):
 
 
 def test_check_covers_the_rest(runs, tmp_path, monkeypatch):
-    """A run with the deck's own settling: its torque is within 1 % of the settled run's, and
-    the error found by `raceway check` is as large as the difference."""
+    """With the deck's default settling, the torque of a run is within 1 % of the torque of the
+    settled run, and the error that `raceway check` finds is as large as the difference."""
     name, _, settled, _ = runs
     words = dict(settle=None, **SCENES[name], **OIL)
     succeed("inputs/in.6208", out=tmp_path, **words)
@@ -83,7 +85,7 @@ def test_waits_while_pocket_forces_of_a_cage_ring_fall(tmp_path):
 
 
 def test_of_the_record(runs):
-    """The figures are those of the last two ball passes, recomputed from the record's columns."""
+    """The figures equal figures recomputed from the last two ball passes of the record."""
     _, _, figures, folder = runs
     with xarray.open_dataset(folder / "record.nc") as data:
         speed = abs(data["bearing_cage_speed"].isel(bearing=0)).to_numpy()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Force evaluations of whole runs, including settling, against those of commit a7b5052, whose runs
+"""Force evaluations of whole runs, including settling, compared with commit a7b5052, in which runs
 settled for one ball pass regardless of the remaining change."""
 
 import pytest
@@ -49,7 +49,7 @@ CHANGES = {  # choices of `raceway needs` with few evaluations, or with slow mod
 
 
 def evaluations(number, folder, **changes):
-    """(evaluations of the run, of a7b5052 with the reference settings)"""
+    """(evaluations of the run, evaluations of a7b5052 with the reference settings)"""
     words = dict(zip(HEAD, SCENES[number].split(), strict=True))
     before = float(words.pop("before"))
     own = {"passes": "1", "settle": "auto", "surroundings": "flooded"}
@@ -60,8 +60,8 @@ def evaluations(number, folder, **changes):
 
 
 def test_of_the_reference(tmp_path):
-    """Most scenes need a tenth to a half of them; slow or lightly loaded scenes with many
-    evaluations while loads are applied need more."""
+    """Most scenes need a tenth to a half of the evaluations of a7b5052; slow or lightly loaded
+    scenes with many evaluations while loads are applied need more."""
     shares = []
     for number in range(len(SCENES)):
         now, before = evaluations(number, tmp_path / str(number))

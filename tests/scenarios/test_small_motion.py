@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""docs/decks/in.small_motion: stiffness and damping of a ring in small motion, against statics
-with films. Friction is small, since statics neglects it."""
+"""docs/decks/in.small_motion: stiffness and damping of a ring in small motion, compared with
+statics with films. Friction is small, because statics neglects it."""
 
 import numpy as np
 import pytest
@@ -13,11 +13,11 @@ from raceway.theory.bearing import Bearing
 B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 OIL = Oil(0.03969, 22.57e-9, 2.25, 1e-7)
 SPIN, CLEARANCE = 100 * np.pi, 20e-6
-# Hz of the deck, in the order of the matrices
+# frequencies in the deck (Hz), in the order of the matrices
 DRIVEN = {"x": 250.0, "y": 350.0, "z": 150.0, "rx": 450.0, "ry": 550.0}
-PERIODS, PERIOD = 4, 0.02  # s, period of all of them together
+PERIODS, PERIOD = 4, 0.02  # number, and common period of all frequencies, s
 STUDENT = 5.84  # 99 % of means of four values lie within this number of standard errors
-MASS = 4 / 3 * np.pi * (6.3e-3) ** 3 * 7800.0  # kg, of a ball
+MASS = 4 / 3 * np.pi * (6.3e-3) ** 3 * 7800.0  # mass of a ball, kg
 
 
 @pytest.fixture(scope="module")
@@ -31,7 +31,7 @@ def found(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def want(found):
-    """Column by column at its frequency: (stiffness, damping), (5, 5)."""
+    """(stiffness, damping) from statics, (5, 5) each, every column at its frequency."""
     state = static.equilibrium(
         B6208,
         axial_load=1000.0,
@@ -54,8 +54,8 @@ def want(found):
 
 
 def test_stiffness(found, want):
-    """All entries that symmetry allows; the others vanish, except those that rotate with the
-    balls."""
+    """All entries that symmetry allows agree; the others vanish, except entries that rotate with
+    the balls."""
     stiffness, expected = found[0].stiffness, want[0]
     for row, column in ((0, 0), (1, 1), (2, 2), (0, 4), (1, 3), (3, 1), (4, 0)):
         assert stiffness[row, column] == pytest.approx(expected[row, column], rel=1e-3)

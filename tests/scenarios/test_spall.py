@@ -13,8 +13,8 @@ from raceway.theory.bearing import INNER, OUTER
 
 BALLS, RPM = 9, 1500
 BAND = (5000.0, 12000.0)  # Hz
-REACH = 1.2e-3  # s, three times the time over half a spall of 2 mm
-RING_MASS = 0.055  # kg, of the 6205's inner ring
+REACH = 1.2e-3  # three times the time that half a spall of 2 mm takes, s
+RING_MASS = 0.055  # mass of the 6205's inner ring, kg
 HOUSED = dict(
     **dict(bearing=6205, rpm=1797, load=500, lubricant="vg46", housing="springs"),
     **dict(integrator="vibration", record="summary", overwrite="yes"),
@@ -27,8 +27,8 @@ def notch(length, edge=5e-5):
 
 
 def peak(found, hertz):
-    """Frequency (Hz) of the highest point within 3 Hz, and its ratio to the 12 Hz
-    around."""
+    """Frequency (Hz) of the highest point within 3 Hz of `hertz`, and its ratio to the median
+    within 12 Hz."""
     frequency, amplitude = found["frequency"].to_numpy(), found.to_numpy()
     near = np.flatnonzero(np.abs(frequency - hertz) < 3.0)
     top = near[np.argmax(amplitude[near])]
@@ -39,8 +39,9 @@ def peak(found, hertz):
 @pytest.mark.parametrize("length", [1e-3, 2e-3])
 @pytest.mark.parametrize("ring", ["outer", "inner"])
 def test_lines_of_the_envelope(tmp_path, ring, length):
-    """BPFO of the outer raceway; BPFI and the shaft's sidebands of the inner one, which rotates
-    through the load: within 0.2 % of the values from the run's own cage speed."""
+    """A spall on the outer raceway gives lines at BPFO; a spall on the inner raceway, which rotates
+    through the load, gives lines at BPFI with sidebands at the shaft speed. They agree within 0.2 %
+    with values from the cage speed of the run."""
     flaw = {f"flaw_{ring}": notch(length)}
     succeed(
         "inputs/in.6208", out=tmp_path, passes=60, samples=300, record="summary", **CASE, **flaw
@@ -59,9 +60,9 @@ def test_lines_of_the_envelope(tmp_path, ring, length):
 
 
 def test_lines_of_a_flawed_ball(tmp_path):
-    """A pit of a ball hits both raceways in turn, half a turn apart: twice the speed of the ball
-    relative to the cage, with cage-speed sidebands because the load is on one side. Within 0.2 % of
-    the value from the run's own spin of that ball."""
+    """A pit of a ball hits both raceways in turn, half a turn apart. The line is at twice the speed
+    of the ball relative to the cage, with cage-speed sidebands because the load is on one side. It
+    agrees within 0.2 % with the value from the spin of this ball in the run."""
     flaw = {"flaw_ball": "pit 0 0 1e-3 1e-3 1e-4 5e-5", "flawed_ball": 3}
     succeed("inputs/in.6208", out=tmp_path, passes=90, samples=300, record="all", **CASE, **flaw)
     run = package.open(tmp_path)
@@ -72,7 +73,7 @@ def test_lines_of_a_flawed_ball(tmp_path):
     for hertz in (2 * turns, 2 * turns - cage, 2 * turns + cage, 4 * turns):
         there, above = peak(found, hertz)
         assert there == pytest.approx(hertz, rel=2e-3) and above > 3, hertz
-    # both impacts are equal: with a single impact the line at one turn would be the higher one
+    # both impacts are equal: with a single impact the line at one turn would be the higher line
     once, twice = (
         found.to_numpy()[np.abs(found["frequency"].to_numpy() - k * turns) < 1.0].max()
         for k in (1, 2)
@@ -83,8 +84,8 @@ def test_lines_of_a_flawed_ball(tmp_path):
 @pytest.mark.parametrize("length", [1e-3, 2e-3])
 @pytest.mark.parametrize("raceway, passes", [("outer", 5), ("inner", 12)])
 def test_length_from_a_housing(tmp_path, raceway, passes, length):
-    """Lengths from the signal of an accelerometer on the housing, 1 and 2 mm: within 3 %. The
-    half-way rule is 5 % to 70 % too long, because the ball loses its load and flies."""
+    """Lengths of 1 and 2 mm, found from the signal of an accelerometer on the housing, agree within
+    3 %. The half-way rule gives 5 % to 70 % too much, because the ball loses its load and flies."""
     found, half_way = lengths_from_a_housing(tmp_path, raceway, passes, length)
     assert found == pytest.approx(length, rel=0.03)
     assert 1.05 * length < half_way < 1.7 * length
@@ -99,13 +100,13 @@ def test_length_from_a_housing(tmp_path, raceway, passes, length):
         ("outer", 1e-3, dict(bearing=6208, load=2000, rpm=1500, mass=0.2), False),
         # the largest error on the page
         ("inner", 2e-3, dict(bearing=6208, load=2000, rpm=1500, mass=0.2), False),
-        # the reading was 3.55 mm with the line continued through earlier ringing
+        # a length of 3.55 mm was found when the line was continued through earlier ringing
         ("outer", 1e-3, dict(bearing=6208, load=4000, rpm=3000, mass=0.2, passes=8), True),
     ],
 )
 def test_hard_lengths_from_a_housing(tmp_path, raceway, length, more, rings):
-    """The most difficult runs of tests/bench/spall_length.py, and one that still vibrates when the
-    next ball arrives: within 3 %."""
+    """Lengths from the most difficult runs of tests/bench/spall_length.py, and from a run that
+    still vibrates when the next ball arrives, agree within 3 %."""
     more = {"passes": {"outer": 5, "inner": 16}[raceway]} | more
     with pytest.warns(UserWarning, match="the signal varies by") if rings else nullcontext():
         found, _ = lengths_from_a_housing(tmp_path, raceway, length=length, **more)
@@ -113,7 +114,8 @@ def test_hard_lengths_from_a_housing(tmp_path, raceway, length, more, rings):
 
 
 def test_a_length_that_is_wrong_has_a_warning(tmp_path):
-    """4.95 mm for 2 mm: the ringing of the last ball hides the entry of the next."""
+    """A length of 4.95 mm is found for 2 mm: the ringing of the last ball hides the entry of the
+    next."""
     case = dict(bearing=6208, load=2000, rpm=3000, mass=0.2)
     with pytest.warns(UserWarning, match="lengths can be wrong by half or more"):
         found, _ = lengths_from_a_housing(tmp_path, "outer", 5, 2e-3, **case)
@@ -121,8 +123,8 @@ def test_a_length_that_is_wrong_has_a_warning(tmp_path):
 
 
 def test_length_from_a_file(tmp_path):
-    """1.5 mm from the file of a 96 kHz sensor; behind the filter of a 48 kHz sensor all spalls read
-    1 mm, with a warning."""
+    """A length of 1.5 mm is found from the file of a 96 kHz sensor; behind the filter of a 48 kHz
+    sensor all spalls appear 1 mm long, with a warning."""
     words = HOUSED | dict(bearing=6206, rpm=1500, load=800)
     flaw = f"notch {-np.pi / 2} 1.5e-3 full 1e-3 5e-5"
     succeed("inputs/in.6208", out=tmp_path, passes=8, **words, flaw_outer=flaw)
@@ -141,7 +143,7 @@ def test_length_from_a_file(tmp_path):
 
 
 def lengths_from_a_housing(folder, raceway, passes, length, mass=RING_MASS, **more):
-    """Medians of `spall.length` and of the half-way rule, m."""
+    """Median lengths (m) from `spall.length` and from the half-way rule."""
     edge, words = 5e-5, {**HOUSED, **more}
     flaw = {f"flaw_{raceway}": f"notch {-np.pi / 2} {length} full 1e-3 {edge}"}
     succeed("inputs/in.6208", out=folder, passes=passes, **words, **flaw)
@@ -155,7 +157,7 @@ def lengths_from_a_housing(folder, raceway, passes, length, mass=RING_MASS, **mo
 
 
 def test_length_from_a_contact_load(tmp_path):
-    """Lengths from the balls that keep their load over 1 mm: within 5 %."""
+    """Lengths found from balls that keep their load over 1 mm agree within 5 %."""
     length, edge = 1e-3, 2e-5
     succeed(
         "inputs/in.6208",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A ring on supports, under gravity, against damped oscillators in closed form."""
+"""A ring on supports, under gravity, compared with the closed form of damped oscillators."""
 
 import re
 
@@ -9,7 +9,7 @@ from host import ROOT, liggghts, succeed
 
 DECK = "tests/scenarios/in.support"
 MASS, ACROSS = 0.5, 2.5e-4
-# columns of ring.dat: load, inertia, stiffness, damping
+# {column of ring.dat: (load, inertia, stiffness, damping)}
 DIRECTIONS = {
     "x": (200.0, MASS, 1e8, 2000.0),
     "y": (1000.0, MASS, 2e8, 0.0),
@@ -48,7 +48,7 @@ def test_free_decay(tmp_path, mover, fall):
 
 @pytest.mark.parametrize("name", DIRECTIONS)
 def test_frequency_and_damping(name, swings):
-    """Decay rate and frequency, from a fit, agree with the springs and dampers."""
+    """Fitted decay rates and frequencies agree with the springs and dampers."""
     load, inertia, stiffness, damping = DIRECTIONS[name]
     free, decay = np.sqrt(stiffness / inertia), damping / (2 * inertia)
     for data in swings:
@@ -66,7 +66,7 @@ def test_frequency_and_damping(name, swings):
 
 @pytest.fixture(scope="module")
 def swings(tmp_path_factory):
-    """Columns of ring.dat of both integrators."""
+    """Columns of ring.dat for both integrators."""
     found = []
     for words in MOVERS.values():
         folder = tmp_path_factory.mktemp("swing")
@@ -78,19 +78,18 @@ def swings(tmp_path_factory):
 
 @pytest.mark.parametrize("fall", [0, 9.81])
 def test_energy(tmp_path, fall):
-    """The work of load and gravity equals the heat in the dampers plus the energy in motion and
+    """The work of load and gravity equals the heat in the dampers plus the energy of motion and
     springs."""
     text = succeed(DECK, out=tmp_path, fall=fall).text
     work, lost, stored, rest = map(float, re.findall(r"^ *4000 +(.*)$", text, re.M)[-1].split())
     assert work == pytest.approx(lost + stored, abs=1e-6 * work)
-    # the integrator has an estimated local error of 0.1 nm per step, with springs of 2e8 N/m at 10
-    # um
+    # the estimated local error is 0.1 nm per step, with springs of 2e8 N/m displaced by 10 um
     assert abs(rest) < 1e-6 * work
 
 
 def test_momentum(tmp_path):
-    """Forces of supports, load and weight give the acceleration at every sample, to the ten digits
-    that the host prints: 1e-6 N of 2 kN."""
+    """Forces of supports, load and weight give the acceleration at every sample, within the ten
+    digits that the host prints: 1e-6 N of 2 kN."""
     succeed(DECK, out=tmp_path, fall=9.81)
     x, y, fx, fy, ax, ay = np.loadtxt(tmp_path / "ring.dat").T[[1, 2, 6, 7, 8, 9]]
     assert MASS * ax == pytest.approx(fx + 200 + MASS * 9.81 * FALL[0], abs=1e-6)

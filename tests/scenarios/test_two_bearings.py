@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""docs/decks/in.two_bearings: a 6208 and a 6306 on one shaft, each with its own oil, in a plain
-deck."""
+"""docs/decks/in.two_bearings, a plain deck: a 6208 and a 6306 on one shaft, each with its own
+oil."""
 
 import numpy as np
 import pytest
 import raceway
 from host import succeed
 
-AT = {1: 0.03, 2: 0.33}  # m, positions of the bearings along the shaft
+AT = {1: 0.03, 2: 0.33}  # positions of the bearings along the shaft, m
 LOADS = [(0.1874, (0, -133, 0)), (0.39, (1500, 0, 0)), (0.18, (0, 0, 400))]  # m, N, as in the deck
 
 
@@ -19,7 +19,7 @@ def run(tmp_path_factory):
 
 
 def reaction(run, number):
-    """Mean force (N) and moment about its own centre (N m) of the balls on an inner ring."""
+    """Mean force (N) of the balls on an inner ring, and their moment (N m) about its centre."""
     mean = run.select(number).rings.isel(time=slice(1, None)).mean("time")
     return tuple(
         np.array([float(mean[name]) for name in names])

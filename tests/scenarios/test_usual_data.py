@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A bearing given by its usual data: pitch diameter, conformities, contact angle or clearance,
-pocket play, bore and width."""
+"""A bearing that is defined by its usual data: pitch diameter, conformities, contact angle or
+clearance, pocket play, bore and width."""
 
 import contextlib
 import io
@@ -15,7 +15,7 @@ from host import ROOT, liggghts, run, succeed
 from raceway import cli, inputs
 
 SHORT = {"passes": 1, "samples": 50, "dumps": "yes"}
-# play of inputs/bearings/6208, whose cage balls leave 33 um on each side
+# the play is that of inputs/bearings/6208, whose cage balls leave 33 um on each side
 USUAL = {
     "balls": 9,
     "ball_diameter": 12.6e-3,
@@ -63,7 +63,7 @@ def settings(out):
 
 
 def test_angular_contact(tmp_path):
-    """Deck and Python have the same geometry: the contact angle without load is the nominal one,
+    """Deck and Python have the same geometry: the contact angle without load is the nominal angle,
     the balls are on the pitch circle, and loads agree with statics."""
     load = {"load": 2000, "axial": 4000, "lubricant": "vg46"}
     succeed("inputs/in.6208", bearing=7208, out=tmp_path, rpm=300, passes=2, **load)
@@ -94,8 +94,8 @@ def statics(*words):
 
 
 def test_deck_with_combined_load(tmp_path):
-    """docs/decks/in.combined: displacement and tilt as in statics, whose x is the deck's -y and
-    whose y is the deck's x. The displacement along z is measured from the first contact."""
+    """Displacement and tilt of docs/decks/in.combined agree with statics, whose x is the deck's -y
+    and whose y is the deck's x. The displacement along z is measured from the first contact."""
     succeed("docs/decks/in.combined", out=tmp_path)
     static = statics(*"--load 2000 --axial 4000 --moment 0 20 --rpm 1500".split())
     with xarray.open_dataset(tmp_path / "record.nc") as data:
@@ -111,7 +111,7 @@ def test_deck_with_combined_load(tmp_path):
 
 
 def test_deck_with_an_unbalanced_shaft(tmp_path):
-    """docs/decks/in.unbalance: the shaft's centre orbits once per revolution, and the contacts
+    """In docs/decks/in.unbalance the shaft's centre orbits once per revolution, and the contacts
     carry weight and unbalance."""
     succeed("docs/decks/in.unbalance", out=tmp_path)
     speed, force = 3000 * math.pi / 30, 2e-3 * (3000 * math.pi / 30) ** 2

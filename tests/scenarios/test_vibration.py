@@ -25,8 +25,8 @@ def length(request):
     "side, names", [("outer", ["BPFO"]), ("inner", ["BPFI", "BPFI+shaft", "BPFI-shaft"])]
 )
 def test_lines_of_a_spall(tmp_path, side, names, length):
-    """Within 0.2 % of kinematics with the run's own cage speed, in the envelope of the signal of a
-    sensor on the housing at 48 kHz, around the housing's resonance."""
+    """In the envelope, around the housing's resonance, of a sensor on the housing at 48 kHz, lines
+    agree within 0.2 % with kinematics at the cage speed of the run."""
     flaw = {f"flaw_{side}": SPALL.format(length)}
     succeed(DECK, out=tmp_path, passes=100, settle=2, **flaw, **QUICK)
     run = raceway.open(tmp_path)
@@ -52,7 +52,8 @@ def perfect(tmp_path_factory):
 
 
 def test_rate(perfect):
-    """The record has oversampling times the rate, for the nearest number of whole passes."""
+    """The sampling rate of the record is the requested rate times `oversampling`, and the record
+    covers its ball passes to the nearest sample."""
     run = raceway.open(perfect)
     sample_s, passes = run.settings["sample_s"], run.settings["passes"]
     assert sample_s == pytest.approx(1 / (2 * 25600), rel=1e-12)
@@ -64,7 +65,7 @@ def test_rate(perfect):
 
 
 def test_a_repeat_with_more_samples(perfect):
-    """In repeated runs of `raceway check` a finer tolerance brings a finer step."""
+    """In repeated runs of `raceway check` a finer tolerance comes with a finer step."""
     more = check.repeats(RunTables(perfect))["sampling"]
     assert more["oversampling"] == "4" and more["samples"] == "200"
     assert more["sampling"] == "25600" and more["housing_frequency"] == "4000"
@@ -79,8 +80,9 @@ def test_the_housing_carries_the_load(perfect):
 
 @pytest.mark.parametrize("order, shift", [(8, -1), (10, 1)])
 def test_a_fine_wave_stands_out(tmp_path, order, shift):
-    """0.01 um on the inner raceway, order Z - 1 or Z + 1: a line at BPFI - shaft or BPFI + shaft,
-    not at the other, and a hundred times the amplitude of a perfect bearing there."""
+    """A wave of 0.01 um and order Z - 1 or Z + 1 on the inner raceway gives a line at BPFI - shaft
+    or BPFI + shaft, respectively, with a hundred times the amplitude of a perfect bearing, and no
+    line at the other frequency."""
     heard = {}
     for name, flaw in (("perfect", "none"), ("wave", f"wave {order} 1.0e-8 0")):
         folder = tmp_path / name
@@ -98,7 +100,7 @@ def test_a_fine_wave_stands_out(tmp_path, order, shift):
 
 
 def test_goes_on(perfect, tmp_path):
-    """From two passes to four, to the bytes of an undisturbed run."""
+    """A run that is continued from two passes to four gives the bytes of an undisturbed run."""
     succeed(DECK, out=tmp_path, passes=2, sampling=25600, **QUICK)
     succeed(DECK, out=tmp_path, passes=4, sampling=25600, resume="yes", **QUICK)
     assert (tmp_path / "record.nc").read_bytes() == (perfect / "record.nc").read_bytes()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Waviness of a raceway moves the inner ring, with frequency, direction and amplitude from theory:
-a 6208 under 1 kN along its axis, slowly rotating, with all nine balls loaded."""
+"""Waviness of a raceway moves the inner ring with frequency, direction and amplitude from theory,
+in a 6208 under 1 kN along its axis that rotates slowly, with all nine balls loaded."""
 
 import numpy as np
 import pytest
@@ -17,8 +17,8 @@ def waves(*orders, amplitude=AMPLITUDE):
 
 
 def turned(folder, **variables):
-    """Displacement of the inner ring across (x + i y) and along its axis (m), over time (s), speeds
-    of ring and cage (rad/s), and the quasi-static response over the amplitude: across and along."""
+    """Time (s), displacement of the inner ring across (x + i y) and along its axis (m), speeds of
+    ring and cage (rad/s), and quasi-static response per amplitude, across and along the axis."""
     succeed("tests/scenarios/in.waves", out=folder, rpm=RPM, **variables)
     run = raceway.open(folder)
     time = run.rings["time"].values
@@ -35,8 +35,8 @@ def turned(folder, **variables):
 
 
 def lines(time, values, speeds):
-    """Amplitudes at these speeds (rad/s, with the sign of the sense of rotation), fitted together
-    with a mean."""
+    """Amplitudes at `speeds` (rad/s, with the sign of the sense of rotation), fitted together with
+    a mean."""
     columns = np.exp(1j * np.outer(time, [0.0, *speeds]))
     found, *_ = np.linalg.lstsq(columns, values.astype(complex), rcond=None)
     return dict(zip(speeds, np.abs(found[1:])))
@@ -44,10 +44,11 @@ def lines(time, values, speeds):
 
 @pytest.mark.parametrize("ring", ["outer", "inner"])
 def test_one_before_and_after_the_balls(tmp_path, ring):
-    """Orders Z - 1 and Z + 1 of the outer raceway make the ring whirl with and against the shaft at
-    Z times the cage speed; the same orders of the inner raceway make it whirl against and with the
-    shaft, at Z times its speed relative to the cage minus and plus its own. Order Z moves the ring
-    along its axis. Each order alone acts as in statics."""
+    """Orders Z - 1 and Z + 1 of the outer raceway make the ring whirl with and against the shaft,
+    respectively, at Z times the cage speed; the same orders of the inner raceway make it whirl
+    against and with the shaft at Z (w - w_c) - w and Z (w - w_c) + w, where w is the shaft speed
+    and w_c the cage speed. Order Z moves the ring along its axis. Each order alone acts as in
+    statics."""
     orders = (BALLS - 1, BALLS, BALLS + 1)
     time, across, along, shaft, cage, (radial, axial) = turned(
         tmp_path, **{f"flaw_{ring}": waves(*orders)}
@@ -77,9 +78,10 @@ def test_one_wave_whirls_one_way(tmp_path, order, way):
 
 
 def test_other_orders_move_nothing(tmp_path):
-    """Eleven waves at once: no line differs from that of a smooth bearing by more than 1e-3 of one
-    amplitude. They have a tenth of the others' amplitude: two waves together make lines in
-    proportion to the product of their amplitudes, 3e-3 of an amplitude of 10 nm."""
+    """With eleven waves at once, no line differs from the line of a smooth bearing by more than
+    1e-3 of one amplitude. The waves have a tenth of the amplitude in other tests: two waves
+    together make lines in proportion to the product of their amplitudes, 3e-3 of an amplitude of
+    10 nm."""
     flat = 0.1 * AMPLITUDE
     orders = [n for n in range(2, 16) if n % BALLS not in (0, 1, BALLS - 1)]
     smooth = turned(tmp_path / "smooth")
@@ -93,11 +95,11 @@ def test_other_orders_move_nothing(tmp_path):
 
 
 def test_waves_of_a_ball(tmp_path):
-    """An even order makes a ball larger and smaller n times per turn relative to the cage: the ring
-    whirls at n times that speed plus and minus the cage speed, and moves along its axis at n times
-    that speed. An odd order meets both raceways at once, one high and one low, and moves nothing.
-    The balls' path crosses the wave off the equator. Along the axis the ring still settles, which
-    adds 5e-3 of the line at any speed."""
+    """A wave of even order n makes a ball larger and smaller n times per turn relative to the cage:
+    the ring whirls at n times the ball's speed relative to the cage plus and minus the cage speed,
+    and moves along its axis at n times the ball's speed. A wave of odd order meets both raceways at
+    once, one high and one low, and moves nothing. The balls' path crosses the wave off the equator.
+    Along the axis the ring still settles, which adds 5e-3 of the line at any speed."""
     time, across, along, _, cage, _ = turned(
         tmp_path, flaw_ball=f"wave 2 {AMPLITUDE} 0.3 wave 3 {AMPLITUDE} 0.3"
     )
@@ -120,8 +122,8 @@ def test_waves_of_a_ball(tmp_path):
 
 
 def orbit_of_a_larger_ball(folder, larger):
-    """Position of the ring's centre in the frame that rotates with that ball (m, complex), minus
-    the effect of unequal ball spacing, and the first-order closed form in `larger` (m)."""
+    """Position of the ring's centre in the frame that rotates with the larger ball (m, complex),
+    minus the effect of unequal ball spacing, and the closed form to first order in `larger` (m)."""
     time, across, _, _, cage, _ = turned(folder, larger=larger)
     orbit = lines(time, across, [cage, -cage, 2 * cage])
     assert orbit[-cage] < 2e-3 * orbit[cage] and orbit[2 * cage] < 2e-3 * orbit[cage]
@@ -141,7 +143,8 @@ def orbit_of_a_larger_ball(folder, larger):
 
 
 def log_stiffness(angle, larger):
-    """Load of both contacts of a ball with this larger radius (m), divided by any unit."""
+    """Logarithm of the stiffness of both contacts of a ball whose radius is larger by `larger` (m),
+    plus a constant."""
     radius, groove, compliance = 6.3e-3 + larger, 6.552e-3, 0.0
     for side in (-1, 1):
         along = radius * (1 + side * radius * np.cos(angle) / 30.3e-3)
@@ -151,9 +154,9 @@ def log_stiffness(angle, larger):
 
 
 def test_a_larger_ball_carries_the_ring_around(tmp_path):
-    """A ball of another atom type: the ring's centre orbits with the cage, away from a larger
-    ball. Both signs together isolate the first order. The closed form of constant stiffness,
-    2 dD/(Z cos a), is 0.5 % too low, because a larger ball has stiffer contacts."""
+    """One ball is of another atom type. The ring's centre orbits with the cage, away from a larger
+    ball. Differences of both signs together isolate the first order. The closed form with constant
+    stiffness, 2 dD/(Z cos a), is 0.5 % too low, because a larger ball has stiffer contacts."""
     found = [
         orbit_of_a_larger_ball(tmp_path / str(k), larger) for k, larger in enumerate((1e-7, -1e-7))
     ]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Unbalance and rotating force of fix bearing/ring, under both integrators.
+"""Unbalance and rotating force of fix bearing/ring, with both integrators.
 
 Without contact the equations are those of a point mass under a rotating force:
 M x'' = A cos(w t + p), M y'' = A sin(w t + p), from rest.
@@ -40,7 +40,7 @@ def whirl(force, speed, phase, time):
 
 
 def error(found, exact):
-    """Largest displacement error relative to the 20 um."""
+    """Largest displacement error relative to 20 um."""
     return max(abs(found[key] - exact[key]) for key in ("x", "y")) / 2e-5
 
 
@@ -48,7 +48,7 @@ def error(found, exact):
     "words, speed", [("unbalance 1e-5 0.3", 100), ("rotating 0.05 -60 0.3", -60)]
 )
 def test_closed_form_verlet(words, speed):
-    """Second order in the step."""
+    """The error is of second order in the step."""
     force = 1e-5 * 100**2 if "unbalance" in words else 0.05
     exact = whirl(force, speed, 0.3, 0.1)
     coarse, fine = (
@@ -61,7 +61,7 @@ def test_closed_form_verlet(words, speed):
     "words, speed", [("unbalance 1e-5 0.3", 100), ("rotating 0.05 -60 0.3", -60)]
 )
 def test_closed_form_implicit(words, speed):
-    """Internal steps follow the tolerance, so host steps of a quarter of a turn are accurate
+    """Internal steps follow the tolerance, so that host steps of a quarter of a turn are accurate
     enough."""
     force = 1e-5 * 100**2 if "unbalance" in words else 0.05
     exact = whirl(force, speed, 0.3, 0.1)
@@ -71,7 +71,7 @@ def test_closed_form_implicit(words, speed):
     ]
     errors = [error(one, exact) for one in found]
     assert errors[1] < 1e-5 and errors[1] < 0.2 * errors[0]
-    # all work of the load is in the motion; the balls are at rest
+    # all work of the load is in the motion, because the balls are at rest
     ring = found[1]
     kinetic = 0.5 * MASS * (exact["vx"] ** 2 + exact["vy"] ** 2)
     assert ring["stored"] == pytest.approx(kinetic, rel=1e-4)
@@ -80,7 +80,7 @@ def test_closed_form_implicit(words, speed):
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 def test_same_as_rotating_force(integrator):
-    """A force M E w^2 that rotates with the ring, in a preloaded bearing."""
+    """In a preloaded bearing an unbalance acts like a force M E w^2 that rotates with the ring."""
     words = ("unbalance 2e-3 0.7", "rotating 20 100 0.7")
     step = {"implicit": 1e-3, "verlet": 1e-6}[integrator]
     one, other = (
@@ -98,7 +98,7 @@ def test_same_as_rotating_force(integrator):
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 def test_run_up(integrator):
-    """w = b t: the momentum of the eccentric mass, M E w (-sin, cos), is lost by the ring."""
+    """With w = b t, the ring loses the momentum of the eccentric mass, M E w (-sin, cos)."""
     growth, time = 500.0, 0.1
     ring = end(integrator=integrator, spin=f"{growth}*time", words="unbalance 1e-5 0", step=1e-5)
     turned, speed = 0.5 * growth * time**2, growth * time

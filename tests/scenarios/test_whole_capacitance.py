@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Total capacitance of a run with clearance, where most balls are unloaded: against statics
-and against the run's own overlaps, films and plates."""
+"""Total capacitance of a run with clearance, in which most balls are unloaded: agreement with
+statics and with overlaps, films and plates of the run."""
 
 import numpy as np
 import pytest
@@ -47,8 +47,8 @@ def point(filling, phase=0.0):
 
 
 def test_mean_is_that_of_statics(whole, filling):
-    """Means over the positions of the balls agree within 0.3 %: the balls skid, and the ring moves
-    slightly."""
+    """Means over the positions of the balls agree within 0.3 %; they differ because the balls skid
+    and the ring moves slightly."""
     phases = 2 * np.pi / 9 * np.arange(8) / 8
     statics = [point(filling, phase).capacitors() for phase in phases]
     assert float(whole["bearing"].mean()) == pytest.approx(
@@ -68,7 +68,8 @@ def test_gaps_are_the_run_s_overlaps(run, whole):
 
 
 def test_plates_are_the_run_s(run, whole):
-    """They agree if a contact carries more than the ball's own load."""
+    """Capacitances of the plates agree if a contact carries more than Q_u, the centrifugal force of
+    a ball."""
     plates = run.contacts["capacitance"].sel(time=whole["time"]).transpose(*whole["plates"].dims)
     heavy = whole["load"] > 1.001 * whole.attrs["quiet_load_N"]
     assert float(np.abs(whole["plates"] / plates - 1).where(heavy).max()) < 1e-9
@@ -88,7 +89,7 @@ def test_no_jump_where_contact_is_lost(whole):
 
 @pytest.mark.parametrize("rpm", [477.5, 9549.0])
 def test_time_is_resolved(tmp_path, rpm):
-    """With clearance, at low and high speed: every second sample has the same mean."""
+    """With clearance, at low and at high speed, every second sample gives the same mean."""
     succeed("inputs/in.6208", out=tmp_path / "run", passes=2, rpm=rpm, clearance=CLEARANCE)
     total = whole_capacitance.over_time(raceway.open(tmp_path / "run"))["bearing"][1:].to_numpy()
     assert len(total) >= 398 and np.abs(np.diff(total) / total[1:]).max() < 2e-3
@@ -116,7 +117,7 @@ def test_dry_runs_have_none(tmp_path):
         whole_capacitance.over_time(raceway.open(tmp_path / "run"))
 
 
-# ---- against the engine, which computes the same with its own formulas ---------------------------
+# ---- compared with the engine, which computes the same figures with its own formulas -------------
 @pytest.fixture(scope="module", params=["flooded", "cavitated"])
 def recorded(request, tmp_path_factory):
     folder = tmp_path_factory.mktemp("whole") / "run"
@@ -146,8 +147,9 @@ def test_the_record_is_taken(recorded):
 
 
 def test_engine_and_python(recorded):
-    """Loads, films and positions come from the run, formulas from each side. They differ in the
-    film of balls that carry less than Q_u: the engine uses each ball's own cage speed."""
+    """Loads, films and positions come from the run; engine and Python have separate formulas.
+    Results differ in the film of balls that carry less than Q_u: the engine uses the orbital speed
+    of each ball."""
     own = whole_capacitance.over_time(recorded, whole_capacitance.filling_of(recorded))
     engine = whole_capacitance.over_time(recorded)
     loaded = own["load"] > 0
