@@ -22,9 +22,10 @@ unexport PYTHONDONTWRITEBYTECODE
 
 PACKAGES := g++ liggghts libliggghts-dev openmpi-bin libopenmpi-dev python3-venv
 lammps build packages_of_tests: PACKAGES += lammps liblammps-dev
-# ngspice is a reference for circuits; a browser opens the pages of `raceway report`;
-# clang compiles the build with sanitizers
-packages_of_tests sanitized: PACKAGES += libngspice0 chromium clang libclang-rt-dev
+# ngspice is a reference for circuits; a browser opens the pages of `raceway report`
+packages_of_tests: PACKAGES += libngspice0 chromium
+# for the build with sanitizers
+packages_of_tests sanitized: PACKAGES += clang libclang-rt-dev
 # make CXX=clang++ compiles, too; code for AVX2 is that of g++ only (src-package/core/numbers/lane.h)
 CXX := g++
 CXX_MPI = OMPI_CXX=$(CXX) mpicxx.openmpi
