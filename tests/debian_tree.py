@@ -26,8 +26,8 @@ import source_tree  # noqa: E402
 
 CC, HEADER = "mpicxx.openmpi", TREE / "host.h"
 HOST, OWN = f"-O0 -include {HEADER}", "-O0 -DRACEWAY_ONE_TARGET"
-# Raceway's sources set a macro that was not set for the precompiled file, so the compiler rejects
-# this file for them and reads the text, which is empty for them
+# Raceway's sources are compiled with a macro that was not set for the precompiled header, so the
+# compiler rejects it for them and reads its text, which is empty with that macro
 COMMON = """#ifndef RACEWAY_ONE_TARGET
 #include <mpi.h>
 #include <cmath>

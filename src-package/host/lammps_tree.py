@@ -60,7 +60,8 @@ class Lammps(Host):
         text, linked = re.subn(r"^LINKFLAGS\s*=.*$", "LINKFLAGS = -O3", text, flags=re.M)
         if (compiled, linked) != (1, 1):
             raise Refused(
-                f"{path} is not the file of LAMMPS: it needs one line CCFLAGS and one LINKFLAGS"
+                f"{path} is not the file of LAMMPS: it must have exactly one line CCFLAGS and one"
+                " LINKFLAGS"
             )
         return "# raceway = MPI, the flags of Raceway: same bits as build/liggghts\n" + text
 

@@ -42,8 +42,8 @@ class Liggghts(Host):
         version = src / "version_liggghts.txt"
         if not version.is_file() or not (src / "Make.sh").is_file():
             raise Refused(
-                f"{tree} is not a LIGGGHTS source tree: there is no src/version_liggghts.txt with a"
-                " src/Make.sh"
+                f"{tree} is not a LIGGGHTS source tree: it must contain"
+                " src/version_liggghts.txt and src/Make.sh"
             )
         found = read(version).strip()
         if found != KNOWN:

@@ -62,7 +62,7 @@ def split(folder):
     for line in whole.splitlines():
         if line.startswith(("region", "create_box", "create_bearing", "set type", "pair_")):
             resumed = resumed.replace(line + "\n", "")
-    a, b = resumed.index("# one after another"), resumed.index("group grains")
+    a, b = resumed.index("# grains are created"), resumed.index("group grains")
     resumed = (
         resumed[:a]
         + "\n".join(

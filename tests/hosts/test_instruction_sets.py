@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Processors without AVX2 evaluate contacts with different code, generated from the same formulas,
-with the same bits. That code calls the law part by part, whereas in the code for AVX2 the laws of
-`models` are inlined.
+"""Processors without AVX2 evaluate contacts with different code, generated from the same formulas;
+the results have the same bits. That code calls the law part by part, whereas in the code for AVX2
+the laws of `models` are inlined.
 
 The variable RACEWAY_NARROW_LANES selects that code on processors with AVX2 (docs/design).
 """

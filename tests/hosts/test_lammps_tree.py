@@ -106,7 +106,7 @@ def test_changed_where_it_must_be_patched(tree):
 
 def test_another_machine_file(tree):
     (tree / "src" / "MAKE" / "Makefile.mpi").write_text("CC = mpicxx\n")
-    refused(tree, "it needs one line CCFLAGS")
+    refused(tree, "it must have exactly one line CCFLAGS")
 
 
 def test_a_file_in_the_way(tree):

@@ -119,7 +119,7 @@ def test_free_rolling_with_spin(physics, part):
 
 
 def test_a_spring_for_short_times(physics):
-    """A rolling contact that begins to slide first follows k_t and then slips."""
+    """A rolling contact that begins to slide first deflects with the stiffness k_t, then slips."""
     contact = turning(spin_n=5.0)
     free = of(physics, "slices_of", contact, np.zeros(4))
     r_d = sliding.deformed_radius(6.552e-3, 6.3e-3)

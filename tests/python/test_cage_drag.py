@@ -51,7 +51,7 @@ def test_sum_and_nothing(bearing):
 
 
 def test_shear_at_a_contact_angle(bearing):
-    """The spin has a component about the pocket's axis, which is resisted twice."""
+    """The spin has a component about the pocket's axis, which meets twice the resistance."""
     angle = 0.5
     flat, tilted = (power(bearing, cage(bearing, "shear"), a) for a in (0.0, angle))
     spins = [kinematics.frequencies(bearing, a, SPEED).spin for a in (0.0, angle)]

@@ -146,7 +146,7 @@ def test_leak_and_resistance_are_of_second_order():
         data = circuit.run(coarse, outer, points=points).data
         errors.append(np.abs(data.bearing_voltage.to_numpy()[::points] - reference).max())
     assert errors[0] < 0.01 * np.abs(reference).max()
-    # the kinks of C(t) are at points, so they do not spoil the order
+    # the kinks of C(t) coincide with time points, so they do not reduce the order
     assert [a / b for a, b in zip(errors, errors[1:])] == pytest.approx([4, 4], abs=0.6)
 
 

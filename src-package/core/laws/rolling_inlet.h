@@ -37,7 +37,8 @@ inline double inlet_integral(double m, double H)
 }
 }    // namespace detail
 
-// Share of an inlet of the length m (in semi-axes b along rolling, above 1) at H, by quadrature
+// Share of the flooded resistance that an inlet of the length m leaves at H, by quadrature; m, in
+// semi-axes b along rolling, is above 1
 inline double inlet_share(double m, double H)
 {
   constexpr double far = 1e4;    // beyond it the integrand is 1/X^2

@@ -41,7 +41,7 @@ struct Validity {
         {"film_fit", "ellipticity of a contact with Hamrock and Dowson's film", "",
          "their fit is valid up to", 8.0, false},
         {"shoulder", "reach of a contact ellipse over the reach of its groove", "",
-         "the groove ends at its shoulder,", 1.0, false}};
+         "the groove ends at its shoulder, at a ratio of", 1.0, false}};
     return rules[doubt];
   }
   static bool worse(int doubt, double value, double than)

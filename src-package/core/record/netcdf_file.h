@@ -43,7 +43,7 @@ class NetcdfFile {
   }
 
   bool full() const { return filled_ == batch_; }
-  std::string flush();        // sends the present batch; returns an error of the previous one
+  std::string flush();        // sends the current batch; returns any error from the previous one
   std::string hand_over();    // flush and wait until the system has all data
   std::string settle();       // flush, update the count and wait until everything is on disk
   std::string close();

@@ -102,9 +102,9 @@ def waterfall(tables: RunTables, path: FilePath) -> None:
 
 
 def bands(tables: RunTables) -> tuple[Integers, Floats, Floats]:
-    """(samples (n,), psi (n, Z), capacitance (n, Z)) of the balls of the run `tables`: azimuth from
-    the load line in rad, unwrapped; F, NaN for a ball that is not loaded on both raceways. At most
-    about `ROWS` samples, evenly spaced.
+    """(samples (n,), psi (n, Z), capacitance (n, Z)) of the balls of the run `tables`: psi is
+    the azimuth from the load line in rad, unwrapped; the capacitance is in F, or NaN for a ball
+    that is not loaded on both raceways. At most about `ROWS` samples, evenly spaced.
     """
     there = tables.balls
     table = there[there["type"] == BALL_TYPE].sort_values(["sample", "id"])

@@ -196,7 +196,7 @@ def separation(
     """Separation of a gap in m, continuous through loss and return of contact: h_c for the larger
     of load and `quiet` Q_u (N), and at least the `play` (m; negative or zero under load).
 
-    `thickness` gives h_c in m from the contact loads in N. Arrays of one shape.
+    `thickness` gives h_c in m from the contact loads in N. All arrays have the same shape.
     """
     load = np.asarray(load, float)
     film_there = thickness(np.maximum(load, quiet))
