@@ -97,7 +97,7 @@ def _finite(file):
 
 
 def affordable(text):
-    """Whether runs and steps of a deck are short enough: a simulated second takes minutes."""
+    """True if the runs and steps of a deck are short; a simulated second takes minutes."""
     for word, most in (("run", 2e4), ("timestep", 1e-3)):
         for number in re.findall(rf"^{word} (\S+)", text, re.M):
             with suppress(ValueError):

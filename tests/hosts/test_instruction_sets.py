@@ -18,7 +18,7 @@ LIBRARY = host.ROOT / "build" / "libraceway_physics.so"
 
 
 def takes_avx2(**environment):
-    """Whether a process with these variables uses AVX2."""
+    """True if a process with these environment variables uses AVX2."""
     ask = f"import ctypes; print(ctypes.CDLL({str(LIBRARY)!r}).takes_avx2())"
     done = subprocess.run(
         [sys.executable, "-c", ask],

@@ -205,7 +205,7 @@ def ran(scene, runs):
 
 
 def same(one, other, terms=()):
-    """Whether values are equal to 1e-13 of the value or of the largest of its terms."""
+    """True if values agree within 1e-13 of the value or of its largest term."""
     scale = max([abs(one), abs(other), *(abs(term) for term in np.ravel(terms))])
     return one == other or abs(one - other) <= 1e-13 * scale or (np.isnan(one) and np.isnan(other))
 

@@ -12,7 +12,8 @@ namespace raceway {
 // the distance x from the leading edge of a plate in laminar flow of the speed u:
 // h = 0.332 k Pr^(1/3) sqrt(u/(nu x)), Pr = eta c_p/k (Pohlhausen). Here x is the pitch diameter
 // (m) and u a third of the speed of the balls on the pitch circle (Harris, Rolling Bearing
-// Analysis, after Eckert). `orbit` (rad/s) is the speed of the balls around the bearing.
+// Analysis, after Eckert; from memory, unchecked). `orbit` (rad/s) is the speed of the balls around
+// the bearing.
 inline double oil_convection(double conductivity, double heat_capacity, double density,
                              double viscosity, double orbit, double pitch_diameter)
 {

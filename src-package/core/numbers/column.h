@@ -19,7 +19,8 @@ struct Column {
   const char *format = as_real;
 };
 
-// What a column needs: a lubricant (film), also a fix bearing/capacitance, or one with surroundings
+// Requirement of a column: a lubricant (film), also a fix bearing/capacitance, or one with
+// surroundings
 enum class Needs { nothing, film, capacitance, surroundings };
 
 }    // namespace raceway
