@@ -219,6 +219,9 @@ void RunBearing::settle()
   if (automatic()) settle_until_still();
   // by the number of steps if they are even, so that a stopped run has the same rounding
   const bool even = implicit() && !settings_.orbit;
+  // a run that was stopped after the last step of settling: LIGGGHTS refuses new fixes after
+  // reset_timestep until the restart file's data are released, which happens here
+  if (fix_->resumed()) lmp->init();
   begin_at_step_0(even ? now().start + update->ntimestep * now().step_length
                        : bearing::SimulatedTime::now(*update));
   now().measures = 1.0;

@@ -263,6 +263,23 @@ def test_stopped_while_it_settles(scene, at, tmp_path):
     assert values(tmp_path / "stopped")[1] == values(tmp_path / "whole")[1]
 
 
+@pytest.mark.parametrize("host", ["liggghts", "lammps"])
+@pytest.mark.parametrize("settle", [1, "auto"])
+def test_stopped_after_the_last_step_of_settling(settle, host, tmp_path):
+    """A run continues from a restart file that was written when settling had ended and the
+    measurement had not begun."""
+    scene = {**IMPLICIT, "settle": settle, "samples": 20}  # 20 steps per ball pass
+    whole = succeed(DECK, host=host, out=tmp_path / "whole", **scene)
+    *settling, measuring = (int(n) for n in re.findall(r"for (\d+) steps", whole.text))
+    assert sum(settling) > measuring  # so the only restart file is that of the last settling step
+    kept = {**scene, "keep": sum(settling), "last": "no", "out": tmp_path / "kept"}
+    succeed(DECK, host=host, **kept)
+    resumed = succeed(DECK, host=host, resume="yes", **kept)
+    assert re.findall(r"for (\d+) steps", resumed.text) == [str(measuring)]
+    assert differ(tmp_path / "kept", tmp_path / "whole") == []
+    assert values(tmp_path / "kept")[1] == values(tmp_path / "whole")[1]
+
+
 @pytest.mark.parametrize("host", ["lammps", "wheel"])
 def test_auto_in_other_hosts(host, tmp_path):
     for program in ("liggghts", host):
