@@ -4,8 +4,10 @@
 #include "../core/settings/arguments.h"
 #include "../core/settings/deck_words.h"
 #include "../core/settings/restart_sum.h"
+#include "../deck/different_lines.h"
 #include "../deck/formulas.h"
 #include "deck_notes.h"
+#include "disk.h"
 #include "fix_bearing_capacitance.h"
 #include "fix_bearing_ring.h"
 #include "fixes.h"
@@ -14,8 +16,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <csignal>
-#include <fcntl.h>
 #include <filesystem>
 #include <limits>
 #include <set>
@@ -27,72 +27,10 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 using bearing::Arguments;
 using bearing::DrivenValue;
+using bearing::StopSignal;
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr int caught_signals[] = {SIGTERM, SIGINT, SIGUSR1};
-constexpr int n_signals = sizeof caught_signals / sizeof caught_signals[0];
-volatile std::sig_atomic_t caught = 0;
-struct sigaction before[n_signals], before_xfsz;
-int users = 0;    // fixes of this style alive
-
-extern "C" void bearing_note_signal(int which) { caught = which; }
-
-void catch_signals()
-{
-  if (users++) return;
-  caught = 0;
-  struct sigaction note = {};
-  note.sa_handler = bearing_note_signal;
-  note.sa_flags = SA_RESTART;
-  for (int k = 0; k < n_signals; ++k) sigaction(caught_signals[k], &note, &before[k]);
-  struct sigaction ignore =
-      {};    // a file above the size limit causes an error with a message, not a signal
-  ignore.sa_handler = SIG_IGN;
-  sigaction(SIGXFSZ, &ignore, &before_xfsz);
-}
-
-void release_signals()
-{
-  if (--users) return;
-  for (int k = 0; k < n_signals; ++k) sigaction(caught_signals[k], &before[k], nullptr);
-  sigaction(SIGXFSZ, &before_xfsz, nullptr);
-}
-
-double bytes(const std::string &file)
-{
-  struct stat s;
-  return stat(file.c_str(), &s) == 0 ? static_cast<double>(s.st_size) : -1.0;
-}
-
-// Reason why the disk is full; empty if it accepts another 64 kB beside `file`.
-std::string no_room(const std::string &file)
-{
-  const std::string probe = file + ".probe", content(65536, 'x');
-  std::string why;
-  const int fd = open(probe.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-  if (fd < 0) {
-    why = strerror(errno);
-  } else {
-    errno = ENOSPC;    // the system does not report a short write as an error
-    if (write(fd, content.data(), content.size()) != static_cast<ssize_t>(content.size()) ||
-        fsync(fd) != 0)
-      why = strerror(errno);
-  }
-  if (fd >= 0) close(fd);
-  unlink(probe.c_str());
-  return why;
-}
-
-// Flushes `file` to the disk; true if that succeeded.
-bool settle_on_disk(const std::string &file)
-{
-  const int fd = open(file.c_str(), O_RDONLY);
-  const bool good = fd >= 0 && fsync(fd) == 0;
-  if (fd >= 0) close(fd);
-  return good;
-}
 
 std::string whole(double n) { return std::to_string(static_cast<long long>(n)); }
 
@@ -151,7 +89,6 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
   extscalar = extvector = 0;
   global_freq = 1;
   write_every(every_restart_);
-  catch_signals();
 }
 
 // The host writes under a temporary name; publish() renames the complete file. With 0 steps it
@@ -177,8 +114,6 @@ void FixBearingCheckpoint::begin(const bearing::Sampling &sampling)
   nevery = sampling.every;
   settle(sampling);
 }
-
-FixBearingCheckpoint::~FixBearingCheckpoint() { release_signals(); }
 
 int FixBearingCheckpoint::setmask() { return INITIAL_INTEGRATE | END_OF_STEP | POST_RUN; }
 
@@ -228,31 +163,6 @@ std::vector<std::string> FixBearingCheckpoint::deck() const
   return lines;
 }
 
-// Shortens two command lines to the words between their first and last difference, after the name
-// of the command.
-static constexpr size_t longest_difference = 8;    // words
-static void leave_difference(std::string &one, std::string &other)
-{
-  std::vector<std::string> words[2];
-  std::string *const lines[2] = {&one, &other};
-  for (int k = 0; k < 2; ++k) {
-    std::istringstream in(*lines[k]);
-    for (std::string word; in >> word;) words[k].push_back(word);
-  }
-  const size_t shorter = std::min(words[0].size(), words[1].size());
-  size_t first = 0, last = 0;    // number of equal words at both ends
-  while (first < shorter && words[0][first] == words[1][first]) ++first;
-  while (last < shorter - first && words[0].end()[-1 - last] == words[1].end()[-1 - last]) ++last;
-  for (int k = 0; k < 2; ++k) {
-    // from a few words before the first difference, if they are not the command itself
-    const size_t from = first > 6 ? first - 3 : 0;
-    const size_t end = words[k].size() - last, to = std::min(end, from + longest_difference);
-    *lines[k] = from ? words[k][0] + " ..." : "";
-    for (size_t n = from; n < to; ++n) *lines[k] += (lines[k]->empty() ? "" : " ") + words[k][n];
-    if (to < words[k].size()) *lines[k] += " ...";
-  }
-}
-
 // Error if the deck of a continued run has other data. It need not repeat create_bearing.
 void FixBearingCheckpoint::check_deck()
 {
@@ -262,15 +172,7 @@ void FixBearingCheckpoint::check_deck()
   for (std::string line; std::getline(in, line);) then.push_back(line);
   deck_.clear();
   if (now[0].empty() || then[0].empty()) now[0] = then[0] = "";
-  // the first line of `list` that is missing in `other`
-  const auto alone = [](const std::vector<std::string> &list,
-                        const std::vector<std::string> &other) {
-    for (const std::string &line : list)
-      if (!line.empty() && std::find(other.begin(), other.end(), line) == other.end()) return line;
-    return std::string();
-  };
-  std::string old = alone(then, now), own = alone(now, then);
-  if (!old.empty() && !own.empty()) leave_difference(old, own);
+  const auto [old, own] = bearing::different_lines(then, now);
   if (!old.empty() || !own.empty())
     BRG_ALL(command_ + ": " + file_ + " belongs to another run, " +
             (old.empty() ? "without '" + own + "'"
@@ -299,11 +201,11 @@ void FixBearingCheckpoint::initial_integrate(int)
 void FixBearingCheckpoint::end_of_step()
 {
   if (!waits()) take_sample();
-  int signal = caught;
+  int signal = StopSignal::caught();
   if (comm->nprocs > 1)
     MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, world);    // stop at the same step
   if (!signal) return;
-  caught = signal;
+  StopSignal::set(signal);
   bearing::end_run_after_this_step(lmp);
 }
 
@@ -322,17 +224,16 @@ void FixBearingCheckpoint::take_sample()
 
 void FixBearingCheckpoint::post_run()
 {
-  int signal =
-      // may differ between ranks after the last sample, so only the agreed value counts
-      caught;
+  // may differ between ranks after the last sample, so only the agreed value counts
+  int signal = StopSignal::caught();
   if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, world);
-  caught = signal;
+  StopSignal::set(signal);
   if (resumed_ && !cut_) cut_files();    // a run of zero steps
   if (signal) stop();
   if (last_ && !waits()) output->write_restart(update->ntimestep);
   if (written_) publish();
   if (comm->me == 0 && !files_.empty()) {    // no later sample detects a full disk
-    const std::string room = no_room(file_);
+    const std::string room = bearing::disk_is_full(file_);
     if (!room.empty()) BRG_ONE(command_ + ": the last output may be lost: " + room);
   }
 }
@@ -346,25 +247,25 @@ void FixBearingCheckpoint::stop()
             "taken its place");
   publish();
   if (comm->me == 0) {
-    const std::string say = std::string("Stopped by signal ") + strsignal(caught) + " after step " +
-                            std::to_string(update->ntimestep) +
+    const std::string say = std::string("Stopped by signal ") + strsignal(StopSignal::caught()) +
+                            " after step " + std::to_string(update->ntimestep) +
                             "; -var resume yes continues from " + file_ + "\n";
     if (screen) fputs(say.c_str(), screen);
     if (logfile) fputs(say.c_str(), logfile);
   }
   MPI_Finalize();
-  exit(128 + caught);    // as a shell reports a signal
+  exit(128 + StopSignal::caught());    // as a shell reports a signal
 }
 
 void FixBearingCheckpoint::publish()
 {
   written_ = false;
   if (comm->me != 0) return;
-  for (const std::string &f : files_) settle_on_disk(f);
+  for (const std::string &f : files_) bearing::flush_to_disk(f);
   // the host does not check its writes; if the disk accepts more data, they succeeded
-  std::string why = no_room(file_);
+  std::string why = bearing::disk_is_full(file_);
   if (why.empty() && !bearing::write_sum(part_)) why = "its checksum cannot be added";
-  if (why.empty() && !settle_on_disk(part_)) why = strerror(errno);
+  if (why.empty() && !bearing::flush_to_disk(part_)) why = strerror(errno);
   if (why.empty() && rename(part_.c_str(), file_.c_str()) != 0) why = strerror(errno);
   if (why.empty()) return;
   unlink(part_.c_str());
@@ -378,7 +279,7 @@ void FixBearingCheckpoint::check_files()
 {
   if (comm->me != 0) return;
   for (size_t k = 0; k < files_.size(); ++k) {
-    const double now = bytes(files_[k]);
+    const double now = bearing::file_size(files_[k]);
     if (now < length_[k])
       BRG_ONE(command_ + ": " + files_[k] +
               (now < 0.0 ? " is gone" : " has " + whole(now) + " bytes") + ", it had " +
@@ -403,9 +304,9 @@ void FixBearingCheckpoint::cut_files()
 void FixBearingCheckpoint::watch_files()
 {
   for (size_t k = 0; k < files_.size(); ++k) {
-    const double now = bytes(files_[k]);
+    const double now = bearing::file_size(files_[k]);
     if (now <= seen_[k]) {
-      const std::string room = no_room(file_);
+      const std::string room = bearing::disk_is_full(file_);
       BRG_ONE(command_ + ": " + files_[k] + " has stopped growing at step " +
               std::to_string(update->ntimestep) + ": " +
               (room.empty() ? "it must grow every " + std::to_string(nevery) +
@@ -450,7 +351,7 @@ void FixBearingCheckpoint::write_restart(FILE *fp)
   struct stat theirs, ours;
   written_ = fstat(fileno(fp), &theirs) == 0 && stat(part_.c_str(), &ours) == 0 &&
              theirs.st_dev == ours.st_dev && theirs.st_ino == ours.st_ino;
-  for (const std::string &f : files_) data.push_back(bytes(f));
+  for (const std::string &f : files_) data.push_back(bearing::file_size(f));
   const int numbers = static_cast<int>(data.size() * sizeof(double));
   std::string words = settings_ + '\0';
   for (const std::string &line : deck()) words += line + '\n';

@@ -14,6 +14,7 @@ FixStyle(bearing/checkpoint,FixBearingCheckpoint)
 #include "../core/settings/driven_value.h"
 #include "bearing_compat.h"
 #include "run_phase.h"
+#include "stop_signal.h"
 
 #include <vector>
 
@@ -24,7 +25,6 @@ class FixBearingRing;
 class FixBearingCheckpoint : public Fix, public bearing::WaitsForRun {
  public:
   FixBearingCheckpoint(class LAMMPS *, int, char **);
-  ~FixBearingCheckpoint() override;
   int setmask() override;
   void init() override;
   void initial_integrate(int) override;
@@ -49,6 +49,7 @@ class FixBearingCheckpoint : public Fix, public bearing::WaitsForRun {
   std::vector<std::string> deck() const;
   void check_deck();
 
+  bearing::StopSignal stop_signal_;
   std::string command_, file_, part_, settings_;
   std::string deck_;    // deck() of the run of the restart file, until it is compared
   int every_restart_ = 0;
