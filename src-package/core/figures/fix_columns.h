@@ -158,6 +158,7 @@ enum {
   HERTZ_AREA,
   N
 };
+constexpr int first_of_films = LEAK;    // LEAK and all after it are figures of the films
 const Column list[N] = {
     {"total", "F", "sum over the balls, with background, at the end of the step"},
     {"largest", "F", "largest value of one ball at the end of the step"},
