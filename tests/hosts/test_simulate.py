@@ -128,37 +128,54 @@ def test_folder_in_use(tmp_path):
         first.wait()
 
 
-@pytest.mark.parametrize("whom", ["caller", "host"])
+@pytest.mark.parametrize("whom", ["caller", "host", "mpirun", "rank"])
 def test_stopped_and_continued(tmp_path, whom):
-    """Ctrl-C stops the host, which leaves a restart file; a killed host raises an error. The next
-    call continues to the same bits."""
+    """Ctrl-C stops the host, which leaves a restart file; a killed host, mpirun or rank raises an
+    error. The next call continues to the same bits."""
     raceway.simulate(out=tmp_path / "whole", **LONG)
+    words = LONG | {"ranks": 2 if whom in ("mpirun", "rank") else 1}
     code = "import sys, raceway; raceway.simulate(out=sys.argv[1], **eval(sys.argv[2]))"
     out = tmp_path / "run"
     process = subprocess.Popen(
-        [sys.executable, "-c", code, out, repr(LONG)], cwd=ROOT, stderr=subprocess.PIPE, text=True
+        [sys.executable, "-c", code, out, repr(words)], cwd=ROOT, stderr=subprocess.PIPE, text=True
     )
     _wait(out / "record.nc", process)
-    children = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
-    if whom == "host":
-        os.kill(int(children[0]), signal.SIGKILL)
-    else:
+    (host,) = _children(process.pid)
+    ranks = _children(host)
+    if whom == "caller":
         process.send_signal(signal.SIGINT)
+    else:
+        os.kill(ranks[0] if whom == "rank" else host, signal.SIGKILL)
     said = process.communicate(timeout=60)[1]
     assert process.returncode != 0
-    assert ("KeyboardInterrupt" if whom == "caller" else "killed by signal SIGKILL") in said
-    assert not any(Path(f"/proc/{child}").exists() for child in children)
+    assert {"caller": "KeyboardInterrupt", "rank": "exited on signal 9"}.get(
+        whom, "killed by signal SIGKILL"
+    ) in said
+    assert not Path(f"/proc/{host}").exists()
     with pytest.raises(RunError):
         raceway.open(out).tables.need_finished()
-    assert raceway.simulate(out=out, **LONG).tables.finished
+    _until(lambda: not any(Path(f"/proc/{rank}").exists() for rank in ranks))
+    assert raceway.simulate(out=out, **words).tables.finished
     assert record(out) == record(tmp_path / "whole")
+
+
+def _children(pid):
+    return [int(n) for n in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
 
 
 def _wait(path, process):
     """Wait until the run has some samples in `path`."""
-    for _ in range(600):
-        if path.exists() and path.stat().st_size > 1_500_000:
-            return
+
+    def grown():
         assert process.poll() is None
+        return path.exists() and path.stat().st_size > 1_500_000
+
+    _until(grown)
+
+
+def _until(condition):
+    for _ in range(600):
+        if condition():
+            return
         time.sleep(0.02)
-    raise AssertionError(f"{path} does not grow")
+    raise AssertionError("not within 12 s")
