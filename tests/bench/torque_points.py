@@ -140,27 +140,29 @@ HEAD = """Friction torque compared with SKF's formula
 (conformities 0.52 and 0.53 unless the bearing's file has others, no clearance, rigid rings, oil
 ``vg46`` at the temperature of the viscosity) with SKF's formula (:math:`\\mu_{bl}` 0.12,
 :math:`\\mu_{EHL}` 0.05, the same oil). An oil bath reaches the middle of the lowest ball. No
-constant is fitted to SKF's formula. Torque in N mm: own / SKF's. Rolling includes hysteresis;
-sliding is slip and spin. Shares that differ by a factor of more than 1.5, if SKF's is above 10 %
-of its torque, are in bold.
+constant is fitted to SKF's formula. The first table contains torques in N mm, by statics / by
+SKF's formula. Rolling includes hysteresis; sliding is the sum of slip and spin. A share is in bold
+if it differs from SKF's share by a factor of more than 1.5 and SKF's share is above 10 % of SKF's
+torque.
 """
 
-WHY = """*Light and fast* (0.02 :math:`C_0`, 10,000 rpm): rolling of deep groove bearings is 1.16 to
-1.5 times SKF's. A 7208B is at 0.59: friction cannot hold its balls against their gyroscopic moment.
-In statics they slide across their grooves; in a run under this load they skid grossly, and the
-torque is 197 N mm, 1.15 times SKF's. A 7205B has 16.4 N mm in a run, 15.7 in statics and 25.3 by
-SKF's formula.
+WHY = """*Light load and high speed* (0.02 :math:`C_0`, 10,000 rpm): the rolling torque of deep groove
+bearings is 1.16 to 1.5 times SKF's. The ratio of a 7208B is 0.59, because friction cannot hold its
+balls against their gyroscopic moment. In statics the balls slide across their grooves; in a run
+under this load they skid grossly, and the torque is 197 N mm, 1.15 times SKF's. The torque of a
+7205B is 16.4 N mm in a run, 15.7 N mm in statics and 25.3 N mm by SKF's formula.
 
-*Slow and loaded, combined and axial loads*: rolling is 0.66 to 1.04 and sliding 0.55 to 1.0 of
-SKF's, both lowest for balls with spin. Sliding grows with the square of the contact width and so
-depends on the conformity of the grooves, which no catalogue states (below).
+*High load and low speed, combined and axial loads*: rolling is 0.66 to 1.04 and sliding 0.55 to 1.0
+times SKF's; both ratios are lowest for balls with spin. Sliding grows with the square of the
+contact width and so depends on the conformity of the grooves, which no catalogue states (below).
 """
 
 CONFORMITY = """Conformity of the grooves
 -------------------------
 
 Makers do not publish the groove radii of their bearings, and 0.52 and 0.53 of the ball's diameter
-are our default (:doc:`catalogue`). The same 40 points with other conformities for all bearings:
+are our default (:doc:`catalogue`). If all bearings have the same conformities, the 40 points give
+these ratios:
 """
 
 
@@ -187,8 +189,8 @@ def page(found, others, heats):
                      "with a bold share"), [others_line(*one) for one in others.items()]),
          "Reference speed", "---------------",
          "",
-         "Heat by statics without drag at the catalogue's reference speed under 0.05 :math:`C_0`,"
-         " vg32 at 12 mm²/s, and the cooling power by ISO 15312 at 50 K.", "",
+         "The table compares the heat by statics without drag (catalogue's reference speed, 0.05"
+         " :math:`C_0`, vg32 at 12 mm²/s) with the cooling power by ISO 15312 at 50 K.", "",
          *csv_table(("bearing", "rpm", "own W", "ISO 15312 W", "ratio"), heat_lines)]
     )  # fmt: skip
 
