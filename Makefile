@@ -24,8 +24,8 @@ PACKAGES := g++ liggghts libliggghts-dev openmpi-bin libopenmpi-dev python3-venv
 lammps build packages_of_tests: PACKAGES += lammps liblammps-dev
 # ngspice is a reference for circuits; a browser opens the pages of `raceway report`
 packages_of_tests: PACKAGES += libngspice0 chromium
-# for the build with sanitizers
-packages_of_tests sanitized: PACKAGES += clang libclang-rt-dev
+# for the build with sanitizers and the tree of the tests
+packages_of_tests sanitized tree: PACKAGES += clang libclang-rt-dev
 # make CXX=clang++ compiles, too; code for AVX2 is that of g++ only (src-package/core/numbers/lane.h)
 CXX := g++
 CXX_MPI = OMPI_CXX=$(CXX) mpicxx.openmpi
@@ -109,14 +109,14 @@ build: setup
 interfaces: setup
 	@$(MAKE) --no-print-directory -s -j2 $(INTERFACES)
 
-# Downloads run beside the tree, which needs none of them, the pages beside everything else that is
-# compiled, in one make, so that no core waits for the last object of a program. `collected` writes the
-# bytecode of the tests once, which otherwise every pytest process does for itself.
+# Downloads run beside compiles that need none of them, then everything else is made in one make, so that
+# no core waits for the last object of a program. `collected` writes the bytecode of the tests once, which
+# otherwise every pytest process does for itself.
 # pytest starts with the folders whose files take longest, so that no core idles at the end, and has one
 # process more than cores, since tests with several ranks wait
 test: setup
-	@$(MAKE) --no-print-directory -j2 tree packages_of_tests lint
-	@$(MAKE) --no-print-directory -s -j2 docs $(PROGRAMS) $(INTERFACES) build/sanitized/liggghts collected
+	@$(MAKE) --no-print-directory -s -j3 packages_of_tests lint interfaces
+	@$(MAKE) --no-print-directory -s -j2 tree docs $(PROGRAMS) build/sanitized/liggghts collected
 	@rm -rf docs/notebooks/run
 	.venv/bin/python -m pytest --nbmake tests/recipes docs/notebooks tests/docs tests/hosts tests -n $$(($$(nproc) + 1)) --dist loadfile --no-loadscope-reorder
 

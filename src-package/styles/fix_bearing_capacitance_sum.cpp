@@ -118,7 +118,8 @@ void FixBearingCapacitance::write(const Row *row, const Row *end, int instant)
             total_.active);
     if (all) fprintf(f, " %.12g %.12g", total_.whole.all, total_.whole.largest);
     if (ask_.any())
-      for (int k = bearing::of_fix_capacitance::first_of_films; k < bearing::of_fix_capacitance::N; ++k)
+      for (int k = bearing::of_fix_capacitance::first_of_films; k < bearing::of_fix_capacitance::N;
+           ++k)
         fprintf(f, " %.12g", figure(total_.figures, total_.hertz_area, k));
     fputc('\n', f);
   }

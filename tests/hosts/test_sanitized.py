@@ -3,7 +3,7 @@
 with an error."""
 
 import pytest
-from host import frames, succeed
+from host import ROOT, frames, succeed
 
 
 @pytest.mark.parametrize("lubricant", ["mineral", "dry"])
@@ -38,8 +38,13 @@ def test_main_decks(tmp_path, deck):
     succeed(f"inputs/in.{deck}", sanitized=True, out=tmp_path, rpm=20000, passes=1, samples=20)
 
 
-def test_axial_deck():
-    succeed("inputs/in.axial", sanitized=True)
+def test_axial_deck(tmp_path):
+    """The first steps after each change of the force."""
+    text = (ROOT / "inputs" / "in.axial").read_text()
+    deck = tmp_path / "in.axial"
+    deck.write_text(text.replace("run 25000\n", "run 2500\n"))
+    assert text.count("run 25000\n") == 4
+    succeed(deck, sanitized=True)
 
 
 @pytest.mark.parametrize("ranks", [1, 2])

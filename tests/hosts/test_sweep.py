@@ -211,7 +211,7 @@ def test_stopped_half_way(tmp_path, counter, which, code):
     table.write_text(
         "load,passes,samples,integrator\n"
         + "".join(f"{load},4,50,implicit\n" for load in range(1000, 5000, 1000))
-        + "9000,15,20,verlet\n"  # still running when the signal arrives
+        + "9000,8,20,verlet\n"  # still running when the signal arrives
     )
     process = subprocess.Popen(
         words("sweep", table, "--out", out, "--jobs", 2, "--program", counter),

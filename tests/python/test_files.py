@@ -20,7 +20,7 @@ sections: [{length: 0.2, diameter: 0.03}]
 bearings: [{name: 6206, at: 0.02}, {name: 6206, at: 0.18, floating: yes}]
 loads: [{at: 0.1, force: [0, -500, 0]}]
 """
-NESTED = "[" * 3000 + "]" * 3000
+NESTED = "[" * 500 + "]" * 500
 BOMB = "a: &a [x, x]\n" + "".join(
     f"{b}: &{b} [*{a}, *{a}]\n" for a, b in zip("abcdefgh", "bcdefghi")
 )

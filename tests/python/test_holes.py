@@ -109,10 +109,10 @@ def test_columns_that_are_no_settings(tmp_path, name):
 
 def test_many_unknown_columns_in_one_message(tmp_path):
     table = tmp_path / "t.csv"
-    table.write_text(",".join(f"x{k}" for k in range(10_000)) + "\n1\n")
+    table.write_text(",".join(f"x{k}" for k in range(1000)) + "\n1\n")
     with pytest.raises(TableError) as error:
         read_points(table, deck_variables("inputs/in.6208"))
-    assert len(str(error.value)) < 3000 and "and 9980 more" in str(error.value)
+    assert len(str(error.value)) < 3000 and "and 980 more" in str(error.value)
     assert (
         isinstance(error.value, RacewayError)
         and len(re.findall(r"\bclearance\b", str(error.value))) == 1
