@@ -146,11 +146,11 @@ if it differs from SKF's share by a factor of more than 1.5 and SKF's share is a
 torque.
 """
 
-WHY = """*Light load and high speed* (0.02 :math:`C_0`, 10,000 rpm): the rolling torque of deep groove
-bearings is 1.16 to 1.5 times SKF's. The ratio of a 7208B is 0.59, because friction cannot hold its
-balls against their gyroscopic moment. In statics the balls slide across their grooves; in a run
-under this load they skid grossly, and the torque is 197 N mm, 1.15 times SKF's. The torque of a
-7205B is 16.4 N mm in a run, 15.7 N mm in statics and 25.3 N mm by SKF's formula.
+WHY = """*Light load and high speed* (0.02 :math:`C_0`, 10,000 rpm): the rolling torque of deep
+groove bearings is 1.16 to 1.5 times SKF's. The ratio of a 7208B is 0.59, because friction cannot
+hold its balls against their gyroscopic moment. In statics the balls slide across their grooves; in
+a run under this load they skid grossly, and the torque is 197 N mm, 1.15 times SKF's. The torque
+of a 7205B is 16.4 N mm in a run, 15.7 N mm in statics and 25.3 N mm by SKF's formula.
 
 *High load and low speed, combined and axial loads*: rolling is 0.66 to 1.04 and sliding 0.55 to 1.0
 times SKF's; both ratios are lowest for balls with spin. Sliding grows with the square of the
