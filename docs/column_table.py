@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Sphinx: tables that C++ exports. `.. columns:: SECTION`: output columns;
 `.. law-keywords:: dry|film`: keywords of the contact law; `.. law-parts::`: parts of the law;
-`.. validity::`: rules of validity; `.. oil-constants::`: defaults of an oil's constants."""
+`.. validity::`: rules of validity; `.. oil-constants::`: defaults of an oil's constants;
+`.. deck-variables:: COMMAND`: deck variables of a command."""
 
 from docutils.statemachine import StringList
 from raceway import core
@@ -152,8 +153,29 @@ class OilTable(SphinxDirective):
         return self.parse_text_to_nodes(StringList(lines, source=str(COLUMNS)))
 
 
+class DeckVariables(SphinxDirective):
+    """Deck variables that set keywords of one command."""
+
+    required_arguments = 1
+
+    def run(self):
+        self.env.note_dependency(str(COLUMNS))
+        rows = [
+            (
+                f"``{r['name']}``",
+                r["default"],
+                r["meaning"] + (f" ({r['unit']})" if r["unit"] else ""),
+            )
+            for r in core.table("variables")
+            if r["of"] == self.arguments[0]
+        ]
+        lines = table("20 14 66", ("variable", "default", "meaning"), rows)
+        return self.parse_text_to_nodes(StringList(lines, source=str(COLUMNS)))
+
+
 def setup(app):
     app.add_directive("columns", ColumnTable)
+    app.add_directive("deck-variables", DeckVariables)
     app.add_directive("oil-constants", OilTable)
     app.add_directive("law-keywords", KeywordTable)
     app.add_directive("law-parts", PartTable)

@@ -2,6 +2,7 @@
 """A -var that the deck does not define ends the run at the command bearing."""
 
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -11,7 +12,7 @@ import pytest
 import raceway
 import xarray
 from host import ENVIRONMENT, QUICK, ROOT, run, succeed
-from raceway import inputs
+from raceway import core, inputs
 from raceway.cli import main
 from raceway.sweeps import variable_table
 
@@ -193,3 +194,18 @@ def test_option_of_another_program(tmp_path):
         check=False,
     )
     assert done.returncode == 0 and "done" in done.stdout, done.stdout[-1000:]
+
+
+def test_page_of_the_main_deck_has_every_variable():
+    """Each variable is in a row of the page or in the generated table of its command; the data of
+    bearings and oils, which variables replace, are on the page of the catalogue."""
+    page = (ROOT / "docs" / "main_deck.rst").read_text()
+    generated = re.findall(r"deck-variables:: (\S+)", page)
+    missing = [
+        one["name"]
+        for one in core.table("variables")
+        if not (one["of"].endswith(" data") or one["of"].startswith("oil "))
+        and one["of"] not in generated
+        and f"``{one['name']}``" not in page
+    ]
+    assert generated and missing == []
