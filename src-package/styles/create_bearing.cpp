@@ -212,8 +212,8 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
                             : 2.0 * p.pitch;
     if (half < R + p.cage_radius)
       args.fail("cage ball of diameter " + text(2.0 * p.cage_radius) +
-                " m is larger than its pocket: at most " + text(2.0 * (half - R)) +
-                " m fit between two balls");
+                " m is too large for the gap between two balls: at most " + text(2.0 * (half - R)) +
+                " m fits");
   }
   const double reach = Re + R;
   const double *lo = domain->boxlo, *hi = domain->boxhi;

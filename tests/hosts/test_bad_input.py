@@ -66,8 +66,8 @@ MAIN_DECK = {
     "cage ball too large": (
         {"cage_ball_diameter": 9e-3},
         (
-            r"create_bearing b: cage ball of diameter 0.009 m is larger than its pocket: at most"
-            r" 0.0084\d* m"
+            r"create_bearing b: cage ball of diameter 0.009 m is too large for the gap between two"
+            r" balls: at most 0.0084\d* m"
         ),
     ),
     "output not writable": (

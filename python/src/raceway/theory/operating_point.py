@@ -224,8 +224,8 @@ def _wide(body):
     if min(wide := life.wide_grooves(body)) >= 1 - 1e-9:
         return []
     return [
-        "grooves wider than {:g} and {:g} of the ball reduce the ball ratings to"
-        " {:.0%} (inner) and {:.0%} (outer) of the ratings by the file's C".format(
+        "groove radii above {:g} (inner) and {:g} (outer) of the ball diameter reduce the load"
+        " ratings of the balls to {:.0%} and {:.0%} of the ratings by the file's C".format(
             *life.CONFORMITY, *wide
         )
     ]
