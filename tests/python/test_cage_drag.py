@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Losses of a cage ring in statics: numbers from two independent programs, and omitted parts."""
 
+import json
 import math
 
 import pytest
 from host import ROOT
 from raceway import inputs
+from raceway.cli import main
 from raceway.theory import cage_drag, kinematics
 from raceway.theory.lubricant import Fluid
 from raceway.theory.operating_point import figures
@@ -67,3 +69,22 @@ def test_torque_of_statics_has_the_cage():
     assert whole["losses_W"] == bare["losses_W"]
     more = (whole["friction_torque_N_m"] - bare["friction_torque_N_m"]) * 1910 * math.pi / 30
     assert lost == pytest.approx(more, rel=1e-9) and lost > 0.1
+
+
+def test_cage_of_the_commands(capsys, monkeypatch):
+    """`--cage ring` of static and heat: more losses than with a chain, fewer with a larger play."""
+    monkeypatch.chdir(ROOT)
+    words = ["--load", "1000", "--rpm", "9549", "--lubricant", "vg32", "--json"]
+
+    def found(command, *more):
+        assert main([command, *words, *more]) == 0
+        return json.loads(capsys.readouterr().out)
+
+    ring = ["--cage", "ring"]
+    losses = [found("static", *more)["losses_W"].get("cage", 0) for more in ([], ring)]
+    wide = found("static", *ring, "--cage-play", "4e-4")
+    one = figures("6208", "vg32", load=1000.0, rpm=9549.0, cage=cage_drag.CageRing(play=4e-4))
+    assert losses[0] == 0 < wide["losses_W"]["cage"] < losses[1]
+    assert wide["losses_W"]["cage"] == one["losses_W"]["cage"]
+    hot = [found("heat", *more)["temperature_C"] for more in ([], ring)]
+    assert hot[1] > hot[0] + 1

@@ -49,6 +49,7 @@ def add(commands: Commands) -> None:
     options.grooves(one)
     options.spin_law(one)
     options.lubrication(one)
+    options.cage(one)
     options.models(
         one,
         ("full", "eyring"),
@@ -153,6 +154,7 @@ def _figures(arguments, of):
         oil_flow=arguments.oil_flow,
         oil_inlet=arguments.oil_inlet,
         supply=options.supply_of(arguments),
+        cage=options.cage_of(arguments),
         **options.grooves_of(arguments),
     )
     names = arguments.bearing, arguments.lubricant, arguments.inputs

@@ -172,6 +172,35 @@ def supply_of(arguments: argparse.Namespace) -> Any:
     return Supply(arguments.lubrication, arguments.oil_level)
 
 
+def cage(to: Any) -> None:
+    """--cage and --cage-play of the losses at a cage."""
+    to.add_argument(
+        "--cage",
+        choices=("chain", "ring"),
+        default="chain",
+        help="ring: the friction torque includes the oil in the pockets and the churning of a cage"
+        " that is one ring (chain)",
+    )
+    to.add_argument(
+        "--cage-play",
+        type=number(1e-6, 0.1, "m"),
+        metavar="M",
+        help="with --cage ring: play of its pockets along the pitch circle, metres (estimated)",
+    )
+
+
+def cage_of(arguments: argparse.Namespace) -> Any:
+    """`cage_drag.CageRing` from the options of `cage`; None for a chain, whose losses depend on its
+    motion."""
+    from raceway.theory.cage_drag import CageRing
+
+    if arguments.cage != "ring":
+        if arguments.cage_play is not None:
+            arguments.complain("--cage-play applies to a cage ring: give --cage ring")
+        return None
+    return CageRing(play=arguments.cage_play or 0.0)
+
+
 def models(to: Any, known: Sequence[str], said: str, default: str = DEFAULT) -> None:
     """--models, one of `known`; `said` describes them."""
     to.add_argument("--models", choices=known, default=default, help=f"{said} (default: {default})")

@@ -132,6 +132,7 @@ def add(commands: Commands) -> None:
     )
     options.spin_law(one)
     options.lubrication(one)
+    options.cage(one)
     one.add_argument(
         "--C",
         type=number(1, 1e8, "N"),
@@ -167,7 +168,12 @@ def run(arguments: argparse.Namespace) -> None:
         arguments.complain("--lubricant: a film needs a speed; give --rpm")
     if arguments.spin_law != "closed" and arguments.models == models.PAPER:
         arguments.complain("--spin-law: applies to the friction torque only; give --models full")
-    if arguments.temperature is not None and arguments.lubricant in (None, "dry"):
+    dry = arguments.lubricant in (None, "dry")
+    if arguments.cage == "ring" and (dry or arguments.models == models.PAPER):
+        arguments.complain(
+            "--cage: applies to the friction torque of oil; give --lubricant and --models full"
+        )
+    if arguments.temperature is not None and dry:
         arguments.complain("--temperature applies to the lubricant; give --lubricant")
     held = {} if arguments.moment else dict(zip(("rx", "ry"), arguments.tilt or (0.0, 0.0)))
     held.update(arguments.hold)
@@ -186,6 +192,7 @@ def run(arguments: argparse.Namespace) -> None:
         cleanliness=arguments.cleanliness,
         dynamic=arguments.dynamic,
         supply=options.supply_of(arguments),
+        cage=options.cage_of(arguments),
         **options.grooves_of(arguments),
     )
     if not spectrum:

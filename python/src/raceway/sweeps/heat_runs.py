@@ -95,6 +95,7 @@ def _variables(case, temperature, clearance, more):
         **({} if case.spin_law == "closed" else {"spin_law": case.spin_law}),
         "lubrication": case.supply.kind,
         "oil_level": f"{case.supply.level:.10g}",
+        **({} if case.cage is None else {"cage": "ring", "cage_play": f"{case.cage.play:.10g}"}),
         **({} if angle is None else {"four_point": f"{math.degrees(angle):.9g}"}),
         **more,
     }
