@@ -4,22 +4,23 @@ build/liggghts. `make test-lammps` builds these programs and runs this file."""
 
 import pytest
 from debian_lammps import OWN
-from host import ENVIRONMENT, ROOT, frames, succeed
+from host import ENVIRONMENT, QUICK, ROOT, frames, succeed
 
 PLUGINS, PACKAGE = OWN / "lammps" / "src" / "lmp_mpi", OWN / "package" / "src" / "lmp_raceway"
 PLUGIN = ROOT / "build" / "plugin" / "raceway_plugin.so"
-CASE = {"passes": 1, "samples": 20, "dumps": "yes"}
+CASE = {"rpm": 20000, "passes": 1, "samples": 20, "dumps": "yes"}
 
 
+@pytest.mark.parametrize("models", ["paper", "full"])
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("program", [PLUGINS, PACKAGE], ids=["plugin", "package"])
-def test_main_deck(tmp_path, monkeypatch, program, integrator, ranks):
+def test_main_deck(tmp_path, monkeypatch, program, integrator, models, ranks):
     monkeypatch.setitem(ENVIRONMENT, "LD_LIBRARY_PATH", str(PLUGINS.parent))
     deck = tmp_path / "in.own"
     load = f"plugin load {PLUGIN}\n" if program == PLUGINS else ""
     deck.write_text(f"{load}include inputs/in.6208\n")
-    case = {"integrator": integrator, "rpm": 20000, **CASE}
+    case = {**QUICK, **CASE, "integrator": integrator, "models": models}
     succeed("inputs/in.6208", out=tmp_path / "liggghts", **case)
     succeed(deck, program=program, ranks=ranks, out=tmp_path / "own", **case)
     for name in ("contacts.dump", "balls.dump"):
