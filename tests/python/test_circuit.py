@@ -37,7 +37,7 @@ def test_current_into_a_capacitance_that_changes():
     """C0 (1 + m cos W t) at constant voltage: |i| = V C0 m W."""
     n, mean, depth, speed = 2001, 100 * PICO, 0.3, 2 * np.pi * 50
     time = np.linspace(0, 0.04, n)
-    one = 2 * mean * (1 + depth * np.cos(speed * time))  # two alike in series
+    one = 2 * mean * (1 + depth * np.cos(speed * time))  # two equal films in series
     data = circuit.run(films(np.tile(one[:, None, None], (1, 2, 1)), time), Source(Constant(5.0)))
     middle = 0.5 * (time[1:] + time[:-1])
     expected = -5.0 * mean * depth * speed * np.sin(speed * middle)

@@ -40,8 +40,8 @@ def oiled():
 
 @pytest.fixture(scope="module")
 def shaft():
-    """A shaft of ROSS's steel: eight elements, 50 mm long and 40 mm thick, and a disc of 0.2 m in
-    the middle."""
+    """A shaft of ROSS's steel with eight elements, each 50 mm long and 40 mm in diameter, and a
+    disc 0.2 m in diameter in the middle."""
     steel = Steel(211e9, 211e9 / (2 * 81.2e9) - 1, 7810.0)
     z, pieces = beam.divided([Section(0.4, 0.04)], np.linspace(0.0, 0.4, 9))
     mass = 7810.0 * np.pi / 4 * (0.2**2 - 0.04**2) * 0.02
