@@ -29,7 +29,7 @@ def rows(section: str, numbered: bool) -> list[tuple[str, str]]:
 
 
 class ColumnTable(SphinxDirective):
-    """Table of columns. The option `numbered` puts the place in a vector before each name."""
+    """Table of columns. The option `numbered` puts the index in the vector before each name."""
 
     required_arguments = 1
     option_spec = {"numbered": lambda argument: True}

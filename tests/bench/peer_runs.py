@@ -91,7 +91,7 @@ class Failure(Exception):
 
 
 def exact_shift():
-    """Shift (m) towards the load of the inner ring of the exact bearing, one ball on the load
+    """Shift (m) of the inner ring towards the load, in the exact bearing with one ball on the load
     line."""
     rest = static.equilibrium(BEARING, LOAD, load_azimuth=-np.pi / 2, phase=-np.pi / 2)
     load, _ = exact(rest.shift[:2], np.stack([np.cos(rest.azimuth), np.sin(rest.azimuth)], 1))

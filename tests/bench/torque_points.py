@@ -4,8 +4,8 @@ eight bearings and at the reference speed of five: writes docs/torque_points.rst
 
     .venv/bin/python tests/bench/torque_points.py [--no-page]
 
-In both, an oil bath reaches the middle of the lowest ball. SKF's rolling moment includes
-hysteresis.
+In statics and in SKF's formula an oil bath reaches the middle of the lowest ball. SKF's rolling
+moment includes hysteresis.
 """
 
 import argparse

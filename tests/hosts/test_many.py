@@ -2,8 +2,8 @@
 """Many bearings in one box: each has the same bits as alone, on any number of ranks, however the
 box is cut.
 
-Twelve bearings in three columns with different loads, speeds and first azimuths, and two
-alternating lubricants. Cuts between two ranks lie between rows of bearings, cuts between three
+Twelve bearings lie in three columns. They have different loads, speeds and first azimuths, and two
+alternating lubricants. The cut between two ranks lies between rows of bearings, cuts between three
 ranks go through two rows, and cuts between four ranks through the middle column, that is, through
 rings, balls and cages.
 """
@@ -324,7 +324,7 @@ def test_surroundings(tmp_path):
 
 
 def test_starved_as_alone(tmp_path):
-    """The starvation factor follows the nominal speed, whichever bearing comes first."""
+    """The starvation factor depends on the nominal speed, not on which bearing comes first."""
     for only in (0, 2):
         succeed(DECK, out=tmp_path / str(only), only=only, models="full", time=2e-3, **BEARINGS)
     ring = fleet(tmp_path / "0")[2][0]

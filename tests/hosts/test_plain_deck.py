@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""inputs/in.6208 in plain commands: bits with models paper, hosts, restarts and errors."""
+"""inputs/in.6208 in plain commands: its bits with models paper, in all hosts and after a restart,
+and its errors."""
 
 import hashlib
 

@@ -101,7 +101,7 @@ def test_shares_the_evaluation_with_the_capacitance(tmp_path):
 
 
 def test_within_a_sample_everything_agrees(tmp_path):
-    """Also at instants within a step totals are sums over the contacts, and the force on the ring
+    """At instants within a step, too, totals are sums over the contacts, and the force on the ring
     is the force of the balls."""
     data = recorded(tmp_path / "run", "within 10", sample=4e-4, samples=20).isel(
         time=slice(101, None)
