@@ -99,7 +99,8 @@ def table(widths: str, heads: tuple[str, ...], rows: list[tuple[str, ...]]) -> l
 
 
 class KeywordTable(SphinxDirective):
-    """Keywords of the contact law: for every pair style (dry), or only for a lubricant (film)."""
+    """Keywords of the contact law: those of every pair style (dry), or those that need a lubricant
+    (film)."""
 
     required_arguments = 1
 

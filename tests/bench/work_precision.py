@@ -180,9 +180,9 @@ def settings(speed):
 
 
 def references(scene, speed):
-    """{kind: truth} and the difference between two methods: Verlet with a step of 25 ns and the
-    implicit step with a tolerance of 0.1 nm; at 5 rad/s, where the same friction limits the steps
-    of Verlet to nanoseconds, the implicit step with order 1 and with order 2."""
+    """({kind: truth}, difference between two methods). The methods are Verlet with a step of 25 ns
+    and the implicit step with a tolerance of 0.1 nm. At 5 rad/s, where the same friction limits the
+    steps of Verlet to nanoseconds, they are the implicit step with order 1 and with order 2."""
     fine = recorded(
         **scene,
         step=1e-5 if speed < 50 else 2e-6 if speed < 1000 else 1e-7,

@@ -69,7 +69,7 @@ def test_light_contacts_are_drawn_over_by_the_heavy_ones():
 
 @pytest.mark.parametrize("law", friction_torque.SPIN_LAWS)
 def test_four_points_lose_little_more_than_their_spin(law):
-    """Preload alone: four equal contacts, each of which spins as in `test_contacts_alike`. Combined
+    """Under preload alone there are four equal contacts, which spin as in the first test. Combined
     slip and spin lose less than slip and spin treated separately, but by less than a fifth."""
     state = static.equilibrium(FOUR, clearance=-20e-6)
     path = catalogue.find("lubricants", "vg46")

@@ -34,8 +34,8 @@ def numbers(row, *names):
 
 @pytest.mark.parametrize("row", TABLE, ids=lambda row: row["name"])
 def test_balls_follow_from_the_ratings(row):
-    """Estimated balls agree with `load_rating.balls`; if the maker states the diameter, the number
-    follows from C0."""
+    """Estimated balls agree with `load_rating.balls`; if the maker states their diameter, the
+    number of balls follows from C0."""
     rated = numbers(row, "basic_dynamic_load", "basic_static_load")
     bore, outside, ball, pitch = numbers(
         row, "bore_diameter", "outside_diameter", "ball_diameter", "pitch_diameter"
@@ -77,9 +77,9 @@ def test_every_size_is_there():
 
 
 def test_columns_of_a_table_belong_together():
-    """A misplaced column is found: shoulders lie on both sides of the pitch diameter, the
-    load centre matches the nominal angle (two 72 in JTEKT's table are 0.45 mm off), heavier
-    bearings have higher ratings, and f_0 of the catalogue matches ISO 76."""
+    """A misplaced column is found: shoulders lie on both sides of the pitch diameter, the load
+    centre matches the nominal angle (two bearings of series 72 in JTEKT's table are 0.45 mm off),
+    heavier bearings have higher ratings, and f_0 of the catalogue matches ISO 76."""
     for row in DEEP:
         bore, outside, low, high = numbers(
             row,

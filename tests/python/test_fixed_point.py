@@ -7,7 +7,7 @@ from raceway.core import library
 
 
 def search(g, x, values, reach=1e9, weights=None):
-    """Starting points x, and the library's result after each value of the map `g`."""
+    """(starting points x, results of the library after each value of the map `g`)."""
     starts, images, said = [], [], []
     weights = np.ones(len(x)) if weights is None else weights
     for _ in range(values):

@@ -40,7 +40,7 @@ def none_skids():
 
 @pytest.fixture(scope="module")
 def table(bearing, none_skids):
-    """Torque of each part in N mm at four speeds, with SKF's factors on rolling."""
+    """Torque of each part in N mm at four speeds, with SKF's reduction factors for rolling."""
     rows = []
     for rpm in SPEEDS:
         factors = makers.skf(BOUNDARY, 5000.0, 0.0, rpm, 46.0)

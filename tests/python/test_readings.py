@@ -58,7 +58,7 @@ def test_mistakes(tmp_path, old, new, says):
 
 @pytest.mark.parametrize("name", orders.LINES)
 def test_an_angle_gives_its_line(name):
-    """The contact angle of a line is the inverse of the kinematics."""
+    """The contact angle found from a line is that from which the kinematics give the line."""
     from raceway import catalogue, inputs
 
     body = inputs.bearing(catalogue.find("bearings", "6205"))
@@ -93,7 +93,7 @@ def test_a_line_of_a_recording(tmp_path):
 def test_an_error_of_the_cage_is_common_to_its_lines():
     """Two lines that both give the cage speed, with the same relative error, count as one reading
     with this error divided by sqrt(2). The error of the model and the play of the pockets are added
-    to it (Sherman-Morrison formula). A wide range of slip is penalised as far as it widens the
+    to it (Sherman-Morrison formula). A wide range of slip is penalised by as much as it widens the
     lines."""
     read, within, more = 0.4, 1e-4, 1e-3
     points = [Point(1797.0)] * 2

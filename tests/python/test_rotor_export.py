@@ -22,8 +22,8 @@ from raceway.units import prefixed
 B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 CASE = dict(axial=2500.0, clearance=20e-6, phases=1)
 OILED = dict(lubricant="vg46", temperature=70.0, models="paper", **CASE)
-# the first six natural frequencies in Hz of the rotor below at 6000 rpm, by ROSS 2.3.0 with these
-# arguments: with its BearingElement alone, and with the remaining terms added to K0
+# the first six natural frequencies in Hz of the rotor below at 6000 rpm, by ROSS 2.3.0 with the
+# exported arguments: with its BearingElement alone, and with the remaining terms added to K0
 ROSS_HELD = (267.5332352, 267.852525, 677.395444, 1008.881426, 1152.218606, 2721.708329)
 ROSS_WHOLE = (273.4117005, 273.8277096, 675.3206635, 1012.398655, 1155.409870, 2639.294152)
 

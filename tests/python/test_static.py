@@ -87,8 +87,8 @@ def test_thrust(bearing, axial, pd):
     ],
 )
 def test_every_equation_holds(bearing, radial, axial, pd, orbit, finite_shift):
-    """Ball positions computed from both raceways coincide, loads follow Hertz, each ball and the
-    ring are in equilibrium."""
+    """Ball positions computed from both raceways coincide, loads follow Hertz, and each ball and
+    the ring are in equilibrium."""
     state = equilibrium(
         bearing,
         radial,

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The run in MDAnalysis: every column of every frame in double precision, and the loss
-in single precision."""
+"""A run in MDAnalysis: every column of every frame has double precision. Single precision would
+lose too many digits."""
 
 import pickle
 

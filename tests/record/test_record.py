@@ -296,7 +296,8 @@ def test_many_on_any_ranks(many):
 
 
 def test_many_is_its_table(many):
-    """The record equals the table, a row of compute bearing/ring per inner ring and sample."""
+    """The record equals the table, which has a row of compute bearing/ring for each inner ring and
+    sample."""
     names = (
         "ring x y spin fx fy torque contacts balls load pressure h_min lambda orbit friction_power"
     )

@@ -220,8 +220,8 @@ def test_within_a_step(tmp_path):
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 def test_computes_and_the_fix(tmp_path, integrator):
-    """Computes and the fix have values for each ball, each ring and in total; the balls of a ring
-    need not touch it."""
+    """Computes and the fix have values for each ball, for each ring and in total. Balls that do not
+    touch a ring count as well."""
     steps = {"implicit": 1, "verlet": 250}[integrator]
     fix = f"fix cap balls bearing/capacitance {steps} permittivity 2.2 surroundings dry\n"
     fix += f"fix rec all bearing/record {steps} {tmp_path}/run/rec\n"
