@@ -167,8 +167,8 @@ def unpacked(folder, package="liggghts"):
 
 
 def precompile(src):
-    """The compiler's script, `HEADER` and its precompiled file, by the flags of the host's
-    sources."""
+    """Write the script that calls the compiler and `HEADER`, and precompile `HEADER` with the flags
+    of the host's sources."""
     if Path(f"{HEADER}.pch").exists():
         return
     COMPILER.write_text(SCRIPT)

@@ -28,7 +28,7 @@ DECKS = Path("tests/bench/peers")
 OUT = Path("build/bench/peers")
 LOAD, SPEED = 5000.0, 50.0  # N along -y, rad/s
 PERIOD = 1.76e-4  # seconds between samples, about 200 samples per ball pass
-PASSES = 8  # ball passes that Raceway runs
+PASSES = 8  # ball passes in runs of Raceway
 NAMES = (
     "balls",
     "ball_diameter",

@@ -99,7 +99,8 @@ def point(path, radial, axial, rpm, viscosity):
 
 
 def reference(name):
-    """Catalogue's reference speed (rpm), heat at this speed without drag and cooling power (W)."""
+    """(reference speed of the catalogue in rpm, heat at this speed without drag in W, cooling power
+    in W)."""
     path = INPUTS / "bearings" / name
     boundary, fluid = inputs.boundary(path), inputs.lubricant(INPUTS / "lubricants/vg32")
     rpm = float(inputs.values(path)["reference_speed"])

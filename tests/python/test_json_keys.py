@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The JSON keys of every command with --json name their units."""
+"""The JSON keys of every command with --json include their units."""
 
 import argparse
 import json

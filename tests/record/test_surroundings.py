@@ -191,8 +191,8 @@ def recorded(folder, options="", **more):
 
 
 def test_within_a_step(tmp_path):
-    """Record and fix share one evaluation, ends of steps do not depend on instants, and finer steps
-    give the same values."""
+    """Record and fix share one evaluation. Values at ends of steps do not depend on the number of
+    instants, and finer steps give the same values."""
     coarse = recorded(tmp_path / "coarse", "within 4", sample=4e-4, samples=20)
     plain = recorded(tmp_path / "plain", sample=4e-4, samples=20)
     fine = recorded(

@@ -51,7 +51,7 @@ def test_every_column_is_what_finer_steps_give(coarse_and_fine):
     for name, truth in fine.data_vars.items():
         if "time" not in truth.dims or name in ("step", "regime", "mu", "checksum"):
             continue
-        # these are available at the ends of steps only
+        # columns that are available at the ends of steps only
         if name in ("bearing_cage_force", "bearing_cage_power"):
             continue
         found, truth = coarse[name].values[60:], truth.values[60:]
