@@ -106,7 +106,7 @@ def test_names_of_folders(tmp_path, name):
 
 
 def test_a_file_called_like_an_option_stays(tmp_path):
-    """The host's own `rm` once took -f for a file of the current folder."""
+    """The host's own `rm` once took -f for a file in the current folder."""
     for name in ("inputs",):
         (tmp_path / name).symlink_to(ROOT / name)
     (tmp_path / "-f").write_text("mine")

@@ -41,7 +41,7 @@ def fleet(folder):
 
 
 def table(folder, ring):
-    """{step: columns after the first of the row of an inner ring}."""
+    """{step: columns of the row of an inner ring, without the first column}."""
     found = {}
     for step, rows in frames(folder / "bearings.dump").items():
         mine = [row.split()[1:] for row in rows if int(row.split()[0]) == ring]
@@ -333,7 +333,7 @@ def test_starved_as_alone(tmp_path):
 
 
 def test_one_oil_in_lammps(tmp_path):
-    """LAMMPS once crashed in its own reader."""
+    """With a single oil LAMMPS once crashed in its own reader."""
     words = {"bearings": 4, "time": 5e-4, "sample": 2.5e-4, "lubricant": "vg46"}
     succeed("inputs/in.many", host="lammps", out=tmp_path, **words)
     assert [oil for *_, oil in fleet(tmp_path).values()] == 4 * ["vg46"]

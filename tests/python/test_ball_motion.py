@@ -16,9 +16,9 @@ R, PITCH = FOUR.ball_radius, FOUR.pitch_radius
 
 
 def test_contacts_alike_roll_and_spin():
-    """Four equal contacts: the ball rotates about an axis parallel to the bearing axis, rolls at
-    all contacts and spins at each with the relative speed of ball and ring times the sine
-    of the angle."""
+    """With four equal contacts the ball rotates about an axis parallel to the bearing axis, rolls
+    at all contacts, and spins at each with the relative speed of ball and ring times the sine of
+    the angle."""
     lines, goal, _ = ball_motion.rates(FOUR, SIDES, ANGLES, RING)
     motion = ball_motion.least(lines, goal, np.repeat([1.0, 1e-4], 4), R)
     gamma = R * np.cos(ANGLE) / PITCH

@@ -135,7 +135,7 @@ def exact(given, outer):
 
 
 def test_leak_and_resistance_are_of_second_order():
-    """Half the step reduces the error relative to an integrator of scipy to a quarter."""
+    """Halving the step reduces the error, relative to scipy's integrator, to a quarter."""
     outer = Source(Sine(10.0, 150.0), 2e7, 20 * PICO)
     coarse = turning(n=41, z=2)
     tau = np.array([4e-3, 7e-3]).reshape(1, 2, 1)

@@ -53,7 +53,7 @@ def test_each_term_of_the_energy_is_of_second_order():
 
 
 def test_work_of_moving_plates():
-    """A charged, isolated ring: the energy Q^2/2C grows by the work of moving the plates."""
+    """The energy Q^2/2C of a charged, isolated ring grows by the work of moving the plates."""
     given = turning()
     data = circuit.run(given, Floating(10.0)).data
     bearing = series(given.capacitance).bearing

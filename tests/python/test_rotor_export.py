@@ -198,7 +198,7 @@ def test_incomplete_lubricant(tmp_path, capsys):
 
 
 def test_smoothing_warns():
-    """ROSS would alter a damping that falls fast in a table of six speeds."""
+    """ROSS would alter a damping that decreases steeply over a table of six speeds."""
     mean = static.equilibrium(B6208, 1500.0, 2500.0).stiffness
     both = [Response(mean, np.eye(5) * damping) for damping in (9.0, 4.0, 1.0, 0.5, 0.3, 0.2)]
     table = [
