@@ -224,7 +224,7 @@ def test_several_runs(tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_resume(ranks, tmp_path):
-    """A run resumes from a restart file in its middle: later samples are cut off."""
+    """A run resumes from a restart file written half-way: samples after this file are cut off."""
     whole, parts = tmp_path / "whole", tmp_path / "parts"
     for folder in (whole, parts):
         folder.mkdir()
