@@ -78,7 +78,7 @@ def docstring(app, what, name, thing, options, lines):
 
 
 def signature(app, what, name, thing, options, arguments, result):
-    """Write types by the aliases of the package."""
+    """Write types with the aliases that the package defines."""
     return short(arguments), short(result)
 
 

@@ -29,7 +29,7 @@ def rows(section: str, numbered: bool) -> list[tuple[str, str]]:
 
 
 class ColumnTable(SphinxDirective):
-    """Table of columns. The option `numbered` puts the place in a vector before each name."""
+    """Table of columns. The option `numbered` puts the index in the vector before each name."""
 
     required_arguments = 1
     option_spec = {"numbered": lambda argument: True}
@@ -99,7 +99,8 @@ def table(widths: str, heads: tuple[str, ...], rows: list[tuple[str, ...]]) -> l
 
 
 class KeywordTable(SphinxDirective):
-    """Keywords of the contact law: for every pair style (dry), or only for a lubricant (film)."""
+    """Keywords of the contact law: those of every pair style (dry), or those that need a lubricant
+    (film)."""
 
     required_arguments = 1
 

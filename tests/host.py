@@ -33,7 +33,7 @@ HOSTS = {
 }
 # dump_modify takes row formats after these words; a test deck defines dump_format
 FORMATS = {"lammps": "format line", "wheel": "format line"}
-# MPICH's shared-memory collectives spin nevertheless, so others replace them.
+# MPICH's shared-memory collectives spin nevertheless, so MPICH is told to use other algorithms.
 ENVIRONMENT = dict(
     os.environ,
     OMPI_ALLOW_RUN_AS_ROOT="1",
@@ -49,8 +49,8 @@ ENVIRONMENT = dict(
     ASAN_OPTIONS="detect_leaks=0:verify_asan_link_order=0",
     UBSAN_OPTIONS="print_stacktrace=1",
 )
-# Default variables of decks in inputs: the cheapest model, settled for one
-# ball pass. None leaves a variable to the deck.
+# Default variables of decks in inputs: the cheapest models, and one ball pass of settling. None
+# leaves a variable to the deck.
 QUICK = {"models": "paper", "settle": 1}
 QUICK_DECKS = [ROOT / "inputs" / name for name in ("in.6208", "in.dry", "in.preload", "in.nocage")]
 # An empty box for one 6208 around the origin, with four atom types.

@@ -8,7 +8,7 @@ MAIN = {"deck": "inputs/in.6208", "samples": 40, "passes": 1, "record": "all", "
 
 
 def small(folder, options="", more="", deck=SMALL):
-    """in.smallest with a record in `folder / run`, written to a file."""
+    """Path of a file in `folder` with the text of `deck`, and a record in `folder / run` added."""
     line = f"fix rec all bearing/record 100 {folder / 'run'} {options}\n{more}"
     text = deck.replace("compute total", line + "compute total")
     path = folder / "in.recorded"

@@ -43,9 +43,9 @@ def rows_of(folder):
 
 def frequencies_of(signals, step, count):
     """Frequencies in Hz, in ascending order, of `count` free vibrations in signals (channels,
-    samples), from a linear map of each instant to the next, fitted to delayed copies. A real
-    vibration has two frequencies, one of them negative; for x + i y negative frequencies whirl
-    backward."""
+    samples), from a linear map of each instant to the next, fitted to delayed copies of the
+    signals. A real vibration has two frequencies, one of them negative. For x + i y, negative
+    frequencies are those of backward whirl."""
     copies, length = 12, signals.shape[1]
     signals = signals - signals.mean(axis=1, keepdims=True)
     delayed = np.vstack([signals[:, k : length - copies + k] for k in range(copies)])

@@ -4,10 +4,11 @@ pocket force, cage speed and torque; writes build/bench/cage_hard.rst.
 
     .venv/bin/python tests/bench/cage_hard.py [--print] [--slow] [--only WORD]
 
-A 6208 under gravity in four directions, on housings with natural frequencies of 20 to 300 Hz, in a
-run-up, a reversal and a shock of 20 kN; a 7208B under moments. `--slow` adds a speed of 1 rad/s. A
-ball that leaves its pocket, or a step too large for velocity Verlet, ends the bench. Exit code 1 if
-the means of the two integrators differ by more than 2 % and by more than three standard errors.
+A 6208 runs under gravity in four directions, on housings with natural frequencies of 20 to 300 Hz,
+in a run-up, in a reversal and under a shock of 20 kN. A 7208B runs under moments. `--slow` adds a
+speed of 1 rad/s. A ball that leaves its pocket, or a step too large for velocity Verlet, ends the
+bench. Exit code 1 if the means of the two integrators differ by more than 2 % and by more than
+three standard errors.
 """
 
 import os
@@ -29,7 +30,7 @@ TARGET = bench_file("cage_hard.rst")
 DECK = "tests/scenarios/in.cage_ring"
 ORBIT = (1 - 6.3e-3 / ((24.0e-3 + 36.605e-3) / 2)) / 2  # cage speed over shaft speed
 WORDS = dict(words="friction 0.1 wall 1e6 planar yes")
-SAMPLES, PARTS = 6000, 12  # of a run; the means of its parts give the standard error
+SAMPLES, PARTS = 6000, 12  # of a run; means of the parts give the standard error
 # steps of velocity Verlet, s; the friction of slow or heavily loaded balls is stiffer
 VERLET, FINE, FINEST = 4e-7, 1e-7, 3e-8
 REVERSAL = "reversal, 300 to -300 rad/s"

@@ -3,12 +3,13 @@
 
     .venv/bin/python tests/bench/cage_slip.py [--print]
 
-Measured: slip from the ball pass frequency of the outer race of MFPT's bearing (NICE, 8 balls), and
-medians of the envelope's lines of Paderborn's 6203. For neither bearing are clearance, conformity,
-oil, play and guidance published, nor the direction of its load relative to gravity: each column
-assumes one play and one position of the cage. Exit code 1 unless the slip of the centred cage falls
-by at least 0.2 % from 111 to 1334 N and is within 0.2 % of MFPT's slip up to 890 N, and the order
-of the cage stays the same in a bearing whose balls are all loaded.
+The measurements are the slip from the ball pass frequency of the outer race of MFPT's bearing
+(NICE, 8 balls), and medians of lines in the envelope spectra of Paderborn's 6203. Clearance,
+conformity, oil, pocket play, cage guidance and the direction of the load relative to gravity are
+not published for either bearing: each column assumes one play and one position of the cage. Exit
+code 1 unless the slip of the centred cage falls by at least 0.2 % from 111 to 1334 N and is within
+0.2 % of MFPT's slip up to 890 N, and the order of the cage stays the same in a bearing whose balls
+are all loaded.
 """
 
 import itertools
@@ -28,7 +29,7 @@ from raceway.runs.run import Run  # noqa: E402
 TARGET = bench_file("cage_slip.rst")
 DECK = ROOT / "inputs" / "in.6208"
 WEIGHT = "fix weight all gravity 9.81 vector 0 ${down} 0\n"
-# play divided by the ball's diameter, what determines the position of the cage, sign of the weight
+# play over ball diameter, what determines the position of the cage, sign of the weight along y
 HELD = "held in the middle"
 COLUMNS = {
     "0.02 D, held": (0.02, HELD, 0),

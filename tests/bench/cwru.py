@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Nine set-ups of the motor bearing of Case Western Reserve University (cwru/lines.csv): the
-clearance that gives the line at the first speed under one thrust, the lines that it predicts at the
-other speeds, a run with this clearance, and the clearances for other thrusts. Writes
-build/bench/cwru.rst and docs/images/cwru.png.
+"""Nine set-ups of the motor bearing of Case Western Reserve University (cwru/lines.csv). For each,
+finds the clearance that gives the measured line at the first speed under one thrust, and the lines
+that this clearance predicts at the other speeds. Runs the main deck at the first speed with this
+clearance, and finds the clearances for other thrusts. Writes build/bench/cwru.rst and
+docs/images/cwru.png.
 
     .venv/bin/python tests/bench/cwru.py [--no-runs]
 """

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Counts how often true values lie inside the 95 % intervals of `identify`, in runs whose
-clearance, loads and oil temperature it is not given. Writes build/bench/identify.rst.
+clearance, loads and oil temperature are not passed to it. Writes build/bench/identify.rst.
 
 `identify` gets the readings of one of two sets, each with a normally distributed random error:
 cage speed and capacitance at three operating points, or four lines at one point (every second time

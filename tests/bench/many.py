@@ -28,8 +28,8 @@ ENVIRONMENT = dict(
     OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
     OMPI_MCA_mpi_yield_when_idle="0",
 )
-# step in s, host steps of a run (of one bearing, of many bearings), duration of the load ramp
-# before it in s; 140 steps are a ball pass
+# step in s, host steps of the timed run (with one bearing, with many), duration in s of the load
+# ramp before the timed run; 140 steps are a ball pass
 INTEGRATORS = {
     "verlet": {"step": 4e-7, "steps": (400_000, 1000), "settle": 4e-4},
     "implicit": {"step": 2.5e-4, "steps": (70_000, 140), "settle": 2e-2},

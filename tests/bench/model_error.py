@@ -39,7 +39,7 @@ FIGURES = {"torque": "friction torque", "capacitance": "capacitance", "load": "l
 TOLERANCES = ("1e-6", "3e-7", "1e-7", "3e-8", "1e-8", "3e-9", "1e-9", "3e-10", "1e-10")  # m
 SAMPLES = 200  # per ball pass
 COARSE, USUAL = "1e-6", "1e-9"  # tolerance of the table, m
-LEAST = 1e-6  # smaller errors are drawn here: the reference is not more accurate
+LEAST = 1e-6  # smaller errors are drawn as this: the reference is not more accurate
 
 
 class Found(NamedTuple):

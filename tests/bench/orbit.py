@@ -6,8 +6,9 @@ writes build/bench/orbit.rst.
 
 Figures are means over one ball pass of the orbit. They are compared with `MEASURED` ball passes of
 a run that has settled for 30 ball passes, or for as many as its scene needs to be steady.
-Evaluations during settling and one measured ball pass are compared with those during 30 ball passes
-of settling and one measured ball pass; they do not depend on the load of the machine.
+The evaluations during settling and one measured ball pass are compared with those during 30 ball
+passes of settling and one measured ball pass. The number of evaluations does not depend on the load
+of the machine.
 """
 
 import sys

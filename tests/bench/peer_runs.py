@@ -28,7 +28,7 @@ DECKS = Path("tests/bench/peers")
 OUT = Path("build/bench/peers")
 LOAD, SPEED = 5000.0, 50.0  # N along -y, rad/s
 PERIOD = 1.76e-4  # seconds between samples, about 200 samples per ball pass
-PASSES = 8  # ball passes that Raceway runs
+PASSES = 8  # ball passes in runs of Raceway
 NAMES = (
     "balls",
     "ball_diameter",
@@ -91,7 +91,7 @@ class Failure(Exception):
 
 
 def exact_shift():
-    """Shift (m) towards the load of the inner ring of the exact bearing, one ball on the load
+    """Shift (m) of the inner ring towards the load, in the exact bearing with one ball on the load
     line."""
     rest = static.equilibrium(BEARING, LOAD, load_azimuth=-np.pi / 2, phase=-np.pi / 2)
     load, _ = exact(rest.shift[:2], np.stack([np.cos(rest.azimuth), np.sin(rest.azimuth)], 1))

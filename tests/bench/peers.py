@@ -2,11 +2,11 @@
 """A 6208 under 5 kN in other programs: python tests/bench/peers.py [rounds]. Writes
 build/bench/peers.rst.
 
-Stock LIGGGHTS with smooth cylinders and with triangle meshes (decks in tests/bench/peers), Exudyn's
-ball bearing, and Raceway: its implicit step, and velocity Verlet with the friction law
-that suits it. Programs that converge first try a list of settings and run at the best. Then all
-take turns in every round, with and without output, so that a drift of the machine affects all
-alike.
+The programs are stock LIGGGHTS with smooth cylinders and with triangle meshes (decks in
+tests/bench/peers), Exudyn's ball bearing, and Raceway, with its implicit step and with velocity
+Verlet and the friction law that suits it. Programs whose results converge first try a list of
+settings and run at the best. Then all programs take turns in every round, with and without output,
+so that a drift of the machine affects all alike.
 """
 
 import statistics
@@ -46,13 +46,13 @@ from work_precision import SPRING
 
 ROUNDS = 3
 MESHES = {"180x8": (180, 8), "360x16": (360, 16), "720x32": (720, 32)}
-# degrees of groove meshed to either side; the contact reaches 18 degrees at 5 kN
+# rad of groove meshed to either side of its bottom; the contact reaches 18 degrees at 5 kN
 REACH = np.radians(40)
 SECANT = BOTH_ALIKE * (exact_shift() / 2) ** 0.5  # stiffness of two equal linear contacts, N/m
 FITTED = BEARING.young * BOTH_ALIKE / SPHERE_ON_PLANE
 SHARP, SMOOTH = "curvature 0.25", "curvature 20 curvature_tolerant yes"
-# On the tori a ball passes two to four facets, whatever their size; with longer steps balls escape
-# before that.
+# On the tori a ball passes two to four facets before it escapes, whatever the size of the facets.
+# With longer steps balls escape earlier.
 SCENES = [  # name, call with or without output
     ("stock LIGGGHTS, smooth cylinders", partial(cylinders, BEARING.young)),
     ("stock LIGGGHTS, STL tori, 180 by 8 facets per ring", partial(tori, "180x8", 16000, SHARP)),

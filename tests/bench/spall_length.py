@@ -31,7 +31,7 @@ SCENES = (  # bearing, N, rpm, kg of the inner ring (inputs/bearings)
     ("6208", 2000, 1500, 0.2),
 )
 LENGTHS = (1e-3, 2e-3)  # m
-SIDES = {"outer": (OUTER, 8), "inner": (INNER, 16)}  # and ball passes
+SIDES = {"outer": (OUTER, 8), "inner": (INNER, 16)}  # raceway, ball passes
 EDGE = 5e-5  # m
 ALLOWED = 0.05
 WAYS = ("half-way", "static rate", "two masses", "the ball's own fall")
@@ -98,7 +98,7 @@ def by_own_fall(run, side, raceway, found, spin):
         start, stop = int(entry / sample_s), int(np.ceil(blow / sample_s))
         ball = np.argmin(np.abs(np.angle(np.exp(1j * way[start]))))
         gone = np.flatnonzero(load[start:stop, ball] == 0)
-        if not len(gone):  # it kept its load
+        if not len(gone):  # the ball kept its load
             lengths.append(2 * (speed * (blow - entry) + EDGE))
             continue
         back = start + gone[0] + np.argmax(load[start + gone[0] :, ball] > 0)

@@ -126,7 +126,7 @@ def killed_half_way(table, folder, points):
         time.sleep(0.02)
     os.kill(process.pid, signal.SIGKILL)
     process.wait()
-    time.sleep(1.0)  # the running points notice it and stop
+    time.sleep(1.0)  # until the running points stop as well
     before = finished(folder)
     timed(table, folder, 2)
     after = finished(folder)

@@ -4,8 +4,8 @@ eight bearings and at the reference speed of five: writes docs/torque_points.rst
 
     .venv/bin/python tests/bench/torque_points.py [--no-page]
 
-In both, an oil bath reaches the middle of the lowest ball. SKF's rolling moment includes
-hysteresis.
+In statics and in SKF's formula an oil bath reaches the middle of the lowest ball. SKF's rolling
+moment includes hysteresis.
 """
 
 import argparse
@@ -99,7 +99,8 @@ def point(path, radial, axial, rpm, viscosity):
 
 
 def reference(name):
-    """Catalogue's reference speed (rpm), heat at this speed without drag and cooling power (W)."""
+    """(reference speed of the catalogue in rpm, heat at this speed without drag in W, cooling power
+    in W)."""
     path = INPUTS / "bearings" / name
     boundary, fluid = inputs.boundary(path), inputs.lubricant(INPUTS / "lubricants/vg32")
     rpm = float(inputs.values(path)["reference_speed"])

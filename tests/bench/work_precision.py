@@ -4,11 +4,11 @@ diagram.
 
     python tests/bench/work_precision.py [rad/s ...]
 
-Error: the largest error over balls and samples of one ball pass, of inner and outer load (relative
-to the largest load), orbital speed (relative to its mean) and film of balls with more than 1 % of
-the largest load (relative), compared with a reference with the same friction law. Cost: wall
-seconds per simulated second on one core with the capacitance at 200 instants of a ball pass and no
-output, median of ROUNDS; all methods of a scene take turns in a round.
+The error is the largest over balls and samples of one ball pass, compared with a reference with the
+same friction law. It covers inner and outer load (relative to the largest load), orbital speed
+(relative to its mean) and the film (relative) of balls with more than 1 % of the largest load. The
+cost is wall seconds per simulated second on one core, with the capacitance at 200 instants of a
+ball pass and no output, as the median of ROUNDS. All methods of a scene take turns in a round.
 """
 
 import re
@@ -180,9 +180,9 @@ def settings(speed):
 
 
 def references(scene, speed):
-    """{kind: truth} and the difference between two methods: Verlet with a step of 25 ns and the
-    implicit step with a tolerance of 0.1 nm; at 5 rad/s, where the same friction limits the steps
-    of Verlet to nanoseconds, the implicit step with order 1 and with order 2."""
+    """({kind: truth}, difference between two methods). The methods are Verlet with a step of 25 ns
+    and the implicit step with a tolerance of 0.1 nm. At 5 rad/s, where the same friction limits the
+    steps of Verlet to nanoseconds, they are the implicit step with order 1 and with order 2."""
     fine = recorded(
         **scene,
         step=1e-5 if speed < 50 else 2e-6 if speed < 1000 else 1e-7,

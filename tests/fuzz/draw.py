@@ -21,8 +21,8 @@ class Draw(random.Random):
     """Random numbers in the intervals of a grammar."""
 
     def number(self, interval):
-        """A value from [least, most], a whole number if both limits are, or from
-        [log, least, most]; rounded to four digits."""
+        """A value from [least, most] or [log, least, most], rounded to four digits; a whole number
+        if both limits of [least, most] are whole."""
         if interval[0] == "log":
             low, high = map(math.log, interval[1:])
             return float(f"{math.exp(self.uniform(low, high)):.4g}")

@@ -48,9 +48,10 @@ def _posed(scene, first, lab, pose, name):
 
 
 def _near(scene, first, lab, what, changes):
-    """Check that figures are equal with the options `changes(scene)` of a run. They may differ if a
-    change of the scene by rounding makes them differ as well, for balls at the limit of contact, or
-    if rounding separates them by the integrator's error and they converge with its tolerance."""
+    """Check that figures stay equal with the options `changes(scene)` of a run. Two kinds of
+    difference are allowed: one that a rounding-size change of the scene causes as well, for balls
+    at the limit of contact; and one of the size of the integrator's error, caused by rounding, that
+    vanishes as the tolerance becomes finer."""
     other = lab.figures(scene, "changed", **changes(scene))
     if not figures.differences(first, other, POSED):
         return

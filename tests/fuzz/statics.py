@@ -45,7 +45,7 @@ def check(scene, lab):
         return False
     columns, table = figures["contacts"]
     last, before = table[-1], table[-2]
-    # a ball beside the load line carries more than the force across that line
+    # a ball beside the load line carries a larger load than the force across that line
     lever = np.sin(min(2 * np.pi / scene["balls"], np.pi / 2))
     if _unrest(still["inner"], scene["grooves"][0][0], *figures["rings"]) > SHARE * lever:
         return False

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""In a LAMMPS built from Debian's sources with Open MPI, plugin and package give the bits of
+"""In a LAMMPS built from Debian's sources with Open MPI, plugin and package give the same bits as
 build/liggghts. `make test-lammps` builds these programs and runs this file."""
 
 import pytest

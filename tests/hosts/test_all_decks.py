@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every deck in inputs and docs/decks runs, decks with `models` with both paper and full; and the
-structure of the decks."""
+"""Every deck in inputs and docs/decks runs. Decks with the variable `models` run with both paper
+and full. The structure of the decks is checked as well."""
 
 import re
 
@@ -14,7 +14,7 @@ DECKS = [
     for path in sorted((ROOT / folder).glob("in.*"))
 ]
 SHORT = {"passes": 1, "settle": 0, "samples": 40, "bearings": 2, "time": "1e-3", "rpm": 3000}
-DRUM = {"rows": 4, "bottom": -0.0915, "steps": 600}  # grains touch; docs/gallery.rst runs it all
+DRUM = {"rows": 4, "bottom": -0.0915, "steps": 600}  # grains touch; docs/gallery.rst runs longer
 ALONE = [deck for deck in DECKS if not re.search("partition|restart_2_read", deck)]
 
 

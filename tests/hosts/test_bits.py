@@ -73,7 +73,7 @@ def test_scene_is_worth_comparing(scene):
         assert len(contacts) > 30  # most balls are in contact with two grooves of each ring
     else:
         assert len(contacts) == 18  # the preload keeps all nine balls on both raceways
-    housing = 21  # its atom
+    housing = 21  # ID of the housing's atom
     moved = {int(row.split()[0]): row for row in balls}
     assert len(balls) == (housing if "housing" in scene[0] else housing - 1)
     if housing in moved:  # displacement of the ring relative to its atom, m

@@ -72,7 +72,7 @@ def test_known(tmp_path, host):
 
 
 def test_models(tmp_path):
-    """`models` names a set of keywords for the pair style; record and summary have this name."""
+    """`models` names a set of keywords for the pair style; record and summary state this name."""
 
     def commands():
         return raceway.open(tmp_path).tables.record.attrs["pair_commands"]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/heat gives the same bits in all hosts, on several ranks and after a stop; off, it
-changes nothing."""
+"""fix bearing/heat gives the same bits in all hosts, on several ranks and after a stop. If it is
+off, it changes nothing."""
 
 import re
 import signal

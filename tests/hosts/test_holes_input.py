@@ -106,7 +106,7 @@ def test_names_of_folders(tmp_path, name):
 
 
 def test_a_file_called_like_an_option_stays(tmp_path):
-    """The host's own `rm` once took -f for a file of the current folder."""
+    """The host's own `rm` once took -f for a file in the current folder."""
     for name in ("inputs",):
         (tmp_path / name).symlink_to(ROOT / name)
     (tmp_path / "-f").write_text("mine")
@@ -118,7 +118,8 @@ def test_a_file_called_like_an_option_stays(tmp_path):
 
 
 def test_a_file_that_the_checkpoint_sees_too_often(tmp_path):
-    """A file written every 200 steps but checked every 20 does not mean that the disk is full."""
+    """A file that is written every 200 steps and checked every 20 does not grow between checks;
+    this does not mean that the disk is full."""
     deck = tmp_path / "in.often"
     text = (ROOT / "docs" / "decks" / "in.ehd").read_text()
     deck.write_text(

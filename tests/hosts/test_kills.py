@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run stopped or killed at a random moment resumes with the bits of an uninterrupted run.
-`kills.py` repeats this fifty times."""
+"""A run that is stopped or killed at a random moment and resumed gives the same bits as an
+uninterrupted run. `kills.py` repeats this fifty times."""
 
 import random
 import signal

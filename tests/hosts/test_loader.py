@@ -12,7 +12,7 @@ from host import FORMATS, ROOT, frames, succeed
 
 
 def test_clear(tmp_path):
-    """The second bearing of a script, after `clear`, has the bits of the first."""
+    """The second bearing of a script, after `clear`, gives the same bits as the first."""
     deck = tmp_path / "in.clear"
     deck.write_text(
         f"variable out index {tmp_path}/first\ninclude tests/hosts/in.bits\nclear\n"
@@ -23,8 +23,8 @@ def test_clear(tmp_path):
 
 
 def test_partition(tmp_path):
-    """Two partitions run two lubricants at once (universe variables), each with the bits of a
-    separate run."""
+    """Two partitions run two lubricants at once (universe variables), and each gives the same bits
+    as a separate run."""
     deck = tmp_path / "in.partition"
     deck.write_text(
         "variable lubricant universe mineral pao48\nvariable out index"

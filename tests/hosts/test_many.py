@@ -2,8 +2,8 @@
 """Many bearings in one box: each has the same bits as alone, on any number of ranks, however the
 box is cut.
 
-Twelve bearings in three columns with different loads, speeds and first azimuths, and two
-alternating lubricants. Cuts between two ranks lie between rows of bearings, cuts between three
+Twelve bearings lie in three columns. They have different loads, speeds and first azimuths, and two
+alternating lubricants. The cut between two ranks lies between rows of bearings, cuts between three
 ranks go through two rows, and cuts between four ranks through the middle column, that is, through
 rings, balls and cages.
 """
@@ -41,7 +41,7 @@ def fleet(folder):
 
 
 def table(folder, ring):
-    """{step: columns after the first of the row of an inner ring}."""
+    """{step: columns of the row of an inner ring, without the first column}."""
     found = {}
     for step, rows in frames(folder / "bearings.dump").items():
         mine = [row.split()[1:] for row in rows if int(row.split()[0]) == ring]
@@ -324,7 +324,7 @@ def test_surroundings(tmp_path):
 
 
 def test_starved_as_alone(tmp_path):
-    """The starvation factor follows the nominal speed, whichever bearing comes first."""
+    """The starvation factor depends on the nominal speed, not on which bearing comes first."""
     for only in (0, 2):
         succeed(DECK, out=tmp_path / str(only), only=only, models="full", time=2e-3, **BEARINGS)
     ring = fleet(tmp_path / "0")[2][0]
@@ -333,7 +333,7 @@ def test_starved_as_alone(tmp_path):
 
 
 def test_one_oil_in_lammps(tmp_path):
-    """LAMMPS once crashed in its own reader."""
+    """With a single oil LAMMPS once crashed in its own reader."""
     words = {"bearings": 4, "time": 5e-4, "sample": 2.5e-4, "lubricant": "vg46"}
     succeed("inputs/in.many", host="lammps", out=tmp_path, **words)
     assert [oil for *_, oil in fleet(tmp_path).values()] == 4 * ["vg46"]

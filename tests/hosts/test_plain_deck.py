@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""inputs/in.6208 in plain commands: bits with models paper, hosts, restarts and errors."""
+"""inputs/in.6208 in plain commands: its bits with models paper, in all hosts and after a restart,
+and its errors."""
 
 import hashlib
 
@@ -92,7 +93,8 @@ def test_goes_on(tmp_path, host):
 
 
 def test_settles_by_itself(tmp_path):
-    """With the defaults, `settle auto` and models full, the record states how far it settled."""
+    """With the defaults, `settle auto` and models full, the record states how far the run has
+    settled."""
     succeed("inputs/in.6208", out=tmp_path, passes=1, models=None, settle=None)
     found = raceway.open(tmp_path)
     assert found.settings["models"] == "full" and found.settings["settled_passes"] >= 2

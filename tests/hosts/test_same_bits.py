@@ -131,7 +131,7 @@ def test_scene(liggghts, name, host, tmp_path):
 @pytest.mark.parametrize("host", LAMMPS)
 @pytest.mark.parametrize("name", CASES)
 def test_hard_case(liggghts, name, host, tmp_path):
-    """Cases for the fix with its defaults, including chaotic cases, agree."""
+    """Hard cases for fix bearing/implicit with its defaults, including chaotic cases, agree."""
     variables = {
         "samples": 400,
         "sample": 1e-4,

@@ -39,7 +39,7 @@ def test_main_decks(tmp_path, deck):
 
 
 def test_axial_deck(tmp_path):
-    """The first steps after each change of the force."""
+    """Runs the first steps after each change of the force."""
     text = (ROOT / "inputs" / "in.axial").read_text()
     deck = tmp_path / "in.axial"
     deck.write_text(text.replace("run 25000\n", "run 2500\n"))
@@ -49,8 +49,8 @@ def test_axial_deck(tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_implicit(tmp_path, ranks):
-    """Two bearings, one of them cut by two ranks: a transient with refused steps, a restart file,
-    and the remaining run from this file."""
+    """Two bearings, one of them cut by two ranks, run through a transient with refused steps, and
+    continue from a restart file."""
     deck, case = "tests/implicit/in.ranks", {"bearings": 2, "xlo": -0.15, "xhi": 0.18}
     succeed(deck, sanitized=True, ranks=ranks, out=tmp_path, keep=20, **case)
     succeed(

@@ -63,9 +63,9 @@ def test_no_cage(tmp_path, whole):
 
 
 def test_starvation(tmp_path, whole):
-    """The rolling couple has SKF's starvation factor (10000 EN, 2013) and the inlet of a groove,
-    which leaves at least half of the couple. Without starvation the factor is 1 and the inlet is
-    flooded."""
+    """Two effects reduce the rolling couple: SKF's starvation factor (10000 EN, 2013), and the
+    limited inlet in a groove, which leaves at least half of the couple. Without starvation the
+    factor is 1 and the inlet is flooded."""
     succeed("inputs/in.6208", out=tmp_path / "flooded", without="starvation", **SCENE)
     succeed("inputs/in.6208", out=tmp_path / "starved", **SCENE)
     nu = 1e6 * whole["viscosity_Pa_s"] / 858  # mm2/s; vg46 at 40 C

@@ -50,7 +50,7 @@ def test_groups(tmp_path, host):
     deck.write_text(BOX + RACEWAYS + CREATE + " groups yes\n" + COUNT)
     found = dict(re.findall(r"^COUNT (\w+) (\d+)$", succeed(deck, host=host).text, re.M))
     assert found == {"balls": "9", "cage": "9", "inner": "1", "outer": "1", "moving": "18"}
-    # several bearings share them
+    # several bearings share the groups
     more = CREATE.replace("1 2 3 4", "1 none 3 4").replace(" cage 8.38e-3", "")
     small = more.replace("balls 9", "balls 5") + " centre 0 0 0.03 groups yes\n"
     deck.write_text(BOX + RACEWAYS + CREATE + " groups yes\n" + small + COUNT)

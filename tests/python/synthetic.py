@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Writes the record of a run without a simulation: static theory at every sample, rolling without
-slip, film formulas."""
+"""Writes the record of a run without a simulation, from statics at every sample, rolling without
+slip and the film formulas."""
 
 import re
 
@@ -50,7 +50,7 @@ def run(
     cage = spin * kinematics.frequencies(bearing).cage
     sample_s = 2 * np.pi / bearing.balls / cage / samples_per_pass
     z, inner_ring, outer_ring = bearing.balls, 2 * bearing.balls + 1, 2 * bearing.balls + 2
-    contacts, balls, rings = [], [], []  # mz: the shaft supplies the losses of the contacts
+    contacts, balls, rings = [], [], []  # mz is the shaft torque that supplies the losses
     for sample in range(passes * samples_per_pass + 1):  # both ends of the window
         state = static.equilibrium(
             bearing,
@@ -192,8 +192,8 @@ MASS = 8.2e-3  # kg of a ball
 
 def write(folder, data, end=True):
     """Write `data` as returned by `run` to `folder`: record.nc in the layout of fix bearing/record,
-    and run.yaml. Each row of `rings` is a sample; contacts and balls repeat after their last frame.
-    Without `end` the run is still active."""
+    and run.yaml. Each row of `rings` is a sample. Contacts and balls start again after their last
+    frame. Without `end` the run is still active."""
     folder.mkdir(parents=True, exist_ok=True)
     settings = data["settings"]
     words = {"title": "ball bearing run", **{name: settings[name] for name in WORDS}, "axis": "z"}
@@ -217,8 +217,8 @@ def write(folder, data, end=True):
 
 
 def _fill(file, data, end):
-    """Defines all variables; writes the variables without time and the first sample. Returns all
-    samples as they follow one another in the file."""
+    """Defines all variables, and writes the variables without a time dimension and the first
+    sample. Returns all samples in the order of the file."""
     settings, count = data["settings"], len(data["rings"])
     file.set_auto_maskandscale(False)
     file.set_fill_off()
@@ -231,7 +231,7 @@ def _fill(file, data, end):
     for name, size in {**sizes, "letters": 5}.items():
         file.createDimension(name, size)
 
-    # values follow after the last definition, because a definition moves all existing values
+    # values are written after the last definition, because a definition moves all existing values
     pending = []
 
     def put(name, dimensions, values, column=None, kind="f8"):
@@ -302,7 +302,7 @@ _ATOM = {
 
 
 def _kind(settings, caged):
-    """{name in the file: value} of the data of the bearing."""
+    """{name in the file: value} of the bearing's data."""
     of = {column["name"]: np.nan for column in TABLES["kind"]}
     known = {name.rsplit("_", 1)[0]: value for name, value in settings.items() if name in NUMBERS}
     of |= {name: value for name, value in known.items() if name in of}
@@ -347,7 +347,8 @@ def _places(data, count):
 
 
 def _rings(rings, places):
-    """{column: (time, inner and outer)}: the outer ring holds the reaction of the inner ring."""
+    """{column: (time, inner and outer)}. Forces and moments on the outer ring are the negative of
+    those on the inner ring."""
     found = {}
     for name, values in zip(RING_COLUMNS[2:], rings.T[2:]):
         found[name] = np.column_stack([values, -values if name[0] in "fm" else 0 * values])

@@ -122,8 +122,8 @@ def test_losses(run, lubricated):
 
 
 def test_torque_of_a_ring_that_turns_the_other_way(tmp_path, lubricated):
-    """In a mirror image spin and moment change sign, but the resisting torque and the power do
-    not."""
+    """In a mirror image the spin and the moment change sign, but the resisting torque and the
+    power do not."""
     mirrored = [[*ring[:8], -ring[8], *ring[9:14], -ring[14]] for ring in lubricated["rings"]]
     one = losses.losses(raceway.open(synthetic.write(tmp_path / "a", lubricated)))
     two = losses.losses(

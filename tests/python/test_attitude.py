@@ -34,8 +34,8 @@ def found(density=STEEL, **contacts):
 @pytest.mark.parametrize("ring", [RING, -RING])
 def test_moments_change_the_angular_momentum(ring):
     """In axes (radial, along the path, axial) that turn with the ball, dL/dt = Omega x L is the sum
-    of all moments about the ball's centre. The moment across both lines of action excludes the
-    force along rolling that both raceways exert on one another."""
+    of all moments about the ball's centre. In a virtual rotation that rolls on both raceways the
+    forces along the rolling direction do no work, so they are left out."""
     contacts = drawn()
     motion = attitude.balanced(BODY, ring=ring, density=STEEL, **contacts)
     none, turn = attitude.rolling(BODY, contacts["angle"], ring)
@@ -60,7 +60,7 @@ def test_moments_change_the_angular_momentum(ring):
     # the virtual rotation that rolls on both raceways
     spins = turn[1:]
     rotation = np.array([np.ones(radial.shape), zero, zero])
-    # its axial part follows from the spin at the outer raceway: turn = rotation . normal
+    # its axial component follows from the spin at the outer raceway: turn = rotation . normal
     rotation[2] = (spins[1] - normals[1][0]) / normals[1][2]
     work = (moments * rotation).sum(0) - (change * rotation).sum(0)
     scale = np.abs(contacts["pure"] * spins).sum(0)
@@ -90,9 +90,9 @@ def test_light_balls_only_spin():
 
 
 def test_heavy_balls_turn_about_the_axis_of_the_bearing():
-    """A gyroscopic moment that friction cannot balance turns the ball until the moment vanishes:
-    the sliding speed falls with 1/J, and x, to which slow sliding contributes a force, with
-    1/J^2."""
+    """A gyroscopic moment that friction cannot balance turns the ball until the moment vanishes.
+    The sliding speed then falls as 1/J. Slow sliding causes a force in proportion to its speed, so
+    that the radial component of the rotation falls as 1/J^2."""
     contacts = drawn()
     none, turn = attitude.rolling(BODY, contacts["angle"], RING)
     radial = [

@@ -16,9 +16,9 @@ R, PITCH = FOUR.ball_radius, FOUR.pitch_radius
 
 
 def test_contacts_alike_roll_and_spin():
-    """Four equal contacts: the ball rotates about an axis parallel to the bearing axis, rolls at
-    all contacts and spins at each with the relative speed of ball and ring times the sine
-    of the angle."""
+    """With four equal contacts the ball rotates about an axis parallel to the bearing axis, rolls
+    at all contacts, and spins at each with the relative speed of ball and ring times the sine of
+    the angle."""
     lines, goal, _ = ball_motion.rates(FOUR, SIDES, ANGLES, RING)
     motion = ball_motion.least(lines, goal, np.repeat([1.0, 1e-4], 4), R)
     gamma = R * np.cos(ANGLE) / PITCH
@@ -48,9 +48,9 @@ def test_least_power_of_linear_programming():
 
 
 def test_light_contacts_are_drawn_over_by_the_heavy_ones():
-    """Under a thrust the ball rolls on one inner and one outer groove. Relative to its cage
-    it rotates, apart from its spin, about an axis across the line through both contacts. On the
-    other grooves its surface therefore moves cos(2 alpha) times as fast, and the film is
+    """Under a thrust the ball rolls on one inner and one outer groove. Apart from its spin, it
+    rotates relative to the cage about an axis perpendicular to the line through both contacts. On
+    the other two grooves its surface therefore moves cos(2 alpha) times as fast, and the film is
     entrained at half the sum of this speed and the ring's speed."""
     state = static.equilibrium(FOUR, axial_load=2000.0, clearance=5e-6)
     entrained, rolling = ball_motion.speeds(FOUR, RING, state)
@@ -58,10 +58,10 @@ def test_light_contacts_are_drawn_over_by_the_heavy_ones():
     own = RING * PITCH * (1 - (R * np.cos(alpha) / PITCH) ** 2) / 2
     assert entrained[heavy] == pytest.approx(np.full((2, 9), own), rel=1e-9)
     assert rolling[heavy] == pytest.approx(entrained[heavy], rel=1e-9)
-    # for the light outer contact, relative to the heavily loaded line
+    # for the light outer contact, whose angle is measured from the line of the heavy contacts
     other = -state.outer.angle[1, 0]
     drawn = own * (1 + np.cos(alpha + other)) / 2
-    # it spins on one raceway, at the ring's speed times the sine
+    # the ball spins on one of the raceways, at the ring's speed times the sine
     spun = RING * np.sin(alpha) * R * np.sin(alpha + other) / 2
     assert np.all(np.abs(entrained[3] - drawn) < spun)
     assert np.all(rolling[3] < 0.6 * entrained[3])
@@ -69,7 +69,7 @@ def test_light_contacts_are_drawn_over_by_the_heavy_ones():
 
 @pytest.mark.parametrize("law", friction_torque.SPIN_LAWS)
 def test_four_points_lose_little_more_than_their_spin(law):
-    """Preload alone: four equal contacts, each of which spins as in `test_contacts_alike`. Combined
+    """Under preload alone there are four equal contacts, which spin as in the first test. Combined
     slip and spin lose less than slip and spin treated separately, but by less than a fifth."""
     state = static.equilibrium(FOUR, clearance=-20e-6)
     path = catalogue.find("lubricants", "vg46")

@@ -14,7 +14,8 @@ SPRINGS = (2e8, 3e8, 1e7, 0.0, 0.0)  # N/m and N m/rad, at both ends
 
 @pytest.fixture(scope="module")
 def rotor():
-    """A shaft of eight elements, 50 mm long and 40 mm thick, with a disc of 0.2 m in the middle."""
+    """A shaft of eight elements, each 50 mm long and 40 mm in diameter, with a disc 0.2 m in
+    diameter in the middle."""
     z, pieces = beam.divided([Section(0.4, 0.04)], np.linspace(0.0, 0.4, 9))
     outer, inner, width = 0.2, 0.04, 0.02
     mass = STEEL.density * np.pi / 4 * (outer**2 - inner**2) * width

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Geometry against its curvature sums, and errors for impossible bearings."""
+"""The geometry against its curvature sums, and errors for impossible bearings."""
 
 import dataclasses
 

@@ -21,9 +21,10 @@ DEEP, ANGULAR, FOUR_POINT = (
     [row for row in TABLE if row["kind"] == kind]
     for kind in ("deep groove", "angular contact", "four-point contact")
 )
-# Ratio of the maker's C to C of the balls by ISO 281. With a ratio of 1, JTEKT's three contact
-# angles of one size give the same balls. SKF's 6205 has 1.06 with the balls measured by CWRU. With
-# 1, the balls of the QJ have the diameters that GMN states for 7207, 7208, 7209 and 7210.
+# Ratio of the C that the maker states to the C of the balls by ISO 281. With a ratio of 1, JTEKT's
+# three contact angles of one size give the same balls. With the balls measured by CWRU the ratio of
+# SKF's 6205 is 1.06. With a ratio of 1, the balls of the QJ bearings have the diameters that GMN
+# states for 7207, 7208, 7209 and 7210.
 DYNAMIC_FACTOR = {"SKF": 1.05, "SKF QJ": 1.0, "JTEKT": 1.0}
 
 
@@ -33,8 +34,8 @@ def numbers(row, *names):
 
 @pytest.mark.parametrize("row", TABLE, ids=lambda row: row["name"])
 def test_balls_follow_from_the_ratings(row):
-    """Estimated balls agree with `load_rating.balls`; if the maker states the diameter, the number
-    follows from C0."""
+    """Estimated balls agree with `load_rating.balls`; if the maker states their diameter, the
+    number of balls follows from C0."""
     rated = numbers(row, "basic_dynamic_load", "basic_static_load")
     bore, outside, ball, pitch = numbers(
         row, "bore_diameter", "outside_diameter", "ball_diameter", "pitch_diameter"
@@ -64,8 +65,8 @@ def test_names_stand_once():
 
 
 def test_every_size_is_there():
-    """60, 62, 63 and 70, 72 with three contact angles, bores 10 to 50 mm: file and table have the
-    bore of the designation."""
+    """Series 60, 62 and 63, and 70 and 72 with three contact angles, have all bores from 10 to
+    50 mm. The bore in the file or table is that of the designation."""
     bores = {"00": 10, "01": 12, "02": 15, "03": 17} | {f"{n:02}": 5 * n for n in range(4, 11)}
     for code, bore in bores.items():
         for series in ("60", "62", "63", "70", "72"):
@@ -76,9 +77,9 @@ def test_every_size_is_there():
 
 
 def test_columns_of_a_table_belong_together():
-    """A misplaced column is found: shoulders lie on both sides of the pitch diameter, the
-    load centre matches the nominal angle (two 72 in JTEKT's table are 0.45 mm off), heavier
-    bearings have higher ratings, and f_0 of the catalogue matches ISO 76."""
+    """A misplaced column is found: shoulders lie on both sides of the pitch diameter, the load
+    centre matches the nominal angle (two bearings of series 72 in JTEKT's table are 0.45 mm off),
+    heavier bearings have higher ratings, and f_0 of the catalogue matches ISO 76."""
     for row in DEEP:
         bore, outside, low, high = numbers(
             row,
@@ -145,8 +146,9 @@ def test_ratings_of_the_balls(name):
 
 
 def test_contact_angles_of_a_size_have_the_same_balls():
-    """The rule uses the ratings of one contact angle only, and JTEKT states ratings of three: 22
-    sizes give the same balls, so they are the maker's balls as far as ratings can show."""
+    """The rule uses the ratings of one contact angle only, while JTEKT states ratings of three. For
+    22 sizes all three give the same balls, so these are the maker's balls as far as ratings can
+    show."""
     for size in {row["name"][:4] for row in ANGULAR}:
         found = {
             (one.balls, one.ball_diameter_m)
@@ -158,8 +160,8 @@ def test_contact_angles_of_a_size_have_the_same_balls():
 
 def test_another_maker_has_the_same_number_of_balls():
     """JTEKT (catalogue pages 20 to 25, in jtekt_deep_groove.csv) rates by ISO 281, so the rule
-    needs no factor: C agrees within 1.2 %. Sizes have SKF's number of balls, with four
-    exceptions."""
+    needs no factor: C agrees within 1.2 %. With four exceptions, each size has as many balls as
+    SKF's."""
     text = Path(__file__).with_name("jtekt_deep_groove.csv").read_text()
     other = {}
     for row in csv.DictReader(text.splitlines()):
@@ -173,7 +175,7 @@ def test_another_maker_has_the_same_number_of_balls():
     assert other == {"6009": 13, "6010": 14, "6209": 9, "6305": 8}
 
 
-# mm; None if the text layer has lost the figure
+# mm; None if the figure is missing in the text layer of the catalogue
 GMN = {
     "6201": (5.953, 22.0),
     "6202": (5.953, 25.3),
@@ -192,7 +194,7 @@ GMN = {
 @pytest.mark.parametrize("name", GMN)
 def test_balls_that_a_maker_states(name):
     """GMN, High precision ball bearings (4000 0813 EN), states ball and pitch diameters of bearings
-    of these sizes. Makers need not use the same balls, but these do."""
+    of these sizes. Makers need not use the same balls, but for these sizes they do."""
     one = listing.entry(BEARINGS / name)
     ball, pitch = GMN[name]
     assert 1e3 * one.ball_diameter_m == pytest.approx(ball, rel=0.01)

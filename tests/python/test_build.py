@@ -39,8 +39,8 @@ def test_make_run_builds_liggghts_alone():
 
 
 def test_every_source_is_compiled_once_for_a_host(everything):
-    """A source without host headers is compiled once for all hosts, the others once for each of
-    three hosts, alone or in a unit of several."""
+    """A source without host headers is compiled once for all hosts. Every other source is compiled
+    once for each of the three hosts, alone or in a unit of several sources."""
     made = compiled(everything)
     rooms = ("core/*", "contacts", "deck", "ranks", "styles")
     sources = {

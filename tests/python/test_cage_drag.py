@@ -37,7 +37,7 @@ def power(bearing, of, angle=0.0):
 
 @pytest.mark.parametrize("part", POWERS)
 def test_parts(bearing, part):
-    """Three digits are given."""
+    """The reference values have three digits."""
     assert power(bearing, cage(bearing, part)) == pytest.approx(POWERS[part], rel=5e-3)
 
 
@@ -53,7 +53,8 @@ def test_sum_and_nothing(bearing):
 
 
 def test_shear_at_a_contact_angle(bearing):
-    """The spin has a component about the pocket's axis, which meets twice the resistance."""
+    """The ball's spin has a component about the axis of the pocket, which meets twice the
+    resistance."""
     angle = 0.5
     flat, tilted = (power(bearing, cage(bearing, "shear"), a) for a in (0.0, angle))
     spins = [kinematics.frequencies(bearing, a, SPEED).spin for a in (0.0, angle)]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The gap around a contact as a capacitor: integrals against each other and against published
-digits, closed forms against the integrals."""
+"""The gap around a contact as a capacitor: integrals are compared with each other and with
+published figures, and closed forms with the integrals."""
 
 import sys
 from pathlib import Path
@@ -34,7 +34,7 @@ def rigid(bearing, raceway, separation, widths, angle=0.0):
     return capacitance_outside.rigid(ellipse, r_x, bearing.ball_radius, groove, separation, widths)
 
 
-# I in mm of the parabola up to ± width at SEPARATIONS, from an independent integration
+# integral I in mm over a parabola up to ± width, for each of SEPARATIONS, by an independent program
 @pytest.mark.parametrize(
     ("name", "raceway", "width", "load", "a", "b", "printed"),
     [
@@ -156,8 +156,8 @@ def test_it_falls_with_separation_and_grows_with_load(bearing):
 
 @pytest.mark.parametrize("angle", [-0.35, 0.17, 0.35, 0.52])
 def test_at_a_contact_angle(bearing, angle):
-    """The mean of both sides, up to 30 degrees, is within 1.3 % of the integral to both
-    shoulders."""
+    """The mean of both sides of the groove is within 1.3 % of the integral to both shoulders, at
+    angles up to 30 degrees."""
     for raceway in (INNER, OUTER):
         for load in (10.0, 900.0):
             widths = groove_width.half_widths(bearing, raceway, DEPTH, angle)

@@ -61,7 +61,7 @@ def test_all_are_listed_by_bore(capsys):
     assert there < {row["name"] for row in rows}
     bores = [row["bore_m"] for row in rows if row["bore_m"]]
     assert bores == sorted(bores)
-    # Harris's 209 states none
+    # the file of Harris's 209 states no bore
     assert rows[-1]["name"] == "harris209" and rows[-1]["bore_m"] is None
 
 

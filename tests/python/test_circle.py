@@ -35,7 +35,7 @@ def test_exact_circle_is_the_nearest_of_its_points():
         k = int(np.argmin(squared))
         low, mid, high = squared[[k - 1, k, k + 1]]
         least = mid - (high - low) ** 2 / (8 * (high - 2 * mid + low))
-        # the parabola's error in the square is (step r)^4/s^2, relative 1e-9 here
+        # the parabola's error in the squared distance is (step r)^4/s^2, a relative 1e-9 here
         assert distance**2 == pytest.approx(least, rel=1e-7)
         assert line == pytest.approx(
             (centre - points[k]) / np.sqrt(mid), abs=2 * np.pi / 40000 * RADIUS / distance
@@ -63,8 +63,8 @@ def test_both_agree_without_shift_and_tilt():
 
 @pytest.mark.parametrize("reach", [circle.straight, circle.exact])
 def test_derivatives(reach):
-    """Central differences over 0.1 um and 1 urad have errors of (step/distance)^2, 2e-7, and of
-    1e-9 due to rounding."""
+    """Central differences over 0.1 um and 1 urad have a relative error of (step/distance)^2 = 2e-7
+    and a rounding error of 1e-9."""
     now = reach(BALL, PLACE, AZIMUTH, RADIUS)
     for k in range(7):
         step = np.zeros(7)

@@ -37,7 +37,7 @@ def test_current_into_a_capacitance_that_changes():
     """C0 (1 + m cos W t) at constant voltage: |i| = V C0 m W."""
     n, mean, depth, speed = 2001, 100 * PICO, 0.3, 2 * np.pi * 50
     time = np.linspace(0, 0.04, n)
-    one = 2 * mean * (1 + depth * np.cos(speed * time))  # two alike in series
+    one = 2 * mean * (1 + depth * np.cos(speed * time))  # two equal films in series
     data = circuit.run(films(np.tile(one[:, None, None], (1, 2, 1)), time), Source(Constant(5.0)))
     middle = 0.5 * (time[1:] + time[:-1])
     expected = -5.0 * mean * depth * speed * np.sin(speed * middle)
@@ -135,7 +135,7 @@ def exact(given, outer):
 
 
 def test_leak_and_resistance_are_of_second_order():
-    """Half the step reduces the error relative to an integrator of scipy to a quarter."""
+    """Halving the step reduces the error, relative to scipy's integrator, to a quarter."""
     outer = Source(Sine(10.0, 150.0), 2e7, 20 * PICO)
     coarse = turning(n=41, z=2)
     tau = np.array([4e-3, 7e-3]).reshape(1, 2, 1)
@@ -159,6 +159,6 @@ def test_a_metal_contact_shorts_its_film_without_ringing():
     film = data.film_voltage.to_numpy()
     shorted = np.abs(film[5:, 1, 0])
     assert (shorted < 1e-5).all()
-    assert (np.diff(shorted) <= 1e-17).all()  # it falls to the rounding of 10 V
+    assert (np.diff(shorted) <= 1e-17).all()  # down to rounding errors of 10 V
     # the voltage across ball 2 is still divided by its capacitances
     np.testing.assert_allclose(film[:, 1, 1] / film[:, 0, 1], 50 / 80, rtol=1e-12)

@@ -38,7 +38,8 @@ def test_energy_is_balanced(name):
 
 
 def test_each_term_of_the_energy_is_of_second_order():
-    """Errors are relative to a step 64 times shorter, since the balance itself is an identity."""
+    """Errors are differences from steps 32 and 64 times shorter, because the balance itself is an
+    identity."""
     given = turning(n=41, z=3, conductance=2e-9)
     outer = Source(Sine(10.0, 150.0), 1e6)
     names = ["source_work", "mechanical_work", "leak_heat", "resistor_heat"]
@@ -52,7 +53,7 @@ def test_each_term_of_the_energy_is_of_second_order():
 
 
 def test_work_of_moving_plates():
-    """A charged, isolated ring: the energy Q^2/2C grows by the work of moving the plates."""
+    """The energy Q^2/2C of a charged, isolated ring grows by the work of moving the plates."""
     given = turning()
     data = circuit.run(given, Floating(10.0)).data
     bearing = series(given.capacitance).bearing

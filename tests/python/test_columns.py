@@ -54,6 +54,7 @@ with ThreadPoolExecutor(8) as pool:
 
 
 def test_threads_read_a_table_at_once():
-    """The library writes its text once; two threads that wrote it broke `raceway.simulate`."""
+    """The library writes the text of a table only once. `raceway.simulate` failed when two threads
+    wrote it."""
     done = subprocess.run([sys.executable, "-c", AT_ONCE], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr

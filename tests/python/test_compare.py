@@ -46,7 +46,7 @@ def write(tmp_path, run, share=0.5):
 
 
 def test_a_run_beside_itself(tmp_path, run):
-    """Lines, amplitudes and levels of both agree."""
+    """Lines, amplitudes and levels of the run and of its file agree."""
     path, rate = write(tmp_path, run)
     rpm = run.motion.shaft * 30 / np.pi
     same = recording.Recording(path, run.geometry, rpm=rpm, rate=rate)

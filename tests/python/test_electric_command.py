@@ -105,7 +105,8 @@ def test_warnings():
 
 
 def test_impedance_and_leak(point):
-    """At a high frequency the impedance is capacitive, at a low frequency it is the leak."""
+    """At a high frequency the impedance is capacitive, at a low frequency it is the leakage
+    resistance."""
     capacitance = electric_point.figures(point)["capacitance_total_F"]
     fast = electric_point.figures(point, Ask(frequency=1e7, resistivity=1e9))
     assert fast["impedance_ohm"] == pytest.approx(1 / (2e7 * np.pi * capacitance), rel=1e-6)
@@ -122,8 +123,8 @@ def test_dry_gaps_without_load_leak_nothing():
 
 
 def test_measured_capacitance_gives_the_film_back(point):
-    """The model's capacitance at a film is read back as that film; plates alone give too thin a
-    film."""
+    """The capacitance that the model gives for a film thickness is read back as that thickness.
+    Plates alone give too thin a film."""
     for scale in (0.3, 1.0, 2.5):
         measured = point.capacitors(scale).total
         found = electric_point.figures(point, Ask(measured=measured))

@@ -41,7 +41,7 @@ def noisy():
 def test_the_band_is_where_it_rings(noisy):
     low, high, kurtosis = envelope.best_band(noisy, 1 / RATE, narrowest=400)
     assert low < RING < high and high - low >= 400
-    assert kurtosis > 10 * 2 / np.sqrt(len(TIME) * (high - low) / RATE)  # ten times noise's scatter
+    assert kurtosis > 10 * 2 / np.sqrt(len(TIME) * (high - low) / RATE)  # ten times that of noise
 
 
 def test_rate_of_the_blows(noisy):
@@ -81,8 +81,8 @@ def test_mistakes():
 
 @pytest.fixture(scope="module")
 def struck(tmp_path_factory, lubricated, bearing):
-    """A run whose ring vibrates at a third of the sampling rate, excited once per passage over the
-    inner raceway, with an amplitude that follows the shaft angle."""
+    """A run whose ring vibrates at a third of the sampling rate, excited at the ball pass frequency
+    of the inner raceway, with an amplitude that depends on the shaft angle."""
     settings = dict(lubricated["settings"], passes=60, samples_per_pass=96)
     step, shaft = settings["sample_s"] / 4, 477.5 / 60
     settings["sample_s"] = step

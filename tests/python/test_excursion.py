@@ -59,7 +59,8 @@ def test_a_turned_moment_turns_the_excursion():
 
 
 def test_balls_that_are_held_back_press_with_their_traction():
-    """The force is at most Coulomb friction on both raceways; less if the play nearly suffices."""
+    """The force on the cage is at most the Coulomb friction on both raceways. It is smaller if the
+    pocket play is almost as large as the excursion."""
     body, state = equilibrium("7208B", (20.0, 0.0))
     load = state.inner.load + state.outer.load
     held = [

@@ -79,7 +79,7 @@ def test_inner_raceway_moves_and_turns(folder, lubricated, tmp_path, bearing):
         assert np.angle(np.exp(1j * (way - ring[10] * time))) == pytest.approx(0, abs=1e-4)
         assert mesh.points.astype(float).mean(axis=0)[:2] == pytest.approx(ring[2:4], abs=1e-8)
     still = meshio.read(listed[2][2])
-    # half of 10 um; float32
+    # half of the 10 um of clearance; float32
     assert np.hypot(*still.points[4, :2]) == pytest.approx(bearing.outer_radius + 5e-6, abs=4e-9)
 
 

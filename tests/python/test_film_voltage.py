@@ -101,7 +101,7 @@ def test_rough_films():
 
 def test_clipped_film():
     found = rough_film.clipped(np.array([0.0, 2.5, 30.0]), 0.05)
-    # without a mean gap half of the film is closed; of a thick film nothing is closed
+    # with a mean gap of zero half of the film is closed; no part of a thick film is closed
     assert found.closed == pytest.approx([0.5199, 0.00714, 0.0], abs=6e-5)
     assert found.factor[2] == pytest.approx(rough_film.factor(30.0), rel=1e-4)
     z = (np.arange(400_000) + 0.5) / 400_000 * 12 + 0.05  # gaps in sigmas

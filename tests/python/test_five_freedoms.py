@@ -69,7 +69,7 @@ def harris(
         bearing.groove_gap(INNER),
         bearing.groove_gap(OUTER),
     )
-    # of the centres, radially
+    # radial distance of the groove centres
     apart = bearing.groove_circle(INNER) - bearing.groove_circle(OUTER, clearance)
     thrown = 7800 * np.pi / 6 * bearing.ball_diameter**3 * bearing.pitch_radius * orbital_speed**2
 
@@ -112,8 +112,8 @@ def harris(
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("name", LOADS)
 def test_against_harris_equations(bearing, name, kind):
-    """The equations hold at our position. With one groove, `root` of scipy converges to it from a
-    start a micrometre and 0.1 mrad away."""
+    """The equations hold at our position. With one groove, scipy's `root` converges to this
+    position from a start 1 um and 0.1 mrad away."""
     bearing, case = KINDS[kind](bearing), LOADS[name]
     if kind != "one groove":  # balls with play between four grooves have no definite position
         case = case | {"orbital_speed": 900.0}
@@ -145,7 +145,7 @@ def test_against_harris_equations(bearing, name, kind):
     place, q_i, q_o, alpha_i, _ = contacts(solution)
     assert np.abs(miss(solution)).max() < 1e-9  # kN
     scale = state.outer.load.max()
-    # a soft tilt of 2e4 N m/rad and loads accurate to 1e-6 N
+    # the tilt stiffness is only 2e4 N m/rad, and loads are accurate to 1e-6 N
     assert place[:3] == pytest.approx(state.shift, abs=1e-11)
     assert place[3:] == pytest.approx(state.tilt, abs=1e-9)
     assert q_i == pytest.approx(inner, abs=1e-6 * scale)
@@ -339,7 +339,7 @@ def test_pure_rolling_speed(bearing):
         / (state.inner.load[0] + state.outer.load[0])
     )
     assert speed == pytest.approx(1000.0 * kinematics.frequencies(bearing, mean).cage, rel=1e-8)
-    # centrifugal loads press the outer ring more radially
+    # centrifugal force turns the outer contacts towards the radial direction
     assert np.all(state.inner.angle > state.outer.angle)
 
 
@@ -400,8 +400,8 @@ def test_wrong_hold(bearing, held, said):
     ],
 )
 def test_light_loads(bearing, case):
-    """Under 1 N the last digits of distances correspond to 1e-10 N, which ends the search before
-    the tolerance of the force is reached."""
+    """Under loads of 1 N the last digits of distances correspond to 1e-10 N, so that the search
+    ends before the tolerance of the force is reached."""
     state = static.equilibrium(bearing, **case)
     assert state.residual < 1e-8
     load = np.array(

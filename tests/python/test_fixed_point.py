@@ -7,7 +7,7 @@ from raceway.core import library
 
 
 def search(g, x, values, reach=1e9, weights=None):
-    """Starting points x, and the library's result after each value of the map `g`."""
+    """(starting points x, results of the library after each value of the map `g`)."""
     starts, images, said = [], [], []
     weights = np.ones(len(x)) if weights is None else weights
     for _ in range(values):
@@ -29,8 +29,8 @@ def search(g, x, values, reach=1e9, weights=None):
 
 
 def affine(seed=3, slow=(0.9, -0.8, 0.6), n=12):
-    """A map with a few slow modes, while all other modes converge after one value; and its fixed
-    point."""
+    """(map with a few slow modes whose other modes converge after one evaluation, its fixed
+    point)."""
     numbers = np.random.default_rng(seed)
     modes = numbers.normal(size=(n, n))
     shares = np.zeros(n)
@@ -41,8 +41,8 @@ def affine(seed=3, slow=(0.9, -0.8, 0.6), n=12):
 
 
 def test_slow_modes_take_a_value_each():
-    """As in GMRES, the search needs one value for the fast modes, one for each slow mode, and one
-    more."""
+    """As in GMRES, the search needs one value of the map for all fast modes, one for each slow
+    mode, and one more."""
     g, point = affine()
     starts, said = search(g, np.zeros(12), 5)
     assert np.abs(starts[-1] - point).max() < 1e-8 < 1e-2 < np.abs(starts[3] - point).max()
@@ -60,7 +60,7 @@ def test_distance_is_the_way_to_the_fixed_point():
 
 
 def test_weights():
-    """Numbers without weight are included, but the other numbers do not depend on them."""
+    """Components of x with zero weight are searched too, but do not affect other components."""
     g, point = affine(slow=(0.9,))
     wide = lambda x: np.append(g(x[:12]), 1e6 * np.sin(1e3 * x[12]))  # noqa: E731
     starts, said = search(wide, np.zeros(13), 4, weights=np.append(2.0 * np.ones(12), 0.0))

@@ -136,8 +136,8 @@ def test_life_of_a_bearing_that_its_file_rates(stated):
 @pytest.mark.parametrize("loads, factor", [({"axial": 1.0}, 1.07), ({"load": 1.0}, 1.0)])
 def test_equivalent_load_of_the_maker(name, loads, factor):
     """SKF (General Catalogue 6000, page 455): P = F_r, or 1.07 F_a under a thrust. The ball loads
-    give factors 4 to 9 % smaller, as for angular contact bearings. One row would be off by a
-    factor of 1.6."""
+    give factors 4 to 9 % smaller, as for angular contact bearings. With C read as the rating of one
+    row, P would be off by a factor of 1.6."""
     rated = inputs.ratings(ROOT / "inputs/bearings" / name)
     given = {key: 0.02 * rated.static * value for key, value in loads.items()}
     found = operating_point.figures(name, None, ROOT / "inputs", held={"rx": 0, "ry": 0}, **given)

@@ -40,7 +40,7 @@ def none_skids():
 
 @pytest.fixture(scope="module")
 def table(bearing, none_skids):
-    """Torque of each part in N mm at four speeds, with SKF's factors on rolling."""
+    """Torque of each part in N mm at four speeds, with SKF's reduction factors for rolling."""
     rows = []
     for rpm in SPEEDS:
         factors = makers.skf(BOUNDARY, 5000.0, 0.0, rpm, 46.0)
@@ -70,8 +70,9 @@ def test_coulomb_slip(bearing, none_skids):
 
 
 def test_mixed_slip(table):
-    """In full film Eyring's law with its limit is 5 to 20 % below Coulomb's 0.05; asperities raise
-    slip at 48 rpm. With other laws for the asperity share the torque there is 75 to 114 N mm."""
+    """In full film the torque by Eyring's law with its limit is 5 to 20 % below that with Coulomb's
+    0.05. At 48 rpm asperities raise the torque of slip; other laws for the asperity share give 75
+    to 114 N mm there."""
     assert table["slip"][1:] == pytest.approx([56, 55, 58], rel=0.04)
     assert table["slip"][0] == pytest.approx(114, rel=0.04)
 
@@ -87,9 +88,9 @@ def test_torque_near_skf_s(bearing):
 
 
 def test_spin_shears_the_film():
-    """7205B, 300 N of thrust, 8000 rpm, 70 C: power of pure spin under Eyring's stress integrated
-    over the ellipse, with the spin shared by both raceways. The balls are light: under their
-    gyroscopic moment they would spin and slide more."""
+    """The power of pure spin equals Eyring's stress times sliding speed, integrated over the
+    ellipses of a 7205B under 300 N of thrust at 8000 rpm and 70 C, with the spin shared by both
+    raceways. The balls are light: with a gyroscopic moment they would spin and slide more."""
     path, ring = ROOT / "inputs/bearings/7205B", 8000 * np.pi / 30
     body, fluid = inputs.bearing(path), inputs.fluid(ROOT / "inputs/lubricants/vg46", 70.0)
     oil = inputs.oil(ROOT / "inputs/lubricants/vg46", 70.0)

@@ -34,7 +34,8 @@ def test_reference_speed():
 
 @pytest.mark.parametrize("name", BOUNDARIES)
 def test_reference_speed_near_the_catalogue_s(name):
-    """Oil to the middle of the lowest ball; without drag the speed is above the catalogue speed."""
+    """Oil reaches the middle of the lowest ball. Without drag, the reference speed is above that of
+    the catalogue."""
     ball = {"6208": 12.6, "6205": 7.94, "6306": 12.3}[name]
     found = heat.reference_speed(BOUNDARIES[name], ball / 2)
     assert found == pytest.approx(CATALOGUE[name], rel=0.30)
@@ -67,7 +68,8 @@ def test_clearance_by_temperature(bearing):
 
 
 def test_flash(bearing):
-    """The flash is 2 and 8 K at 477.5 and 9549 rpm; the film's middle is 0.3 and 41 K hotter."""
+    """At 477.5 and 9549 rpm the flash temperature rise is 2 and 8 K, and the middle of the film is
+    0.3 and 41 K hotter."""
     r_x, r_y = bearing.effective_radii(INNER)
     modulus, ellipse = bearing.effective_modulus, hertz.exact(r_x, r_y)
     a, b = hertz.semi_axes(ellipse, modulus, 2436.2)

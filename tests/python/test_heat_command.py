@@ -64,8 +64,9 @@ def test_three_nodes_balance_and_tend_to_one():
 @pytest.mark.parametrize(("rpm", "ratio"), [(48.0, 2.3), (477.5, 1.95), (1910.0, 1.1),
                                             (9549.0, 0.22)])  # fmt: skip
 def test_film_by_the_bearing_s_own_temperature(bearing, rpm, ratio, monkeypatch):
-    """VG 46, 20 C ambient, ISO 15312: central thickness relative to the thickness with 0.04 Pa s
-    and 22/GPa, both without inlet shear. Friction as in the printed row, with flooded inlets."""
+    """Central film thickness with VG 46, 20 C ambient and cooling by ISO 15312, relative to that
+    with 0.04 Pa s and 22/GPa, both without inlet shear. Inlets are flooded, as in the printed
+    row."""
 
     def flooded(body, size, fluid, ring, models, supply):
         starved = laws.skf_starvation(

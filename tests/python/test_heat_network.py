@@ -214,8 +214,8 @@ def spread(net, loss):
 
 
 def jump(net, losses, start, **control):
-    """Rows of a run with jumps (time in s and temperatures of the nodes in C) under losses
-    `losses`(T) in W, and the last state."""
+    """(rows of time in s and temperatures of the nodes in C, last state) of a run with jumps under
+    the losses `losses`(T) in W."""
     state = library().records["HeatStateOf"]()
     for k in range(4):
         state.at[k] = state.law[k] = start
@@ -251,7 +251,8 @@ def fall(t):
 
 @pytest.mark.parametrize("net", NETS.values(), ids=NETS)
 def test_jumps_against_no_jumping(net):
-    """The error of a cold start falls with the square of the largest change."""
+    """The error of a cold start falls with the square of the largest temperature change allowed in
+    a jump."""
     worst = []
     for change in (4.0, 2.0, 1.0):
         rows, state = jump(net, fall, 20.0, change=change, error=1e9, until=3600.0)

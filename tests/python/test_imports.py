@@ -37,7 +37,7 @@ def test_help_loads_none(command):
 
 
 def test_summary(folder):
-    # scipy has the elliptic integrals for the range of the film
+    # scipy provides the elliptic integrals for the uncertainty range of the film thickness
     assert loaded("summary", folder) <= {"numpy", "pandas", "scipy", "yaml"}
 
 

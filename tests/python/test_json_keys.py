@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The JSON keys of every command with --json name their units."""
+"""The JSON keys of every command with --json include their units."""
 
 import argparse
 import json
@@ -14,7 +14,7 @@ twin = test_compare.run  # a run long enough for an envelope
 UNITS = "m m2 kg s h rad deg rpm Hz N Pa F V A J W K C ohm Mrev order"
 # entries of these matrices have different units (docs/static)
 MATRIX = "^(stiffness|damping|place)(_|$)"
-# a unit at the end, or the last of a compound unit: _rad_s, _N_m_rad, _kg_m2
+# a unit at the end, or the last part of a compound unit: _rad_s, _N_m_rad, _kg_m2
 NAMED = re.compile(f"_(per_)?({'|'.join(UNITS.split())})$|^rpm(_|$)|{MATRIX}")
 # numbers without a unit: counts, shares, ratios and factors
 PLAIN = set(

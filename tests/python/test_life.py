@@ -117,8 +117,8 @@ def test_whole_life():
 
 
 def test_duties():
-    """A single duty gives its own life. Duties with a tenth of the life in 10 % of the revolutions
-    halve the life."""
+    """A single duty gives its own life. Lives of 900 for 90 % and 100 for 10 % of the revolutions
+    combine to 500."""
     assert life.of_duties([123.0], [1.0]) == pytest.approx(123.0)
     assert life.of_duties([900.0, 100.0], [0.9, 0.1]) == pytest.approx(500.0)
     with pytest.raises(ValueError, match="add up to 1"):

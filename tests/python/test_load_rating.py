@@ -32,7 +32,7 @@ def test_factors():
 
 def test_power_changes_without_a_jump():
     at = [load_rating.dynamic(9, size, 6 * size) for size in (25.4e-3, 25.4001e-3)]
-    # the ratings grow because the diameter does, by 4e-6, not by an error of the constants
+    # the ratings grow because the diameter grows by 4e-6, not because the constants are wrong
     assert at[1] / at[0] - 1 == pytest.approx(0, abs=1e-4)
     assert load_rating.dynamic(9, 30e-3, 0.2) / load_rating.dynamic(9, 28e-3, 0.2 * 28 / 30) == (
         pytest.approx((30 / 28) ** 1.4)

@@ -14,7 +14,8 @@ OIL = Oil(viscosity=0.04, pressure_viscosity=22e-9, permittivity=2.25, roughness
 
 
 def test_each_contact(bearing):
-    """Films equal scalar calls of every formula with the load and contact angle of each ball."""
+    """Films equal the results of every formula, called with the load and contact angle of each
+    ball."""
     state = equilibrium(bearing, 2000.0, 1000.0, moment=(10.0, 0.0), clearance=10e-6)
     films = lubricate(bearing, state, OIL, 50.0, 10e-6)
     assert films.inner.entrainment[0] != films.inner.entrainment[4]  # the contact angle counts

@@ -32,14 +32,14 @@ def test_double_row_is_two_rows(arrangement, way, finite_shift):
     force, stiffness = np.zeros(5), np.zeros((5, 5))
     for side in (1.0, -1.0):
         at = -way * side * spacing / 2
-        # loads from circles of groove centres, which are slightly off the balls' plane
+        # a load acts in the plane of its groove centres, slightly off the plane of the balls
         turn = np.eye(5)
         turn[0, 4], turn[1, 3] = at + side * reach, -(at + side * reach)
         own = turn @ place + [0, 0, side * reach, 0, 0]
         one = static.equilibrium(ANGULAR, held=dict(zip(static.FREEDOMS, own)), **options)
         force += turn.T @ [*one.force, *one.moment[:2]]
         stiffness += turn.T @ one.stiffness @ turn
-    # for circles `turn` does not exactly describe the two planes
+    # with finite shifts `turn` describes the two planes only approximately
     within = 1e-3 if finite_shift else 1e-7
     got = np.array([*found.force, *found.moment[:2]])
     assert got == pytest.approx(force, rel=within, abs=1e-6 + within * np.abs(force).max())

@@ -33,7 +33,8 @@ def test_what_is_installed_already_stays(needed):
 
 
 def test_lock_has_everything():
-    """The lock also has packages for tests, docs and bench; exact versions agree in both places."""
+    """The lock also has the packages for tests, docs and bench. Where pyproject.toml requires an
+    exact version, the lock has this version."""
     asked = [need for extra in PROJECT["optional-dependencies"].values() for need in extra]
     for need in asked:
         name, bound, version = re.fullmatch(

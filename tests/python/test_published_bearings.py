@@ -66,16 +66,17 @@ def test_iso_16281(name):
     """Reference figures in a test of github.com/minzhun/ISO16281 (Test_BallBearing.py), a program
     for ISO/TS 16281 checked against a commercial program: 7 balls of 11.5 mm on a pitch diameter of
     43.5 mm, grooves 0.52 and 0.53, E 210 GPa, a ball on the load line, moment about the load line.
-    Its lever of tilt and moment is half the pitch diameter, while the groove's centres are at
-    21.98 mm. This test corrects for both: our moment is larger by that ratio, and our tilt is
-    smaller. Tolerance 1e-4: ISO/TS 16281 rounds the constant of the contact stiffness to 1.48
-    (5e-5 in deflection), and figures have five digits.
+    The program takes half the pitch diameter as the lever arm of tilt and moment, while the groove
+    centres lie at a radius of 21.98 mm. The test corrects for this: our moment is larger by the
+    ratio of both radii, and our tilt is smaller by it. The tolerance is 1e-4, because ISO/TS 16281
+    rounds the constant of the contact stiffness to 1.48 (5e-5 in deflection) and figures have five
+    digits.
     """
     (radial, axial, moment, pd), (shift, along, tilt) = ISO[name]
     ball, pitch = 11.5e-3, 43.5e-3
     bearing = Bearing(7, ball, (pitch - ball) / 2, (pitch + ball) / 2, 0.52 * ball, 0.53 * ball)
     lever = bearing.groove_circle(INNER) / bearing.pitch_radius
-    # the groove's centres are at 16.0 + 5.98 = 21.98 mm
+    # the groove centres lie at a radius of 16.0 + 5.98 = 21.98 mm
     assert lever == pytest.approx(21.98 / 21.75)
     moment = None if moment is None else np.multiply(lever, moment)
     state = static.equilibrium(bearing, radial, axial, moment=moment, clearance=pd)

@@ -58,7 +58,7 @@ def test_mistakes(tmp_path, old, new, says):
 
 @pytest.mark.parametrize("name", orders.LINES)
 def test_an_angle_gives_its_line(name):
-    """The contact angle of a line is the inverse of the kinematics."""
+    """The contact angle found from a line is that from which the kinematics give the line."""
     from raceway import catalogue, inputs
 
     body = inputs.bearing(catalogue.find("bearings", "6205"))
@@ -91,9 +91,9 @@ def test_a_line_of_a_recording(tmp_path):
 
 
 def test_an_error_of_the_cage_is_common_to_its_lines():
-    """Two lines of the cage, which both give its speed with the same relative error, count as one
-    reading with this error divided by sqrt(2), besides the error of the model and the play of
-    the pockets (Sherman-Morrison formula). A wide range of slip costs as much as it widens the
+    """Two lines that both give the cage speed, with the same relative error, count as one reading
+    with this error divided by sqrt(2). The error of the model and the play of the pockets are added
+    to it (Sherman-Morrison formula). A wide range of slip is penalised by as much as it widens the
     lines."""
     read, within, more = 0.4, 1e-4, 1e-3
     points = [Point(1797.0)] * 2
@@ -151,9 +151,9 @@ def test_unknowns_of_a_table_of_lines(tmp_path):
 
 
 def test_lines_of_hidden_clearance_and_thrust(tmp_path, capsys, monkeypatch):
-    """For lines from statics, without errors, one line determines only a curve through the true
-    state; the ball's spin and a second load determine the angle; the intervals include the true
-    clearance, thrust and angle, and zero slip."""
+    """The lines come from statics and have no errors. One line determines only a curve through the
+    true state. The ball's spin and a second load determine the angle. The intervals include the
+    true clearance, thrust and angle, and zero slip."""
     monkeypatch.setattr(identify, "TRIED", 2)
     monkeypatch.setattr(identify, "VALLEY", 4)
     true = {"clearance": 8e-6, "axial": 90.0}
@@ -195,7 +195,8 @@ def test_lines_of_hidden_clearance_and_thrust(tmp_path, capsys, monkeypatch):
 
 
 def test_loads_that_no_state_carries_are_left_out(tmp_path):
-    """Within this range of thrust balls are forced out of their grooves; a valley ends there."""
+    """In part of this range of thrust the balls are forced out of their grooves: the valley of the
+    misfit ends where this begins."""
     text = GOOD.replace("axial: 30, ", "").replace("0 15e-6", "0 15e-6, axial: 10 1e6")
     text = text.replace("\nknown:", "\nmodels: paper\nknown:")
     found = identify.identify(readings.read(write(tmp_path, text)))

@@ -116,8 +116,8 @@ def test_a_format(name, tmp_path, bearing):
 
 
 def test_the_true_speed_near_a_nominal_one(tmp_path, bearing, capsys):
-    """If a file has no speed, the true speed is found 1 % from the nominal speed, and lines equal
-    the lines of a file with the true speed."""
+    """If a file has no speed, a true speed that differs from the nominal speed by 1 % is found, and
+    the lines equal those of a file with the true speed."""
     columns(tmp_path / "a.csv", struck())
     for away in (0.99, 1.01):
         found = recording.Recording(tmp_path / "a.csv", bearing, nominal=60 * SHAFT * away)

@@ -34,7 +34,8 @@ def test_exact_data():
 
 
 def test_errors_are_those_of_the_noise():
-    """Deviations due to noise are of the size of the standard errors and within four of them."""
+    """Deviations due to noise are about as large as the standard errors, and at most four times as
+    large."""
     force = FORCE + np.random.default_rng(1).normal(size=FORCE.shape)
     found = ring_fit.fitted(PLACE, SPEED, force)
     off = np.abs(found.damping - DAMPING) / found.damping_error

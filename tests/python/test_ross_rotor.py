@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A rotor of ROSS is converted to the file of a flexible shaft.
 
-ROSS 2.3.0 wrote `ross_rotor.csv`: nonzero entries in the upper half of M0, K0 and G0, for a steel
-shaft of eight elements, 50 mm long and 40 mm thick, with DiskElement.from_geometry(4, steel, 0.02,
-0.04, 0.2), and bearings with kxx 2e8 and kyy 3e8 at both ends.
+ROSS 2.3.0 wrote `ross_rotor.csv`: nonzero entries in the upper half of M0, K0 and G0. The rotor is
+a steel shaft of eight elements, each 50 mm long and 40 mm in diameter, with
+DiskElement.from_geometry(4, steel, 0.02, 0.04, 0.2), and bearings with kxx 2e8 and kyy 3e8 at both
+ends.
 """
 
 import csv

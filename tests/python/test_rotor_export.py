@@ -22,8 +22,8 @@ from raceway.units import prefixed
 B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 CASE = dict(axial=2500.0, clearance=20e-6, phases=1)
 OILED = dict(lubricant="vg46", temperature=70.0, models="paper", **CASE)
-# the first six natural frequencies in Hz of the rotor below at 6000 rpm, by ROSS 2.3.0 with these
-# arguments: with its BearingElement alone, and with the remaining terms added to K0
+# the first six natural frequencies in Hz of the rotor below at 6000 rpm, by ROSS 2.3.0 with the
+# exported arguments: with its BearingElement alone, and with the remaining terms added to K0
 ROSS_HELD = (267.5332352, 267.852525, 677.395444, 1008.881426, 1152.218606, 2721.708329)
 ROSS_WHOLE = (273.4117005, 273.8277096, 675.3206635, 1012.398655, 1155.409870, 2639.294152)
 
@@ -40,8 +40,8 @@ def oiled():
 
 @pytest.fixture(scope="module")
 def shaft():
-    """A shaft of ROSS's steel: eight elements, 50 mm long and 40 mm thick, and a disc of 0.2 m in
-    the middle."""
+    """A shaft of ROSS's steel with eight elements, each 50 mm long and 40 mm in diameter, and a
+    disc 0.2 m in diameter in the middle."""
     steel = Steel(211e9, 211e9 / (2 * 81.2e9) - 1, 7810.0)
     z, pieces = beam.divided([Section(0.4, 0.04)], np.linspace(0.0, 0.4, 9))
     mass = 7810.0 * np.pi / 4 * (0.2**2 - 0.04**2) * 0.02
@@ -198,7 +198,7 @@ def test_incomplete_lubricant(tmp_path, capsys):
 
 
 def test_smoothing_warns():
-    """ROSS would alter a damping that falls fast in a table of six speeds."""
+    """ROSS would alter a damping that decreases steeply over a table of six speeds."""
     mean = static.equilibrium(B6208, 1500.0, 2500.0).stiffness
     both = [Response(mean, np.eye(5) * damping) for damping in (9.0, 4.0, 1.0, 0.5, 0.3, 0.2)]
     table = [

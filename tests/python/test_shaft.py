@@ -42,7 +42,8 @@ def test_cantilever(number):
 
 
 def test_own_weight():
-    """With the end moments of a uniform load w L^4/8EI + w L^2/2kAG is exact at the nodes."""
+    """With the end moments of a uniform load, the deflection w L^4/8EI + w L^2/2kAG is exact at the
+    nodes."""
     pieces = [THIN._replace(length=0.15)] * 2
     end = clamped(pieces, beam.weight(pieces, [0.0, -9.81, 0.0]))[-1]
     w = 9.81 * STEEL.density * beam.area(THIN)

@@ -92,7 +92,7 @@ def test_limits(bearing):
     slip = np.linspace(-edge, 2 * edge, 1001)
     found = sliding.heathcote(slip, *arguments)
     assert np.all(np.diff(found.force) >= 0) and np.all(found.power > 0)
-    # the width is that of the groove at rest: the force is continuous
+    # at rest the edge slip s_e is `LEAST`, not zero: the force is continuous
     rest = sliding.heathcote(np.array([-1e-9, 0.0, 1e-9]), LOAD, FRICTION, 0.0, a, r_d, r_x)
     assert np.abs(np.diff(rest.force)).max() < 0.02 * FRICTION * LOAD
 

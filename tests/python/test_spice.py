@@ -15,7 +15,7 @@ from raceway.electric.waveforms import CommonMode, Sine, Table
 
 OPTIONS = ".options reltol=1e-6 abstol=1e-19 vntol=1e-9 chgtol=1e-19\n"
 WITHIN = 1e-3
-TAU = np.array([4e-3, 7e-3]).reshape(1, 2, 1)  # s, of inner and outer films: balls are charged
+TAU = np.array([4e-3, 7e-3]).reshape(1, 2, 1)  # s, R C of both films, unequal: balls are charged
 
 
 @pytest.fixture(scope="module")
@@ -71,7 +71,8 @@ def test_inverter(leaky, tmp_path):
 
 
 def test_source_with_a_resistance(tmp_path):
-    """Without leakage balls stay uncharged, and the bearing as one element is equivalent."""
+    """Without leakage, balls stay uncharged, and a single element for the whole bearing gives the
+    same voltage."""
     outer = Source(Table([0, 1e-3, 2e-3, 6e-3], [0, 10, -10, 5]), 2e6)
     for element in ("bearing", "bearing_total"):
         compare(

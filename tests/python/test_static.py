@@ -87,8 +87,8 @@ def test_thrust(bearing, axial, pd):
     ],
 )
 def test_every_equation_holds(bearing, radial, axial, pd, orbit, finite_shift):
-    """Ball positions computed from both raceways coincide, loads follow Hertz, each ball and the
-    ring are in equilibrium."""
+    """Ball positions computed from both raceways coincide, loads follow Hertz, and each ball and
+    the ring are in equilibrium."""
     state = equilibrium(
         bearing,
         radial,
@@ -168,8 +168,8 @@ def test_preload_without_load_is_centred(bearing):
 
 
 def test_circle_keeps_its_shape_under_a_finite_shift(bearing):
-    """A ball at a distance x_t from the ring's diameter is x_t^2/(2 r) further from the ring's
-    axis, which relieves the ball at 80 degrees."""
+    """The component x_t of the ring's shift across a ball's radius reduces the overlap by
+    x_t^2/(2 r), which relieves the ball at 80 degrees."""
     straight, circle = equilibrium(bearing, 5000.0), equilibrium(bearing, 5000.0, finite_shift=True)
     sideways = circle.shift[0] * np.sin(np.radians(80))
     squeeze = (circle.inner.overlap + circle.outer.overlap)[2]

@@ -112,8 +112,9 @@ def test_balls_that_stand_still_on_the_outer_ring_have_no_film_and_no_capacitanc
 
 
 def test_balls_that_slide_under_their_gyroscopic_moment(capsys):
-    """In runs with a film of 0.05 the balls of a 7205B at 8000 rpm slide under 100 N of thrust and
-    roll under 150 N. Without a contact angle there is no gyroscopic moment."""
+    """In runs with a coefficient of friction of 0.05 in the film, the balls of a 7205B at 8000 rpm
+    slide under 100 N of thrust and roll under 150 N. Without a contact angle there is no gyroscopic
+    moment."""
     words = ["--bearing", "7205B", "--rpm", "8000", "--lubricant", "vg46", "--temperature", "70"]
     words += ["--models", "full", "--axial"]
     below, above = figures(capsys, *words, "150"), figures(capsys, *words, "100")

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Stiffness of a 6208 against values computed independently of this package.
 
-The book takes the stiffness of each contact at zero angle, the package at the actual angle, which
-changes results by up to 5e-4. Printed values are accurate to half a unit in the last digit.
+The reference values use the stiffness of each contact at zero angle, the package uses that at the
+actual angle. The difference is up to 5e-4. Printed values are accurate to half a unit in the last
+digit.
 """
 
 import numpy as np

@@ -68,7 +68,8 @@ def test_columns_of_the_record_come_first(folder, monkeypatch):
 
 
 def test_threshold_is_the_least_of_the_balls(folder):
-    """The threshold equals the least value of E h (C_i + C_o)/C of the other film, ball by ball."""
+    """The threshold is the smallest value of E h (C_i + C_o)/C over balls and films, with C of the
+    ball's other film."""
     run = raceway.open(folder)
     whole = whole_capacitance.over_time(run)
     found = whole_capacitance.fields(run, whole, 1.0, strength=2e7)
@@ -79,7 +80,8 @@ def test_threshold_is_the_least_of_the_balls(folder):
 
 
 def test_the_circuit_takes_it(folder):
-    """Series connection, threshold and local thickness of the circuit equal those of the module."""
+    """Series connection, threshold and local thickness of the circuit equal those of the module
+    `whole_capacitance`."""
     run = raceway.open(folder)
     whole = whole_capacitance.over_time(run)
     contacts = whole_capacitance.contacts_of(run, whole)

@@ -44,8 +44,8 @@ def carry_out(recipe: str, tree: Path) -> set[str]:
 
 
 def add_wrong_toy(tree: Path) -> None:
-    """Add a second toy that the derivative test must reject: its slope is twice that of its
-    value."""
+    """Add a second toy that the derivative test must reject: the derivative that it returns is
+    twice that of its value."""
     core = tree / "src-package/core"
     text = (core / "parts/part_toy.h").read_text()
     for old, new in {

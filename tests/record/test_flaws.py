@@ -22,7 +22,7 @@ def flawed(tmp_path_factory):
     folder = tmp_path_factory.mktemp("flaws")
     (folder / "a: #1 table.txt").write_text("".join(f"{0.785398163397 * k} 0\n" for k in range(8)))
     deck = SHORT.replace("fix inner", PROFILES.format(folder) + "fix inner")
-    # a profile without departure may be added between two runs
+    # a profile without a flaw may be added between two runs
     succeed(small(folder, deck=deck + "fix more inner bearing/profile none\nrun 100\n"))
     return folder
 

@@ -148,8 +148,8 @@ def test_batches_leave_the_same_bytes(library, tmp_path):
 
 
 def test_go_on(library, tmp_path):
-    """A file cut to an earlier record, complete or not, and continued has the bytes of an
-    undisturbed file."""
+    """A file that is cut to an earlier record, complete or not, and continued has the same bytes as
+    an undisturbed file."""
     whole, cut = tmp_path / "whole.nc", tmp_path / "cut.nc"
     for path in (whole, cut):
         writer = Writer(library, path)

@@ -68,8 +68,8 @@ def test_lines_are_those_of_its_balls_and_rings(run):
 
 
 def test_rotation_of_balls_that_are_not_recorded(tmp_path):
-    """A thrust causes a contact angle in a radial bearing; a record without contacts and balls, as
-    in data sets, has the cage speed only."""
+    """A thrust causes a contact angle in a radial bearing. A record without contacts and balls, as
+    in data sets, has only the cage speed."""
     case = dict(axial=1000, load=300, clearance=30e-6, models="full", settle="auto")
     found = []
     for kind in ("all", "summary"):

@@ -224,7 +224,7 @@ def test_several_runs(tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_resume(ranks, tmp_path):
-    """A run resumes from a restart file in its middle: later samples are cut off."""
+    """A run resumes from a restart file written half-way: samples after this file are cut off."""
     whole, parts = tmp_path / "whole", tmp_path / "parts"
     for folder in (whole, parts):
         folder.mkdir()
@@ -296,7 +296,8 @@ def test_many_on_any_ranks(many):
 
 
 def test_many_is_its_table(many):
-    """The record equals the table, a row of compute bearing/ring per inner ring and sample."""
+    """The record equals the table, which has a row of compute bearing/ring for each inner ring and
+    sample."""
     names = (
         "ring x y spin fx fy torque contacts balls load pressure h_min lambda orbit friction_power"
     )

@@ -191,8 +191,8 @@ def recorded(folder, options="", **more):
 
 
 def test_within_a_step(tmp_path):
-    """Record and fix share one evaluation, ends of steps do not depend on instants, and finer steps
-    give the same values."""
+    """Record and fix share one evaluation. Values at ends of steps do not depend on the number of
+    instants, and finer steps give the same values."""
     coarse = recorded(tmp_path / "coarse", "within 4", sample=4e-4, samples=20)
     plain = recorded(tmp_path / "plain", sample=4e-4, samples=20)
     fine = recorded(
@@ -220,8 +220,8 @@ def test_within_a_step(tmp_path):
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 def test_computes_and_the_fix(tmp_path, integrator):
-    """Computes and the fix have values for each ball, each ring and in total; the balls of a ring
-    need not touch it."""
+    """Computes and the fix have values for each ball, for each ring and in total. Balls that do not
+    touch a ring count as well."""
     steps = {"implicit": 1, "verlet": 250}[integrator]
     fix = f"fix cap balls bearing/capacitance {steps} permittivity 2.2 surroundings dry\n"
     fix += f"fix rec all bearing/record {steps} {tmp_path}/run/rec\n"

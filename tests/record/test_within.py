@@ -51,7 +51,7 @@ def test_every_column_is_what_finer_steps_give(coarse_and_fine):
     for name, truth in fine.data_vars.items():
         if "time" not in truth.dims or name in ("step", "regime", "mu", "checksum"):
             continue
-        # these are available at the ends of steps only
+        # columns that are available at the ends of steps only
         if name in ("bearing_cage_force", "bearing_cage_power"):
             continue
         found, truth = coarse[name].values[60:], truth.values[60:]
@@ -101,7 +101,7 @@ def test_shares_the_evaluation_with_the_capacitance(tmp_path):
 
 
 def test_within_a_sample_everything_agrees(tmp_path):
-    """Also at instants within a step totals are sums over the contacts, and the force on the ring
+    """At instants within a step, too, totals are sums over the contacts, and the force on the ring
     is the force of the balls."""
     data = recorded(tmp_path / "run", "within 10", sample=4e-4, samples=20).isel(
         time=slice(101, None)

@@ -9,7 +9,7 @@ STAGE = 1 - np.sqrt(0.5)
 
 
 def matrix(films, ring):
-    """(Z + 1, Z + 1) matrix of `films` (2, Z) and of `ring` from the last node to the frame."""
+    """(Z + 1, Z + 1) matrix of `films` (2, Z), with `ring` between the last node and the frame."""
     inner, outer = films
     made = np.diag([*(inner + outer), inner.sum() + ring])
     made[:-1, -1] = made[-1, :-1] = -inner

@@ -32,7 +32,7 @@ def heathcote(slip):
 
 
 def free_rolling():
-    """(slip, lost power, slope of F) at which F is zero, in units of s_e, mu Q s_e and mu Q/s_e."""
+    """(slip, lost power, slope of F) where F is zero, in units of s_e, mu Q s_e and mu Q/s_e."""
     with mpmath.workdps(30):
         t = mpmath.findroot(lambda t: 3 * t - t**3 - 1, mpf("0.35"))
         return float(t**2), heathcote(t**2)[2], float(3 * (1 - t**2) / (2 * t))

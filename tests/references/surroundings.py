@@ -8,8 +8,9 @@ from references.hertz import ellipse
 
 
 def rigid(r_x, r_y, slack, separation, play, width):
-    """I (m) of an unloaded ball: 4 pi sqrt(R_x R) asinh(S/sqrt(2 R g_0)) with R = kappa^2 E
-    R_e/(ln 4 kappa - 1) over 1 - play/slack; beyond concentric circles with the inverse sine."""
+    """I (m) of an unloaded ball: 4 pi sqrt(R_x R) asinh(S/sqrt(2 R g_0)), where R is kappa^2 E
+    R_e/(ln 4 kappa - 1) divided by 1 - play/slack. Beyond concentric circles the inverse sine
+    replaces asinh."""
     kappa, _, second, radius = ellipse(r_x, r_y)
     with mpmath.workdps(40):
         across = kappa**2 * second * radius / (mpmath.log(4 * kappa) - 1)
