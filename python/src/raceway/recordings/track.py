@@ -107,7 +107,7 @@ def _correct(of, model, row, names, mean, covariance):
     def see(place):
         try:
             shown = model.predict(_state(of, names, place), row.readings)
-        except NoEquilibrium:  # use the value of the middle point, so that this one adds no information
+        except NoEquilibrium:  # use the middle point, so that this one adds no information
             shown = centre
         return np.linalg.solve(root, [one.value for one in shown])
 
