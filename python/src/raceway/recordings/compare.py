@@ -13,7 +13,7 @@ from raceway.runs import envelope, sensor, spectrum
 from raceway.runs.run import Run
 from raceway.runs.source import Signal, Source
 
-WITHIN = 0.01  # relative width of the search for a line in the recording
+WITHIN = 0.01  # relative half-width of the search for a line in the recording
 
 
 class Side(NamedTuple):

@@ -15,7 +15,7 @@ from raceway.theory import kinematics
 from raceway.theory.bearing import Bearing
 
 LINES = ("FTF", "BPFO", "BPFI", "BSF")
-WITHIN = 0.01  # relative half-width of the range in which a line is searched
+WITHIN = 0.01  # relative half-width of the range in which a line is searched for
 SAME = 5e-4  # relative difference of the orders of harmonics of one line
 
 

@@ -46,13 +46,13 @@ def cage_figures(tables: "RunTables") -> CageFigures | None:
 
     `cage_slip`: 1 minus the ratio of the cage's speed to its speed for rolling at contact angle 0,
     both relative to the outer ring and averaged over the measured passes. It is the sum of
-    `cage_slip_angle` (rolling at the contact angles of the run), `cage_slip_groove` (balls roll on
-    a circle of their contact ellipse, not at the bottom of the groove) and `cage_slip_play` (the
-    rest: pocket play, which idle balls lose, and creep under drag); these are missing if the record
-    has no contacts. `cage_orbit_m`: largest distance of the cage's centre from its mean position
-    (m). `cage_whirl`, `cage_whirl_order`: from `whirl`, `whirl_order`. `pocket_play_m`: play along
-    the pitch circle (m). `pocket_force_max_N`, `..._mean_N`: largest and mean force of a ball on
-    its pocket (N), at the ends of steps.
+    `cage_slip_angle` (rolling at the contact angles of the run), `cage_slip_groove` (balls roll
+    without sliding on two lines of their contact ellipse, not at the bottom of the groove) and
+    `cage_slip_play` (the rest: pocket play, which idle balls lose, and creep under drag); these are
+    missing if the record has no contacts. `cage_orbit_m`: largest distance of the cage's centre
+    from its mean position (m). `cage_whirl`, `cage_whirl_order`: from `whirl`, `whirl_order`.
+    `pocket_play_m`: play along the pitch circle (m). `pocket_force_max_N`, `..._mean_N`: largest
+    and mean force of a ball on its pocket (N), at the ends of steps.
     """
     record = tables.record
     side = record.fixed("ring_raceway").tolist()

@@ -29,8 +29,8 @@ class Here(NamedTuple):
     touch: seat.Touch
 
     def hessian(self, metres: Floats) -> Floats:
-        """Second derivatives (5, 5) of the energy with respect to the ring's position; tilts are
-        multiplied by `metres`."""
+        """Second derivatives (5, 5) of the energy with respect to the ring's position, in which
+        tilts are multiplied by `metres`."""
         linear = seat.linear(self.touch)
         return condensed(linear.stiffness[linear.loaded]) / np.outer(metres, metres)
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Power lost by a cage that is one rigid ring (fix bearing/cage/ring), as far as it has a closed
-form: oil sheared in its pockets, film at its guiding land, churning. The friction of balls on their
-pockets follows from the forces of a run and is left out."""
+"""Power lost by a cage that is one rigid ring (fix bearing/cage/ring). Only the parts of the loss
+that have a closed form are included: oil sheared in its pockets, film at its guiding land,
+churning. The friction of balls on their pockets follows from the forces of a run and is left
+out."""
 
 import math
 from typing import NamedTuple

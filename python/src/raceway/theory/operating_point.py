@@ -220,7 +220,7 @@ def figures(
 
 
 def _wide(body):
-    """The warning that the load rating behind a life applies to narrower grooves."""
+    """The warning that the rating used for the life applies to narrower grooves."""
     if min(wide := life.wide_grooves(body)) >= 1 - 1e-9:
         return []
     return [

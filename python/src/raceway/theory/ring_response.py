@@ -58,7 +58,7 @@ def dampers(
     frequency: float = 0.0,
 ) -> Dampers:
     """`Dampers` of the contacts of an equilibrium with its films, the same as in the simulation
-    with these `models` (a key of `LAWS`). `clearance` in m is the one of `state`.
+    with these `models` (a key of `LAWS`). `clearance` in m is that of `state`.
 
     The film branch depends on the `frequency` of the motion, in rad/s. Raises `ValueError` for
     other models.

@@ -72,7 +72,7 @@ class Carried:
     place: Floats  # (5,), m and rad: position of the inner relative to the outer ring
     load: Floats  # (5,), N and N m: of the shaft on the inner ring
     state: static.Equilibrium
-    stiffness: Floats  # (5, 5), of the bearing as the shaft experiences it
+    stiffness: Floats  # (5, 5), of the bearing as it acts on the shaft
 
     __repr__ = short
 
