@@ -56,8 +56,9 @@ NUMBER = re.compile(r"([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)(.*
 
 def read(text: str, unit: str) -> float:
     """The value of `text` in `unit`; the text is a plain number, or a number with a unit, such as
-    5kN or 10um. u and µ both mean micro. Raises `ValueError` for text that is not a number or has
-    another unit.
+    5kN or 10um.
+
+    u and µ both mean micro. Raises `ValueError` for text that is not a number or has another unit.
 
     >>> read("5kN", "N"), read("0.05", "mm"), read("50um", "mm"), read("2krpm", "rpm")
     (5000.0, 0.05, 0.05, 2000.0)

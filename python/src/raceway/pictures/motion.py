@@ -20,6 +20,7 @@ def motion(tables: RunTables, path: FilePath) -> None:
     """Draw the motion of the inner ring of the run `tables` to the PNG `path`: orbit of its centre,
     displacement, tilt, the moment opposing its spin and the largest force on the cage over time;
     for a one-piece cage also the cage's orbit and the force of balls on their pockets over azimuth.
+
     Quantities that were not recorded, or did not change, have no panel. Raises `RunError` if the
     run's files are broken or have no ring, or if the picture cannot be written.
     """

@@ -75,8 +75,9 @@ def unscented(
     mean: Floats, covariance: Floats, see: Callable[[Floats], Floats], read: Floats, noise: Floats
 ) -> tuple[Floats, Floats, float]:
     """(mean (n,), covariance (n, n), surprise) after one correction: `see` predicts the readings
-    (m,) of a state (n,), `read` (m,) are the readings, with the variances `noise` (m,). For a
-    linear `see` this is the Kalman filter:
+    (m,) of a state (n,), `read` (m,) are the readings, with the variances `noise` (m,).
+
+    For a linear `see` this is the Kalman filter:
 
     >>> see = lambda x: np.array([x[0] + x[1]])
     >>> found = unscented(np.zeros(2), np.eye(2), see, np.array([3.0]), np.array([1.0]))

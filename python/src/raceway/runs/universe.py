@@ -40,7 +40,9 @@ FEW = 8  # reading a single frame takes about 1/FEW of the time for a block
 
 class RunReader(ReaderBase):
     """The trajectory of a run, with random access to frames; it takes a few MB of memory for any
-    run. `first` and `stop` select some samples.
+    run.
+
+    `first` and `stop` select some samples.
     """
 
     format = "RACEWAY"

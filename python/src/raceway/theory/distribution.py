@@ -16,6 +16,7 @@ from raceway.theory.bearing import INNER, OUTER, Bearing
 
 def relative_load(azimuth: Numbers, parameter: float) -> Numbers:
     """Q(psi)/Q_max = [1 - (1 - cos psi)/(2 epsilon)]^1.5, zero outside the load zone (eq A.1).
+
     `azimuth` is psi in rad from the load line, `parameter` is epsilon > 0.
     """
     if not parameter > 0:

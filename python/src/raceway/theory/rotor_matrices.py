@@ -40,6 +40,7 @@ def rotor(
     damping: ArrayLike | None = None,
 ) -> Rotor:
     """`Rotor` of nodes at `z` (N,) in m and matrices (n, n), n = 4 N or 6 N, without bearings.
+
     Raises `ValueError` for properties that `fix bearing/shaft` does not support: matrices that are
     not symmetric (G: not antisymmetric), matrices that differ between the planes, and stiffness or
     damping that holds the rotor.
