@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from raceway.runs.run import Run
     from raceway.sweeps.one_run import simulate as simulate
 
-# `raceway.NAME` is the module NAME of one of these folders or of the package itself, or a class or
+# `raceway.NAME` is a module of one of these folders or of the package itself, or a class or
 # function
 ROOMS = ("theory", "runs", "electric", "recordings")
 CLASSES = {"Run": "runs.run", "RunTables": "runs.tables", "simulate": "sweeps.one_run"}

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Type hints for numbers and arrays, and the text that shows them in results. Shapes and units are
-in the docstrings."""
+"""Type hints for numbers and arrays, and the text that shows results. Shapes and units are in the
+docstrings."""
 
 from dataclasses import fields, is_dataclass
 from typing import Any
@@ -12,12 +12,12 @@ Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Numbers = float | Floats  # one number or an array of them
 
-SHOWN = 6  # longest array whose numbers are listed; longer ones are shown by shape and range
+SHOWN = 6  # longest array whose numbers are listed; others are shown by shape and range
 
 
 def short(result: Any) -> str:
-    """A dataclass or named tuple in a few lines, for its `__repr__`: one line for each field;
-    nested results are shown by the names of their fields."""
+    """Text for the `__repr__` of a dataclass or named tuple: one line for each field; nested
+    results are shown by the names of their fields."""
     lines = [f"  {name}: {_value(getattr(result, name))}" for name in _names(result)]
     return "\n".join([f"<{type(result).__name__}", *lines]) + ">"
 

@@ -12,12 +12,12 @@ from raceway.inputs import InputError
 KINDS = {"bearings": "bearing", "lubricants": "lubricant"}
 # In a source tree this is a link to the folder inputs; a wheel has copies of the files.
 SHIPPED = Path(__file__).with_name("data")
-MANY = 20  # largest number of names in a message; of more names, only similar ones are shown
+MANY = 20  # most names in a message; if there are more, only similar names are shown
 
 
 def folder(given: FilePath | None = None) -> Path:
-    """The inputs folder: `given`, or else `inputs` here or in a parent folder, or else the files
-    of the package. Raises `InputError` if `given` is not a folder."""
+    """The inputs folder: `given`; by default `inputs` in the working directory or a parent folder,
+    or else the files of the package. Raises `InputError` if `given` is not a folder."""
     if given is not None:
         if not Path(given).is_dir():
             raise InputError(f"there is no folder {given}")
@@ -32,7 +32,7 @@ def folder(given: FilePath | None = None) -> Path:
 def find(kind: str, name: str, inputs: FilePath | None = None) -> Path:
     """Path of the data file `name` of a kind ("bearings" or "lubricants"); a name with a slash is
     itself a path. If there is no such file but a table in the folder has a row of that name,
-    `raceway.inputs` reads that row under this path.
+    `raceway.inputs` reads that row for this path.
 
     `inputs` is a folder or None, see `folder`. Raises `InputError` with the available names.
     """
@@ -53,7 +53,7 @@ def _there(path):
 
 
 def _names(path):
-    """Names in the folder of `path`; if there are many, only similar ones."""
+    """Names in the folder of `path`; if there are many, only names similar to that of `path`."""
     names = data_table.names(path.parent)
     if len(names) > MANY:
         near = sorted(difflib.get_close_matches(path.name, names, n=5, cutoff=0.5))

@@ -11,15 +11,15 @@ NAMES = ("C2", "CN", "C3", "C4", "C5")
 
 
 def of_bore(bore: float) -> dict[str, tuple[float, float]]:
-    """{class: (least, greatest)} diametral clearance in m of a bearing of `bore` in m, before
-    mounting, unloaded, at uniform temperature. A bore up to 6 mm has no C4 and C5. Raises
-    `ValueError` unless the bore is above 0 and at most 0.12 m.
+    """{class: (least, greatest)} diametral clearance in m of an unmounted, unloaded bearing with
+    the `bore` in m, at uniform temperature. A bore up to 6 mm has no C4 and C5. Raises `ValueError`
+    unless the bore is above 0 and at most 0.12 m.
 
     >>> of_bore(40e-3)["C3"]
     (1.5e-05, 3.3e-05)
     """
     for row in csv.DictReader(TABLE.read_text().splitlines()):
-        # 9 digits, so that 40e-3 m is 40 mm whatever its last bit
+        # 9 digits, so that 40e-3 m is exactly 40 mm despite rounding errors
         if float(row["bore_above"]) < round(1e3 * bore, 9) <= float(row["bore_to"]):
             return {
                 name: tuple(round(1e-6 * float(row[f"{name}_{end}"]), 12) for end in ("min", "max"))

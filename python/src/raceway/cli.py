@@ -64,7 +64,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def modules() -> Iterator[ModuleType]:
     """The subcommands by name: the modules of `raceway.commands` with `add` and `run`. A module
-    whose name begins with _ belongs to another one and loads large packages."""
+    whose name begins with _ belongs to another module and loads large packages."""
     for found in pkgutil.iter_modules(commands.__path__):
         if found.name.startswith("_"):
             continue

@@ -24,11 +24,11 @@ class Range(NamedTuple):
     low: float
     high: float
     whole: bool
-    beside: float  # allowed value outside the range, NaN: none
+    beside: float  # allowed value outside the range; NaN if there is none
     unit: str
 
     def allows(self, value: float) -> bool:
-        """False for NaN, too."""
+        """True for an allowed `value`; False for NaN."""
         inside = self.low <= value <= self.high and not (self.whole and value % 1)
         return inside or value == self.beside
 
@@ -39,8 +39,8 @@ class Range(NamedTuple):
 
 
 def text(path: FilePath) -> str:
-    """A data file, or the text that represents a row of a table in its folder (`data_table`).
-    Raises `InputError` if there is neither or it cannot be read."""
+    """Text of a data file, or text that represents a row of a table in its folder (`data_table`).
+    Raises `InputError` if there is neither a file nor a row, or if it cannot be read."""
     path = Path(path)
     if not path.is_file() and (row := data_table.text(path)):
         return row
@@ -54,8 +54,8 @@ def text(path: FilePath) -> str:
 
 def values(path: FilePath) -> dict[str, str]:
     """The index variables of a data file as {name: text}. Raises `InputError` if it cannot be read
-    or, as decks do, for a mistyped name: one that is not a variable but resembles one that the file
-    lacks. Other names are the user's own."""
+    or, as decks do, for a mistyped name, that is, a name that is not a variable but resembles a
+    variable that the file lacks. Other names are the user's own."""
     found = _matches(path, LINE)
     if wrong := core.mistyped(found):
         raise InputError(f"{path}: {wrong}")
@@ -89,7 +89,7 @@ def numbers(path: FilePath, *names: str) -> dict[str, float]:
 
 
 def check(path: FilePath, numbers: Mapping[str, float]) -> None:
-    """Raises `InputError` for a number out of its range."""
+    """Raise `InputError` for a number out of its range."""
     for name, value in numbers.items():
         allowed = ranges().get(name)
         if allowed and not allowed.allows(value):

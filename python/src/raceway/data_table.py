@@ -14,8 +14,8 @@ SIZES = ("bore_diameter", "outside_diameter", "bearing_width")
 
 
 def names(folder: Path) -> list[str]:
-    """Names of a folder's data, sorted: its files and the rows of its tables. Empty if the folder
-    does not exist."""
+    """Sorted names of the data in a folder: its files and the rows of its tables. Empty if the
+    folder does not exist."""
     if not folder.is_dir():
         return []
     files = {path.name for path in folder.iterdir() if path.is_file() and path.suffix != ".csv"}
@@ -99,7 +99,7 @@ def _filled(said, row):
 
 
 def _title(row):
-    """6306 deep groove ball bearing, 30 x 72 x 19 mm"""
+    """Title of a bearing, such as: 6306 deep groove ball bearing, 30 x 72 x 19 mm"""
     kind = f" {row['kind']} ball bearing" if row.get("kind") else ""
     if not all(row.get(size) for size in SIZES):
         return row["name"] + kind

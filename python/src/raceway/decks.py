@@ -29,10 +29,10 @@ def bearings() -> list[str]:
 
 def copy(name: str, to: FilePath = ".") -> list[Path]:
     """Copy the deck, bearing or lubricant `name` into the folder `to`; return the files written. A
-    deck is copied with the folder `inputs` of everything that it reads.
+    deck is copied with a folder `inputs` that contains everything it reads.
 
-    An existing file with the same text is left alone. Raises `InputError` for an unknown
-    name, and, before anything is written, if a file exists with another text.
+    An existing file with the same text is left alone. Raises `InputError` for an unknown name and,
+    before anything is written, if a file with a different text exists.
     """
     shipped, to = catalogue.SHIPPED, Path(to)
     if name in decks():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Files appear completely or not at all."""
+"""Writes files so that they appear complete or not at all."""
 
 import os
 import stat
@@ -16,8 +16,8 @@ def whole(path: FilePath, write: Callable[[Path], object]) -> Path:
     """Let `write(part)` make a file in the folder of `path`, then rename it to `path`; return the
     `Path`. A link is kept, and its target is written.
 
-    Raises `RunError` if it cannot be written and for a device, a pipe or a folder; existing content
-    is then unchanged.
+    Raises `RunError` if the file cannot be written, and for a device, a pipe or a folder; existing
+    content is then unchanged.
     """
     path, part = Path(path), None
     try:

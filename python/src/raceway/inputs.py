@@ -41,7 +41,7 @@ FLUID = {
 }
 
 
-# variables of `Bearing`, and variables that a bearing defined by its usual data may omit
+# variables that a bearing defined by its usual data may omit
 RADII = ("inner_radius", "outer_radius", "inner_groove", "outer_groove")
 STEEL = {"ball_young": 210e9, "ball_poisson": 0.3}
 
@@ -56,8 +56,8 @@ class Oil(NamedTuple):
 
 
 def _named(kind, path):
-    """The path of a data file; a name without folder that is not a file here is found with
-    `catalogue.find`."""
+    """The path of a data file; a name without folder that is not a file in the working directory is
+    found with `catalogue.find`."""
     from raceway import catalogue  # which imports this module
 
     plain = Path(path).name == str(path) and not Path(path).is_file()
@@ -119,10 +119,10 @@ def _one_groove(path):
 def held(
     path: FilePath, axial: float, clearance: float = 0.0, double_row: DoubleRow | None = None
 ) -> dict[str, float]:
-    """{"z": m}, the position at which the decks hold the inner ring of a single-row bearing along
-    its axis without an `axial` load (N): where its balls make contact at the contact angle of the
-    file. Empty with an axial load and for two rows. Raises `InputError`, also for a `clearance` (m)
-    that the decks refuse."""
+    """{"z": m}, the axial position at which the decks hold the inner ring of a single-row bearing
+    if there is no `axial` load (N). At this position the balls make contact at the contact angle of
+    the file. Empty with an axial load and for two rows. Raises `InputError`, also for a `clearance`
+    (m) that the decks refuse."""
     angle, body = nominal_angle(path), _one_groove(path)
     if angle and clearance:
         raise InputError(
@@ -235,14 +235,14 @@ def minimum_load(path: FilePath) -> tuple[float, float] | None:
 
 
 def shoulders(path: FilePath) -> Shoulders:
-    """`Shoulders` of a file of inputs/bearings, NaN for missing ones. Raises `InputError`
-    for an invalid diameter."""
+    """`Shoulders` of a file of inputs/bearings, NaN for missing shoulders. Raises `InputError` for
+    an invalid diameter."""
     data = _one_groove(path)
     bottoms = {"inner": 2 * data.inner_radius, "outer": 2 * data.outer_radius}
     found = {}
     for name, bottom in bottoms.items():
         key = f"{name}_shoulder_diameter"
-        # 0 is unknown, as in a deck
+        # 0 means unknown, as in a deck
         if key not in values(path) or not (diameter := numbers(path, key)[key]):
             continue
         found[name] = diameter
@@ -256,8 +256,9 @@ def shoulders(path: FilePath) -> Shoulders:
 
 
 def oil(path: FilePath, temperature: float | None = None) -> Oil:
-    """`Oil` of a file of inputs/lubricants, or its name, at a `temperature` in degrees C, by
-    default the temperature in the file. Raises `InputError`, also for a dry lubricant."""
+    """`Oil` of a lubricant, given by its name or by a file of inputs/lubricants, at a `temperature`
+    in degrees C, by default the temperature in the file. Raises `InputError`, also for a dry
+    lubricant."""
     path = _named("lubricants", path)
     at = fluid(path, temperature)
     data = _constants(path, "roughness", "ball_roughness")
@@ -270,8 +271,8 @@ def oil(path: FilePath, temperature: float | None = None) -> Oil:
 
 
 def fluid(path: FilePath, temperature: float | None = None) -> Fluid:
-    """`Fluid` of a file of inputs/lubricants, or its name, at a `temperature` in degrees C, by
-    default the temperature in the file.
+    """`Fluid` of a lubricant, given by its name or by a file of inputs/lubricants, at a
+    `temperature` in degrees C, by default the temperature in the file.
 
     A file has physical data, from which the fluid follows at any temperature, or the properties of
     the fluid at one temperature. Direct values take precedence over physical data, as in a deck.
@@ -317,7 +318,7 @@ def assumed(path: FilePath, models: str | None = None) -> dict[str, float]:
         for name, row in table.items()
         if name not in data
         and (models is None or not row["models"] or models in row["models"].split())
-        # of an oil over temperature, or of one at a single temperature
+        # constants of an oil over temperature, or of an oil at a single temperature
         and (over if row["of"] == "oil over temperature" else not (over and f"{name}_40" in table))
     }
 
@@ -335,7 +336,7 @@ def physical(path: FilePath) -> bool:
 
 
 def lubricant(path: FilePath) -> Lubricant:
-    """`Lubricant` of a file with physical data, or its name. Raises `InputError`."""
+    """`Lubricant` with physical data, given by its name or its file. Raises `InputError`."""
     path = _named("lubricants", path)
     law, names = (
         (Vogel, ("vogel_viscosity", "vogel_slope", "vogel_temperature"))

@@ -9,7 +9,7 @@ from pathlib import Path
 from raceway import catalogue, data_table, inputs
 from raceway.files import FilePath
 
-# field of `Entry`: variable of a file, stated or not
+# {field of `Entry`: variable of a file, which may be missing}
 STATED = {
     "bore_m": "bore_diameter",
     "outside_m": "outside_diameter",
@@ -51,7 +51,7 @@ class Entry:
 
 
 def entries(folder: FilePath | None = None) -> list[Entry]:
-    """Every bearing of an inputs `folder` (see `catalogue.folder`), in order of bore, outside
+    """Every bearing of an inputs `folder` (see `catalogue.folder`), sorted by bore, outside
     diameter and name. Raises `InputError` for a file that is not a bearing."""
     shelf = catalogue.folder(folder) / "bearings"
     found = [entry(shelf / name) for name in data_table.names(shelf)]
@@ -98,10 +98,9 @@ def search(
     dynamic_load_above: float | None = None,
     static_load_above: float | None = None,
 ) -> list[Entry]:
-    """The entries that contain all `words` in name, title or marks (ignoring case),
-    whose name starts with `series`, with these sizes in m and this contact angle in degrees, and
-    with load ratings above these values in N. Values that a file does not state match no
-    condition."""
+    """The entries that contain all `words` in name, title or marks (ignoring case), whose name
+    starts with `series`, and that have these sizes in m, this contact angle in degrees, and load
+    ratings above these values in N. A value that the file does not state meets no condition."""
     sizes = {
         "bore_m": bore,
         "outside_m": outside,

@@ -23,7 +23,7 @@ class Read(NamedTuple):
     """Content of a file."""
 
     rotor: rotor_matrices.Rotor
-    # m, positions of the rotor's own bearings, which are omitted; an .npz has none
+    # m, positions of the rotor's own bearings, which are omitted; empty for an .npz file
     bearings: list[float]
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures as text: one line for each, below the headings of their topics."""
+"""Figures as text: one line for each figure, below the heading of its topic."""
 
 from collections.abc import Collection, Mapping, Sequence
 from typing import Any, NamedTuple
@@ -68,9 +68,9 @@ def lines(
     second: tuple[str, Mapping[str, Any]] | None = None,
 ) -> list[str]:
     """The lines of a table of `topics` (`Row`s by heading); figures that are None are left out.
-    If `errors` by key are given, in the unit of the figure, they have a column; `ranges` (low,
-    high) by key are at the end of a line. `second`, a name and figures by key, is a separate
-    column, with its name above it in each topic for which it has figures."""
+    `errors` {key: error in the unit of the figure} are shown in a column of their own, `ranges`
+    {key: (low, high)} at the end of a line. `second`, (name, {key: figure}), is a separate column,
+    with the name above it in each topic for which it has figures."""
     result = []
     name, others = second or ("", {})
     for topic, rows in topics.items():

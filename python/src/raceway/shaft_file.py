@@ -12,7 +12,7 @@ from raceway.theory import life
 from raceway.theory.beam import Disc, Section, Steel
 from raceway.theory.shaft import Load, Seat, Shaft
 
-# values of a part of the file: name: (default, or None if required; least, greatest)
+# {part of the file: {name: (default, or None if required; least, greatest)}}
 NUMBERS: Mapping[str, Mapping[str, tuple[float | None, float, float]]] = {
     "file": {"rpm": (0.0, 0.0, 1e5)},
     "steel": {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Numbers for display and input: SI prefixes, written and read."""
+"""Numbers with units and SI prefixes, as text and from text."""
 
 import math
 import re
@@ -27,8 +27,8 @@ def prefixed(value: float, unit: str, digits: int = 4) -> str:
     return f"{value / 10.0**power:.{digits}g} {PREFIX[power]}{unit}"
 
 
-# Accepted units of a value, by the requested unit; those with SI prefixes in addition to
-# the unit itself are in `SCALED`. Units such as passes accept no other unit.
+# {requested unit: {accepted unit: factor}}; units in `SCALED` are also accepted with SI prefixes.
+# Units such as passes accept no other unit.
 SPELLED = {
     "C": {"C": 1.0, "°C": 1.0, "degC": 1.0},
     "degrees": {"deg": 1.0, "°": 1.0, "degrees": 1.0, "arcmin": 1 / 60, "rad": 180 / math.pi},
@@ -55,9 +55,10 @@ NUMBER = re.compile(r"([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)(.*
 
 
 def read(text: str, unit: str) -> float:
-    """The value of `text` in `unit`: a plain number, or one with a unit, such as 5kN or 10um.
+    """The value of `text` in `unit`; the text is a plain number, or a number with a unit, such as
+    5kN or 10um.
 
-    u and µ both mean micro. Raises `ValueError` for text that is not a number, or in another unit.
+    u and µ both mean micro. Raises `ValueError` for text that is not a number or has another unit.
 
     >>> read("5kN", "N"), read("0.05", "mm"), read("50um", "mm"), read("2krpm", "rpm")
     (5000.0, 0.05, 0.05, 2000.0)
@@ -106,7 +107,7 @@ def _hint(unit):
 
 
 def axis(largest: float, unit: str) -> tuple[float, str]:
-    """(factor, unit with prefix) of an axis that reaches `largest`.
+    """(factor, unit with prefix) of an axis whose largest value is `largest` in `unit`.
 
     >>> axis(2436, "N"), axis(12.0, "m/s^2")
     ((0.001, 'kN'), (1.0, 'm/s²'))

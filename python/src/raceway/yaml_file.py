@@ -10,7 +10,7 @@ import yaml
 from raceway.errors import InputError, RacewayError
 from raceway.files import FilePath
 
-LARGEST = 1 << 18  # characters; such a file takes seconds to parse
+LARGEST = 1 << 18  # characters; a file of this size takes seconds to parse
 
 
 class _Loader(yaml.BaseLoader):

@@ -42,13 +42,13 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def figures(rotor: rotor_matrices.Rotor, bearings: list[float]) -> dict[str, Any]:
-    """Figures by name, in SI units: nodes, omitted bearings, the rigid body, and the free-free
-    bending frequencies in one plane without spin."""
+    """Figures by name, in SI units: nodes, omitted bearings, rigid-body properties, and the bending
+    frequencies of the free rotor in one plane without spin."""
     import scipy.linalg
 
     plane = shaft_bending.planes(len(rotor.z))[0]
     mass, stiffness = (plane.T @ one @ plane for one in (rotor.whole.mass, rotor.whole.stiffness))
-    squares = scipy.linalg.eigh(stiffness, mass, eigvals_only=True)[2:]  # not the rigid motions
+    squares = scipy.linalg.eigh(stiffness, mass, eigvals_only=True)[2:]  # without rigid motions
     return dict(
         nodes_m=rotor.z.tolist(),
         bearings_m=bearings,

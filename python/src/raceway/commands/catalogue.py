@@ -30,7 +30,7 @@ examples:
 
 JSON and CSV are in SI units.
 Exit codes: 0 done, 1 no such bearing or an unusable file, 2 wrong command line."""
-# heading, field, factor, format
+# heading, field of an entry, factor, format
 COLUMNS = (
     ("name", "name", None, "<9"),
     ("bore mm", "bore_m", 1e3, ">7g"),
@@ -144,7 +144,7 @@ def _write(arguments):
 
 
 def _clearances(row):
-    """{column: clearance in m} of the classes; all bearings have the same columns."""
+    """{column: clearance in m} for the clearance classes; all bearings have the same columns."""
     from raceway import clearance_classes
 
     known = {}

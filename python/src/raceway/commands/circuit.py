@@ -175,7 +175,7 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.resistivity is not None or arguments.metal is not None:
         leak = Leak(arguments.resistivity, arguments.metal, arguments.metal_share)
     opened = one_run.opened(arguments)
-    try:  # ValueError: options are incomplete or do not suit the run
+    try:  # ValueError if options are incomplete or do not suit the run
         result = circuit.run(
             opened,
             _outer_circuit(arguments),
@@ -223,7 +223,7 @@ def _outer_circuit(arguments):
 
 
 def _waveform(arguments):
-    """The waveform on the command line; None without one."""
+    """The waveform given on the command line; None if there is none."""
     from raceway.electric import waveforms
 
     if arguments.constant is not None:

@@ -53,7 +53,7 @@ def add(commands: Commands) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print run and recording side by side; draw them on request. Raises `RacewayError`."""
+    """Print a run and a recording side by side; draw them on request. Raises `RacewayError`."""
     from raceway.recordings.compare import compare
     from raceway.recordings.recording import Recording
 

@@ -47,8 +47,8 @@ Bearings and lubricants are the files of inputs/bearings and inputs/lubricants; 
 is your own file in the same format.
 Exit codes: 0 done, 1 no equilibrium or unusable data, 2 wrong command line."""
 KINDS = ("parts", "field", "bode", "reading")
-PHASES = 12  # ball positions within a pitch, for the picture of the field
-KEYS = {  # keys of the figures of `electric_point`, by option
+PHASES = 12  # number of ball positions within a pitch, for the picture of the field
+KEYS = {  # {option: key of the figures of `electric_point`}
     "load": "load_N",
     "axial": "axial_N",
     "rpm": "rpm",

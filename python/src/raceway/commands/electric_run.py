@@ -25,7 +25,7 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.bearing is not None:
         of = of.select(_number(arguments))
     ask = arguments.ask(arguments)
-    try:  # ValueError: shoulders outside the groove
+    try:  # ValueError if shoulders are outside the groove
         whole = whole_capacitance.over_time(of, _filling(arguments, of))
     except ValueError as error:
         arguments.complain(str(error))
@@ -69,7 +69,7 @@ def _number(arguments):
 
 
 def _filling(arguments, of):
-    """Filling of the run's gaps with the requested changes; None without any."""
+    """Filling of the run's gaps with the requested changes; None if no change is requested."""
     from raceway.runs import whole_capacitance
 
     names = ("surroundings", "shoulders", "permittivity_at", "roughness")

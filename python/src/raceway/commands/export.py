@@ -61,7 +61,7 @@ def add(commands: Commands) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Write the files and print the one to open."""
+    """Write the files and print the path of the file to open."""
     out = arguments.out or Path(arguments.folder) / arguments.format
     if arguments.format == "spice":
         print(_element(arguments, out))

@@ -63,7 +63,7 @@ NAMES = {
     "conductance": "cooling",
 }
 DECK = ("clearance", "load", "axial", "temperature")  # unknowns that are variables of the deck
-OUT = 3.0  # deviations above this multiple of their uncertainty are not explained by the result
+OUT = 3.0  # multiple of its uncertainty above which a deviation is not explained by the result
 
 
 def add(commands: Commands) -> None:
@@ -137,16 +137,16 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def figures(given: "Readings", found: "Found") -> dict[str, Any]:
-    """Result for JSON, in SI units with temperatures in degrees C. The first keys are [value, low,
-    high] with 95 % limits, or None for quantities that are known or that the readings do not
-    determine."""
+    """Result for JSON, in SI units with temperatures in degrees C. The values of the first keys are
+    [value, low, high] with 95 % limits, or None for quantities that are known or that the readings
+    do not determine."""
     from raceway.recordings.readings import STATE, UNITS
 
     def key(name):
         return f"{name}_{STATE[name][2].replace('/', '_')}"
 
     def named(values):
-        """The values under names with units."""
+        """`values` with keys that include the units."""
         return {key(name): one for name, one in values.items()}
 
     def three(one, unit=1.0):

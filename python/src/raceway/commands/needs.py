@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway needs DECK`: which parts of the model and which numerics a scene needs."""
+"""`raceway needs DECK`: which parts of the model and which numerical settings a scene needs."""
 
 import argparse
 import json
@@ -64,7 +64,7 @@ def add(commands: Commands) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Run, print and write. Raises `RacewayError`."""
+    """Run the sets, print the results and write the files. Raises `RacewayError`."""
     from raceway.pictures.needs import picture
     from raceway.sweeps import scene_parts
     from raceway.sweeps.needs import needs

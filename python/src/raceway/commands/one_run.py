@@ -13,13 +13,13 @@ if TYPE_CHECKING:  # pandas takes longer to load than `--help` should
 
 
 def add(to: Any) -> None:
-    """DIR and --bearing."""
+    """Add DIR and --bearing."""
     options.run_folder(to)
     add_number(to)
 
 
 def add_number(to: Any) -> None:
-    """--bearing, the number of one bearing."""
+    """Add --bearing, the number of one bearing."""
     to.add_argument(
         "--bearing", type=positive, metavar="NUMBER", help="one of many bearings in the folder"
     )

@@ -13,7 +13,7 @@ from raceway.commands.quantity import number, positive
 from raceway.theory.cleanliness import CLEANLINESS
 from raceway.theory.models import DEFAULT
 
-POINT = {  # quantities of an operating point: type, unit in the help, help
+POINT = {  # {quantity of an operating point: (type, unit in the help, help)}
     "load": (number(0, 1e6, "N"), "N", "radial load, along x, newtons (0)"),
     "axial": (number(-1e6, 1e6, "N"), "N", "axial load, along z, newtons (0)"),
     "rpm": (number(0, 1e5, "rpm"), "R", "speed of the inner ring"),
@@ -217,7 +217,7 @@ def lubricant(to: Any) -> None:
 
 
 def cleanliness(to: Any) -> None:
-    """--cleanliness of the lubricant."""
+    """--cleanliness, of the lubricant."""
     to.add_argument(
         "--cleanliness",
         choices=CLEANLINESS,
@@ -237,8 +237,8 @@ def inputs(to: Any) -> None:
 
 
 def point(to: Any, name: str, said: str = "", kind: Any = None, several: bool = True) -> None:
-    """The option --`name` of `POINT`, with one value or `several`; `said` and `kind` replace its
-    help and type."""
+    """The option --`name` of `POINT`, with one value or `several`; `said` and `kind` replace the
+    option's help and type."""
     usual, unit, text = POINT[name]
     to.add_argument(
         f"--{name}",

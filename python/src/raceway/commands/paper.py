@@ -102,9 +102,10 @@ def _make(products, plan, tree, outcome, out):
 
 
 def _progress(total):
-    """Report failures, and every case on a terminal or every tenth case elsewhere."""
+    """A function that reports failures and progress: every case on a terminal, otherwise every
+    tenth case."""
     live = sys.stderr.isatty()
-    again = "\r\033[K" if live else ""  # overwrite the present line
+    again = "\r\033[K" if live else ""  # overwrites the present line
 
     def tell(done, case, error):
         if error:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The parser of the command line: commands by group in the help, and suggestions for wrong
+"""The parser of the command line, with commands by group in the help and suggestions for wrong
 words."""
 
 import argparse
@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from raceway.commands import GROUPS, Commands
 from raceway.errors import near
 
-REST = "Others"  # the heading of commands that are in no group
+REST = "Others"  # heading of commands that are in no group
 NAMES, WIDTH = 12, 80  # columns of the list
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The program of --program, and the command with the deck of --deck that a sweep runs."""
+"""The program given by --program, and the command that a sweep runs, with the deck given by
+--deck."""
 
 import argparse
 import signal
@@ -11,7 +12,7 @@ from raceway.sweeps import host_program
 
 
 def program(text: str) -> list[str]:
-    """Program and options as a list; if the default program is missing, the one that
+    """Program and options as a list; if the default program is missing, the program that
     `host_program.find` finds. Raises `RacewayError` if there is none."""
     usual = host_program.BUILT["liggghts"]
     absent = text == str(usual) and not usual.is_file()
@@ -27,12 +28,12 @@ def command(arguments: argparse.Namespace) -> list[str]:
 
 
 def end_on_signals() -> None:
-    """Make SIGTERM and SIGHUP end the process as Ctrl-C does: runs are stopped and files are
-    complete."""
+    """Make SIGTERM and SIGHUP end the process as Ctrl-C does, so that runs are stopped and files
+    are complete."""
     signal.signal(signal.SIGTERM, _terminated)
     signal.signal(signal.SIGHUP, _terminated)
 
 
 def _terminated(number, _):
-    signal.signal(number, signal.SIG_IGN)  # once is enough: stopping takes a moment
+    signal.signal(number, signal.SIG_IGN)  # ignore further signals while the runs are stopped
     sys.exit(128 + number)

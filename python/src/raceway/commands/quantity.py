@@ -10,7 +10,7 @@ from raceway import units
 
 
 def number(low: float, high: float, unit: str) -> Callable[[str], float]:
-    """An argparse type: a float from `low` to `high`, in `unit` unless the text gives another one
+    """An argparse type: a float from `low` to `high`, in `unit` unless the text gives another unit
     (`units.read`)."""
 
     def convert(text):
@@ -54,6 +54,6 @@ def inside(value: float, text: str, low: float, high: float, unit: str) -> float
 
 
 def takes_negative(parser: argparse.ArgumentParser) -> None:
-    """Let `parser` read -20e-6 as a number: before Python 3.14 argparse accepts negative numbers
+    """Make `parser` read -20e-6 as a number; before Python 3.14 argparse accepts negative numbers
     only without an exponent."""
     parser._negative_number_matcher = re.compile(r"-\.?[0-9]")

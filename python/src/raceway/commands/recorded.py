@@ -12,7 +12,8 @@ if TYPE_CHECKING:  # scipy takes longer to load than `--help` should
 
 
 def add(to: Any, bearing: bool = True) -> None:
-    """FILE, --rate, --rpm, --nominal, --channel, --band; if `bearing`, also its name."""
+    """Add FILE, --rate, --rpm, --nominal, --channel and --band, and --bearing if `bearing` is
+    true."""
     to.add_argument(
         "file",
         metavar="FILE",

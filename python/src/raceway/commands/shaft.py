@@ -30,7 +30,7 @@ examples:
 
 Exit codes: 0 done, 1 no equilibrium or unusable data, 2 wrong command line."""
 SHOWN = 6  # number of natural frequencies and of critical speeds
-FASTEST = 1e4  # rad/s, limit of critical speeds
+FASTEST = 1e4  # rad/s, upper limit of the search for critical speeds
 LOADS = ("load_x_N", "load_y_N", "load_z_N", "moment_x_N_m", "moment_y_N_m")
 PLACES = ("shift_x_m", "shift_y_m", "shift_z_m", "tilt_x_rad", "tilt_y_rad")
 
@@ -315,7 +315,7 @@ def _block(rows):
 
 def _noise(values):
     """{unit: value below which figures (value, unit) are shown as 0}. Figures of a shaft at rest
-    are accurate to 1e-9 of its loads."""
+    are accurate to 1e-9 of the loads."""
     largest: dict[str, float] = {}
     for value, unit in values:
         largest[unit] = max(largest.get(unit, 0.0), abs(value or 0.0))

@@ -156,7 +156,7 @@ def _over_time(arguments, opened):
 
 def table(run: "Source", spectrum: "xr.DataArray", found: Sequence["Line"]) -> str:
     """The `Line`s `found` in the `spectrum` of a run or recording as text. The last column is
-    relative to the lines from the speed of the cage, if that is known."""
+    relative to the lines that follow from the speed of the cage, if this speed is known."""
     unit, resolution, of = spectrum.attrs["units"], spectrum.attrs["resolution"], spectrum.dims[0]
     fine = prefixed(resolution, "Hz", 3) if of == "frequency" else f"{resolution:.3g} orders"
     rows = [f"{spectrum.attrs['long_name']}; resolution {fine}"]

@@ -125,7 +125,7 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def table(points: list) -> str:
-    """The translations of `rotor.Point`s as text, stiffness along y with its range over a pass."""
+    """Translations of `rotor.Point`s as text; the stiffness along y with its range over a pass."""
     from raceway.units import prefixed
 
     damped = any(one.over.mean.damping.any() for one in points)

@@ -94,7 +94,7 @@ def add(commands: Commands) -> None:
 def run(arguments: argparse.Namespace) -> None:
     """Run the points, or only check them or write a job array.
 
-    Raises `RacewayError` for a table that cannot be used and when a point failed.
+    Raises `RacewayError` for a table that cannot be used, and if a point failed.
     """
     points = read_points(arguments.table, deck_variables(arguments.deck))
     runs = command(arguments)

@@ -41,8 +41,9 @@ def library() -> "Library":
 
 @functools.cache
 def table(name: str) -> Any:
-    """A table of C++: `columns`, {section: rows} of output columns, parts of the contact law and
-    rules of validity; `variables`, rows of the variables of decks. Raises `NotBuilt`."""
+    """A table defined in C++. "columns" is {section: rows} of output columns, parts of the contact
+    law and rules of validity; "variables" is the rows of the variables of decks. Raises
+    `NotBuilt`."""
     text = ctypes.CDLL(str(_built()))[f"{name}_json"]
     text.restype = ctypes.c_char_p
     return json.loads(text())

@@ -100,8 +100,8 @@ class Library:
         return Formula(name, self.plain[name], tuple(p.name for p in parameters), record)
 
     def record(self, name: str, values: Mapping[str, Any]) -> ctypes.Structure:
-        """The record `name` with the fields `values`, a mapping that must contain exactly its
-        fields."""
+        """The record `name` with the fields `values`, a mapping that must contain exactly the
+        fields of the record."""
         made = self.records[name]()
         _compare(f"record {name}", [field for field, _ in made._fields_], values)
         for field, value in values.items():
@@ -113,8 +113,8 @@ class Library:
 
     def call(self, name: str, *few: Any, **named: Any) -> Any:
         """The result of the function `name` and the records and arrays of fixed size that it fills,
-        in the order of its parameters; a single one is not in a tuple. Records and arrays passed by
-        name are filled in place."""
+        in the order of its parameters, as a tuple unless there is only one. Records and arrays
+        passed by name are filled in place."""
         function = self.functions[name]
         outputs = [p for p in function.parameters if self._fills(p) and p.name not in named]
         inputs = [p.name for p in function.parameters if p not in outputs]
@@ -134,7 +134,7 @@ class Library:
         return results[0] if len(results) == 1 else tuple(results) or None
 
     def _fills(self, parameter):
-        """True for a result of fixed size."""
+        """True for a parameter that `call` fills, a result of fixed size."""
         known = parameter.kind in self.records or parameter.kind in NUMBERS and parameter.size
         return bool(known) and not parameter.constant and parameter.size is not None
 

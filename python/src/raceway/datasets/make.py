@@ -92,7 +92,7 @@ def _claim(spec, folder):
 
 
 def file_of(rate: int, record: Record, kind: str = "mat") -> str:
-    """Path in the folder of the file of this `kind` of a record.
+    """Path, relative to the folder, of the file of a record at a `rate`; `kind` is the file format.
 
     >>> from raceway.sweeps.points import Point
     >>> file_of(48000, Record(7, Point("0007", {}), {}, 1797.0))

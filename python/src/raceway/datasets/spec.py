@@ -16,7 +16,7 @@ from raceway.theory import kinematics
 from raceway.theory.bearing import Bearing
 
 OVERSAMPLING = 4  # samples of a run per sample of the fastest file
-GUARD = 64  # samples of the slowest file at each end, affected by the filter
+GUARD = 64  # samples at each end of the slowest file that the filter affects
 # words of a flaw: {word: default, or None if required}; lists are swept
 NOTCH: dict[str, Any] = {"length": None, "width": "round", "depth": 3e-4, "edge": 5e-5}
 PIT = {name: default for name, default in NOTCH.items() if name != "width"}  # round
@@ -37,7 +37,7 @@ RANGES = {  # m, except for the place
     "amplitude": (1e-10, 1e-5),
     "place": (0, 12),  # o'clock
 }
-# used if the file has no value; all other variables have the deck's defaults
+# values of variables that the file does not set; all others have the deck's defaults
 USUAL = {"housing": "springs", "settle": "1"}
 SET_HERE = {
     **OURS,
@@ -197,7 +197,7 @@ def _word(name, given):
 
 # ---- runs ------------------------------------------------------------------------------------
 def records(spec: Spec) -> list[Record]:
-    """The `Record`s of `spec`, in its order: every flaw under all conditions.
+    """The `Record`s of `spec`, in the order of its flaws, each flaw under all conditions.
 
     A seed determines the azimuth of the first ball, the initial position of a flaw on the inner
     raceway or a ball, the number of that ball, and the phases of waves. Raises `RacewayError` for
@@ -210,7 +210,7 @@ def records(spec: Spec) -> list[Record]:
         raise SpecError(
             f"flaw ball: {path.name} has four-point contact, which a pit of the ball does not reach"
         )
-    passes = kinematics.frequencies(bearing, angle).outer / 60  # ball passes per second and rpm
+    passes = kinematics.frequencies(bearing, angle).outer / 60  # ball passes per second, per rpm
     length = spec.seconds + 2 * GUARD / min(spec.rates)
     result = []
     for kind, words in spec.flaws.items():

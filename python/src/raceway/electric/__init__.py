@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearing as an electrical part: capacitance, leak, breakdown, its circuit."""
+"""The bearing as an electrical component: capacitance, leakage, breakdown, and its circuit."""

@@ -59,14 +59,14 @@ class Breakdown:
 
     @property
     def bridged(self) -> float:
-        """Limit of a film at the film floor, V: asperities bridge it."""
+        """Limit in V of a film at the floor of the thickness, where asperities bridge it."""
         return self.strength * self.floor
 
 
 def threshold(films: Films, limit: Floats, bridged: float = 0.0) -> Floats:
-    """The smallest voltage between the rings at which a film fails, (n,) V, with uncharged
-    balls; `limit` (n, 2, Z) V of each film. Infinite where no film can fail, 0 where the limit of a
-    film does not exceed `bridged` (V)."""
+    """The smallest voltage between the rings, (n,) in V, at which a film fails, for uncharged
+    balls; `limit` (n, 2, Z) is the limit of each film in V. Infinite where no film can fail, 0
+    where the limit of a film does not exceed `bridged` (V)."""
     n, _, z = films.capacitance.shape
     found = np.empty(n)
     core.library().call(
@@ -85,22 +85,22 @@ class Failure(NamedTuple):
     """One failed film: raceway and index of the ball among Z."""
 
     time: float  # s
-    discharge: int  # its number, from 1
-    order: int  # in the discharge, from 1
+    discharge: int  # number of the discharge, from 1
+    order: int  # of this failure in the discharge, from 1
     raceway: int
     ball: int
-    film_voltage: float  # V, before
-    bearing_voltage: float  # V, before
+    film_voltage: float  # V, before the failure
+    bearing_voltage: float  # V, before the failure
     bearing_voltage_after: float
-    film_energy: float  # J, stored in the film before
-    energy: float  # J, turned into heat
+    film_energy: float  # J, stored in the film before the failure
+    energy: float  # J, converted into heat
 
 
 class ArcCurrent(NamedTuple):
     """Current of a failure through a resistance."""
 
     peak: float  # A
-    duration: float  # s, in which it falls to 1/e
+    duration: float  # s, in which the current falls to 1/e
 
     @classmethod
     def of(cls, failure: Failure, arc: float) -> "ArcCurrent":

@@ -21,7 +21,7 @@ from raceway.runs.run import Run
 from raceway.theory.film_voltage import field
 
 RACEWAYS = ("inner", "outer")
-MOST = 100_000_000  # upper bound of films times points
+MOST = 100_000_000  # largest product of the numbers of films and points
 LATE = 3  # ratio of field to strength above which a film fails too late
 MEANINGS = {  # variables and their units
     "bearing_voltage": ("V", "voltage of the inner ring to the outer ring"),
@@ -85,14 +85,14 @@ def run(
 ) -> Result:
     """Solve the circuit of a bearing and of `outer` between its rings over the samples of `of`.
 
-    `of` is a run from `raceway.open`, a dataset like its `contacts`, or `Films` (which include leak
-    and stray). Films fail by `breakdown` (None: never) and conduct by `leak` (None: not at all).
-    `points` is the number of circuit steps per sample, with linear interpolation; None gives
-    `PER_CYCLE` points per period of the voltage of `outer`. `stray` (F) is added to every film.
-    If there is a discharge at a point, voltages of the dataset are values after it. Events have the
-    columns of `EVENT_UNITS`; `energy` includes the energy lost by other films. The peak `current`,
-    the `duration` in which it falls to 1/e and the current density over all Hertz area are NaN
-    without the breakdown's `arc`.
+    `of` is a run from `raceway.open`, a dataset like the `contacts` of a run, or `Films` (which
+    include leak and stray). Films fail by `breakdown` (None: never) and conduct by `leak` (None:
+    not at all). `points` is the number of circuit steps per sample, with linear interpolation; None
+    gives `PER_CYCLE` points per period of the voltage of `outer`. `stray` (F) is added to every
+    film. If there is a discharge at a point, voltages of the dataset are values after the
+    discharge. Events have the columns of `EVENT_UNITS`; `energy` includes the energy lost by other
+    films. The peak `current`, the `duration` in which it falls to 1/e and the current density over
+    all Hertz area are NaN without the breakdown's `arc`.
 
     Raises `RunError` if `of` lacks required data, `ValueError` for parameters out of range and
     for steps too long for the voltage of `outer`.

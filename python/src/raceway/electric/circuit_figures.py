@@ -127,7 +127,7 @@ def table(figures: dict[str, float | None]) -> str:
 
 def write(result: Result, out: FilePath) -> list[Path]:
     """Write the tables circuit.csv (one row for each point of time) and events.csv (one row for
-    each failed film) into the folder `out`; return their paths.
+    each failed film) into the folder `out`; return the paths of both files.
 
     Headings include units. Raises `RunError` if that fails.
     """

@@ -27,9 +27,9 @@ class Films:
 
     time: Floats  # (n,) s, rising
     capacitance: Floats  # (n, 2, Z) F
-    thickness: Floats  # (n, 2, Z) m; NaN where there is none
+    thickness: Floats  # (n, 2, Z) m; NaN where there is no film
     conductance: Floats  # (n, 2, Z) S
-    azimuth: Floats  # (n, Z) rad, of the balls from x
+    azimuth: Floats  # (n, Z) rad, of the balls, measured from x
     from_load_line: Floats  # (n, Z) rad, from the centre of the load zone
     balls: Integers  # (Z,) atom numbers
     roughness: float = 0.0  # m, composite
@@ -46,7 +46,7 @@ class Films:
                 raise ValueError(f"{name} of a film must be 0 or more, and finite")
 
     def every(self, count: int) -> "Films":
-        """Every `count`-th point of the same films, starting with the first."""
+        """Every `count`-th point of the same films, starting with the first point."""
         kept = {name: getattr(self, name) for name in (*OVER_TIME, *ANGLES)}
         thin = {name: x if x is None else x[::count] for name, x in kept.items()}
         return replace(self, **thin)
@@ -54,7 +54,7 @@ class Films:
     def refined(self, points: int) -> "Films":
         """The same films with each step divided into `points` equal ones, by linear interpolation.
 
-        Raises `ValueError` for fewer than one.
+        Raises `ValueError` for `points` below 1.
         """
         if points < 1 or points != int(points):
             raise ValueError(f"points = {points} must be a whole number from 1")
@@ -79,11 +79,11 @@ class Series(NamedTuple):
     """Capacitances without charge on the balls."""
 
     ball: Floats  # (n, Z) inner and outer film of a ball in series, F
-    bearing: Floats  # (n,) their sum, F
+    bearing: Floats  # (n,) sum over the balls, F
 
 
 def series(capacitance: Floats) -> Series:
-    """From films with `capacitance` (n, 2, Z), F."""
+    """`Series` of films with `capacitance` (n, 2, Z), F."""
     inner, outer = capacitance[:, 0], capacitance[:, 1]
     both = inner + outer
     ball = np.divide(inner * outer, both, out=np.zeros_like(both), where=both > 0)
@@ -94,8 +94,8 @@ def of_run(run: Run, leak: Leak | None = None, stray: float = 0.0) -> Films:
     """The films of `run` from `raceway.open`, with the total capacitance of each contact
     (`capacitance_total`) if recorded, otherwise with the capacitance of the contact patch.
 
-    `leak` makes them conduct; `stray` (F) is added to every film. Raises `RunError` for a run that
-    lacks required data.
+    `leak` makes the films conduct; `stray` (F) is added to every film. Raises `RunError` for a run
+    that lacks required data.
     """
     if run.settings["lubricant"] == "dry":
         raise RunError(f"{run.tables.folder}: a dry run has no films")

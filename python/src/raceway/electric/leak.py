@@ -16,8 +16,9 @@ class Leak:
     """Conduction of films: through the lubricant of a given `resistivity` (ohm m), and through
     asperities with the resistance `metal` (ohm) per contact.
 
-    Asperities conduct where they carry more than `share` of the contact's load. None for either
-    means no conduction. By default the `permittivity` (1) of the lubricant is taken from the run.
+    Asperities conduct where they carry more than `share` of the contact's load. A `resistivity` or
+    `metal` of None means no conduction on that path. By default the `permittivity` (1) of the
+    lubricant is taken from the run.
     """
 
     resistivity: float | None = None
@@ -44,7 +45,7 @@ class Leak:
     ) -> tuple[Floats, Floats | None]:
         """(conductance in S, 1 where asperities conduct) of films with `capacitance` (n, 2, Z), F.
 
-        The second is None without `metal`. With `metal`, `contacts` needs the column
+        The second value is None without `metal`. With `metal`, `contacts` needs the column
         `asperity_share`; otherwise `RunError` is raised, with `name` in its message.
         """
         conductance = np.zeros_like(capacitance)
@@ -66,7 +67,8 @@ class Leak:
 
 
 def relaxation_time(resistivity: float, permittivity: float) -> float:
-    """R C of any gap filled with one lubricant, s: resistivity (ohm m) times permittivity.
+    """R C in s of any gap filled with one lubricant: `resistivity` (ohm m) times eps_0 times the
+    relative `permittivity`.
 
     >>> round(relaxation_time(1e9, 2.25), 6)
     0.019922

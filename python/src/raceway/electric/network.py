@@ -13,7 +13,7 @@ from raceway.electric.films import Films
 from raceway.electric.outer import Terms
 from raceway.errors import RunError
 
-# since the start, J
+# {name: meaning} of the energies, in J
 ENERGIES = {
     "source_work": "work of the driving voltage since the start",
     "mechanical_work": "work done on the films by moving their plates, since the start",
@@ -32,7 +32,7 @@ class Solution(NamedTuple):
     ball: Floats  # (n, Z) V
     bearing: Floats  # (n,) V
     ball_charge: Floats  # (n, Z) C, carried from point to point
-    current: Floats  # (n,) A, mean of the step that ends here; excludes discharges
+    current: Floats  # (n,) A, mean over the step that ends at the point; excludes discharges
     charge_error: Floats  # (n,) C, largest so far
     energies: dict[str, Floats]  # (n,) J, by the names in `ENERGIES`
     failures: list[Failure]

@@ -18,11 +18,11 @@ class Terms(NamedTuple):
     """An outer circuit at the points of a solution, n of them."""
 
     capacitance: float  # from inner ring to frame, in parallel with the films, F
-    factor: float  # further capacitance there, as a multiple of the bearing's capacitance
+    factor: float  # further parallel capacitance, as a multiple of the bearing's capacitance
     coupling: float  # from the driving voltage to the inner ring, F
     conductance: float  # parallel to the coupling, S; infinite: ring at the driving voltage
     driving: Floats  # (n,) V
-    edges: Floats  # (k, 3) s and V before and after, where the driving voltage kinks or jumps
+    edges: Floats  # (k, 3): s, V before, V after each kink or jump of the driving voltage
     start: float  # V, initial voltage of an inner ring that no voltage drives
 
     @property
@@ -31,7 +31,8 @@ class Terms(NamedTuple):
         return np.isinf(self.conductance)
 
     def beside(self, bearing: Floats) -> Floats:
-        """Capacitance parallel to the films of a `bearing` (F), F."""
+        """Capacitance in F in parallel with the films of a bearing, whose capacitance is `bearing`
+        (F)."""
         return self.capacitance + self.factor * bearing
 
 

@@ -16,7 +16,7 @@ from raceway.electric.films import Films, series
 from raceway.files import FilePath, folder, whole
 
 RACEWAYS = ("inner", "outer")
-FARADS, SIEMENS = 1e-12, 1e-9  # one volt of a controlling node
+FARADS, SIEMENS = 1e-12, 1e-9  # F and S per volt of a controlling node
 # gives every node a path for direct current; with 10 pF the time constant is 10 000 s
 LARGE = 1e15
 PER_LINE = 4
@@ -27,15 +27,15 @@ def element(films: Films, name: str = NAME) -> str:
     """Two subcircuits with the terminals inner and outer, as text: `name` with every ball as a
     node, and `name` followed by `_total` with the total capacitance and leak of the bearing.
 
-    They are equivalent as long as the balls are uncharged. Leaks charge them where they divide the
-    voltage differently from the capacitances.
+    The two are equivalent as long as the balls are uncharged. Leaks charge a ball if they divide
+    the voltage between its films differently from the capacitances.
     """
     return "\n".join([*_heading(films, name), *_network(films, name), "", *_total(films, name), ""])
 
 
 def write(films: Films, out: FilePath, name: str = NAME) -> Path:
     """Write `element` as `name`.cir and the table of `write_lines` as `name`.pwl into the folder
-    `out`; return the path of the first. Raises `RunError` if that fails."""
+    `out`; return the path of the .cir file. Raises `RunError` if that fails."""
     out = folder(out)
     write_lines(films, out / f"{name}.pwl")
     text = element(films, name)

@@ -2,8 +2,8 @@
 """Voltages over time that drive an outer circuit (docs/electric_circuit).
 
 A waveform is called with an array of times (s) and returns volts. `shortest` is the shortest time
-(s) over which it changes, infinite if it does not limit the step. `edges` are its kinks and jumps
-within a range of times.
+(s) over which the voltage changes, infinite if it does not limit the step. `edges` are the kinks
+and jumps of the voltage within a range of times.
 """
 
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ from raceway.files import FilePath
 
 SINE, COMMON_MODE = 1, 2  # Waveform::Kind of src-package/core/electric/waveform.h
 HIGHEST = 1e6  # V
-PER_CYCLE, FEWEST = 20, 8  # points per period: default, and minimum
+PER_CYCLE, FEWEST = 20, 8  # points per period: default and minimum
 
 
 class Waveform(Protocol):
@@ -80,8 +80,9 @@ class CommonMode(Waveform):
     """Common-mode voltage of a three-phase inverter with two levels: the mean of its three legs.
 
     A leg is at plus half the DC link voltage, `link` (V), while `modulation` times the sine of its
-    phase is at or above a triangle of `carrier` (Hz), otherwise at minus half.
-    `fundamental` (Hz) is the frequency of the phases. Four levels: +-link/2 and +-link/6.
+    phase is at or above a triangular wave of frequency `carrier` (Hz), otherwise at minus half.
+    `fundamental` (Hz) is the frequency of the phases. The voltage has four levels, +-link/2 and
+    +-link/6.
     """
 
     link: float
@@ -155,7 +156,7 @@ class Table(Waveform):
         return np.interp(time, self.times, self.voltages)
 
     def edges(self, time: Floats) -> Floats:
-        """(k, 3) time (s) and twice the voltage (V) of the table's rows."""
+        """(k, 3) time (s) and, in two equal columns, voltage (V) of the table's rows."""
         times, voltages = np.asarray(self.times, float), np.asarray(self.voltages, float)
         inside = (times > time[0]) & (times <= time[-1])
         return np.stack([times, voltages, voltages], axis=1)[inside]

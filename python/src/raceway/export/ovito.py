@@ -25,9 +25,9 @@ FIRST = ("id", "type", "radius")
 def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
     """Write the run `tables` into the folder `out`; return the path of `bearing.xyz`.
 
-    A frame's comment line has the cell, `Time` (s), `sample`, `ring_x`, `ring_y`, `ring_z` (m,
-    position of the inner ring). The raceways are drawn at rest, the outer one with its clearance.
-    Raises `RunError` if the run's files are broken or `out` cannot be written.
+    A frame's comment line has the cell, `Time` (s), `sample`, and `ring_x`, `ring_y`, `ring_z` (m,
+    position of the inner ring). The raceways are drawn at rest, the outer raceway with the
+    clearance. Raises `RunError` if the run's files are broken or `out` cannot be written.
     """
     out = files.folder(out)
     for side, name in ((INNER, "inner"), (OUTER, "outer")):

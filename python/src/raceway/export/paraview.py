@@ -19,10 +19,10 @@ def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
     written last.
 
     Balls are points with the `data` of `particles.frames` (part 0). Raceways are surfaces with the
-    `azimuth` of their points in the ring (rad; parts 1 inner, 2 outer). The inner one moves and
+    `azimuth` of their points in the ring (rad; parts 1 inner, 2 outer). The inner raceway moves and
     rotates; its tilt is omitted. The pocket walls of a one-piece cage are part 3, with the `force`
-    of the ball on each (N). Raises `RunError` if the run's files are broken or `out` cannot be
-    written.
+    (N) of the ball on each pocket. Raises `RunError` if the run's files are broken or `out` cannot
+    be written.
     """
     out, entries, clearance = files.folder(out), [], tables.settings["clearance_m"]
     azimuth = np.repeat(np.arange(groove.AROUND) * 2 * np.pi / groove.AROUND, groove.ACROSS).astype(

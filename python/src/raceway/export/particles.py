@@ -25,7 +25,7 @@ class Frame(NamedTuple):
     position: Floats  # (n, 3)
     data: dict[str, NDArray[Any]]  # name: (n,) or (n, 3)
     ring: Floats  # (3,), position of the inner ring
-    ring_turned: float  # rad, rotation about its axis since the first sample
+    ring_turned: float  # rad, rotation of the inner ring about its axis since the first sample
 
 
 def frames(tables: RunTables, every: int | None = None) -> Iterator[Frame]:
@@ -33,10 +33,10 @@ def frames(tables: RunTables, every: int | None = None) -> Iterator[Frame]:
     at most `FRAMES` samples.
 
     `data` has id, type (1 ball, 2 cage ball), radius, velocity, spin, load (the larger of a ball's
-    two), the values of each column of `CARRIED` in the run at either raceway (`load_inner` ..., or
-    `load_inner_0` ... for rings with two grooves), and capacitance (both in series). Without
-    contact, quantities that vanish are 0 and undefined ones NaN. Raises `RunError` if a file is
-    broken.
+    two loads), the values of each column of `CARRIED` in the run at either raceway (`load_inner`
+    ..., or `load_inner_0` ... for rings with two grooves), and capacitance (both contacts in
+    series). Without contact, quantities that vanish are 0 and undefined quantities are NaN. Raises
+    `RunError` if a file is broken.
     """
     if every is None:
         every = max(1, -(-(tables.last - tables.first) // FRAMES))
@@ -80,7 +80,7 @@ def _frame(tables, sample, atoms, contacts, ring, turned):
 
 
 def _samples(tables, name, every):
-    """(sample, its rows, angle of the inner ring at that sample or 0 in a table without balls)."""
+    """(sample, its rows, angle of the inner ring at that sample; 0 in a table without balls)."""
     turned = before = 0.0
     for table in tables.blocks(name):
         first, count = table.attrs["first"], table.attrs["samples"]

@@ -14,7 +14,8 @@ def mesh(bearing: Bearing, play: float) -> tuple[Floats, Integers]:
     """(points (n, 3) in m, quads (m, 4) of point numbers) of the walls of all pockets with this
     `play` (m) in a cage at the origin with axis z; normals point towards the balls.
 
-    Each pocket has 2 `AROUND` points, those nearer to the axis first. The first is at azimuth 0.
+    Each pocket has 2 `AROUND` points, those nearer to the axis first. The first pocket is at
+    azimuth 0.
     """
     hole, angle = bearing.ball_radius + play / 2, 2 * np.pi * np.arange(AROUND) / AROUND
     radius = bearing.pitch_radius + HEIGHT * bearing.ball_diameter * np.array([-0.5, 0.5])

@@ -2,8 +2,9 @@
 """Stiffness and damping of a bearing over load and speed for rotor dynamics, as a table (CSV, JSON)
 and for ROSS, which need not be installed.
 
-ROSS (`ross-rotordynamics`) uses the same axes: x, y across, z along the shaft, right-handed tilts
-alpha = rx and beta = ry. Its `BearingElement` takes translations alone, without coupling to z.
+ROSS (`ross-rotordynamics`) uses the same axes: x and y across, z along the shaft, right-handed
+tilts alpha = rx and beta = ry. Its `BearingElement` accepts only translations, without coupling to
+z.
 """
 
 import json
@@ -26,7 +27,7 @@ from raceway.theory.shaft import Carried
 from raceway.theory.small_motion import SLOW
 from raceway.theory.static import FREEDOMS, STRAIGHT
 
-PER_METRE = (1, 1, 1, 0, 0)  # powers of 1/m by row and column of the matrices: a sum of 2 is N/m
+PER_METRE = (1, 1, 1, 0, 0)  # powers of 1/m of rows and columns; a sum of 2 means N/m
 TAKEN = ("xx", "xy", "yx", "yy", "zz")  # entries accepted by ROSS's BearingElement
 ROSS_FREEDOMS = 6  # degrees of freedom of a node: `FREEDOMS` and the rotation about z
 TILTS = ("held", "free")
@@ -62,13 +63,12 @@ def points(
     load.
 
     `bearing` is a `Bearing` or, like `lubricant`, a file of the inputs `folder` or a path, with
-    `four_point` and `double_row` as in `inputs.bearing`; without a lubricant there is no
-    damping. `models` is paper or full, `temperature` in degrees C.
-    `frequency` of the vibration is in rad/s; by default it is the shaft's speed, as rotor
-    programs assume in their tables. `axial` is in N; `options` (clearance, held, moment) are passed
-    to `static.equilibrium`. Without them tilts are held at 0. The ring of a file is held along z if
-    there is no axial load (`inputs.held`). Raises `RacewayError`, and `ValueError` for a number out
-    of range.
+    `four_point` and `double_row` as in `inputs.bearing`; without a lubricant there is no damping.
+    `models` is paper or full, `temperature` in degrees C. `frequency` of the vibration is in rad/s;
+    by default it is the shaft's speed, as rotor programs assume in their tables. `axial` is in N;
+    `options` (clearance, held, moment) are passed to `static.equilibrium`. By default tilts are
+    held at 0. The ring of a bearing from a file is held along z if there is no axial load
+    (`inputs.held`). Raises `RacewayError`, and `ValueError` for a number out of range.
     """
     if models not in LAWS:
         raise ValueError(f"models '{models}' is not one of {', '.join(LAWS)}")
@@ -113,8 +113,8 @@ def points(
 
 def at_rest(carried: Carried, rpm: ArrayLike, **options: Any) -> list[Point]:
     """`points` of a bearing of a shaft at rest (`shaft.rest`) at each `rpm`, under the loads and at
-    the tilts of the shaft at rest. The matrices therefore have the axes of the shaft, whatever the
-    load's direction. `options` such as lubricant and temperature are passed to `points`."""
+    the tilts of the shaft at rest. The matrices are therefore in the axes of the shaft for any
+    direction of the load. `options` such as lubricant and temperature are passed to `points`."""
     x, y, z = carried.load[:3].tolist()
     tilts = dict(zip(FREEDOMS[3:], carried.place[3:].tolist()))
     place = dict(load_azimuth=math.atan2(y, x), held=tilts, clearance=carried.seat.clearance)
@@ -130,7 +130,7 @@ def ross(
 
     `load` in N is radial, along x; `options` are passed to `points`. With `tilts` "held" the
     arguments are entries of the 5 x 5 matrices, and `add_rest` adds the other entries. "free" gives
-    the stiffness of the ring when only the bearing holds its tilts; then there is no rest to add.
+    the stiffness of the ring if only the bearing holds its tilts; then `add_rest` is not needed.
     Warns if ROSS's smoothing of a table of more than four speeds changes an entry by more than 1 %.
 
     >>> one = ross("6208", 3000.0, 0.0, clearance=10e-6, phases=1)
@@ -141,7 +141,8 @@ def ross(
 
 
 def ross_of(points: Sequence[Point], tilts: str = "held") -> dict[str, float | list[float]]:
-    """Like `ross`, for `points` at one load, in order of increasing speed, else `ValueError`."""
+    """Like `ross`, for `points` at one load in order of increasing speed. Raises `ValueError` for
+    other points."""
     speeds = [one.rpm for one in points]
     if len({(one.load, one.axial) for one in points}) != 1 or np.any(np.diff(speeds) <= 0):
         raise ValueError("ROSS needs points at one load, in order of increasing speed")
@@ -188,7 +189,7 @@ def rest(point: Point) -> tuple[Floats, Floats]:
 
 def add_rest(rotor: Any, node: int, point: Point) -> None:
     """Add `rest` to the matrices K0 and C0 of a ROSS `rotor` before its first analysis, because the
-    rotor caches results. The rest does not change with speed in ROSS, so choose a `point` in the
+    rotor caches results. In ROSS these entries do not change with speed, so choose a `point` in the
     middle of your speed range.
 
     Raises `RacewayError` for a rotor whose nodes do not have six degrees of freedom (ROSS before

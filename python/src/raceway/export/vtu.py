@@ -2,8 +2,8 @@
 """VTK's XML format for points and quads, and the list of a time series (VTK User's Guide, "VTK File
 Formats").
 
-Implemented here because it takes only a few lines; libraries that write it require a mesh database
-or a renderer. The tests read the files with meshio.
+The format is implemented here because it takes only a few lines; libraries that write it require a
+mesh database or a renderer. The tests read the files with meshio.
 """
 
 import base64
@@ -22,8 +22,8 @@ ORDER = "LittleEndian" if sys.byteorder == "little" else "BigEndian"
 
 
 def grid(points: Floats, cells: ArrayLike, data: Mapping[str, NDArray[Any]]) -> str:
-    """The text of a .vtu file: `points` (n, 3), `cells` (m, 1) vertices or (m, 4) quads of point
-    indices, `data` {name: (n,) or (n, 3)} at the points."""
+    """The text of a .vtu file with `points` (n, 3), `cells` of point indices, (m, 1) for vertices
+    or (m, 4) for quads, and `data` {name: (n,) or (n, 3)} at the points."""
     cells = np.asarray(cells)
     kind = QUAD if cells.shape[1] == 4 else VERTEX
     parts = [

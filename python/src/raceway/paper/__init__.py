@@ -2,5 +2,5 @@
 """Figures, tables and statements of Farah, Guessasma and Bellenger 2020 from runs of this package.
 
 `cases` defines the runs, `runner` runs them, `reading` reads numbers from a run, `theory` computes
-them without one; `figures`, `tables`, `sensitivity` and `statements` are the products.
+such numbers without a run; `figures`, `tables`, `sensitivity` and `statements` are the products.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Input of the products: readings, the bearing and its oils."""
+"""Input of the products: readings, the bearing and the oils."""
 
 from dataclasses import dataclass
 from functools import cached_property

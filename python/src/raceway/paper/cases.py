@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The runs of `raceway paper`: inputs/paper/cases.yaml with its lists expanded and its names
-converted to names of deck variables."""
+"""The runs of `raceway paper`: inputs/paper/cases.yaml with lists expanded and names converted to
+the names of deck variables."""
 
 import itertools
 from collections.abc import Iterable
@@ -41,20 +41,20 @@ class Case:
 
 @dataclass(frozen=True)
 class Plan:
-    """Cases by set, and the sets each product needs."""
+    """The cases of each set, and the sets that each product needs."""
 
-    cases: dict[str, list[Case]]  # by name of the set
-    products: dict[str, list[str]]  # names of the sets by name of the product
+    cases: dict[str, list[Case]]  # {name of the set: cases}
+    products: dict[str, list[str]]  # {name of the product: names of the sets}
     root: Path  # the source tree
 
     def needed(self, products: Iterable[str]) -> list[Case]:
-        """The cases of these products, each once."""
+        """The cases that these products need, each case once."""
         sets = dict.fromkeys(name for product in products for name in self.products[product])
         return list(dict.fromkeys(case for name in sets for case in self.cases[name]))
 
 
 def plan(root: Path) -> Plan:
-    """`Plan` of the source tree `root`. Raises `InputError` if its file is invalid."""
+    """`Plan` of the source tree `root`. Raises `InputError` if the file of cases is invalid."""
     path = root / FILE
     try:
         data = yaml.safe_load(path.read_text())

@@ -49,7 +49,7 @@ def ring_axis(axes: Axes) -> None:
 
 
 def legend(axes: Axes, where: str, **options: Any) -> Legend:
-    """A legend on white, so that the grid does not cross it."""
+    """A legend on a white background, so that the grid does not cross it."""
     return axes.legend(
         loc=where,
         frameon=True,
@@ -85,12 +85,12 @@ def regimes(axes: Axes, top: float, at: float) -> None:
 def marks(
     axes: Axes, x: ArrayLike, y: ArrayLike, colour: str, label: str, marker: str = "o"
 ) -> None:
-    """The simulation: open symbols."""
+    """Results of the simulation, as open symbols."""
     axes.plot(x, y, marker, ms=6.5, mfc="white", mec=colour, mew=1.7, label=label, zorder=4)
 
 
 def whole(axes: Axes, x: ArrayLike, y: ArrayLike, colour: str, label: str | None = None) -> None:
-    """The simulation with the total capacitance: crosses."""
+    """Results of the simulation with the total capacitance, as crosses."""
     axes.plot(x, y, "+", ms=9, mew=1.7, color=colour, label=label, zorder=5)
 
 
@@ -102,7 +102,7 @@ def theory(
     colour: str = INK,
     **options: Any,
 ) -> None:
-    """A theory: a thin line."""
+    """Results of theory, as a thin line."""
     axes.plot(x, y, color=colour, lw=1.3, label=label, zorder=3, **options)
 
 

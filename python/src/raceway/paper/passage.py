@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Operating points where the lambda ratio passes a given value, by theory: speed and capacitance,
+"""Operating points at which the lambda ratio passes a given value, from theory: speed, capacitance,
 and the roughness for a given capacitance.
 
 The contact is at the inner raceway, with a ball on the load line, where the film is thinnest.
@@ -34,7 +34,7 @@ def capacitance(
     whole: bool = True,
     printed: bool = False,
 ) -> float:
-    """Capacitance in F at which the smallest film is `h_min` in m: of the bearing (`whole`) or of
+    """Capacitance in F at which the smallest film is `h_min` in m, of the bearing (`whole`) or of
     the ball on the load line."""
     at = speed(bearing, oil, radial_load, h_min, printed)
     if whole:

@@ -2,7 +2,7 @@
 """Makes the products and writes them: PNG and CSV of a figure, CSV of a table, CSV of the
 statements and of the numbers behind them.
 
-A file appears completely or not at all.
+A file appears complete or not at all.
 """
 
 from pathlib import Path

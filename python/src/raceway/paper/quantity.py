@@ -7,7 +7,8 @@ from raceway.units import prefixed
 
 
 class Quantity(NamedTuple):
-    """`value` in SI `unit` ("" for a plain number, "%" for a share given as a fraction)."""
+    """`value` in the SI `unit`, which is "" for a plain number and "%" for a share given as a
+    fraction."""
 
     value: float
     unit: str
@@ -15,7 +16,7 @@ class Quantity(NamedTuple):
 
     @property
     def text(self) -> str:
-        """For people, four digits and an SI prefix; shares three."""
+        """Text to be read: four digits with an SI prefix, three digits for a share."""
         if self.unit == "%":
             return f"{100 * self.value:.3g} %".replace("-", "−")
         plain = not self.unit or self.unit in ("°", "rpm", "rad/s")

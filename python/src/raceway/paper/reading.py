@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Numbers from finished runs: the only place where the paper's products read a run's tables.
+"""Numbers from finished runs; the paper's products read tables of runs only here.
 
 Azimuths are degrees from the load line, -180 to 180. In one ball pass the nine balls of a 6208
 sweep the whole ring, so the values of all balls together show one ball around the ring.
@@ -51,16 +51,16 @@ class Reading:
         )
 
     def around(self, raceway: int, column: str) -> tuple[Floats, Floats]:
-        """(psi in degrees, values), sorted: a column of the contacts of one raceway, where there is
-        contact."""
+        """(psi in degrees, values), sorted, of a column of the contacts of one raceway, where there
+        is contact."""
         rows = self.tables.contacts["raceway"].to_numpy() == raceway
         return _sorted(
             self._azimuths["psi"].to_numpy()[rows], self.tables.contacts[column].to_numpy()[rows]
         )
 
     def ball_capacitance(self) -> tuple[Floats, Floats]:
-        """(psi in degrees, F), sorted: inner and outer in series of each ball loaded on both
-        raceways."""
+        """(psi in degrees, F), sorted: inner and outer contact in series, for each ball loaded on
+        both raceways."""
         place = self._azimuths[self._azimuths["raceway"] == INNER]
         rows = self.tables.pairs.merge(place, on=["sample", "ball"])
         return _sorted(rows["psi"].to_numpy(), rows["capacitance"].to_numpy())
@@ -88,15 +88,15 @@ class Reading:
         return self._whole[0]
 
     def whole_top_capacitance(self) -> float:
-        """Capacitance in F of a ball on the load line, with its surroundings."""
+        """Capacitance in F of a ball on the load line, including the surroundings of the plates."""
         return float(np.interp(0.0, *self.whole_ball_capacitance()))
 
     def whole_capacitance(self) -> float:
-        """Mean capacitance in F of the bearing, with all surroundings."""
+        """Mean capacitance in F of the bearing, including all surroundings of the plates."""
         return self._whole[1]
 
     def permittivity(self, raceway: int) -> tuple[Floats, Floats]:
-        """(psi, relative permittivity) of contacts, from their capacitance, film and area (eq
+        """(psi in degrees, relative permittivity) of contacts, from capacitance, film and area (eq
         8)."""
         psi, value = self.around(raceway, "capacitance")
         area = np.pi * self.around(raceway, "a")[1] * self.around(raceway, "b")[1]
@@ -108,7 +108,8 @@ class Reading:
         return pairs.reindex(range(self.tables.contacts.attrs["samples"]), fill_value=0).to_numpy()
 
     def cage_contact_share(self, ball_radius: float, cage_radius: float) -> float:
-        """Fraction of neighbouring pairs of ball and cage ball in contact, over all samples."""
+        """Fraction of the neighbouring pairs of ball and cage ball that are in contact, over all
+        samples."""
         balls = self.tables.balls
         places = {
             kind: (
@@ -125,12 +126,12 @@ class Reading:
         return float(touching.mean() / (2 * count))
 
     def coulomb_use(self) -> float:
-        """Largest friction force over mu times normal force of all contacts."""
+        """Largest ratio of friction force to mu times normal force, over all contacts."""
         contacts = self.tables.contacts[self.tables.contacts["normal"] > 0]
         return float((contacts["friction"].abs() / (contacts["mu"] * contacts["normal"])).max())
 
     def spin(self) -> float:
-        """Mean spin in rad/s of a ball about the bearing's axis, positive opposite to the inner
+        """Mean spin in rad/s of a ball about the bearing's axis; positive if opposite to the inner
         ring's rotation."""
         balls = self.tables.balls
         return -float(balls.loc[balls["type"] == BALL, "omegaz"].mean())

@@ -49,15 +49,15 @@ class Outcome:
 
 
 class Runner:
-    """Runs the cases of one source tree. Results are in `store`, in one folder for each state
-    of program and inputs."""
+    """Runs the cases of one source tree. Results are stored in `store`, in one folder for each
+    state of program and inputs."""
 
     def __init__(self, tree: Path, store: FilePath) -> None:
         self.tree, self.state = tree, _digest(tree)[:16]
         self.store = Path(store).resolve() / self.state
 
     def folder(self, case: Case) -> Path:
-        """Folder of a case's results; exists once the run has finished."""
+        """Folder of a case's results, which exists once the run has finished."""
         key = hashlib.sha256(repr((case.deck, case.settings)).encode()).hexdigest()[:16]
         return self.store / f"{Path(case.deck).name[3:]}-{key}"
 
@@ -160,7 +160,8 @@ class Runner:
 
 
 def _digest(tree):
-    """Changes if the program, a deck or a data file changes, so that old results are not reused."""
+    """A digest that changes if the program, a deck or a data file changes, so that old results are
+    not reused."""
     state = hashlib.sha256()
     decks = (
         path

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Change of results over the plausible range of data missing from the paper's text: the oils (table
-2) and the roughness.
+"""Change of results over the plausible ranges of the data that are missing from the paper's text:
+the oils (table 2) and the roughness.
 
 The changes come from theory, at 5 kN, 0.41 m/s and no clearance; two runs with other oils show that
 the simulation changes in the same way.
@@ -19,7 +19,7 @@ from raceway.paper.book import OILS, Book
 from raceway.theory.bearing import INNER
 
 LOAD, SPEED = 5000.0, 0.41
-# the properties of `Oil` as columns of a table
+# {property of `Oil`: column of the table}
 COLUMN = {
     "viscosity": "viscosity_Pa_s",
     "pressure_viscosity": "pressure_viscosity_per_Pa",
@@ -95,9 +95,9 @@ def table(book: Book) -> pd.DataFrame:
 
 
 def power(book: Book, what: str, ball: Callable[[Oil], float] | None = None) -> float:
-    """Sensitivity of a ball's capacitance to one property of the mineral oil: d log C/d log
-    property.
-    `ball` gives the capacitance of the ball in F, by default the capacitance of its plates."""
+    """Sensitivity of a ball's capacitance to the property `what` of the mineral oil: d log C/d log
+    property. `ball` gives the capacitance of the ball in F, by default the capacitance of its
+    plates."""
     oil, step, of = book.oils["mineral"], 1.01, ball or _plates(book)
     more, less = (
         of(oil._replace(**{what: getattr(oil, what) * factor})) for factor in (step, 1 / step)
@@ -108,8 +108,8 @@ def power(book: Book, what: str, ball: Callable[[Oil], float] | None = None) -> 
 def oils_ratio(
     book: Book, first: str, second: str, ball: Callable[[Oil], float] | None = None
 ) -> tuple[float, float]:
-    """(least, greatest) ratio of a load-line ball's capacitances with the two oils, over all
-    corners of their ranges; `ball` as in `power`."""
+    """(least, greatest) ratio of the capacitances of a ball on the load line with the two oils,
+    over all corners of the oils' ranges; `ball` as in `power`."""
     ends, of = ranges(book), ball or _plates(book)
 
     def corners(name):

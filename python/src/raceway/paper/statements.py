@@ -20,7 +20,7 @@ class Statement(NamedTuple):
 
     where: str
     says: str
-    about: str  # "print" if the printed formulas decide both columns
+    about: str  # "print" if the printed formulas decide both columns of verdicts
     rules: tuple[str, ...]
     show: tuple[str, ...]
     why: str
@@ -95,7 +95,7 @@ def judge(
     whole: Mapping[str, Quantity] = MappingProxyType({}),
 ) -> Judged:
     """`Judged` of a statement, from {name: `Quantity`} by the corrected formulas, by the printed
-    formulas, and by the total capacitance (only those that differ from the corrected ones).
+    formulas, and with the total capacitance (only quantities that differ from `corrected`).
 
     `statement.whole` has the rules and numbers for the total capacitance where they differ.
     """

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Theory of a radially loaded bearing with oil: static loads, film at rolling speed,
-capacitance on top.
+"""Theory of a radially loaded bearing with oil: static loads, the film at rolling speed, and the
+capacitance that follows from both.
 
-No run is needed: `raceway.static` gives the loads, `film` and `capacitance` the rest. `printed`
-uses eqs 2 and 9 as printed in the paper (docs/errata.rst).
+No run is needed: `raceway.static` gives the loads, `film` and `capacitance` give films and
+capacitances. With `printed`, eqs 2 and 9 are used as printed in the paper (docs/errata.rst).
 """
 
 from functools import lru_cache
@@ -92,9 +92,8 @@ def ball(
 def loads(
     bearing: Bearing, radial_load: float, clearance: float = 0.0
 ) -> tuple[Floats, Floats, float]:
-    """(psi in degrees, load in N, shift in m) of all balls over a ball pass, `PHASES` positions of
-    Z balls, and the mean shift along the load. The load acts on both raceways and excludes the
-    centrifugal load."""
+    """(psi in degrees and load in N of all balls at `PHASES` positions in a ball pass, mean shift
+    in m along the load). The load acts on both raceways and excludes the centrifugal load."""
     turns = [
         static.equilibrium(
             bearing, radial_load, clearance=clearance, phase=phase, finite_shift=True
@@ -123,8 +122,8 @@ def bearing_capacitance(
     clearance: float = 0.0,
     printed: bool = False,
 ) -> float:
-    """Mean of the bearing's capacitance in F over a ball pass (eq 12). `printed` keeps the loads:
-    without clearance, the load distribution does not change if all stiffnesses change by the same
-    factor."""
+    """Mean of the bearing's capacitance in F over a ball pass (eq 12). `printed` does not change
+    the loads, because without clearance the load distribution stays the same if all stiffnesses
+    change by the same factor."""
     _, load, _ = loads(bearing, radial_load, clearance)
     return float(ball(bearing, oil, load, speed, clearance, printed).sum(axis=1).mean())

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Total capacitance from statics, flooded: like `theory`, which has only the plates, but with
-the gap around them and the unloaded balls."""
+"""Total capacitance from statics, with flooded gaps: like `theory`, which includes only the plates,
+but with the gap around the plates and the unloaded balls."""
 
 from functools import lru_cache
 
@@ -11,13 +11,14 @@ from raceway.theory import capacitors, kinematics, lubrication
 from raceway.theory.bearing import Bearing
 from raceway.theory.capacitors import Filling
 
-# positions of the first ball between two balls: the mean is accurate to better than 1e-3
+# number of positions of the first ball within a ball spacing; the mean is accurate to 1e-3
 PHASES = 6
 
 
 @lru_cache(maxsize=256)
 def _state(bearing, radial_load, spin, step):
-    """State and Q_u with the first ball `step`/`PHASES` of a ball spacing past the load line."""
+    """Equilibrium and Q_u with the first ball `step`/`PHASES` of a ball spacing past the load
+    line."""
     phase = 2 * np.pi / bearing.balls * step / PHASES
     state, orbit = lubrication.turning(bearing, spin, radial_load, phase=phase)
     return state, capacitors.quiet_load(bearing, orbit)

@@ -38,8 +38,8 @@ def animation(
 
     Shows `passes` ball passes (None: all measured, at most 4) in `frames` pictures, evenly spaced
     in time, at `rate` per second, `width` pixels wide; `colour` and `factor` as in `scene.scene`.
-    The same run gives a bitwise identical GIF. Raises `RunError` if the run's files are broken,
-    contain fewer passes, or the animation cannot be written.
+    The same run gives a bitwise identical GIF. Raises `RunError` if the run's files are broken or
+    contain fewer passes, or if the animation cannot be written.
     """
     kind = str(path).lower().rpartition(".")[2]
     if kind not in WRITERS:
@@ -66,7 +66,7 @@ def animation(
 
 
 def _window(tables, passes, frames):
-    """(the part of the run `tables` needed, the samples to draw)."""
+    """(part of the run `tables` that is needed, samples to draw)."""
     have = len(tables.record) - tables.first
     if have < 1:
         raise RunError(f"{tables.folder} holds no sample to draw")

@@ -23,7 +23,7 @@ def loads(axes: Axes, tables: RunTables) -> float:
     drawn unit."""
     largest = tables.contacts["load"].max()
     factor, unit = axis(largest, "N")
-    # the outer curve first and wider: the inner one covers it if there is little centrifugal load
+    # outer curve first and wider, because the inner curve covers it at low centrifugal load
     width = {OUTER: 5, INNER: 1.6}
     for side in (OUTER, INNER):
         for psi, load in tracks(tables, side, "load"):
@@ -44,14 +44,14 @@ def loads(axes: Axes, tables: RunTables) -> float:
 
 
 def film(axes: Axes, tables: RunTables) -> float:
-    """Film thickness of the run `tables` and the regimes of lubrication on polar `axes`;
-    returns the factor from metres."""
-    # these set the scale
+    """Film thickness of the run `tables` and the regimes of lubrication on polar `axes`; returns
+    the factor from metres to the drawn unit."""
+    # contacts that set the scale
     loaded = tables.contacts[tables.contacts["load"] > 5 * LIGHT * tables.contacts["load"].max()]
     factor, unit = axis(loaded["h_c"].max(), "m")
     unity = tables.settings["roughness_m"] * factor  # the thickness at which lambda is one
     edge = thickest = 1.12 * loaded["h_c"].max() * factor
-    for mark in (1, 3):  # show a limit that is near; do not compress the film for one that is far
+    for mark in (1, 3):  # show a limit only if it is near, so that the film is not compressed
         if mark * unity < 3 * thickest:
             edge = max(edge, 1.12 * mark * unity)
     around = np.linspace(0, 2 * np.pi, 361)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearing itself: from the front, cut in its middle plane so that the grooves are visible, and
+"""The bearing itself, from the front, cut in its middle plane so that the grooves are visible, and
 in section.
 
-The grooves are the simulated tori; runs contain neither the thickness and width of the rings beyond
-them nor the height of the shoulders, which are drawn in proportion to the balls.
+The grooves are the simulated tori. Runs contain neither the thickness and width of the rings beyond
+the grooves nor the height of the shoulders, so these are drawn in proportion to the balls.
 """
 
 import matplotlib.pyplot as plt
@@ -47,8 +47,8 @@ def bearing(
 
 
 class Sheet:
-    """A figure of the `Scene` `what` of the run `tables`; `show(k)` moves everything to its
-    position at the k-th sample of the scene."""
+    """A figure of the `Scene` `what` of the run `tables`; `show(k)` moves all parts to their
+    positions at the k-th sample of the scene."""
 
     def __init__(self, tables: RunTables, what: Scene, colour: str, dpi: int = 110) -> None:
         self.tables, self.scene, self.geometry = tables, what, tables.geometry
@@ -223,7 +223,7 @@ class Sheet:
         axes.grid(True)
 
     def show(self, k: int) -> None:
-        """Move everything to the k-th sample."""
+        """Move all parts to their positions at the k-th sample."""
         what, radius = self.scene, self.geometry.ball_radius
         colours = self.map(self.norm(np.ma.masked_invalid(what.values[k] * self.factor)))
         shift = what.ring[k] * MM
@@ -278,8 +278,8 @@ def _mark(axes):
 
 
 def _groove(race, sign, geometry, side):
-    """(radius, shade) along the groove's wall as seen from the front, from its bottom `race` to its
-    shoulder; `sign` 1 outwards."""
+    """(radius, shade) along the groove's wall as seen from the front, from the bottom at radius
+    `race` to the shoulder; `sign` is 1 if this is outwards."""
     groove = geometry.groove(side)
     for height in np.linspace(0, SHOULDER * geometry.ball_diameter, SHADES):
         # component of the wall's normal towards the eye

@@ -16,15 +16,15 @@ from raceway.theory.electric_point import Point
 
 
 def frequencies(resistivity: float, count: int = 400) -> Floats:
-    """Hz, (count,): from far below the corner of films in oil of `resistivity` (ohm m) to 100
-    MHz."""
+    """Frequencies (count,) in Hz, from far below the corner frequency of films in oil of
+    `resistivity` (ohm m) to 100 MHz."""
     corner = 1 / (2 * np.pi * resistivity * 2e-11) if np.isfinite(resistivity) else 1.0
     return np.geomspace(10 ** np.floor(np.log10(max(corner / 100, 1e-3))), 1e8, count)
 
 
 def bode(point: Point, names: Mapping[str, Any], resistivity: float, path: FilePath) -> None:
     """Draw modulus and phase of the impedance of a bearing and of its plates alone, in oil of
-    `resistivity` (ohm m), over frequency to the PNG `path`. Raises `RunError` if it cannot be
+    `resistivity` (ohm m), over frequency to the PNG `path`. Raises `RunError` if the file cannot be
     written."""
     found = point.capacitors()
     loaded = found.inner.load > 0

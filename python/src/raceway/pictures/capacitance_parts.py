@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Picture of a bearing's capacitance by its parts, from statics."""
+"""Picture of the parts of a bearing's capacitance, from statics."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -12,7 +12,7 @@ from raceway.pictures.electric_page import LEFT, RIGHT, head, plain_ticks
 from raceway.pictures.style import PALETTE, STYLE, save
 from raceway.units import axis
 
-# quantities over which a bearing's capacitance can be drawn: label, factor
+# {quantity over which a bearing's capacitance can be drawn: (label, factor)}
 OVER = {
     "rpm": ("inner ring speed (rpm)", 1.0),
     "load_N": ("radial load (N)", 1.0),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Picture of a run and a recording: both envelopes over orders of the shaft, with lines marked."""
+"""Picture of the envelopes of a run and a recording over orders of the shaft, lines marked."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -14,7 +14,7 @@ DECADES = 4  # range shown below the strongest line
 
 
 def picture(found: Comparison, path: FilePath) -> None:
-    """Draw `found` to the PNG `path`. Raises `RunError` when it cannot be written."""
+    """Draw `found` to the PNG `path`. Raises `RunError` if the file cannot be written."""
     last = 1.08 * max(one.nominal for one in found.lines)
     with plt.rc_context(STYLE):
         figure, axes = plt.subplots(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A map of the discharges of a circuit: their position around the ring, energy and voltage."""
+"""A map of the discharges of a circuit: position around the ring, energy and voltage."""
 
 import matplotlib.pyplot as plt
 import numpy as np

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Pictures of a bearing as a capacitor over a run: its parts over time, fields around the ring,
-impedance over frequency."""
+"""Pictures of a bearing as a capacitor over a run: parts of the capacitance over time, fields
+around the ring, impedance over frequency."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -98,8 +98,8 @@ def field(run: Run, fields: xr.Dataset, voltage: float, path: FilePath) -> None:
 
 def bode(run: Run, whole: xr.Dataset, resistivity: float, path: FilePath) -> None:
     """Draw modulus and phase of the impedance of a `run` over frequency, in oil of `resistivity`
-    (ohm m), to the PNG `path`: its mean and its range over time. `whole` is from
-    `whole_capacitance.over_time`. Raises `RunError` if it cannot be written."""
+    (ohm m), to the PNG `path`, as mean and range over time. `whole` is from
+    `whole_capacitance.over_time`. Raises `RunError` if the file cannot be written."""
     frequency = frequencies(resistivity, 120)
     z = film_figures.spectrum(whole, frequency, resistivity).to_numpy()
     with plt.rc_context(STYLE):
@@ -128,7 +128,7 @@ def _below(text, data):
 
 
 def _largest(which, values):
-    """(BINS,), NaN for empty ones."""
+    """Largest of the `values` in each sector, (BINS,); NaN for empty sectors."""
     found = np.full(BINS, -np.inf)
     np.maximum.at(found, which, np.where(np.isfinite(values), values, -np.inf))
     return np.where(np.isfinite(found), found, np.nan)

@@ -19,9 +19,9 @@ from raceway.units import prefixed
 def field(
     points: Sequence[Point], names: Mapping[str, Any], voltage: float, path: FilePath
 ) -> None:
-    """Draw the field in every film around the ring under a `voltage` (V) to the PNG `path`:
-    `points` that differ only in ball phase, `names` from `electric_point.figures`. Raises
-    `RunError` if it cannot be written."""
+    """Draw the field in every film around the ring under a `voltage` (V) to the PNG `path`. The
+    `points` differ only in ball phase; `names` is from `electric_point.figures`. Raises `RunError`
+    if the file cannot be written."""
     azimuth = np.concatenate([np.mod(point.state.azimuth, 2 * np.pi) for point in points])
     order = np.argsort(azimuth)
     found = [point.capacitors() for point in points]
@@ -73,7 +73,7 @@ def field(
         axes.set_rlim(0, 1.12e-6 * edge)
         axes.set_rlabel_position(157)
         axes.tick_params(axis="y", labelsize=9, labelcolor=SOFT)
-        for label in axes.get_yticklabels():  # a curve may pass below it
+        for label in axes.get_yticklabels():  # a curve may pass below a label
             label.set_bbox({"facecolor": "white", "edgecolor": "none", "pad": 1, "alpha": 0.8})
             label.set_zorder(5)
         axes.text(

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Motion of the inner ring: orbit, displacement, tilt, and moment opposing its spin. Also the force
-on the cage, and the orbit and pockets of a one-piece cage."""
+"""Motion of the inner ring: orbit, displacement, tilt, and the moment opposing its spin; also the
+force on the cage, and the orbit and pockets of a one-piece cage."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -19,10 +19,10 @@ from raceway.units import axis, prefixed
 def motion(tables: RunTables, path: FilePath) -> None:
     """Draw the motion of the inner ring of the run `tables` to the PNG `path`: orbit of its centre,
     displacement, tilt, the moment opposing its spin and the largest force on the cage over time;
-    for a one-piece cage also its orbit and the force of balls on their pockets over azimuth.
+    for a one-piece cage also the cage's orbit and the force of balls on their pockets over azimuth.
 
     Quantities that were not recorded, or did not change, have no panel. Raises `RunError` if the
-    run's files are broken, have no ring, or the picture cannot be written.
+    run's files are broken or have no ring, or if the picture cannot be written.
     """
     rings = tables.rings
     if not len(rings):
@@ -106,8 +106,8 @@ def _tilt(axes, tables):
 
 
 def _torque(axes, tables):
-    # the mean of this moment, the friction torque, is far below its ripple, so the summary derives
-    # it from the losses
+    # the mean of this moment, the friction torque, is far below the ripple of the moment, so the
+    # summary derives the torque from the losses
     torque = -tables.rings["mz"] * np.sign(tables.motion.shaft)
     _lines(axes, tables, {"balls on the inner ring": torque}, "N m")
     axes.set_title("Moment against the spin", pad=10)

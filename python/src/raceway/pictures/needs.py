@@ -12,7 +12,7 @@ from raceway.pictures.style import INK, MAP, PALETTE, SOFT, STYLE, save
 from raceway.sweeps.needs import Needs
 from raceway.sweeps.needs_shown import percent
 
-LEAST, MOST = 1e-4, 1.0  # limits of the scale of relative effects
+LEAST, MOST = 1e-4, 1.0  # ends of the scale of relative effects
 
 
 def picture(found: Needs, path: FilePath) -> None:

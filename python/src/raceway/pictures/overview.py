@@ -15,14 +15,14 @@ from raceway.runs.tables import RunTables
 from raceway.theory.bearing import INNER, OUTER
 from raceway.units import axis, prefixed
 
-PARTS = 3  # parts of the friction torque with their own colour: as many as fit in the legend
+PARTS = 3  # parts of the friction torque with a colour of their own; more do not fit the legend
 
 
 def overview(tables: RunTables, path: FilePath) -> None:
     """Draw the run `tables` to the PNG `path`: loads, friction torque by its parts or pressures,
     and film and capacitance or the ring's path.
 
-    Raises `RunError` when the run's files are broken or the picture cannot be written.
+    Raises `RunError` if the run's files are broken or the picture cannot be written.
     """
     tables, whole = shown(tables, "; the figures are of all"), tables
     figures = summary(whole)

@@ -45,8 +45,7 @@ def head(figure: Figure, tables: RunTables, below: str, size: float = 17) -> Non
 
 
 def fit(text: Text, share: float) -> None:
-    """Shrink a long `text` to that `share` of its figure's width, so that it stays on the
-    page."""
+    """Shrink a long `text` to a `share` of the figure's width, so that it fits on the page."""
     width = text.get_window_extent(text.figure.canvas.get_renderer()).width
     text.set_fontsize(text.get_fontsize() * min(1, share * text.figure.bbox.width / width))
 

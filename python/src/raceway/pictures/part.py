@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The drawn part of a run, and the tracks of its balls around the ring.
 
-A curve around the ring overlays the tracks of all balls; the width of the band shows the influence
-of the positions of the other balls.
+A curve around the ring overlays the tracks of all balls. The width of the resulting band shows how
+much the value at one ball depends on the positions of the other balls.
 """
 
 import warnings
@@ -15,13 +15,13 @@ from raceway.errors import RunError, RunWarning
 from raceway.runs.tables import RunTables
 
 LIGHT = 0.01  # fraction of the largest load below which film thickness grows without bound
-# size of a record in bytes above which only some ball passes are drawn
+# size of a record in bytes above which only some ball passes are drawn, and their number
 LARGE, PASSES = (200 << 20, 20)
 
 
 def shown(tables: RunTables, note: str = "") -> RunTables:
-    """The part of the run `tables` to draw: all of it, unless there would be too many curves for
-    memory or paper. In that case it warns, with `note` at the end of the text."""
+    """The part of the run `tables` to draw: the whole run, unless there would be too many curves
+    for memory or paper. In that case a warning is given, with `note` at the end of the text."""
     path = tables.record.path
     if tables.stop is not None or path.stat().st_size < LARGE:
         return tables
@@ -56,8 +56,8 @@ def need(tables: RunTables, column: str, what: str) -> None:
 def tracks(
     tables: RunTables, raceway: int, column: str, above: float = 0.0
 ) -> Iterator[tuple[Floats, Floats]]:
-    """(psi, values) of each ball's path past one raceway; psi in rad, unwrapped; NaN where it lost
-    contact.
+    """(psi, values) of each ball's path past one raceway; psi in rad, unwrapped; values are NaN
+    where the ball lost contact.
 
     Contacts that carry no more than `above` of the largest load count as lost."""
     contacts = tables.contacts

@@ -15,7 +15,7 @@ from raceway.pictures.style import COLOUR, SIDES
 from raceway.runs.tables import RunTables
 from raceway.theory.lubrication import lubricate, turning
 
-PHASES = 4  # positions of the set of balls within one ball pass at which theory is evaluated
+PHASES = 4  # number of positions of the balls in a ball pass at which theory is evaluated
 STRAIGHT = 0.01  # rad: contacts at larger angles carry more than the radial load in `run.yaml`
 
 
@@ -23,8 +23,8 @@ def polar(tables: RunTables, path: FilePath) -> None:
     """Draw the run `tables` to the PNG `path`: contact load and, with a lubricant, film thickness
     against azimuth.
 
-    Dots: `theory`. Raises `RunError` if the run's files are broken or the picture cannot be
-    written.
+    Dots are the results of `theory`. Raises `RunError` if the run's files are broken or the picture
+    cannot be written.
     """
     tables = shown(tables)
     film = filmed(tables)
@@ -63,8 +63,8 @@ def polar(tables: RunTables, path: FilePath) -> None:
 
 def theory(tables: RunTables) -> dict[int, dict[str, Floats]]:
     """{side: {"psi": rad, "load": N, "h_min": m, "h_c": m}} of the loaded contacts at `PHASES`
-    positions of the balls; no films when dry. Empty if theory does not apply: contacts at an
-    angle, or no equilibrium.
+    positions of the balls; without films for a dry bearing. Empty if theory does not apply, that
+    is, for contacts at an angle or if there is no equilibrium.
     """
     if "angle" in tables.contacts and np.abs(tables.contacts["angle"]).max() > STRAIGHT:
         return {}

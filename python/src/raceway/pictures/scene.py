@@ -3,7 +3,8 @@
 
 The reference is the concentric bearing at rest without clearance and load. Every deviation from it
 (displacement of the inner ring, balls off the pitch circle, half the clearance) is multiplied by
-one factor. An overlap or a gap between two drawn bodies is the real one times the factor.
+one factor. An overlap or a gap between two drawn bodies is the real overlap or gap times this
+factor.
 """
 
 from dataclasses import dataclass
@@ -35,7 +36,7 @@ class Scene:
     balls: Floats  # (n, Z, 3)
     cage: Floats  # (n, C, 3)
     pockets: Floats  # (n, P, 3), centres of the pockets of a one-piece cage
-    pocket_play: float  # along the pitch circle
+    pocket_play: float  # play of the pockets along the pitch circle
     ring: Floats  # (n, 3), displacement of the inner ring
     half_clearance: float
     turned: Floats  # (n, Z), of the balls about z since the first sample
@@ -47,9 +48,9 @@ class Scene:
 def scene(
     tables: RunTables, samples: Integers, colour: str = "load", factor: float | None = None
 ) -> Scene:
-    """`Scene` of the run `tables` at `samples`, an array of numbers of its samples in ascending
-    order; balls have the values of `colour`, a key of `COLOURS`. If `factor` is None, it is the
-    `nice` factor for the largest motion.
+    """`Scene` of the run `tables` at `samples`, an array of sample numbers in ascending order;
+    balls have the values of `colour`, a key of `COLOURS`. By default, `factor` is the `nice` factor
+    for the largest motion.
 
     Raises `RunError` if the run's files are broken or lack the columns for `colour`.
     """

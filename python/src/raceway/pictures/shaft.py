@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Picture of a shaft at rest: displacement along it in both planes, and positions of the
+"""Picture of a shaft at rest: displacement along the shaft in both planes, and positions of the
 bearings."""
 
 import matplotlib.pyplot as plt
@@ -15,7 +15,8 @@ POINTS = 20  # points per cubic segment
 
 
 def line(z: np.ndarray, moved: np.ndarray, slope: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(z, displacement) of a smooth line through nodes with displacements (N,) and slopes (N,)."""
+    """(z, displacement) of a smooth line through nodes at `z` (N,) with displacements `moved` (N,)
+    and slopes (N,)."""
     s = np.linspace(0, 1, POINTS)
     places, values = [], []
     for k in range(len(z) - 1):
@@ -31,7 +32,7 @@ def line(z: np.ndarray, moved: np.ndarray, slope: np.ndarray) -> tuple[np.ndarra
 
 
 def picture(case: Case, rest: Rest, path: FilePath) -> None:
-    """Draw `rest` of `case` to the PNG `path`. Raises `RunError` when it cannot be written."""
+    """Draw `rest` of `case` to the PNG `path`. Raises `RunError` if the file cannot be written."""
     places = rest.place
     planes = (("x", places[:, 0], places[:, 4]), ("y", places[:, 1], -places[:, 3]))
     factor, unit = axis(np.abs(places[:, :2]).max(), "m")

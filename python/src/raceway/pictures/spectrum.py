@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Picture of a spectrum with the kinematic lines marked: by name if found, otherwise by a dotted
-line."""
+"""Picture of a spectrum in which the kinematic lines are marked, by name if found and otherwise by
+a dotted line."""
 
 from collections.abc import Sequence
 from itertools import cycle
@@ -17,14 +17,14 @@ from raceway.runs.spectrum import COMPLIANCE, NAMES, OUTER_RING, SHAFT, Line
 from raceway.units import axis
 
 COLOUR = dict(zip((*NAMES.values(), SHAFT, OUTER_RING, COMPLIANCE), cycle(PALETTE)))
-WIDE, NARROW = 0.075, 0.014  # widths of a horizontal and of a vertical label, fractions of the axis
+WIDE, NARROW = 0.075, 0.014  # widths of a horizontal and a vertical label, fractions of the axis
 PAPER = {"facecolor": "white", "edgecolor": "none", "pad": 1.5, "alpha": 0.85}
 DECADES = 6  # range shown below the strongest line
-ROOM = 9.0  # position on the axis of amplitudes of a row of labels
+ROOM = 9.0  # position of a row of labels on the axis of amplitudes
 
 
 def of_flaw(line: Line) -> str:
-    """The line to which a sideband belongs, or its own name."""
+    """Name of the line to which a sideband belongs; for other lines, their own name."""
     return line.name.split("+")[0].split("-")[0]
 
 
@@ -42,7 +42,7 @@ def picture(run: Source, spectrum: xr.DataArray, found: Sequence[Line], path: Fi
     """Draw `spectrum` of `run` (from `raceway.open`, or a recording) and the `Line`s `found` in it
     to the PNG `path`.
 
-    Raises `RunError` when the picture cannot be written.
+    Raises `RunError` if the picture cannot be written.
     """
     of = spectrum.dims[0]
     frequency, amplitude = spectrum[of].to_numpy(), spectrum.to_numpy()

@@ -16,16 +16,16 @@ from raceway.runs.source import Source
 from raceway.units import axis
 
 DECADES = 2.5  # range of the colours, below the largest amplitude
-POWER = 0.98  # share of a signal's power below the top of its picture
+POWER = 0.98  # share of a signal's power below the top of the picture
 MOST = 800  # rows and columns drawn
 LABEL = 0.036  # height of a name, fraction of the axis
-HARMONICS = {"BPFO": (1, 2, 3), "BPFI": (1, 2, 3), "BSF": (2,)}  # shown; of other lines, the first
+HARMONICS = {"BPFO": (1, 2, 3), "BPFI": (1, 2, 3), "BSF": (2,)}  # of other lines only the first
 
 
 def picture(run: Source, found: xr.DataArray, path: FilePath) -> None:
     """Draw `found` (`time_frequency.of_run` of `run`) to the PNG `path`.
 
-    Raises `RunError` when the picture cannot be written.
+    Raises `RunError` if the picture cannot be written.
     """
     upright = found.dims[0]
     places = _lines(run, found)
@@ -94,7 +94,7 @@ def _top(found, places):
 def _name(axes, places, top):
     """Dotted lines, with their names on the right of the picture."""
     if not places or max(places.values()) < 0.15 * top:
-        return  # all at the lower edge of the picture
+        return  # all lines are at the lower edge of the picture
     row = levels(list(places.values()), LABEL * top)
     for ((name, n), place), level in zip(places.items(), row):
         axes.axhline(place, color="white", lw=0.8, ls=(0, (1, 5)))

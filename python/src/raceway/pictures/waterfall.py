@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Capacitance over azimuth and time: one band for each ball, with the bearing's total beside it and
-one ball's path around the ring above it."""
+"""Capacitance over azimuth and time: one band for each ball, with the bearing's total beside the
+bands and one ball's path around the ring above them."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -19,7 +19,7 @@ from raceway.units import axis
 
 WIDTH = 0.5  # width of a band, in ball pitches
 ROWS = 600  # samples drawn, as many as a page can resolve; others are skipped
-IDLE = "#ececec"  # a ball that is not loaded on both raceways
+IDLE = "#ececec"  # colour of a ball that is not loaded on both raceways
 
 
 def waterfall(tables: RunTables, path: FilePath) -> None:
@@ -143,7 +143,7 @@ def _bands(axes, times, psi, each, balls):
 
 
 def _edges(values):
-    """(n + 1,) between and beyond `values` (n,)."""
+    """Edges (n + 1,) between and beyond `values` (n,)."""
     inner = (values[1:] + values[:-1]) / 2
     return (
         np.concatenate(

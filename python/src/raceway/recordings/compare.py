@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run compared with a recording: levels, and the lines of their envelopes in orders of the
+"""A run compared with a recording: their levels, and the lines of their envelopes in orders of the
 shaft."""
 
 from typing import NamedTuple
@@ -13,7 +13,7 @@ from raceway.runs import envelope, sensor, spectrum
 from raceway.runs.run import Run
 from raceway.runs.source import Signal, Source
 
-WITHIN = 0.01  # relative width of the search for a line in the recording
+WITHIN = 0.01  # relative half-width of the search for a line in the recording
 
 
 class Side(NamedTuple):
@@ -28,7 +28,7 @@ class Side(NamedTuple):
 
 
 class Pair(NamedTuple):
-    """A line in run and recording; NaN if it was not found."""
+    """A line in the run and in the recording; NaN if it was not found."""
 
     name: str
     harmonic: int
@@ -40,7 +40,7 @@ class Pair(NamedTuple):
 
 
 class Comparison(NamedTuple):
-    """Run, recording and their lines."""
+    """A run, a recording, and the lines of both."""
 
     run: Side
     recording: Side

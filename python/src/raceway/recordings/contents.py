@@ -25,9 +25,9 @@ class Channel(NamedTuple):
 
 
 class Contents(NamedTuple):
-    """A file as read; NaN for values that it does not state."""
+    """Content of a file; NaN for values that the file does not state."""
 
-    kind: str  # of file
+    kind: str  # of the file
     channels: dict[str, Channel]
     rpm: float = math.nan  # of the inner ring, as stated in the file
     load: float = math.nan  # N, radial

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""State of a bearing from readings: clearance, loads, oil temperature, cooling, each with its
-uncertainty, and the combinations that the readings cannot separate.
+"""State of a bearing from readings: clearance, loads, oil temperature and cooling, each with its
+uncertainty, and the combinations of these that the readings cannot separate.
 
 Statics, friction and films are fitted by least squares within the ranges of the unknowns, from
 several starts. A range is the only prior knowledge of an unknown. Different states can have the
-same lines, such as a small clearance under a large thrust and a large one under a small thrust:
-every fit whose deviance (-2 log of the likelihood) is within `CHI` of the best is kept, and the
-intervals contain all of them. If the readings leave one direction open, as a single line does for
-clearance and thrust, the valley is traced: all its points explain the readings.
+same lines, such as a small clearance under a large thrust and a large clearance under a small
+thrust. Therefore every fit whose deviance (-2 log of the likelihood) is within `CHI` of the best
+fit is kept, and the intervals contain all of these fits. If the readings leave one direction open,
+as a single line does for clearance and thrust, points along this valley are traced, all of which
+explain the readings.
 """
 
 import math
@@ -25,10 +26,10 @@ from raceway.theory import kinematics
 
 TRIED = 8  # starting points for each unknown; the best are refined until one explains the readings
 REFINED = 4
-STEP = 1e-4  # share of a range, for derivatives
-UNIFORM = 1 / math.sqrt(12)  # standard deviation of a range of 1
+STEP = 1e-4  # step of numerical derivatives, as a fraction of a range
+UNIFORM = 1 / math.sqrt(12)  # standard deviation of a uniform distribution over a range of 1
 OPEN = 0.35  # fraction of UNIFORM above which an unknown or direction counts as not determined
-VALLEY = 7  # points traced
+VALLEY = 7  # number of points traced along a valley
 SAME = 1e-4  # change of the sum of squares below which a fit ends
 CHI = 3.84  # increase of the deviance at the 95 % limit of one unknown
 TWO_SIDED = 1.96
@@ -38,7 +39,7 @@ WIDE = 10.0  # ratio of its ends above which a range is searched logarithmically
 
 
 class Value(NamedTuple):
-    """An unknown."""
+    """Value of an unknown."""
 
     best: float
     low: float  # of the 95 % interval, within the range given
@@ -50,16 +51,16 @@ class Found(NamedTuple):
     """Result of `identify`."""
 
     values: dict[str, Value]
-    state: dict[str, float]  # best values and known values
+    state: dict[str, float]  # best values of the unknowns, and the known values
     residuals: Floats  # (readings,), divided by their uncertainties
     predicted: Floats  # (readings,)
-    # states that explain the readings equally well; empty: one point
+    # states that explain the readings equally well; empty if there is only one point
     valley: list[dict[str, float]]
     idle: int  # largest number of unloaded balls at any point
     # rad, mean contact angle weighted by load, at the first reading for which statics is solved;
     # None if only temperatures of the oil were read
     angle: Value | None
-    # cage slip there relative to rolling at that angle; None without a line of the cage
+    # cage slip at that reading relative to rolling at that angle; None without a line of the cage
     slip: Value | None
     # sum of squares of independent combinations of the residuals: roughly the number of readings
     # minus the number of determined unknowns, unless a reading or the model is wrong
@@ -102,11 +103,12 @@ def _along(names, variances, weak):
 
 
 class _Mode(NamedTuple):
-    """A fit that explains the readings, with its valley if they leave one direction open."""
+    """A fit that explains the readings, with its valley if the readings leave one direction
+    open."""
 
     place: Floats
-    along: int  # number of the unknown along which its valley is traced
-    places: list[tuple[Floats, Floats]]  # the place or its valley, each with a covariance
+    along: int  # number of the unknown along which the valley is traced
+    places: list[tuple[Floats, Floats]]  # the fit or points of its valley, each with a covariance
 
     def adds(self, other: Floats) -> bool:
         """True if `other` lies outside the 95 % interval of a determined unknown."""
@@ -118,10 +120,10 @@ class _Mode(NamedTuple):
 
 
 class _Interval(NamedTuple):
-    """95 % intervals of functions of the place."""
+    """95 % intervals of functions of the place, that is, of the unknowns as fractions."""
 
     best: Floats
-    places: list[tuple[Floats, Floats]]  # that explain the readings, each with its covariance
+    places: list[tuple[Floats, Floats]]  # that explain the readings, each with a covariance
 
     def of(self, function, own=0.0):
         """(best, low, high) of `function`, which has a standard deviation `own` in addition to the
@@ -136,7 +138,7 @@ class _Interval(NamedTuple):
 
 
 def _gradient(function, place):
-    """Derivatives of `function`, towards the middle of the ranges."""
+    """One-sided derivatives of `function`, with steps towards the middle of the ranges."""
     steps, here = np.where(place > 0.5, -STEP, STEP), function(place)
     return np.array([(function(place + step) - here) / step.sum() for step in np.diag(steps)])
 
@@ -202,7 +204,7 @@ class _Search:
         return self._predicted[key]
 
     def lags(self, place):
-        """(readings, 2), least and largest lag of the cage by the play of the pockets."""
+        """(readings, 2), least and largest lag of the cage due to pocket play."""
         return np.array([one.lag for one in self.predicted(place)])
 
     def misfit(self, place, lags=None) -> Misfit:
@@ -211,14 +213,14 @@ class _Search:
         return misfit(self.readings.readings, self.predicted(place), lags)
 
     def residuals(self, place, lags):
-        """(readings,), independent; `FAR` where no state carries the load."""
+        """(readings,), independent residuals; `FAR` where the state cannot carry the load."""
         try:
             return self.misfit(place, lags).independent
         except NoEquilibrium:
             return np.full(len(self.readings.readings), FAR)
 
     def cost(self, place):
-        """Deviance."""
+        """Deviance of the fit at `place`."""
         try:
             return self.misfit(place).deviance
         except NoEquilibrium:
@@ -243,7 +245,8 @@ class _Search:
         return modes
 
     def mode(self, place, limit):
-        """`_Mode` of the fit `place`, traced as far as the deviance stays below `limit`."""
+        """`_Mode` of the fit `place`, with the valley traced as far as the deviance stays below
+        `limit`."""
         around = self.covariance(place)
         weak = np.sqrt(np.diag(around)) > OPEN * UNIFORM
         along = _along([*self.readings.unknown], np.diag(around), weak)
@@ -257,8 +260,8 @@ class _Search:
         return _Mode(place, along, places)
 
     def renew(self, place, lags, limit, fixed=None):
-        """The fit `place` with the lags of the cage there, if it was made with other `lags` and its
-        deviance can be below `limit`."""
+        """The fit `place`, repeated with the lags of the cage at `place` if it was made with
+        different `lags` and its deviance can be below `limit`."""
         if not math.isfinite(self.cost(place)):
             return place
         own = self.lags(place)
@@ -267,8 +270,8 @@ class _Search:
         return self.refine(place, own, fixed)
 
     def refine(self, start, lags, fixed=None):
-        """Least-squares fit from `start` with given lags of the cage and with unknown number
-        `fixed` held."""
+        """Least-squares fit from `start` with the given `lags` of the cage; the unknown with the
+        number `fixed` is held."""
         free = np.array([k != fixed for k in range(len(start))])
 
         def rest(x):
@@ -290,7 +293,7 @@ class _Search:
         return self.predicted(place)[self.first].angle
 
     def kinematic(self, place):
-        """FTF at that angle in orders of the shaft, without slip."""
+        """FTF in orders of the shaft at the contact angle of the `first` reading, without slip."""
         return float(kinematics.frequencies(self.model.bearing, self.angle(place)).cage)
 
     def cage(self, reading):
@@ -320,7 +323,7 @@ class _Search:
         return kept @ kept.T
 
     def valley(self, best, along, limit):
-        """Places whose deviance stays below `limit`, along unknown number `along`."""
+        """Places along the unknown with the number `along` whose deviance stays below `limit`."""
         side, places = np.linspace(0, 1, VALLEY), [best]
         near = int(np.argmin(np.abs(side - best[along])))
         for way in (range(near, len(side)), range(near - 1, -1, -1)):
@@ -335,13 +338,15 @@ class _Search:
         return sorted(places, key=lambda one: one[along])
 
     def along(self, place, along, share, limit):
-        """The best place with unknown number `along` at `share`, near `place`."""
+        """The best place near `place` at which the unknown with the number `along` is at
+        `share`."""
         start, lags = np.array(place), self.lags(place)
         start[along] = share
         return self.renew(self.refine(start, lags, along), lags, limit, along)
 
     def end(self, inside, outside, along, limit):
-        """[a place between one below and one above the limit, where the deviance reaches it]"""
+        """[a place between `inside`, below the limit, and `outside`, above it, where the deviance
+        reaches the limit]"""
         low, high = self.cost(inside), self.cost(outside)
         if not math.isfinite(high):
             return []

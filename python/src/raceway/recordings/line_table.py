@@ -100,8 +100,9 @@ def _ranges(path: Path):
 
 
 def _clearances(path):
-    """From an interference as large as the greatest normal clearance to the greatest clearance of
-    all classes, m; for bores outside the classes, in proportion to the ball."""
+    """Range of the clearance, m: from an interference as large as the greatest normal clearance to
+    the greatest clearance of all classes; for bores outside the classes, in proportion to the
+    ball."""
     try:
         classes = clearance_classes.of_bore(inputs.numbers(path, "bore_diameter")["bore_diameter"])
     except (ValueError, InputError):

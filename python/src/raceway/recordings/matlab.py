@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""MATLAB files: Case Western Reserve University (also those of `raceway dataset`), Machinery
-Failure Prevention Technology society, Paderborn University.
+"""MATLAB files of Case Western Reserve University (and of `raceway dataset`), the Machinery Failure
+Prevention Technology society and Paderborn University.
 
-Each is recognised by its variables. Accelerations in g are converted to m/s^2, loads in pounds to
-N.
+Each kind is recognised by its variables. Accelerations in g are converted to m/s^2, loads in pounds
+to N.
 """
 
 import math
@@ -19,13 +19,13 @@ from raceway.errors import RunError
 from raceway.recordings.contents import GRAVITY, POUND, Channel, Contents, channel
 
 CWRU = re.compile(r"X(\d+)_(DE|FE|BA)_time")
-PADERBORN = re.compile(r"N(\d\d)_M(\d\d)_F(\d\d)_")  # 100 rpm, 0.1 N m, 100 N
+PADERBORN = re.compile(r"N(\d\d)_M(\d\d)_F(\d\d)_")  # units: 100 rpm, 0.1 N m, 100 N
 AT = {"DE": "drive end", "FE": "fan end", "BA": "base"}
 SHOWN = 8  # variables that a message lists
 
 
 def read(path: Path) -> Contents:
-    """`Contents` of a .mat file. Raises `RunError` for a damaged file and one with unknown
+    """`Contents` of a .mat file. Raises `RunError` for a damaged file and for a file with unknown
     variables."""
     try:
         found = io.loadmat(path, simplify_cells=True)
@@ -53,7 +53,8 @@ def _has(value, *names):
 
 
 def _cwru(path, data):
-    """Channels of the first bearing number with a drive end; a few files have a second one."""
+    """Channels of the record whose number is the name of the file, otherwise of the first record
+    with a drive end; a few files have two records."""
     numbers = sorted({m[1] for m in map(CWRU.fullmatch, data) if m}, key=int)
     stem = path.stem.lstrip("0")
     number = next((one for one in numbers if one.lstrip("0") == stem), numbers[0])
@@ -85,7 +86,7 @@ def _mfpt(path, data: Mapping[str, Any]):
 
 
 def _paderborn(path, data: Mapping[str, Any]):
-    """Channels by name; their rates follow from the time base of the raster, or the length."""
+    """Channels by name; rates follow from the time base of the raster, or from the length."""
     bases = [one for one in _list(data["X"]) if _has(one, "Data")]
     found: dict[str, Channel] = {}
     for one in _list(data["Y"]):

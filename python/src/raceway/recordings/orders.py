@@ -15,7 +15,7 @@ from raceway.theory import kinematics
 from raceway.theory.bearing import Bearing
 
 LINES = ("FTF", "BPFO", "BPFI", "BSF")
-WITHIN = 0.01  # relative width of the search for a line
+WITHIN = 0.01  # relative half-width of the range in which a line is searched for
 SAME = 5e-4  # relative difference of the orders of harmonics of one line
 
 
@@ -24,14 +24,14 @@ class Order(NamedTuple):
 
     value: float
     uncertainty: float  # one standard deviation, including the uncertainty of the shaft's speed
-    harmonics: int  # found
+    harmonics: int  # number of harmonics found
 
 
 class Angle(NamedTuple):
     """Contact angle of balls that roll without slip."""
 
     value: float  # rad; 0 if the line is explained by slip
-    low: float  # rad, two standard deviations
+    low: float  # rad, two standard deviations below
     high: float
     slip: float  # share of the cage's speed that explains the line at contact angle 0
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Files of plain columns: csv, also those of the PRONOSTIA rig (FEMTO), wav, and npz as distributed
-for CWRU's recordings."""
+"""Files of plain columns: csv (including the files of the PRONOSTIA rig, FEMTO), wav, and npz as
+distributed for CWRU's recordings."""
 
 import math
 import re
@@ -20,7 +20,7 @@ FEMTO_RATE = {"acc": 25600.0, "temp": 10.0}  # Hz, as published
 NPZ = re.compile(r"(\d{4})_.*?(?:_(DE12|DE48|FE))?\.npz")
 NPZ_RATE = {"DE12": 12e3, "DE48": 48e3, "FE": 12e3}
 TIMES = ("time", "time_s", "t", "t_s", "seconds")
-EVEN = 1e-3  # largest variation of the steps in a column of times, relative to their mean
+EVEN = 1e-3  # largest variation of the time steps in a column, relative to their mean
 
 
 def read_csv(path: Path) -> Contents:
@@ -54,7 +54,8 @@ def _unit(name):
 
 
 def _femto(path, kind):
-    """Hour, minute, second and its fractions, then accelerations in g or a temperature."""
+    """Columns are hour, minute, second and fractions of a second, then accelerations in g or a
+    temperature."""
     table = _table(path, None)
     if table.shape[1] != {"acc": 6, "temp": 5}[kind]:
         raise RunError(f"{path} has {table.shape[1]} columns, unlike the {kind} files of PRONOSTIA")
@@ -91,7 +92,7 @@ def _separator(path):
 
 
 def _commas(path):
-    """True if numbers have decimal commas: the last line has one and no point."""
+    """True if numbers have decimal commas, that is, if the last line has a comma and no point."""
     last = path.read_text(encoding="utf-8").rstrip().rpartition("\n")[2]
     return "," in last and "." not in last
 
@@ -128,8 +129,8 @@ def read_wav(path: Path) -> Contents:
 
 
 def read_npz(path: Path) -> Contents:
-    """`Contents` of an npz file: a row for each name. Files of CWRU have DE, FE and BA in g, and
-    speed and rate in the name of the file. Raises `RunError`."""
+    """`Contents` of an npz file, with one channel for each array. Files of CWRU have DE, FE and BA
+    in g, and speed and rate in the file name. Raises `RunError`."""
     try:
         with np.load(path) as file:
             data = {name: file[name] for name in file.files}

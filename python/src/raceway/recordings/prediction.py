@@ -36,7 +36,7 @@ class Model:
         self.bearing = inputs.bearing(path, one_groove="lines need one groove per ring")
         self._boundary, self._density = inputs.boundary(path), inputs.ball_density(path)
         self._size = inputs.size(path)
-        self._near: dict[Point, Equilibrium | None] = {}  # of the last state
+        self._near: dict[Point, Equilibrium | None] = {}  # equilibria of the last state
         self._lubricant, self._roughness = inputs.lubricant(oil), inputs.oil(oil).roughness
 
     def predict(
@@ -49,7 +49,7 @@ class Model:
         return [self._one(one, state, solved) for one in rows]
 
     def _oil(self, point, state):
-        """Oil temperature in C; NaN if the reading is this temperature."""
+        """Oil temperature in C; NaN if the oil temperature itself is the reading."""
         return point.at if point.at is not None else state.get("temperature", math.nan)
 
     def _one(self, reading: Reading, state, solved) -> Predicted:
@@ -57,7 +57,7 @@ class Model:
         oil = self._oil(point, state)
         if reading.quantity == "temperature" and "conductance" not in state:
             return Predicted(oil, 0.0, NO_LAG, 0, math.nan)
-        if math.isnan(oil):  # friction at the temperature read
+        if math.isnan(oil):  # friction at the measured temperature
             oil = reading.value
         key = point._replace(at=oil)
         if key not in solved:
@@ -115,26 +115,27 @@ def _contact_angle(state):
 
 
 class Misfit(NamedTuple):
-    """Predicted minus read."""
+    """Predicted minus measured values."""
 
-    off: Floats  # (N,), in the units of the readings
-    covariance: Floats  # (N, N), of readings and model
+    off: Floats  # (N,), differences in the units of the readings
+    covariance: Floats  # (N, N), of the errors of readings and model together
     within: Floats  # (N,), standard deviations of the readings alone
 
     @property
     def relative(self) -> Floats:
-        """(N,), divided by the standard deviations."""
+        """(N,), differences divided by their standard deviations."""
         return self.off / np.sqrt(np.diag(self.covariance))
 
     @property
     def independent(self) -> Floats:
-        """(N,), combinations that are independent and have a standard deviation of 1."""
+        """(N,), combinations of the differences that are independent and have a standard deviation
+        of 1."""
         return np.linalg.solve(np.linalg.cholesky(self.covariance), self.off)
 
     @property
     def width(self) -> float:
-        """Deviance of a perfect fit: a state that predicts wide ranges is less likely than one that
-        fits as well with narrow ones."""
+        """Deviance of a perfect fit: a state that predicts wide ranges is less likely than a state
+        that fits as well with narrow ranges."""
         scaled = self.covariance / np.outer(self.within, self.within)
         return float(np.linalg.slogdet(scaled)[1])
 
@@ -146,8 +147,9 @@ class Misfit(NamedTuple):
 
 def misfit(rows: Sequence[Reading], found: Sequence[Predicted], lags: Floats) -> Misfit:
     """`Misfit` of the predictions `found` of readings `rows`. `lags` (N, 2) is the least and the
-    largest lag of the cage for each reading: their mean is subtracted, and their range counts as
-    error. The model's error and the lag are common to all lines of the cage at one point."""
+    largest lag of the cage for each reading: the mean of both is subtracted, and the range between
+    them counts as error. The model's error and the lag are common to all lines of the cage at one
+    point."""
     within = np.array([one.within for one in rows])
     # change of a line per unit relative change of the cage's speed; 0 for other readings
     size = np.array([_of_cage(one.quantity) * own.error for one, own in zip(rows, found)])

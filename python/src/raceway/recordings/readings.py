@@ -49,7 +49,7 @@ class Reading(NamedTuple):
 
     quantity: str  # of `QUANTITIES`; lines in orders of the shaft, F, C
     value: float
-    within: float  # one standard deviation
+    within: float  # one standard deviation of the number
     point: Point
 
 
@@ -59,8 +59,8 @@ class Readings(NamedTuple):
     bearing: Path
     lubricant: Path
     models: str
-    known: dict[str, float]  # of `STATE`
-    unknown: dict[str, tuple[float, float]]  # ranges
+    known: dict[str, float]  # {name in `STATE`: value}
+    unknown: dict[str, tuple[float, float]]  # {name in `STATE`: range}
     readings: list[Reading]
     ambient: float = 20.0
 
@@ -68,7 +68,7 @@ class Readings(NamedTuple):
 class Series(NamedTuple):
     """Readings over time."""
 
-    readings: Readings  # all of them, and known values
+    readings: Readings  # the readings of all times, and the known values
     rows: list[tuple[float, list[Reading]]]  # time in s, readings
     drift: dict[str, float]  # standard deviation of an unknown after an hour
 
@@ -156,7 +156,7 @@ def _reading(row: Any, where: str, bearing: Path, folder: Path) -> list[Reading]
 
 
 def _from_file(given, values, where, bearing, folder) -> list[Reading]:
-    """A line of a recording, its order and uncertainty from the signal."""
+    """A line of a recording, with its order and uncertainty from the signal."""
     rate, nominal = (
         _number(given[key], f"{where}: {key}", 1, 1e8) if key in given else None
         for key in ("rate", "nominal")

@@ -44,11 +44,11 @@ def contents(path: FilePath) -> Contents:
 class Recording:
     """Signals in the file `path` from a `bearing` with its outer ring at rest.
 
-    `rpm` or `nominal` speed of the inner ring and `rate` in Hz take precedence over the file;
-    `nominal_angle` is the contact angle in rad without load. The true speed is searched for near
-    the nominal one, in the first channel (`shaft_speed.find`); a given `rpm` is used as it is.
-    Raises `RunError` for a file that cannot be read, and if neither file nor argument has speed or
-    rate.
+    The speed of the inner ring, `rpm` or `nominal` (both in rpm), and the `rate` in Hz take
+    precedence over the file; `nominal_angle` is the contact angle in rad without load. The true
+    speed is searched for near the nominal speed in the first channel (`shaft_speed.find`); a given
+    `rpm` is used unchanged. Raises `RunError` for a file that cannot be read, and if neither file
+    nor arguments give speed or rate.
 
     `load` (N, NaN if unknown) is the load in the file, `speed` the `shaft_speed.Speed` found or
     None; `channels` maps names to `contents.Channel`.
@@ -95,7 +95,7 @@ class Recording:
 
     @property
     def rpm(self) -> float:
-        """Speed of the shaft: as given, as found, or as stated in the file."""
+        """Speed of the shaft in rpm: as given, as found, or as stated in the file."""
         return 60 * self.speed.hertz if self.speed else self.nominal_rpm
 
     @property
@@ -121,8 +121,9 @@ class Recording:
         return "  ·  ".join((*parts, f"{self.rpm:.5g} rpm"))
 
     def signal(self, name: str = "", ring: str = "") -> Signal:
-        """`Signal` of the channel `name`, by default the first. Raises `RunError` for an unknown
-        channel and one with fewer than 32 values. `ring` exists for runs and is ignored here."""
+        """`Signal` of the channel `name`, by default the first channel. Raises `RunError` for an
+        unknown channel and for a channel with fewer than 32 values. `ring` is for runs and is
+        ignored here."""
         name = name or next(iter(self.channels))
         if name not in self.channels:
             raise RunError(f"{self.where} has no channel {name}; it has {', '.join(self.channels)}")
@@ -146,15 +147,15 @@ class Recording:
 
 
 class Level(NamedTuple):
-    """Level of a signal."""
+    """Level of a signal, and how impulsive it is."""
 
-    rms: float  # unit of the signal, without its mean
+    rms: float  # of the signal without its mean, in the unit of the signal
     peak: float
     kurtosis: float  # 3 for noise
 
 
 def level(signal: Signal) -> Level:
-    """`Level` of a signal. A constant one has a kurtosis of NaN."""
+    """`Level` of a signal. A constant signal has a kurtosis of NaN."""
     away = signal.values - signal.values.mean()
     square = float(np.mean(away**2))
     kurtosis = float(np.mean(away**4)) / square**2 if square else math.nan

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Speed of the shaft from its harmonics in a signal and in the envelope.
+"""Speed of the shaft from its harmonics in a signal and in the signal's envelope.
 
 The nominal speed of a motor under load is wrong by up to 1 %, which is ten times the slip of a
 cage. Unbalance, misalignment and a flaw of the inner raceway give lines at whole multiples of the
-true speed. Mains and other machines cause lines, too: the largest group of consistent multiples
-counts.
+true speed. Mains and other machines cause lines, too, so the speed is taken from the largest group
+of consistent multiples.
 """
 
 from typing import NamedTuple
@@ -17,7 +17,7 @@ from raceway.runs import envelope, spectrum
 
 HARMONICS = 6
 AGREE = 0.04  # largest difference between two lines of one shaft, in units of the resolution
-FINE = 0.02  # uncertainty of a line in noise, in units of the resolution
+FINE = 0.02  # uncertainty of the frequency of a line in noise, in units of the resolution
 
 
 class Speed(NamedTuple):
@@ -29,8 +29,8 @@ class Speed(NamedTuple):
 
 
 def find(values: ArrayLike, sample_s: float, nominal: float, within: float = 0.015) -> Speed | None:
-    """`Speed` of the shaft in evenly sampled `values` (N,), `sample_s` apart, at most
-    `within` (relative) from the `nominal` one in Hz; None if fewer than two harmonics agree.
+    """`Speed` of the shaft in evenly sampled `values` (N,), `sample_s` apart, at most `within`
+    (relative) from the `nominal` speed in Hz; None if fewer than two harmonics agree.
 
     >>> time = np.arange(120000) / 12000
     >>> tone = sum(np.sin(2 * np.pi * n * 29.53 * time + n) / n for n in (1, 2, 3))
@@ -57,7 +57,7 @@ def find(values: ArrayLike, sample_s: float, nominal: float, within: float = 0.0
 
 def _lines(values, sample_s, nominal, within) -> tuple[Floats, Floats]:
     """Shaft speeds (N,) in Hz from the harmonics found in the signal and its envelope, and the
-    widths (N,) in Hz within which they may agree."""
+    widths (N,) in Hz within which two of them count as equal."""
     spectra = [spectrum.spectrum(values, sample_s)]
     try:
         band = envelope.best_band(values, sample_s, 8 * nominal)

@@ -35,9 +35,9 @@ class Track(NamedTuple):
     time: Floats  # (N,), s
     names: list[str]
     best: Floats  # (N, unknowns)
-    low: Floats  # (N, unknowns), two standard deviations below, within the range
+    low: Floats  # (N, unknowns), two standard deviations below `best`, within the range
     high: Floats
-    surprise: Floats  # (N,), squared innovation over its expectation; near 1
+    surprise: Floats  # (N,), squared innovation divided by its expectation; normally near 1
 
 
 def track(of: Readings, rows: Sequence[Row], drift: Mapping[str, float]) -> Track:
@@ -77,7 +77,7 @@ def unscented(
     """(mean (n,), covariance (n, n), surprise) after one correction: `see` predicts the readings
     (m,) of a state (n,), `read` (m,) are the readings, with the variances `noise` (m,).
 
-    For a linear `see` it is the Kalman filter:
+    For a linear `see` this is the Kalman filter:
 
     >>> see = lambda x: np.array([x[0] + x[1]])
     >>> found = unscented(np.zeros(2), np.eye(2), see, np.array([3.0]), np.array([1.0]))
@@ -108,7 +108,7 @@ def _correct(of, model, row, names, mean, covariance):
     def see(place):
         try:
             shown = model.predict(_state(of, names, place), row.readings)
-        except NoEquilibrium:  # use the value of the middle, so that the point adds no information
+        except NoEquilibrium:  # use the middle point, so that this one adds no information
             shown = centre
         return np.linalg.solve(root, [one.value for one in shown])
 

@@ -22,7 +22,7 @@ from raceway.units import axis
 
 POINTS = 2000  # largest number of points in a line, enough for a screen
 AROUND = ("load", "h_min", "sliding")  # columns of the contacts
-# lines over time by chart: columns of the totals
+# {chart: columns of the totals, drawn over time}
 CHARTS = {
     "Largest contact loads": ("load_inner", "load_outer"),
     "Largest Hertz pressures": ("pressure_inner", "pressure_outer"),
@@ -95,7 +95,7 @@ def _pictures(page, tables):
             path = Path(folder) / "overview.png"
             overview(tables, path)
             page.picture(path.read_bytes(), "Loads, film, pressure and capacitance of the run")
-    except RunError as error:  # a record of sums has no contacts
+    except RunError as error:  # a summary record has no contacts
         page.text(f"No picture of the contacts: {error}")
 
 
@@ -123,7 +123,7 @@ def _step(samples):
 
 
 def _chart(page, title, x, unit, lines, points=False):
-    """A chart of `lines`, values in SI units by name, with a prefix before the `unit`."""
+    """A chart of `lines`, {name: values in SI units}, shown with a prefix before the `unit`."""
     step = slice(None, None, _step(len(x["values"])))
     known = [np.abs(values[np.isfinite(values)]).max(initial=0.0) for values in lines.values()]
     factor, label = axis(max(known), unit) if unit else (1.0, "1")

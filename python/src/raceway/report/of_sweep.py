@@ -9,11 +9,11 @@ from raceway.report.page import Page
 from raceway.sweeps.gather import gather
 from raceway.sweeps.point_run import FAILED, FINISHED
 
-LONGEST = 500  # rows of the table; the chart has all
+LONGEST = 500  # most rows of the table; the chart has all points
 
 
 def page(folder: Path) -> Page:
-    """The page of the sweep in `folder`. Raises `RacewayError` when it holds no point."""
+    """The page of the sweep in `folder`. Raises `RacewayError` if the folder has no point."""
     table = gather(folder)
     finished = table[table["status"] == FINISHED]
     result = Page(f"Sweep {Path(folder).name}: {len(table)} points, {len(finished)} finished")
@@ -55,7 +55,7 @@ def _numbers(table):
 
 
 def _tables(asked):
-    """Distinct rows, by the names of the variables that their points set."""
+    """Distinct rows, grouped by the names of the variables that their points set."""
     tables = {}
     for _, row in asked.astype(object).iterrows():
         given = row.dropna()

@@ -54,7 +54,7 @@ class Page:
         """A chart of `charts.js`. Values that are not finite numbers become gaps."""
         self._charts += 1
         name = f"chart{self._charts}"
-        # no text may close the script element
+        # so that no text closes the script element
         data = json.dumps(_plain(chart), ensure_ascii=False, allow_nan=False).replace(
             "<", "\\u003c"
         )

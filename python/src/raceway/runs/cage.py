@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A one-piece cage (fix bearing/cage/ring) in a run: its slip and the causes of the slip, orbit,
-whirl and pocket forces."""
+"""A one-piece cage (fix bearing/cage/ring) in a run: its slip and the causes of this slip, its
+orbit, whirl and pocket forces."""
 
 import math
 from collections.abc import Mapping
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 TURNS = 2  # fewest cage revolutions for a whirl
 ROUNDING = 1e-12  # rounding error of a slip
-WHIRLS = 0.02  # fraction of the play: with a smaller orbit the cage does not whirl
+WHIRLS = 0.02  # smallest orbit of a cage that whirls, as a fraction of the play
 NEAR = 0.1  # fraction of the cage's speed within which a whirl turns with a part of the bearing
 
 
@@ -44,14 +44,15 @@ class CageFigures(NamedTuple):
 def cage_figures(tables: "RunTables") -> CageFigures | None:
     """`CageFigures` of a run, None without a one-piece cage.
 
-    `cage_slip`: 1 minus the cage's speed over its speed for rolling at contact angle 0, both
-    relative to the outer ring, means of the measured passes. It is the sum of `cage_slip_angle`
-    (rolling at the contact angles of the run), `cage_slip_groove` (balls roll on a circle of their
-    contact ellipse, not at the bottom of the groove) and `cage_slip_play` (the rest: pocket play,
-    which idle balls lose, and creep under drag); these are missing if the record has no contacts.
-    `cage_orbit_m`: largest distance of the cage's centre from its mean position (m). `cage_whirl`,
-    `cage_whirl_order`: `whirl`. `pocket_play_m`: along the pitch circle (m). `pocket_force_max_N`,
-    `..._mean_N`: largest and mean force of a ball on its pocket (N), at the ends of steps.
+    `cage_slip`: 1 minus the ratio of the cage's speed to its speed for rolling at contact angle 0,
+    both relative to the outer ring and averaged over the measured passes. It is the sum of
+    `cage_slip_angle` (rolling at the contact angles of the run), `cage_slip_groove` (balls roll
+    without sliding on two lines of their contact ellipse, not at the bottom of the groove) and
+    `cage_slip_play` (the rest: pocket play, which idle balls lose, and creep under drag); these are
+    missing if the record has no contacts. `cage_orbit_m`: largest distance of the cage's centre
+    from its mean position (m). `cage_whirl`, `cage_whirl_order`: from `whirl`, `whirl_order`.
+    `pocket_play_m`: play along the pitch circle (m). `pocket_force_max_N`, `..._mean_N`: largest
+    and mean force of a ball on its pocket (N), at the ends of steps.
     """
     record = tables.record
     side = record.fixed("ring_raceway").tolist()
@@ -91,8 +92,8 @@ def cage_figures(tables: "RunTables") -> CageFigures | None:
 
 def whirl(order: float | None, known: dict[str, float]) -> str | None:
     """Name of a whirl at `order` times the speed of the cage (`whirl_order`): none, irregular, the
-    part that it turns with, forward (the way the cage turns) or backward. `known` maps parts to
-    their speeds relative to the speed of the cage.
+    part with which the whirl turns, forward (in the direction in which the cage turns) or backward.
+    `known` maps parts to their speeds relative to the speed of the cage.
 
     >>> whirl(0.52, {"cage": 1.0, "inner ring": 2.5}), whirl(-3.0, {})
     ('half the speed of the cage', 'backward')
@@ -122,7 +123,7 @@ def whirl_order(place: np.ndarray, turn: float, play: float) -> float | None:
     power = np.abs(np.fft.fft(place * np.hanning(count), wide)) ** 2
     speed = np.fft.fftfreq(wide) * 2 * math.pi / turn
     bin_ = 2 * math.pi / (abs(turn) * count)
-    power[np.abs(speed) < bin_] = 0.0  # drift
+    power[np.abs(speed) < bin_] = 0.0  # drift of the centre
     top = float(speed[power.argmax()])
     line = np.abs(speed - top) < 2 * bin_  # the width of the window's line
     return top if power[line].sum() > 0.5 * power.sum() else math.nan
@@ -161,10 +162,10 @@ def cage_ranges(
 ) -> dict[str, tuple[float, float, str]]:
     """{key: (low, high, why)} of the cage's `figures` that depend on unknown play and guidance.
 
-    Play: `cage_speed.PLAYS` of the ball's diameter if the run estimated it. Slip by play over the
-    loaded arc: `cage_speed.slips_of_play`, for any position of the cage. Largest force: idle balls
-    fall through the play under a steady drag, and the force of an impact is proportional to their
-    speed, hence to the square root of the play.
+    Play: `cage_speed.PLAYS` times the ball's diameter if the run estimated the play. Slip due to
+    play: `cage_speed.slips_of_play` over the loaded arc, for any position of the cage. Largest
+    force: idle balls move through the play under a steady drag, and the force of an impact is
+    proportional to the speed of the ball, hence to the square root of the play.
     """
     play, balls = figures.get("pocket_play_m"), tables.geometry.balls
     slip, shares = figures.get("cage_slip_play"), (1.0, 1.0)
@@ -192,7 +193,7 @@ def cage_ranges(
 
 
 class Pockets(NamedTuple):
-    """The pockets of a one-piece cage in s samples."""
+    """The pockets of a one-piece cage in a number s of samples."""
 
     centre: Floats  # (s, pockets, 3), m
     turned: Floats  # (s,), rad, azimuth of the first pocket

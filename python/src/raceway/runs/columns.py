@@ -10,8 +10,8 @@ from raceway import core
 
 
 class Column(NamedTuple):
-    """`unit` in SI, "" for a plain number. `absent`: the value without contact, 0 for a quantity
-    that vanishes with the contact, NaN for one that is undefined."""
+    """`unit` is the SI unit, "" for a plain number. `absent` is the value without contact: 0 for a
+    quantity that vanishes with the contact, NaN for a quantity that is then undefined."""
 
     meaning: str
     unit: str

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Envelope spectra: the rate of impacts that excite a resonance.
+"""Envelope spectra, which show the rate of impacts that excite a resonance.
 
 A flaw excites the structure once per ball pass, and each impact rings at a natural frequency of the
 structure. The spectrum of the signal shows the ringing. The spectrum of its envelope in the band of
@@ -19,7 +19,7 @@ from raceway.runs import spectrum
 from raceway.runs.source import Signal, Source
 
 LEVELS = 6  # the narrowest bands are 1/64 of half the sampling rate
-EDGE = 0.05  # fraction of the signal faded out and ignored at each end, for the bands
+EDGE = 0.05  # fraction of the signal at each end that is faded out and ignored for the bands
 ENOUGH = 64  # minimum number of values of an envelope for its kurtosis
 
 
@@ -32,12 +32,12 @@ class Band(NamedTuple):
 
 
 def of_values(values: ArrayLike, sample_s: float, low: float, high: float) -> Floats:
-    """Envelope of evenly sampled `values` (N,), `sample_s` apart, in the band `low` to `high` in
-    Hz: (N,), in their unit.
+    """Envelope (N,) of evenly sampled `values` (N,), `sample_s` apart, in the band `low` to `high`
+    in Hz, in the unit of the values.
 
-    The magnitude of the analytic signal after a Butterworth filter of order 4, run forwards and
-    backwards, so nothing is delayed. Raises `ValueError` for a band outside 0 to half the sampling
-    rate.
+    The envelope is the magnitude of the analytic signal after a Butterworth filter of order 4, run
+    forwards and backwards, so that it has no delay. Raises `ValueError` for a band outside 0 to
+    half the sampling rate.
 
     >>> time = np.arange(8000) / 8000
     >>> beat = (1 + 0.5 * np.cos(2 * np.pi * 20 * time)) * np.sin(2 * np.pi * 1000 * time)
@@ -58,9 +58,9 @@ def bands(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> list[Ba
     """Spectral kurtosis of `values` (N,), `sample_s` apart, in halves, quarters ... of the range
     from 0 to half the sampling rate; no band is narrower than `narrowest` in Hz.
 
-    E|x|^4/(E|x|^2)^2 - 2 of the complex envelope x (Antoni, Mech. Syst. Signal Process. 21 (2007)
-    108), with brick-wall bands. The lowest band of each level is omitted: it contains the slow
-    motion.
+    The spectral kurtosis is E|x|^4/(E|x|^2)^2 - 2 of the complex envelope x (Antoni, Mech. Syst.
+    Signal Process. 21 (2007) 108), with brick-wall bands. The lowest band of each level is omitted,
+    because it contains the slow motion.
     """
     values = signal.detrend(np.asarray(values, float))
     lines = fft.rfft(values * signal.get_window(("tukey", 2 * EDGE), len(values)))
@@ -80,7 +80,7 @@ def bands(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> list[Ba
 
 
 def best_band(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> Band:
-    """The most impulsive of `bands`. Raises `ValueError` if there are too few values for any."""
+    """The most impulsive of `bands`. Raises `ValueError` if there are too few values for a band."""
     found = bands(values, sample_s, narrowest)
     if not found:
         raise ValueError(

@@ -37,9 +37,9 @@ def over_time(run: Run, whole: xr.Dataset, ask: Ask = NOTHING) -> xr.Dataset:
     """Dataset over time with the variables of `MEANING`, SI units; `whole` is the result of
     `whole_capacitance.over_time` for the `run`.
 
-    Plates, around and unloaded add up to the bearing. In `ask`, a voltage adds the fields, a
-    resistivity the leak, a frequency the impedance, and a motor the ratio; the energy then includes
-    the motor's capacitances.
+    The capacitances of plates, surroundings and unloaded balls add up to that of the bearing. A
+    voltage in `ask` adds the fields, a resistivity the leak, a frequency the impedance, and a motor
+    the voltage ratio; with a motor, the energy includes the motor's capacitances.
     """
     total, paths, load, plates = (
         _films(whole, name) for name in ("total", "paths", "load", "plates")
@@ -98,5 +98,5 @@ def spectrum(whole: xr.Dataset, frequency: Floats, resistivity: float) -> xr.Dat
 
 
 def _films(data, name):
-    """(2, n, Z), inner and outer."""
+    """Values (2, n, Z) of the inner and the outer films."""
     return data[name].transpose("raceway", "time", "ball").to_numpy()

@@ -64,7 +64,7 @@ def figures(
 ) -> dict[str, Any]:
     """Figures of a `run` by name in SI units, angles in degrees; None if not requested. `data` is
     from `film_figures.over_time`, `fields` from `whole_capacitance.fields`. Keys shared with
-    `electric_point.figures` have the same meaning, over the run."""
+    `electric_point.figures` have the same meaning, here over the whole run."""
     first = int(data["threshold"].to_numpy().argmin())
     state = fields["state"].to_numpy() == STATES.index("metallic")
     plates = float(data["plates"].mean())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Flaws of a run: the words of fix bearing/profile by ring or ball."""
+"""Flaws of a run: the words of fix bearing/profile for each ring or ball."""
 
 import re
 from collections.abc import Mapping
@@ -8,7 +8,7 @@ from typing import Any
 from raceway.theory.bearing import INNER, OUTER
 
 RINGS = {INNER: "inner_ring", OUTER: "outer_ring"}  # keys of a run's settings
-ONE = re.compile(r"(?:^|; )(\d+) ((?:(?!; \d+ ).)*)")  # an atom number and the words
+ONE = re.compile(r"(?:^|; )(\d+) ((?:(?!; \d+ ).)*)")  # an atom number and its words
 OF_BALL = "ball "  # before the words of a ball
 
 

@@ -2,7 +2,7 @@
 """The bearing's own frame: z is its axis, and the origin is the initial seat of its outer ring.
 
 A record has vectors along the axes of the lab; its attribute `axis` is the axis of the bearing. The
-conversion is cyclic, as in the hosts (`lab_axes.h`), so no bit changes.
+conversion permutes components cyclically, as in the hosts (`lab_axes.h`), so no bit changes.
 """
 
 import re
@@ -25,7 +25,7 @@ def own_name(name: str, axis: str) -> str:
 
 
 def along(name: str) -> int | None:
-    """Index of the coordinate of a place, 0 to 2; None for other variables.
+    """Index of the coordinate, 0 to 2, that a position variable holds; None for other variables.
 
     >>> along("ball_y"), along("ring_origin_z"), along("ring_x")
     (1, 2, None)

@@ -19,7 +19,7 @@ KEYS = (
     "asperity_share",
 )
 STILL = 1e-9  # rad/s of relative speed, below which rings count as standing still
-FEW = 1e-2  # fraction of the radial force: a smaller axial force is ripple
+FEW = 1e-2  # fraction of the radial force below which an axial force is ripple
 
 
 def friction(tables: RunTables) -> dict[str, Any]:

@@ -14,15 +14,15 @@ def losses(run: Run) -> xr.Dataset:
     """Dataset (time) of `run` (from `raceway.open`), at the samples common to rings and contacts:
 
     - `torque` (N m): moment of the balls on the inner ring, opposite to its rotation relative to
-      the outer one
+    the outer ring
     - `power_in` (W): power supplied by both rings, moment times spin
     - the power lost (W), by kind of loss: `friction_power`, `damping_power`, ... if the
       contact law of the run has them (`columns.LOSSES`)
 
-    At any moment, power in and power lost differ by the change of elastic and kinetic energy; on
-    average over whole ball passes, by the energy error of the integrator. The torque is the
-    moment about the bearing's axis, so the tilt of the ring must be small. Raises `RunError` if the
-    run did not record its losses.
+    At any moment, power in and power lost differ by the rate of change of elastic and kinetic
+    energy; averaged over whole ball passes, they differ by the energy error of the integrator. The
+    torque is the moment about the bearing's axis, so the tilt of the ring must be small. Raises
+    `RunError` if the run did not record its losses.
     """
     rings, bearing = run.rings, run.bearing
     if "mz" not in rings or "spin" not in rings:

@@ -61,7 +61,7 @@ def rpm(tables: RunTables) -> tuple[Floats, Floats]:
 
 
 def speeds(tables: RunTables) -> str:
-    """Speed of the shaft as text, a range if it changes; of both rings if the outer one rotates."""
+    """Shaft speed as text, a range if it changes; speeds of both rings if the outer one rotates."""
     inner, outer = (speed[_kept(tables)] for speed in rpm(tables))
     if outer.any():
         return f"inner {_range(inner)}, outer {_range(outer)}"
@@ -75,8 +75,8 @@ def _range(speed):
 
 
 class Loading(NamedTuple):
-    """Load on the balls, N: `radial`, the mean magnitude of the radial force; `axial`, along the
-    axis; `turns`, true for a rotating radial force."""
+    """Load on the balls, N: `radial` is the mean magnitude of the radial force, `axial` the force
+    along the axis; `turns` is true for a rotating radial force."""
 
     radial: float
     axial: float
@@ -98,7 +98,7 @@ def loading(tables: RunTables) -> Loading | None:
 
 def load_parameter(tables: RunTables, displacement: float) -> float | None:
     """Load distribution factor of a run with the mean radial `displacement` (m). None where it is
-    undefined: without displacement, under a load that is not radial or rotates, or with a tilt."""
+    undefined: without displacement, with a tilt, or under a load that rotates or is not radial."""
     rings, load = _window(tables), loading(tables)
     if not displacement:
         return None
@@ -111,7 +111,7 @@ def load_parameter(tables: RunTables, displacement: float) -> float | None:
 
 
 def _kept(tables):
-    """Samples of the window except the first, unless it is the only one."""
+    """Samples of the window without the first sample, unless it is the only one."""
     return slice(int(tables.first == 0 and tables.last > 1), None)
 
 

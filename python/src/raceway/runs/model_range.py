@@ -2,13 +2,14 @@
 """Known model uncertainty of the figures of a run: the range of the inputs and the spread of the
 laws. Unknown uncertainties are not included; for numerical errors see `raceway check`.
 
-Films and capacitance: ends of the inputs, Masjedi-Khonsari or Hamrock-Dowson, and the factors of
-inlet shear by Murch, Wilson and Gupta. A run without inlet shear is isothermal; its lower limit is
-the film thinned by inlet shear. All are evaluated at the inner contact with the largest load and
-applied as factors; limits that act in the same direction are combined. Asperities: the three laws
-of `theory.asperity`. Torque: the unknowns of its parts, and the makers' formulas. The unknowns are
-the inlet, from the shortest to a flooded one; alpha of hysteresis, 0.005 to 0.05; the share of the
-asperities; and drag, half to twice its value.
+Films and capacitance: the limits of the inputs, the film laws of Masjedi-Khonsari and
+Hamrock-Dowson, and the factors for inlet shear by Murch, Wilson and Gupta. A run without inlet
+shear is isothermal; its lower limit is the film thinned by inlet shear. All limits are evaluated at
+the inner contact with the largest load and applied as factors; limits that act in the same
+direction are combined. Asperities: the three laws of `theory.asperity`. Torque: the unknowns of the
+friction laws, and the makers' formulas. The unknowns are the inlet, from the shortest to a flooded
+one; alpha of hysteresis, 0.005 to 0.05; the share of the asperities; and drag, half to twice its
+value.
 """
 
 import math
@@ -50,7 +51,8 @@ SHARES = (asperity.zhou_hoeprich, asperity.olver_spikes, asperity.clarke)
 
 
 class Range(NamedTuple):
-    """Range of a figure within the known model uncertainty, in its own unit, and the reason."""
+    """Range of a figure due to known model uncertainty, in the unit of the figure, and the
+    reason."""
 
     low: float
     high: float

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Datasets with all variables available as attributes: `run.contacts.Q`."""
+"""Datasets with all variables available as attributes, for example `run.contacts.Q`."""
 
 import xarray as xr
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Order tracking: a signal resampled at even angles of the inner relative to the outer ring.
+"""Order tracking: a signal resampled at even angles of the inner ring relative to the outer ring.
 
-Lines at multiples of the shaft's speed then stay at their order while the speed changes.
+Lines at multiples of the shaft's speed then keep their order while the speed changes.
 """
 
 import math
@@ -19,8 +19,8 @@ MOST = 50  # largest number of resampled values per sample of the signal
 
 
 def at_even_angles(values: ArrayLike, angle: ArrayLike) -> tuple[Floats, float]:
-    """(`values` (M,) at even angles, their spacing in turns) from `values` (N,) at `angle` (N,) in
-    rad, by cubic splines.
+    """(values (M,) at even angles, spacing of these angles in turns) from `values` (N,) at `angle`
+    (N,) in rad, by cubic splines.
 
     Raises `ValueError` for an angle that is not strictly monotonic.
     """
@@ -38,14 +38,15 @@ def at_even_angles(values: ArrayLike, angle: ArrayLike) -> tuple[Floats, float]:
 
 
 def changes_speed(of: Source, samples: int) -> bool:
-    """True if the speed of the shaft of a run or recording changes during the `samples` of a
-    signal: by more than 1 % of its mean."""
+    """True if the shaft speed of a run or recording changes by more than 1 % of its mean during the
+    `samples` of a signal."""
     return changes(of.shaft_speed(samples))
 
 
 def tracked(of: Source, signal: Signal, orders: bool | None = None) -> tuple[Floats, float, bool]:
-    """(values (M,), their spacing, True for orders) of a `signal` of a run or recording `of`:
-    unchanged, in s, or at even angles, in turns, if the speed changes or `orders` is true.
+    """(values (M,), their spacing, True for orders) of a `signal` of a run or recording `of`. The
+    signal is unchanged, with the spacing in s, or, if the speed changes or `orders` is true,
+    resampled at even angles, with the spacing in turns.
 
     Raises `RunError` for a shaft that reverses or nearly stops.
     """

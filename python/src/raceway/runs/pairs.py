@@ -11,9 +11,9 @@ _OF_GROOVES = {"load": "max", "capacitance": "sum"}
 
 def pairs(contacts: pd.DataFrame) -> pd.DataFrame:
     """One row for each sample and ball loaded on both raceways, from a table of contacts:
-    `load_inner`, `load_outer` and, if the contacts have them, `capacitance_inner`,
-    `capacitance_outer` and `capacitance`, both in series. For a ring with two grooves: the larger
-    load, and the sum of the capacitances.
+    `load_inner`, `load_outer` and, if the contacts have capacitances, `capacitance_inner`,
+    `capacitance_outer` and their value in series, `capacitance`. For a ring with two grooves, the
+    larger load and the sum of the capacitances.
     """
     names = ["sample", "ball"] + [name for name in ("load", "capacitance") if name in contacts]
     live = contacts.loc[contacts["load"] > 0, [*names, "raceway"]]

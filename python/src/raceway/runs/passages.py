@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Ball passages over a spall in an acceleration or contact load: time of entry and impact.
 
-When a ball enters, its load decreases with the square of the distance and, because of damping,
-linearly with it (low frequencies). It hits the far edge half-way or later (a sharp bend, high
-frequencies). `spall.length` and `kinematics.spall_length` convert the time between the two into a
-length (Sawalha and Randall, Mech. Syst. Signal Process. 25 (2011) 846).
+When a ball enters, its load decreases by a term quadratic in the distance and, because of damping,
+a linear term (low frequencies). It hits the far edge half-way or later (a sharp bend, high
+frequencies). `spall.length` and `kinematics.spall_length` convert the time between entry and impact
+into a length (Sawalha and Randall, Mech. Syst. Signal Process. 25 (2011) 846).
 """
 
 import warnings
@@ -21,7 +21,7 @@ from raceway.runs.source import Source
 from raceway.theory import kinematics
 
 QUIET = 0.25  # fraction of the time before an impact, at its start, that contains no entry
-# multiple of the sharpest bend in that quiet time above which an impact begins
+# multiples of the sharpest bend in this quiet time above which an impact begins
 SHARP, ABOVE = 4.0, 1.5
 ONSET = 0.2  # fraction of the sharpest bend of a passage that its first impact exceeds
 STRONG = 0.7  # fraction of the deepest dip above which a passage is under the load
@@ -29,11 +29,12 @@ STRONG = 0.7  # fraction of the deepest dip above which a passage is under the l
 # sharpest bend
 LEAST, FAINT = 0.02, 0.02
 CALM = (0.3, 0.6)  # fraction of the time from entry to the strong bends that contains no impact
-SMOOTH = 0.5  # bend of that time over its magnitude, below which it is ringing and not noise
-# multiple of the largest jump in the quiet time, and fraction of all, at which an impact begins
+SMOOTH = 0.5  # largest bend over largest value in the quiet time; a lower ratio means ringing
+# an impact begins at a jump above this multiple of the largest jump in the calm time, and above
+# this fraction of the largest jump of the passage
 JUMP, FAINTEST = 3.0, 0.12
-RESTLESS = 0.04  # fraction of the dip above which entries may be lost
-REACH = 6.0  # range of the search for the entry over the time from first sign to end of the fit
+RESTLESS = 0.04  # unrest before entries, as a fraction of the dip, above which some may be lost
+REACH = 6.0  # range of the search for the entry, in times from first sign to end of the fit
 FOLDS = 4  # samples in a bin of the folded record
 FEWEST = 32  # samples around an impact
 # Hz, rate of a signal behind its sensor's filter: in runs of a 6206 under 800 N, spalls of 1 to
@@ -51,7 +52,7 @@ class Passages(NamedTuple):
 
     @property
     def seconds(self) -> Floats:
-        """From entry to blow, s."""
+        """Time from entry to impact, s."""
         return self.blow - self.entry
 
     @property
@@ -73,13 +74,13 @@ def find(
     `period_s`: 1/BPFO or 1/BPFI for a ring's acceleration, Z times this period for the contact load
     of one ball.
 
-    A passage lasts from `reach_s` before to `reach_s` after an impact, by default half a period.
-    The first quarter of the time before the impact must be quiet, along a straight line. The entry
-    is the start of a linear and a quadratic term fitted up to a `share` of the first peak. The
-    impact is the jump of the second derivative; at a rounded edge, the start of the rounding. A
-    contact load bends sooner than an acceleration: use a `share` of 0.1 and a reach of three times
-    the time from entry to impact. Passages without a distinct impact, or with an entry lost in
-    noise, are omitted.
+    A passage lasts from `reach_s` before to `reach_s` after an impact, by default half a period. In
+    the first quarter of the time before the impact, the signal must be quiet, along a straight
+    line. The entry is the start of a linear and a quadratic term fitted up to a `share` of the
+    first peak. The impact is the jump of the second derivative; at a rounded edge, the start of the
+    rounding. A contact load bends sooner than an acceleration does: use a `share` of 0.1 and a
+    reach of three times the time from entry to impact. Passages without a distinct impact, or with
+    an entry lost in noise, are omitted.
 
     Raises `ValueError` for a reach below 16 samples or above half a period, values shorter than a
     period, and a share outside 0 to 1.
@@ -116,8 +117,8 @@ def find(
 
 
 def _phase(turn, count):
-    """Position of the sharpest bend in a period of `count` samples, with all periods folded; in
-    samples."""
+    """Position in samples of the sharpest bend in a period of `count` samples, with all periods
+    folded into one."""
     bins = int(count / FOLDS)
     place = (np.arange(len(turn)) % count * bins / count).astype(int) % bins
     sharp = np.bincount(place, turn**2, bins)
@@ -161,8 +162,8 @@ def _passage(values, turn, share):
 
 
 def _begin(turn, entry, blow):
-    """Start of the impact with strong bends from the index `blow` on: the first jump of `turn`
-    above the earlier ones. A rounded edge first causes a weak bend; ringing bends without a
+    """Start of the impact whose strong bends begin at the index `blow`: the first jump of `turn`
+    that exceeds the earlier jumps. A rounded edge first causes a weak bend; ringing bends without a
     jump."""
     jump = np.abs(np.diff(turn, prepend=turn[0]))
     first, last = (max(int(entry + part * (blow - entry)), 0) for part in CALM)
@@ -181,8 +182,8 @@ def _entry(values, start, end, ringing):
     place = place[max(0, end - int(4 * np.pi / ringing + REACH * (end - start))) :]
     rest = [np.ones_like(place), place, *_waves(place, ringing)]
     values = values[-len(place) + end + 1 : end + 1]
-    # residual of the values and of the two terms after the fit of the rest, as a function of their
-    # start
+    # residual of the values and of the two terms after the fit of line and ringing, as a function
+    # of the start of the terms
     base = np.linalg.qr(np.transpose(rest))[0]
     left = values - base @ (base.T @ values)
 

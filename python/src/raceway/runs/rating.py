@@ -19,7 +19,7 @@ ROWS = (
 
 def rating(tables: RunTables) -> dict[str, float | None]:
     """Figures by the keys of `ROWS`. All are None if the inner ring does not turn against a steady
-    load or the record has no contact loads; the life also if the bearing has no rating.
+    load or the record has no contact loads; the life is also None if the bearing has no rating.
 
     The equivalent load does not depend on the rating. Grooves of a ring count as rows."""
     result: dict[str, float | None] = dict.fromkeys(row.key for row in ROWS)
@@ -39,7 +39,7 @@ def rating(tables: RunTables) -> dict[str, float | None]:
 
 
 def _means(tables):
-    """(2 T,) means of the powers of the loads, by groove of the inner and then the outer ring."""
+    """Means (2 T,) of the powers of the loads on the grooves of the inner, then the outer ring."""
     record, turning, load = tables.record, tables.turning, loading(tables)
     if "load" not in record.contact_columns or load is None or load.turns:
         return None

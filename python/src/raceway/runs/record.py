@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The record of a run: the file written by fix bearing/record, read in pieces.
+"""The record of a run: the file that fix bearing/record writes, read in pieces.
 
 The file is netCDF classic: `xarray.open_dataset` opens it without this module. It may still be
-growing: each read sees the samples that its header counts at that moment.
+growing: each read covers the samples that the header counts at that moment.
 """
 
 import re
@@ -47,7 +47,7 @@ class Record:
 
     Arrays are read on demand, from sample `start` to `stop`. Every sample that is read is verified
     by its checksum. `checked` is False for a record from a version without checksums. Raises
-    `RunError` for a folder without a record, a file that is broken or of another kind, and an
+    `RunError` for a folder without a record, for a file that is damaged or not a record, and for an
     unknown bearing number.
     """
 
@@ -157,7 +157,7 @@ class Record:
         return slice(here[0], here[-1] + 1) if len(here) else slice(0, 0)
 
     def fixed(self, name: str) -> np.ndarray:
-        """The bearing's values of a variable without time."""
+        """Values of a variable without time, for the bearing."""
         dims = self.variables[name]
         return self._from_seat(name, self._fixed[name][tuple(self.part(dim) for dim in dims)])
 
@@ -165,7 +165,8 @@ class Record:
         """{name: array} of variables with time, native byte order, for the bearing.
 
         The file is read once. Variables with one number per sample and bearing or ring are read
-        together and cached until other samples are requested (a summary needs them one by one).
+        together and cached until other samples are requested (a summary reads such variables one by
+        one).
         """
         first, last, _ = slice(start, stop).indices(len(self))
         numbers = [n for n, dims in self.variables.items() if dims in NUMBERS]
@@ -295,7 +296,7 @@ def _without_record(folder):
 
 
 def _check_header(path):
-    """Number of bytes of a header with a valid checksum, 0 for one that has none."""
+    """Number of bytes of a header with a valid checksum, 0 for a header without checksum."""
     with open(path, "rb") as file:
         head = file.read(1 << 16)
         if not (said := HEADER_SUM.search(head)):

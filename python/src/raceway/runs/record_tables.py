@@ -88,8 +88,8 @@ def atoms(record: Record, start: int, stop: int) -> pd.DataFrame:
 
 
 def ring_place(record: Record, side: int, start: int, stop: int) -> list[Floats]:
-    """x, y, z (m) of the centre of the ring of one `side`, and its tilts about x and y (rad): an
-    array (N,) each."""
+    """Position x, y, z (m) of the centre of the ring of one `side`, and the ring's tilts about x
+    and y (rad); five arrays (N,)."""
     record.need_one()
     here = int(np.flatnonzero(record.fixed("ring_raceway") == side)[0])
     names = [f"ring_{name}" for name in ("x", "y", "z", "tilt_1", "tilt_2")]
@@ -99,7 +99,7 @@ def ring_place(record: Record, side: int, start: int, stop: int) -> list[Floats]
 
 
 def rings(record: Record, start: int, stop: int) -> pd.DataFrame:
-    """One row for each sample: step, time, motion of the inner ring and forces on it."""
+    """One row for each sample: step, time, motion of the inner ring and the forces on it."""
     record.need_one()
     inner = int(np.flatnonzero(record.fixed("ring_raceway") == 0)[0])
     for axis in "xyz":

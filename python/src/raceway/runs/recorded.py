@@ -39,7 +39,7 @@ class _InFile(BackendArray):
     def _pick(self, at):
         time, *others = at
         if isinstance(time, slice) and time.step in (None, 1):
-            time = slice(*time.indices(self.shape[0]))  # without samples added since
+            time = slice(*time.indices(self.shape[0]))  # without samples added after opening
         return self.of(self.record.pick(self.name, (time, *others)))
 
 

@@ -13,9 +13,9 @@ REGIMES = ("boundary", "mixed", "full")
 
 
 def shares(run: Run, bins: int = BINS, boundary: float = 1.0, full: float = 3.0) -> xr.Dataset:
-    """Dataset (raceway, from_load_line): `share` (regime, raceway, from_load_line) of the contacts
-    in each sector of the ring, adding up to 1, mean lambda ratio `lambda`, and `contacts`, the
-    number of contacts.
+    """Dataset (raceway, from_load_line): `share` (regime, raceway, from_load_line), the share of
+    the contacts in each sector of the ring that are in a regime, with the sum 1; the mean lambda
+    ratio `lambda`; and `contacts`, the number of contacts.
 
     `run` is from `raceway.open`; the limits are lambda ratios (eq 7). Raises `RunError` for a run
     without film.

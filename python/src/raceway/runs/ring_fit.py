@@ -17,7 +17,7 @@ from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.runs.run import Run
 
-# degree of freedom: column of its displacement and of the force on it
+# {degree of freedom: (column of the displacement, column of the force)}
 COLUMNS = {
     "x": ("x", "fx"),
     "y": ("y", "fy"),
@@ -33,9 +33,9 @@ class Fit(NamedTuple):
 
     stiffness: Floats  # (n, n)
     damping: Floats  # (n, n)
-    stiffness_error: Floats  # (n, n), standard errors if the residuals are noise
+    stiffness_error: Floats  # (n, n), standard errors, provided that the residuals are noise
     damping_error: Floats  # (n, n), likewise
-    left: Floats  # (n,), rms residual of each force divided by the rms of its variation
+    left: Floats  # (n,), rms of each force's residual divided by the rms of its variation
 
 
 def fitted(

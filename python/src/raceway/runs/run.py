@@ -51,8 +51,8 @@ class Run:
     `time` is in s from the start of the measured window, with the same values in all datasets;
     `passes` is the same time in ball passes. `ball` is the atom number, `raceway` "inner" or
     "outer", or for rings of two grooves "inner 0", "inner 1", "outer 0" or "outer 1". Without
-    contact, quantities that vanish with it (load, pressure, capacitance ...) are 0 and undefined
-    ones (film, angle ...) NaN.
+    contact, quantities that vanish with the contact (load, pressure, capacitance ...) are 0 and
+    undefined quantities (film, angle ...) are NaN.
 
     `samples`, a slice without step, selects some samples. The memory for `blocks` and `bearing`
     does not grow with the length of the run; the memory for the other datasets does.
@@ -99,8 +99,8 @@ class Run:
 
     @property
     def settings(self) -> dict[str, Any]:
-        """Settings of the run by the names of `run.yaml`: names as text, all others as numbers in
-        the units that end their names."""
+        """Settings of the run by the keys of `run.yaml`: names as text, all other values as numbers
+        in the units at the end of their keys."""
         return self.tables.settings
 
     @property
@@ -193,7 +193,8 @@ class Run:
         return self.tables.turning.shaft(self.tables.first, self.tables.last)[:samples]
 
     def shaft_speed(self, samples: int | None = None) -> Floats:
-        """Speed (N,) in rad/s of the inner relative to the outer ring at these samples."""
+        """Speed (N,) in rad/s of the inner relative to the outer ring, at all samples or the first
+        `samples`."""
         return self.tables.turning.shaft_speed(self.tables.first, self.tables.last)[:samples]
 
     def universe(self) -> "Universe":

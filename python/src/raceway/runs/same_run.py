@@ -13,8 +13,8 @@ VARIABLES = "deck_variables"  # YAML may have removed quotation marks from other
 
 
 def need_same_run(record: Record, said: Mapping[str, Any]) -> None:
-    """Raise `RunError` if the `record` contradicts `said`, the texts of `run.yaml` by name: in
-    a number, in the variables of the deck or, for a finished run, in its length."""
+    """Raise `RunError` if the `record` contradicts `said`, the texts of `run.yaml` by name, in a
+    number, in the variables of the deck or, for a finished run, in the length of the run."""
     # differences in the deck's variables cause other differences, so they come first
     for key in (VARIABLES, *record.attrs):
         if key not in said or key not in record.attrs:

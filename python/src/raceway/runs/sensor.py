@@ -17,14 +17,14 @@ from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.runs.run import Run
 
-PASSED = 0.4  # pass band relative to the new rate: no change of the signal, within STOPPED
+PASSED = 0.4  # pass band relative to the new rate; its ripple is STOPPED below the signal
 STOPPED = 80.0  # dB, attenuation above half the new rate
 LARGEST = 1000  # largest integer in the ratio of the two rates
 
 
 def decimated(values: ArrayLike, sample_s: float, rate: float) -> Floats:
-    """Evenly sampled `values` (N,), `sample_s` apart, resampled at `rate` in Hz: (M,), in the same
-    unit, starting at the same time.
+    """Evenly sampled `values` (N,), `sample_s` apart, resampled at `rate` in Hz: an array (M,) with
+    the same unit and the same start.
 
     A Kaiser-windowed FIR filter without delay is applied first: flat up to 0.4 of the rate, 80 dB
     down above half of it. Its end effects extend over about 25 values at either end.
@@ -49,7 +49,7 @@ def decimated(values: ArrayLike, sample_s: float, rate: float) -> Floats:
     if share == 1:
         return values.copy()
     up, down = share.numerator, share.denominator
-    # half the new rate, divided by the rate of the filter, which is `up` times the rate of the
+    # half the new rate, divided by half the rate of the filter, which is `up` times the rate of the
     # values
     edge = 1 / down
     taps, beta = signal.kaiserord(STOPPED, edge * (1 - 2 * PASSED))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Settings of a run by the names of `run.yaml`: from the record and, for settings written at the
+"""Settings of a run by the keys of `run.yaml`. They come from the record or, if written only at the
 end of the run, from `run.yaml` in the same folder.
 
 Load, speed and length are measured as means over the record if the deck did not record them.
@@ -25,13 +25,13 @@ MEASURED = ("load_N", "load_azimuth_rad", "rpm", "samples_per_pass", "passes")
 OF_ALL = ("pair_commands", "named_bearings", "bearing_names")  # of all bearings of a record
 TEXT = ("bearing", "lubricant")
 RAD_S = np.pi / 30  # rad/s per revolution per minute
-NO_LOAD = 1e-9  # radial load over the forces on rings, below which its direction is rounding error
+NO_LOAD = 1e-9  # radial load over forces on rings, below which its direction is rounding error
 
 
 class Settings(dict[str, Any]):
-    """`values` by name: text, or numbers in the units that end their names. A key may be missing
-    because it needs the choice of one bearing or a measurement; accessing one of the `needed` keys
-    raises `RunError` with the reason."""
+    """`values` by key: text, or numbers in the units at the end of their keys. A key may be missing
+    because it requires the choice of one bearing, or a measurement; accessing one of the `needed`
+    keys then raises `RunError` with the reason."""
 
     def __init__(self, values: Mapping[str, Any], needed: tuple[Callable[[], None], ...]) -> None:
         super().__init__(values)
@@ -137,7 +137,7 @@ def _measured(record, told):
     # the load is opposite to the force of the balls on the inner ring
     x, y = (-float(inner[name].mean()) for name in ("ring_fx", "ring_fy"))
     along = (x, y)
-    if np.hypot(x, y) <= NO_LOAD * force:  # then use the direction of the displacement
+    if np.hypot(x, y) <= NO_LOAD * force:  # use the direction of the displacement instead
         along = (float(inner["ring_x"].mean()), float(inner["ring_y"].mean()))
     cage = float(record.read(["bearing_cage_speed"])["bearing_cage_speed"].mean())
     sample_s = told["sample_s"]
@@ -152,8 +152,8 @@ def _measured(record, told):
 
 
 def _said(path: Path) -> dict[str, Any]:
-    """Content of `run.yaml`, all as text: 6208 is a name. Empty if the file is missing, or
-    incomplete because the run is writing it."""
+    """Content of `run.yaml`, all as text, because 6208 is a name. Empty if the file is missing, or
+    incomplete because the run is still writing it."""
     if not path.exists():
         return {}
     data = yaml_file.read(path, RunError)

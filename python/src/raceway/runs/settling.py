@@ -20,10 +20,11 @@ KEYS = {
 
 
 def settling(tables: RunTables) -> dict[str, float | None]:
-    """Changes between the last two ball passes of the window, or between its halves if it has
-    fewer than two: relative changes of mean friction torque, largest load on either raceway and
-    cage speed; `settled_spin_axis_rad`, the angle between the balls' mean spin axes, weighted by
-    load. None if the run has not recorded a quantity, or if the speed of the rings changes.
+    """Changes between the last two ball passes of the window, or between the halves of a window
+    with fewer than two. These are the relative changes of mean friction torque, largest load on
+    either raceway and cage speed, and `settled_spin_axis_rad`, the angle between the balls' mean
+    spin axes, weighted by load. None if the run has not recorded a quantity, or if the speed of the
+    rings changes.
 
     Formulas: `src-package/core/figures/settling.h`."""
     result: dict[str, float | None] = dict.fromkeys(KEYS.values())

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A bearing with signals: a run of the simulation, or a recording of a real bearing.
 
-Spectra, envelopes, pictures and spall lengths need only a `Source`, so that they read
-runs and recordings in the same way.
+Spectra, envelopes, pictures and spall lengths require only a `Source`, so they apply to runs and
+recordings in the same way.
 """
 
 from typing import NamedTuple, Protocol
@@ -29,7 +29,7 @@ class Source(Protocol):
 
     @property
     def motion(self) -> Motion:
-        """Mean speeds; NaN for unknown ones."""
+        """Mean speeds; NaN for unknown speeds."""
 
     @property
     def nominal_angle(self) -> float:
@@ -51,4 +51,5 @@ class Source(Protocol):
         signal."""
 
     def shaft_speed(self, samples: int) -> Floats:
-        """Speed (`samples`,) in rad/s of the inner relative to the outer ring at these samples."""
+        """Speed (`samples`,) in rad/s of the inner relative to the outer ring at the samples of a
+        signal."""

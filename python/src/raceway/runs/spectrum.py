@@ -4,9 +4,9 @@ kinematics.
 
 A perfect bearing shows BPFO and its harmonics, because its stiffness varies as the balls pass the
 load. The other lines (FTF, BSF, BPFI) need an irregularity, such as an odd ball or a flaw; without
-one they are reported as not found.
+an irregularity they are reported as not found.
 
-An order is a multiple of the inner ring's speed relative to the outer one. Where that speed
+An order is a multiple of the inner ring's speed relative to the outer ring. Where that speed
 changes, spectra are over orders (`runs.order_tracking`).
 """
 
@@ -31,8 +31,8 @@ WINDOW, HALF_WIDTH = "blackmanharris", 4
 PAD = 8  # least number of values per bin of 1/duration
 # minimum number of periods in the record for a line distinct from the mean
 RESOLVED = HALF_WIDTH + 1.5
-STANDS_OUT = 10.0  # minimum prominence of a line, in multiples of the median around it
-FAINT = 1e-4  # minimum amplitude relative to the strongest; side lobes of the window are at 2.5e-5
+STANDS_OUT = 10.0  # minimum amplitude of a line, in multiples of the median around it
+FAINT = 1e-4  # minimum amplitude relative to the strongest line; side lobes are at 2.5e-5
 NAMES = {"cage": "FTF", "spin": "BSF", "outer": "BPFO", "inner": "BPFI"}
 SHAFT = "shaft"  # the inner ring: unbalance
 # if the outer ring rotates: its rotation, and the rate at which balls pass the load
@@ -44,9 +44,9 @@ class Line(NamedTuple):
 
     name: str  # FTF, BSF, BPFO, BPFI, shaft, outer ring, VC
     harmonic: int
-    order: float  # of the run: multiple of the inner ring's speed relative to the outer one
+    order: float  # in the run: multiple of the inner ring's speed relative to the outer ring
     expected: float  # from rolling without slip, in `unit`
-    found: float  # nearest peak to `by_cage`; NaN without a distinct one
+    found: float  # peak nearest to `by_cage`; NaN if there is no distinct peak
     difference: float  # found/expected - 1
     amplitude: float  # peak, or value of the spectrum at `by_cage`, in the unit of the signal
     prominence: float  # amplitude over the median of the spectrum around it
@@ -63,7 +63,7 @@ def spectrum(values: ArrayLike, sample_s: float) -> xr.DataArray:
     peak of A. Zero padding makes the frequencies finer than the resolution of the record
     (`attrs["resolution"]`, Hz).
 
-    Raises `ValueError` for fewer than 32 values or any that is not finite.
+    Raises `ValueError` for fewer than 32 values or a value that is not finite.
 
     >>> time = np.arange(2000) * 1e-3
     >>> one = spectrum(3.0 + 2.0 * np.sin(2 * np.pi * 123.4 * time), 1e-3)
@@ -129,7 +129,8 @@ def expected(
 ) -> dict[tuple[str, int], tuple[float, float]]:
     """{(name, harmonic): (order, frequency in Hz)} for rings at the speeds `inner` and `outer` in
     Hz, from the kinematics of rolling balls. If the speed `cage` in Hz is given, FTF, BPFO and BPFI
-    follow from it; if `spin`, the speed of the balls relative to the cage, is given, so does BSF.
+    follow from it; if `spin`, the speed of the balls relative to the cage in Hz, is given, BSF
+    follows from it.
 
     `sidebands` adds the sidebands of a flaw modulated by load or cage: BPFI with the shaft, BPFO
     with a rotating outer ring, and the even harmonics of BSF, the impact rate of a ball flaw,
@@ -202,8 +203,8 @@ def lines(
 
     A line is found if a peak is at most `within` (relative to the frequency; or a tenth of the
     resolution) from the line of the run's own cage and balls, exceeds the median around it by a
-    factor of ten, is not 80 dB below the strongest peak, and is closer to this line than to any
-    other. The kinematics use the run's speeds and the contact `angle` in rad as in `places`,
+    factor of ten, is less than 80 dB below the strongest peak, and is closer to this line than to
+    any other. The kinematics use the run's speeds and the contact `angle` in rad as in `places`,
     without clearance. `sidebands` as in `expected`.
     """
     which = 0 if "order" in found_in.dims else 1

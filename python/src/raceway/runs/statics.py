@@ -33,7 +33,7 @@ LARGEST = (
     *("capacitance_top_F", "entrainment_speed_m_s"),
 )
 AT_LARGEST_LOAD = ("h_min_m", "h_c_m", "lambda", "asperity_share")
-RENAMED = {"ring_shift_m": "shift_x_m", "cage_speed_rad_s": "orbital_speed_rad_s"}  # means
+RENAMED = {"ring_shift_m": "shift_x_m", "cage_speed_rad_s": "orbital_speed_rad_s"}  # also means
 PLACE = ("shift_z_m", "tilt_x_rad", "tilt_y_rad")
 FRICTION = ("friction_torque_N_m", "power_loss_W", "asperity_share")
 # data on which the figures do not depend
@@ -122,8 +122,8 @@ def _applies(tables, run):
 
 def _point(tables, run):
     """(keyword arguments of `operating_point.figures`, axial position in m of the inner ring from
-    which a run measures displacement, where its balls touch both raceways; None if statics does not
-    find the position)"""
+    which the run measures displacement). At this position the balls touch both raceways; it is None
+    if statics does not find it."""
     settings, deck = tables.settings, deck_words(tables.settings)
     given = str(settings.get("given_data", "none")).split(",")
     if own := [word for word in given if word.partition("=")[0] not in UNUSED]:

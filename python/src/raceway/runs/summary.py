@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The figures of a run: `summary` as a mapping, `table` as text.
+"""The figures of a run, as a mapping by `summary` and as text by `table`.
 
-The keys are a public interface for scripts: they may be added, but never renamed.
+The keys are a public interface for scripts: keys may be added, but never renamed.
 """
 
 import json
@@ -141,8 +141,8 @@ CHECK = "check.json"  # in the run's folder, written by `raceway check`
 
 
 def summary(tables: RunTables) -> dict[str, Any]:
-    """The figures of the run `tables` by name, SI units, text or numbers; None if the run has
-    no value. `absent` has the reason by key for figures that the run's models omit. `warnings` is a
+    """The figures of the run `tables` by name, SI units, text or numbers; None if the run has no
+    value. `absent` gives, by key, the reason why the run's models omit a figure. `warnings` is a
     list of texts: absent figures, and values outside the range of validity (`theory.validity`).
 
     Reads the record in blocks; memory grows by one row of numbers for each sample. Raises

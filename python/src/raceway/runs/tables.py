@@ -26,9 +26,10 @@ class RunTables:
     """The `settings` of a run and its samples as tables, read on first use.
 
     Tables are `DataFrame`s in SI units whose column `sample` counts the samples of the measured
-    window from 0. For a run larger than memory, `samples`, a slice without step, selects some of
-    them, or `blocks` reads all in turn. A running or stopped run can be read up to its latest
-    sample; it is not `finished`. `bearing` selects one of several by its number, from 1.
+    window from 0. For a run larger than memory, `samples`, a slice without step, selects some
+    samples, or `blocks` reads all of them in turn. A running or stopped run can be read up to its
+    latest sample; it is not `finished`. `bearing` selects one of several bearings by its number,
+    from 1.
 
     Raises `RunError` if the record is missing or broken, or if `run.yaml` belongs to another run.
     """
@@ -104,7 +105,7 @@ class RunTables:
 
     @property
     def cage_ball_radius(self) -> float:
-        """m; for a run without cage, the radius of cage balls without pocket gap."""
+        """Radius of the cage balls, m; for a run without cage, their radius without pocket gap."""
         if "cage_ball_diameter_m" in self.settings:
             return self.settings["cage_ball_diameter_m"] / 2
         bearing = self.geometry
@@ -143,7 +144,7 @@ class RunTables:
 
     @cached_property
     def last(self) -> int:
-        """End of the available samples, at most `stop`; in a growing record it is the same for all
+        """End of the available samples, at most `stop`; in a growing record, the same end for all
         tables. Raises `RunError` without samples."""
         *_, (_, last) = self.record.blocks(self.first, self.stop)
         return last
@@ -151,7 +152,8 @@ class RunTables:
     def blocks(self, name: str) -> Iterator[pd.DataFrame]:
         """Yield the table `name`, "contacts" or "balls", in blocks of whole samples and a few MB.
 
-        Their `attrs` have `first` and the number of `samples`. Raises `RunError` without samples.
+        The `attrs` of a block have `first` and the number of `samples`. Raises `RunError` without
+        samples.
         """
         if name in self.__dict__:  # read already
             yield self.__dict__[name]
@@ -168,8 +170,8 @@ class RunTables:
         return {name.replace(" ", "_"): place == k for k, name in enumerate(self.record.raceways)}
 
     def passes(self, sample: ArrayLike) -> Numbers:
-        """Ball passes, from angles of the cage, from the start of the measured window to a sample
-        (number or array)."""
+        """Number of ball passes from the start of the measured window to a sample (number or
+        array), from the angle of the cage."""
         return self.turning.passes(sample)
 
     def from_load_line(self, azimuth: Numbers) -> Numbers:

@@ -20,7 +20,8 @@ COLUMNS = 4  # least number of windows in a record
 
 
 def spectrogram(values: ArrayLike, sample: float, window: float) -> xr.DataArray:
-    """Amplitude of evenly sampled `values` (N,): `DataArray` (frequency, time) in their unit.
+    """Amplitude of evenly sampled `values` (N,): `DataArray` (frequency, time) in the unit of the
+    values.
 
     `sample` is their spacing and `window` the length of a Hann window, both in the same unit: s or
     turns of the shaft. A sine of amplitude A over a whole window has amplitude A. The mean of each
@@ -74,9 +75,9 @@ def of_run(
 
     Dimensions are frequency (Hz) and time (s), or order (of the shaft) and time if the speed
     changes by more than 1 %; `orders` overrides the choice, and `attrs["orders"]` records it. A
-    window has twelve periods of BPFO for an envelope, a quarter of one for the signal itself.
-    Raises `RunError` as `spectrum.signal_of` does, for a record that is too short, and for a shaft
-    that reverses.
+    window lasts twelve periods of BPFO for an envelope and a quarter of a period for the signal
+    itself. Raises `RunError` as `spectrum.signal_of` does, for a record that is too short, and for
+    a shaft that reverses.
     """
     values, sample_s, attrs = run.signal(name, ring)
     tracked = order_tracking.changes_speed(run, len(values)) if orders is None else orders

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Rotation angles of rings, cage and balls of a bearing during a run, and its ball passes.
 
-Speeds may change during a run. A line of a spectrum is therefore a ratio of angles, and a ball pass
+Speeds may change during a run. The order of a line is therefore a ratio of angles, and a ball pass
 is an angle of the cage.
 """
 
@@ -31,7 +31,7 @@ class Motion(NamedTuple):
 
     @property
     def shaft(self) -> float:
-        """Inner relative to outer ring; the unit of orders."""
+        """Speed of the inner relative to the outer ring; the unit of orders."""
         return self.inner - self.outer
 
 
@@ -44,12 +44,12 @@ class Turning:
         self._passes: Floats = np.zeros(0)
 
     def ring(self, side: int, start: int = 0, stop: int | None = None) -> Floats:
-        """Angle (N,) in rad of the ring of one `side` at the samples `start` to `stop`, from the
-        first of them; 0 for a bearing without that ring."""
+        """Angle (N,) in rad of the ring of one `side` at the samples `start` to `stop`, counted
+        from the first of these samples; 0 for a bearing without that ring."""
         return self._ring("ring_angle", side, start, stop, from_start=True)
 
     def speed(self, side: int, start: int = 0, stop: int | None = None) -> Floats:
-        """Speed (N,) in rad/s of this ring at these samples."""
+        """Speed (N,) in rad/s of the ring of one `side` at the samples `start` to `stop`."""
         return self._ring("ring_spin", side, start, stop)
 
     def _ring(self, name, side, start, stop, from_start=False):
@@ -73,8 +73,8 @@ class Turning:
         ][:, 0])  # fmt: skip
 
     def passes(self, sample: ArrayLike) -> Floats:
-        """Ball passes from the first sample of the record to `sample`, numbers of samples: the
-        cage's angle divided by the angle between two balls."""
+        """Ball passes from the first sample of the record to the samples with the numbers `sample`:
+        the cage's angle divided by the angle between two balls."""
         sample = np.asarray(sample)
         if not sample.size:
             return sample.astype(float)

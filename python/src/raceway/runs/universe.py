@@ -2,8 +2,9 @@
 """A run for MDAnalysis (optional: `pip install raceway[mdanalysis]`).
 
 MDAnalysis stores positions and velocities in single precision. For a 6208 the resolution is 2 nm,
-as large as the overlap of an unloaded ball or one per cent of a film, so they are good only for
-pictures and neighbour searches. Every frame has double-precision values in `trajectory.ts.data`:
+as large as the overlap of an unloaded ball or one per cent of a film, so these values are accurate
+enough only for pictures and neighbour searches. Every frame has double-precision values in
+`trajectory.ts.data`:
 
 - `position`, `velocity` (m, m/s), `spin` (rad/s): (atoms, 3)
 - every column of the contacts for the inner and the outer raceway, `load_inner`, `h_min_outer` ...,
@@ -38,7 +39,8 @@ FEW = 8  # reading a single frame takes about 1/FEW of the time for a block
 
 
 class RunReader(ReaderBase):
-    """The trajectory, with random access to frames; takes a few MB of memory for any run.
+    """The trajectory of a run, with random access to frames; it takes a few MB of memory for any
+    run.
 
     `first` and `stop` select some samples.
     """

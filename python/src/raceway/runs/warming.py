@@ -68,7 +68,7 @@ def _attributes(name):
 
 
 def heated(tables: RunTables) -> bool:
-    """True for a run whose temperatures follow its losses."""
+    """True for a run whose temperatures follow from its losses."""
     return "temperature_inner" in tables.totals
 
 
@@ -104,5 +104,5 @@ def figures(tables: RunTables) -> dict[str, float]:
             **{f"heat_{k}_J": float(last[k]) for k in ("booked", "carried", "stored")},
         }
         if (outlet := float(last["temperature_outlet"])) != float(last["temperature_oil"]):
-            found["temperature_outlet_C"] = outlet  # of oil that flows
+            found["temperature_outlet_C"] = outlet  # of flowing oil
     return found

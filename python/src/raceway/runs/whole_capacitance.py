@@ -84,15 +84,15 @@ def over_time(run: Run, filling: Filling | None = None, density: float = 7800.0)
     """Dataset of a `run` from `raceway.open`: `load`, `separation`, `area`, `plates`, `outside`,
     `paths`, `total` (time, raceway, ball), `one_ball` (time, ball), `bearing` (time); SI units.
 
-    A contact has the film of the run. Below the load Q_u = m r omega_c^2 (balls of `density` in
-    kg/m^3), it has the film of Q_u, extrapolated from the largest load of its raceway at that time
-    with the load exponent of eq 9. A gap without load is at least the distance between ball and
-    raceway, from the positions of ball and ring. `filling` is by default the filling of the run;
-    then separations and capacitances come from its record if present (attribute `source`). The two
-    grooves of a ring always come from the record and are merged: in parallel, with the thinner film
-    and the larger load, without `play`. All samples must fit into memory. Raises `RunError` for a
-    run without film, balls or rings, and for two grooves with a `filling` or without a record of
-    their capacitances.
+    A contact has the film thickness of the run. Below the load Q_u = m r omega_c^2 (balls of
+    `density` in kg/m^3), it has the thickness at Q_u, extrapolated from the contact with the
+    largest load on its raceway at that time with the load exponent of eq 9. A gap without load is
+    at least the distance between ball and raceway, from the positions of ball and ring. `filling`
+    is by default the filling of the run; in that case separations and capacitances come from the
+    record, if it has them (attribute `source`). Values for two grooves of a ring always come from
+    the record and are merged: in parallel, with the thinner film and the larger load, without
+    `play`. All samples must fit into memory. Raises `RunError` for a run without film, balls or
+    rings, and for two grooves with a `filling` or without a record of their capacitances.
     """
     need_film(run, "capacitance")
     contacts = run.contacts
@@ -189,12 +189,12 @@ def fields(
     voltage: float,
     strength: float = film_voltage.STRENGTH,
 ) -> xr.Dataset:
-    """Effect of a `voltage` (V) between the rings, `whole` from `over_time`: Dataset of `share` (V,
-    of each film), `field` and `field_peaks` (V/m with its sign, over h_c and over h_c - 3 sigma;
-    infinite where peaks meet) and `state` (index of `film_voltage.STATES`), (time, raceway, ball);
-    of `threshold` and `threshold_peaks` (V, at which the first film of `strength` in V/m fails) and
-    `weakest` (number of its ball, smooth), (time); of `energy` (J, of the bearing at that voltage,
-    smooth), (time).
+    """Effect of a `voltage` (V) between the rings, with `whole` from `over_time`. Variables (time,
+    raceway, ball) of the Dataset are `share` (V, of each film), `field` and `field_peaks` (V/m with
+    sign, over h_c and over h_c - 3 sigma; infinite where peaks meet) and `state` (index into
+    `film_voltage.STATES`). Variables (time) are `threshold` and `threshold_peaks` (V, at which the
+    first film of `strength` in V/m fails), `weakest` (number of the ball with this film, for smooth
+    films) and `energy` (J, of the bearing at that voltage, for smooth films).
     """
     total = {name: whole["total"].sel(raceway=name, drop=True).to_numpy() for name in SIDES}
     gaps = whole["separation"].transpose("time", "raceway", "ball").to_numpy()

@@ -24,11 +24,11 @@ from raceway.sweeps.point_run import FAILED, FINISHED, run_point
 
 FINER = 0.1  # factor on the tolerance; for velocity Verlet, half the step
 MORE = 2  # factor on the number of samples
-LONGER = 100  # additional ball passes of settling; slow drifts of light balls take that many
+LONGER = 100  # additional ball passes of settling; slow drifts of light balls take this long
 IMPLICIT = ("implicit", "damping", "vibration")  # integrators with a tolerance
 TOLERANCES = ("tolerance", "relative_tolerance", "cage_tolerance")
 OF_IMPLICIT = (*TOLERANCES, "step_error", "step_control")
-# cost and settings, not figures
+# keys for cost and settings, which are not figures
 LEFT_OUT = (
     *("wall_s", "real_time_factor", "processor_s", "evaluations"),
     *("step_s", "simulated_s", "passes"),
@@ -66,7 +66,7 @@ def variables(tables: RunTables) -> dict[str, str]:
     if tables.settings.get("orbit") == "found":
         known["settle"] = "orbit"
         return {**known, "passes": f"{tables.settings['passes']:.15g}"}
-    known.pop("settled", None)  # the repeats settle as long as the run did
+    known.pop("settled", None)  # the repeats settle for as long as the run did
     if known.get("settle") in ("auto", "orbit"):
         known["settle"] = f"{tables.settings['settled_passes']:.15g}"
     return {**known, "passes": f"{tables.settings['passes']:.15g}"}
@@ -108,7 +108,7 @@ def check(folder: FilePath, command: Sequence[str], more: Mapping[str, str]) -> 
     Raises `RacewayError` if a repeat fails or is not the same run.
     """
     tables = RunTables(folder)
-    variables(tables)  # a run without them cannot be repeated
+    variables(tables)  # raises for a run without variables, which cannot be repeated
     figures, errors = summary(tables), {}
     for name, words in repeats(tables).items():
         place = Path(folder) / "check" / name

@@ -14,7 +14,7 @@ from raceway.sweeps.points import deck_variables
 SPECIAL = re.compile(r"[\"'$&#\x00-\x1f\x7f]")
 LINE = r"^(\s*variable\s+{}\s+index\s+)(\"[^\"]*\"|\S+)([^\S\n]*)"
 FIRST = re.compile(r"^\s*variable\s", re.MULTILINE)
-# names of files; a path is relative to the caller's folder, paths in decks to the inputs folder
+# names of files; paths are relative to the caller's folder, in decks to the inputs folder
 FILES = ("bearing", "lubricant")
 
 

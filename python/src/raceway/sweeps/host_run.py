@@ -23,12 +23,13 @@ def execute(
 ) -> int | None:
     """Run the program `words` with its output in the file `log`; return its exit code.
 
-    The run ends early, with None, when the file descriptor `stop` becomes readable, and with the
-    exception if one is raised here (Ctrl-C): the program gets SIGTERM and time to write its restart
-    file. It inherits the descriptors `keep`; `watch` is called a few times per second.
+    The run ends early, with None, when the file descriptor `stop` becomes readable, or with the
+    exception if one is raised here (Ctrl-C). In both cases the program gets SIGTERM and time to
+    write its restart file. It inherits the descriptors `keep`; `watch` is called a few times per
+    second.
     """
     with open(log, "wb") as output:
-        # its own session, otherwise Ctrl-C would end it before it is asked to stop
+        # a session of its own, otherwise Ctrl-C would end the program before it can be stopped
         process = subprocess.Popen(
             words,
             stdin=subprocess.DEVNULL,
@@ -64,8 +65,8 @@ def _end(process, done):
 
 
 def stopped(code: int | None) -> bool:
-    """True if a run ended with the exit `code` of a stop signal, or with None from `execute`: it
-    can be resumed."""
+    """True if a run ended with the exit `code` of a stop signal, or with None from `execute`, so
+    that it can be resumed."""
     return code is None or -code in STOP_SIGNALS or code - 128 in STOP_SIGNALS
 
 
@@ -76,7 +77,7 @@ def complaint(log: Path, code: int) -> str:
     for line in lines:
         if line.startswith("ERROR"):
             return line.partition(": ")[2].rsplit(" (", 1)[0].strip() or line
-    words = (line.strip() for line in reversed(lines) if line.strip(" -=*"))  # no rules
+    words = (line.strip() for line in reversed(lines) if line.strip(" -=*"))  # without rulers
     last = next(words, "nothing printed")
     how = f"killed by signal {signal.Signals(-code).name}" if code < 0 else f"exit code {code}"
     return f"{how}; last line: {last[:200]}"

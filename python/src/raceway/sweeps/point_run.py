@@ -29,7 +29,7 @@ from raceway.sweeps.host_run import complaint, execute, stopped
 from raceway.sweeps.points import deck_variables
 
 FINISHED, FAILED, PENDING, BUSY, STOPPED = "finished", "failed", "pending", "busy", "stopped"
-# variables of the deck and their names in `run.yaml`
+# {variable of the deck: its name in `run.yaml`}
 RECORDED = {
     "load": "load_N",
     "rpm": "rpm",
@@ -44,8 +44,8 @@ RECORDED = {
 
 
 def state(folder: FilePath, variables: Mapping[str, str]) -> tuple[str, str]:
-    """(status, message) of the point in `folder`: finished only if its figures belong to these
-    `variables`."""
+    """(status, message) of the point in `folder`, which is finished only if its figures belong to
+    these `variables`."""
     folder = Path(folder)
     if mapping(folder / "point.yaml", yaml_file.parse) != dict(variables):
         return PENDING, ""
@@ -108,8 +108,8 @@ def run_point(
 
 @contextmanager
 def _locked(folder):
-    """A descriptor that holds the folder's lock, or None. The run inherits it, so that the lock
-    lasts as long as any process writes there."""
+    """A descriptor that holds the folder's lock, or None. The run inherits the descriptor, so that
+    the lock lasts as long as any process writes in the folder."""
     lock = os.open(folder / ".lock", os.O_RDWR | os.O_CREAT, 0o666)
     try:
         try:
@@ -124,7 +124,7 @@ def _locked(folder):
 
 def _execute(folder, variables, command, lock, stop):
     """Exit code of the run; None if it was ended because `stop` became readable."""
-    resumes = "resume" in deck_variables(command[-1])  # other decks restart a stopped point
+    resumes = "resume" in deck_variables(command[-1])  # other decks start a stopped point anew
     given = {"out": str(folder), **({"resume": "yes"} if resumes else {}), **variables}
     words = [*command, "-log", "none"]
     for name, value in given.items():

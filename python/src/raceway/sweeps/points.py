@@ -16,8 +16,8 @@ from raceway.files import FilePath
 from raceway.sweeps import variable_table
 
 INDEX = re.compile(r"^\s*variable\s+(\w+)\s+index\s+(\S+)", re.MULTILINE)
-# variables that a command uses if they exist; the command that reads a bearing's data; a deck
-# in the same folder
+# patterns of the variables that a command uses if they exist, of the command that reads a bearing's
+# data, and of a deck in the same folder
 VARS = re.compile(r"^(?!\s*#)(?:[^#\n]|&\n)*?\bvars ((?:\w+[ \t]*)+)", re.MULTILINE)
 BEARING = re.compile(r"^bearing\s", re.MULTILINE)
 DECK = re.compile(r"^include \S*?/(in\.\S+)", re.MULTILINE)
@@ -40,8 +40,8 @@ class TableError(RacewayError):
 
 
 class Point(NamedTuple):
-    """One point: its folder's name and the deck's variables, in the deck's order, as written in the
-    table; its time share in a load spectrum, or "" if the table has none."""
+    """One point: the name of its folder; the variables of the deck, in the deck's order, as written
+    in the table; and its time share in a load spectrum, or "" if the table has no shares."""
 
     name: str
     variables: dict[str, str]
@@ -79,7 +79,7 @@ def _add_variables(found, path):
     if BEARING.search(text):
         for name in variable_table.data():
             found.setdefault(name, "")
-    for name in DECK.findall(text):  # in the order of the deck, with its own defaults
+    for name in DECK.findall(text):  # in the order of the deck, with the deck's defaults
         included: dict[str, str] = {}
         _add_variables(included, path.parent / name)
         ordered = {key: found.get(key, value) for key, value in included.items()}
@@ -162,8 +162,8 @@ def _some(wrong):
 
 
 def folder_name(variables: Mapping[str, str]) -> str:
-    """A readable name that depends only on the variables: load=5000_rpm=477.5. Names that are long
-    or shorten a path to its last word end with a digest."""
+    """A readable name that depends only on the variables, such as load=5000_rpm=477.5. Names that
+    are long, or in which a path is shortened to its last word, end with a digest."""
     name = "_".join(f"{key}={value}" for key, value in variables.items())
     short = "_".join(f"{key}={value.rsplit('/', 1)[-1]}" for key, value in variables.items())
     if len(name) <= LONGEST and name == short:

@@ -15,7 +15,7 @@ from raceway.errors import RacewayError
 _DATA = yaml.safe_load(files("raceway").joinpath("sweeps/scene_parts.yaml").read_text())
 REFERENCE = {name: str(value) for name, value in _DATA["reference"].items()}
 FINER = {name: str(value) for name, value in _DATA["finer"].items()}
-FIGURES = {  # words of --want: keys of the summary; the first one present counts
+FIGURES = {  # {word of --want: keys of the summary, of which the first one present counts}
     word: tuple(keys) if isinstance(keys, list) else (keys,)
     for word, keys in _DATA["figures"].items()
 }
@@ -30,7 +30,7 @@ class Choice(NamedTuple):
     name: str
     label: str
     group: str  # a set has at most one choice of a group
-    without: tuple[tuple[str, str], ...]  # (variable of `JOINED`, part in it)
+    without: tuple[tuple[str, str], ...]  # (variable of `JOINED`, part listed in it)
     settings: tuple[tuple[str, str], ...]
     parts: tuple[str, ...] | None  # parts of these models; None: of the models of the reference
 
@@ -52,9 +52,9 @@ def whole_scene(given: Mapping[str, str], lubricated: bool) -> dict[str, str]:
 def choices(
     scene: Mapping[str, str], lubricated: bool, defaults: Mapping[str, str] | None = None
 ) -> list[Choice]:
-    """The choices for contacts with a film, or for dry ones, except choices already made by the
-    deck's variables `scene` and choices for parts that the scene lacks; `defaults` are the deck's
-    own values."""
+    """The choices for contacts with a film or for dry contacts, except choices that the deck's
+    variables `scene` already make and choices for parts that the scene lacks; `defaults` are the
+    deck's own values."""
     return [
         choice
         for choice in _all_choices(lubricated, {**(defaults or {}), **scene})

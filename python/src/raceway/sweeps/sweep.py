@@ -103,7 +103,7 @@ class _Worker:
             signal.SIGINT,
             signal.SIGTERM,
             signal.SIGHUP,
-        ):  # the signals reach the whole group; the sweep handles them
+        ):  # signals reach the whole process group; only the sweep handles them
             signal.signal(number, lambda *_: None)  # not SIG_IGN, which the runs would inherit
         os.close(writing)
         cls.stop, cls.parent = reading, os.getppid()

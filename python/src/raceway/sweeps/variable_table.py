@@ -11,14 +11,14 @@ DATA = {"bearing data", "usual data", *OIL}
 
 
 def rows() -> list[dict[str, Any]]:
-    """{"name", "default", "unit", "range", "of", "meaning", "models"} of each; `of` names the
-    commands that take it, joined by |, or the kind of data, `models` the models that use a constant
-    of an oil, "" for all."""
+    """{"name", "default", "unit", "range", "of", "meaning", "models"} of each variable. `of` names
+    the commands that take the variable, joined by |, or the kind of data; `models` names the models
+    that use a constant of an oil, "" for all models."""
     return core.table("variables")
 
 
 def default(name: str) -> str:
-    """Default as text; empty if the command or the data files define it."""
+    """Default of a variable as text; empty if the command or the data files define it."""
     return next((row["default"] for row in rows() if row["name"] == name), "")
 
 
@@ -28,8 +28,8 @@ def oil() -> dict[str, dict[str, Any]]:
 
 
 def block(values: Mapping[str, float]) -> list[str]:
-    """Lines about `values`, constants of an oil that its file lacks: name, default, meaning
-    and effect of each."""
+    """Lines about `values`, the constants of an oil that its file lacks: name, default, meaning and
+    effect of each constant."""
     table = oil()
     return ["", "Defaults of constants that the lubricant's file does not have"] + [
         f"  {name} {value:g} {table[name]['unit']}".rstrip() + f": {table[name]['meaning']}"

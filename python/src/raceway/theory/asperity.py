@@ -11,7 +11,7 @@ from scipy.special import pbdv
 from raceway.arrays import Numbers
 from raceway.core import laws
 
-# {composite roughness in m: (B, C)} of Zhou and Hoeprich, for roller bearings
+# {composite roughness in m: (B, C) of Zhou and Hoeprich}, for roller bearings
 ZHOU_HOEPRICH = {1.0e-7: (2.1, 0.85), 1.6e-7: (2.32, 0.97), 2.4e-7: (1.90, 0.99)}
 CONDUCTS = 0.01  # share above which a contact conducts and is not a capacitor
 
@@ -58,7 +58,7 @@ def greenwood_tripp(
     F_5/2(Lambda), with E* = E'/2, E' = `modulus` in Pa; `density` is eta beta sigma (0.03 to
     0.05), `slope` sigma/beta (1e-3 to 1e-2).
 
-    This is below 5 % of the pressure of a Hertz contact: only its shape is useful.
+    This pressure is below 5 % of that of a Hertz contact; only the shape of the curve is useful.
     """
     factor = 16 * np.sqrt(2) * np.pi / 15 * density**2 * np.sqrt(slope)
     return factor * modulus / 2 * overlap_integral(ratio)

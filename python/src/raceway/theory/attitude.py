@@ -2,9 +2,10 @@
 """Rotation of balls that roll on both raceways, under Coulomb's law and the gyroscopic moment.
 
 In the plane of the bearing's axis e and a ball's radius u, rolling on both raceways leaves one free
-speed: the radial part x of the ball's rotation, in which its orbit Omega and both spins are linear.
-An orbiting ball of inertia J needs the moment J Omega x about the direction t of its path. Only
-friction across the raceways can supply it, so the ball turns about t and slides at s across both:
+speed: the radial part x of the ball's rotation. The orbital speed Omega and both spins are linear
+functions of x. An orbiting ball of inertia J needs the moment J Omega x about the direction t of
+its path. Only friction across the raceways can supply it, so the ball turns about t and slides at s
+across both:
 
     J Omega x = R_b sum of mu Q s/sqrt(s^2 + v^2),    v = s_e/3.80,
 

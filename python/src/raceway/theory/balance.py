@@ -29,7 +29,8 @@ class Here(NamedTuple):
     touch: seat.Touch
 
     def hessian(self, metres: Floats) -> Floats:
-        """(5, 5), with respect to the ring's position, tilts as lengths in metres."""
+        """Second derivatives (5, 5) of the energy with respect to the ring's position, in which
+        tilts are multiplied by `metres`."""
         linear = seat.linear(self.touch)
         return condensed(linear.stiffness[linear.loaded]) / np.outer(metres, metres)
 
@@ -70,7 +71,7 @@ class Balance:
             [np.full(outer.shape, bearing.groove_circle(OUTER, clearance)), outer], -1
         )
         self.gap = np.array([[bearing.groove_gap(side)] for side in bearing.raceways])
-        # m: rounding error of the distances, a few last digits of the radius
+        # m: rounding error of the distances, a few units in the last place of the radius
         self.digits = 8 * np.spacing(bearing.pitch_radius)
         # longest Newton step, m: small compared with the groove
         self.cap = 0.25 * (bearing.groove_gap(INNER) + bearing.groove_gap(OUTER))

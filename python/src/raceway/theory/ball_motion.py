@@ -2,10 +2,10 @@
 """Motion of a ball in contact with more grooves than it can roll on.
 
 The rotation of a ball has components (radial, axial) in the plane through the bearing's axis, and
-its centre orbits. Sliding and spin of its contacts are linear in these three. Under Coulomb's law,
-forces and moments on the ball are in equilibrium where the total power loss of all contacts is
-least. Spin contributes its moment in closed form. This power is piecewise linear, so its minimum is
-where three of the terms are 0.
+its centre orbits. Sliding and spin at its contacts are linear in these three speeds. Under
+Coulomb's law, forces and moments on the ball are in equilibrium where the total power loss of all
+contacts is least. The moment of spin is taken in closed form. This power is piecewise linear, so
+its minimum is where three of the terms are 0.
 """
 
 from itertools import combinations
@@ -22,8 +22,8 @@ def rates(
     bearing: Bearing, raceways: Floats, angle: Floats, ring: float
 ) -> tuple[Floats, Floats, Floats]:
     """(lines (2 C, 3), goal (2 C,), ring speeds (C,)) of the C contacts of a ball on `raceways` at
-    contact angles (rad): `lines` times its motion minus `goal` is its speed relative to the ring at
-    each contact in m/s, followed by its spin at each in rad/s.
+    contact angles (rad): `lines` times the ball's motion minus `goal` is the ball's speed relative
+    to the ring at each contact in m/s, followed by its spin at each contact in rad/s.
 
     The motion is the rotation (radial, axial) in rad/s and the speed of the centre in m/s; the
     inner ring turns at `ring` rad/s, with surface speeds in m/s.
@@ -78,8 +78,9 @@ def least(lines: Floats, goal: Floats, weight: Floats, radius: float) -> Floats:
 
 def speeds(bearing: Bearing, ring: float, state: Equilibrium) -> tuple[Floats, Floats]:
     """(entrainment, rolling) speeds (C, Z) in m/s of all contacts of an `Equilibrium`, loaded or
-    not. The first is half the sum of both surfaces' speeds, the second R_x times the rotation of
-    the ball relative to the ring about the rolling axis: the two are equal without sliding.
+    not. The entrainment speed is half the sum of both surfaces' speeds, the rolling speed is R_x
+    times the rotation of the ball relative to the ring about the rolling axis; the two are equal
+    without sliding.
 
     They follow from rolling at each contact's own angle or, for rings with several grooves, from
     the motion of each ball held by both rings, with a common coefficient of friction.
@@ -107,10 +108,10 @@ def speeds(bearing: Bearing, ring: float, state: Equilibrium) -> tuple[Floats, F
         seen = np.tile(live, 2)
         motion = least(lines[seen], goal[seen], weight[seen], radius)
         faster = (lines @ motion - goal)[: len(raceways)]
-        # the contact's distance from the bearing's axis over the ball's, and R_x/R_b
+        # ratio of the distances of contact and ball centre from the bearing's axis; R_x/R_b
         out = np.where(raceways == INNER, -1.0, 1.0) * np.cos(angle[:, ball])
         ratio = 1 + radius * out / bearing.pitch_radius
-        slips = ~live | (live.sum() > 2)  # the others roll
+        slips = ~live | (live.sum() > 2)  # contacts that do not slip roll
         own = np.abs(surface + faster / 2 - motion[2] * ratio)
         turned = ratio * np.abs(surface / ratio + faster - motion[2])
         speed[slips, ball], rolling[slips, ball] = own[slips], turned[slips]

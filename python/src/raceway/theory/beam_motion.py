@@ -3,8 +3,8 @@
 
 Mass and gyroscopic matrices are consistent with Timoshenko's element: Przemieniecki, Theory of
 Matrix Structural Analysis, 1968, ch. 11; Friswell et al., Dynamics of Rotating Machines, 2010,
-ch. 5. The reduction follows Craig and Bampton (AIAA J. 6 (1968) 1313): some nodes are kept,
-and the others move with them and in the modes of the shaft with the kept nodes held.
+chapter 5. The reduction follows Craig and Bampton (AIAA J. 6 (1968) 1313): some nodes are kept, and
+the other nodes move with them and in the modes of the shaft with the kept nodes held.
 """
 
 from collections.abc import Sequence

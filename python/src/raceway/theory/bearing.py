@@ -33,7 +33,7 @@ class DoubleRow(NamedTuple):
 
 @dataclass(frozen=True)
 class Layout:
-    """Positions of rows and grooves along the axis, m, from the point where loads act; by default
+    """Axial positions of rows and grooves in m, relative to the point where loads act; by default
     one row with one groove per ring."""
 
     rows: tuple[float, ...] = (0.0,)  # planes of the balls, relative to the outer ring
@@ -47,7 +47,8 @@ class Layout:
         return len(self.rows) * len(self.inner[0])
 
     def centres(self, raceway: int, balls: int) -> Floats:
-        """(grooves, rows x balls), m: by groove and ball, row by row."""
+        """Axial positions (grooves, rows x balls) of the centres of curvature of a ring, m; the
+        balls row by row."""
         by_row = np.array(self.inner if raceway == INNER else self.outer, float)
         return np.repeat(by_row.T, balls, axis=1)
 
@@ -230,7 +231,7 @@ class Bearing:
         Harris 2.28).
         """
         inner = raceway == INNER
-        # the pitch of a ball at rest on that raceway: clearance is assigned to the outer ring
+        # pitch radius of a ball that lies on that raceway: clearance is assigned to the outer ring
         pitch = self.pitch_radius + (0.0 if inner else clearance / 2)
         return tuple(
             laws.effective_radii(

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Power lost by a cage that is one rigid ring (fix bearing/cage/ring), for the parts with a closed
-form: oil sheared in its pockets, film at its guiding land, churning. The friction of balls on their
-pockets follows from the forces of a run and is left out."""
+"""Power lost by a cage that is one rigid ring (fix bearing/cage/ring). Only the parts of the loss
+that have a closed form are included: oil sheared in its pockets, film at its guiding land,
+churning. The friction of balls on their pockets follows from the forces of a run and is left
+out."""
 
 import math
 from typing import NamedTuple
@@ -14,7 +15,7 @@ from raceway.theory.lubricant import Fluid
 
 
 class CageRing(NamedTuple):
-    """Data of such a cage, with the defaults of decks."""
+    """Data of a cage that is one rigid ring, with the defaults of decks."""
 
     play: float = 0.0  # m, of the pockets along the pitch circle; 0: estimated
     filled: float = float(variable_table.default("cage_filled"))  # share of the gaps with oil
@@ -34,8 +35,8 @@ def power(
     orbit: float,
     angle: float = 0.0,
 ) -> float:
-    """W, of all rows: inner ring at `ring`, cage at `orbit` rad/s, `share` of oil around the balls,
-    mean contact `angle` in rad.
+    """Power lost in all rows, W. The inner ring turns at `ring` rad/s and the cage at `orbit`
+    rad/s; `share` is the fraction of oil around the balls, `angle` the mean contact angle in rad.
 
     In its pocket a ball turns about the bearing's axis, tilted by the contact angle; about the
     pocket's own axis the oil resists twice as much. A cage on a land is taken as centred.

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Speed of a cage by statics, accurate enough (1e-4) for comparison with a measured line.
 
-`kinematics.frequencies` has one contact angle. Three effects are added: the angles at both
-raceways differ because of the centrifugal load; the axis about which a ball rotates then matters;
-and a ball on a curved groove rolls on a circle of its contact ellipse without sliding
-(Heathcote), not at the bottom.
+`kinematics.frequencies` has one contact angle. Three effects are added here. The contact angles at
+the two raceways differ because of the centrifugal load. The axis about which a ball rotates then
+matters. In a curved groove, a ball rolls without sliding (Heathcote) on two lines of its contact
+ellipse, not at the bottom of the groove.
 """
 
 import math
@@ -18,7 +18,7 @@ from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.models import STATICS
 from raceway.theory.static import Equilibrium
 
-# Relative to the order, one standard deviation: rolling resistance and drag retard the balls by up
+# One standard deviation, relative to the order: rolling resistance and drag retard the balls by up
 # to 1e-4 if all of them are loaded (tests/hosts/test_identify.py compares runs)
 ERROR = 1e-4
 # Play of a pocket along the pitch circle, as a fraction of the ball's diameter (docs/cage)
@@ -114,7 +114,7 @@ def rolling(bearing: Bearing, inner: Rolling, outer: Rolling, *, tilted: bool) -
 
 
 def slips(bearing: Bearing, inner: Rolling, outer: Rolling) -> list[Floats]:
-    """e_i, e_o of `order` for each ball: by what fraction the rings are slower than the ball's
+    """e_i, e_o of `order` for each ball: the fraction by which each ring is slower than the ball's
     surface in free rolling."""
     found = []
     for side, one in ((INNER, inner), (OUTER, outer)):

@@ -43,9 +43,9 @@ def mean_permittivity(ambient: Numbers, pressure: Numbers) -> Numbers:
 
 
 def film_permittivity(ambient: Numbers, pressure: Numbers, at: str = "maximum") -> Numbers:
-    """Relative permittivity of a film from the largest `pressure` of its ellipse in Pa: "maximum"
-    at that pressure (as in the paper), "two_thirds" at two thirds of it, "mean" the mean over the
-    area. Raises `ValueError` for another word."""
+    """Relative permittivity of a film from the largest `pressure` in its ellipse (Pa). `at` is
+    "maximum" for the value at that pressure (as in the paper), "two_thirds" for the value at two
+    thirds of it, and "mean" for the mean over the area. Raises `ValueError` for another word."""
     if at not in PERMITTIVITY_AT:
         raise ValueError(f"permittivity_at '{at}' is not one of {', '.join(PERMITTIVITY_AT)}")
     if at == "mean":

@@ -19,8 +19,8 @@ from raceway.theory.bearing import INNER, Bearing
 from raceway.theory.groove_width import shoulder_angle
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(10)
-# in e-folds of the distance from an edge: ends and width of the steps along x; depth and width of
-# the panels along y
+# in e-folds of the distance from an edge: first and last step along x and the width of a step;
+# depth and width of the panels along y
 NEAR, FAR, STEP = -22.0, 22.0, 0.4
 DEEP, PANEL = 25.0, 2.5
 
@@ -61,8 +61,8 @@ def gap(one: Hertz, x: ArrayLike, y: ArrayLike) -> Numbers:
 
 
 def _gap(one, x, y, beyond):
-    """The gap where a^2 x^2 + b^2 y^2 - a^2 b^2 = `beyond`, which near the ellipse is not a
-    difference of squares."""
+    """The gap at (x, y) with `beyond` = a^2 x^2 + b^2 y^2 - a^2 b^2, given separately because a
+    difference of squares is inaccurate near the ellipse."""
     aa, bb, xx, yy = one.a**2, one.b**2, x * x, y * y
     half = (aa + bb - xx - yy) / 2
     root = np.sqrt(half * half + beyond)
@@ -105,12 +105,12 @@ def arc(
     depth: float,
     angle: float = 0.0,
 ) -> Numbers:
-    """I in m around the ellipse in a circular groove with a depth of `depth` (m) at a contact angle
-    (rad), with the shape of `separation` (m).
+    """I in m around the ellipse in a circular groove of depth `depth` (m) at the contact angle
+    `angle` (rad), with the shape of `separation` (m).
 
-    Within the ellipse's width as in `parabola`. Beyond it, the difference between the gaps of arc
-    and parabola is added, and the radius along rolling follows the raceway. Raises `ValueError` for
-    a load that is not positive.
+    Within the ellipse's width, the gap is that of `parabola`. Beyond it, the difference between the
+    gaps of arc and parabola is added, and the radius along rolling follows the raceway. Raises
+    `ValueError` for a load that is not positive.
     """
     r_x, r_y = (float(value) for value in bearing.effective_radii(raceway, angle))
     one = contact(r_x, r_y, bearing.effective_modulus, load)
@@ -138,9 +138,8 @@ def arc(
 def rigid_arc(
     bearing: Bearing, raceway: int, separation: ArrayLike, depth: float, angle: float = 0.0
 ) -> Numbers:
-    """I in m of an unloaded ball at `separation` (m) from the bottom of a circular groove with a
-    depth of `depth` (m); with the shape of `separation`. Exact to 6e-5 for two eccentric
-    cylinders."""
+    """I in m of an unloaded ball at `separation` (m) from the bottom of a circular groove of depth
+    `depth` (m), with the shape of `separation`. Exact to 6e-5 for two eccentric cylinders."""
     gaps = np.atleast_1d(np.asarray(separation, float))
     total = np.zeros(gaps.shape)
     for place, g0 in np.ndenumerate(gaps):
@@ -185,7 +184,7 @@ def _along(bearing, raceway, psi, angle):
 
 
 def _strips(one, y, weight, separation, bend=0.0, turned=0.0):
-    """Sum of weight times the integral of dx/(h + g) at `y`, for each h."""
+    """Sum over `y` of `weight` times the integral of dx/(h + g), for each h in `separation`."""
     inside = np.maximum(1 - (y / one.a) ** 2, 0.0)
     edge = one.b * np.sqrt(inside)
     away = one.b * np.exp(np.arange(NEAR, FAR, STEP))

@@ -18,8 +18,8 @@ SMALLEST_KAPPA = 1.0  # the fits of beside and beyond are for ellipses across th
 
 
 def beside(ratio: Numbers) -> Numbers:
-    """G(H), H = h/g_s: the gap before and behind the ellipse over 2 a b/g_s. Within 0.2 % of its
-    integral (`capacitance_exact.beside`) for H from 1e-3 to 1e3.
+    """G(H) with H = h/g_s: I of the gap before and behind the ellipse, divided by 2 a b/g_s. Within
+    0.2 % of the integral (`capacitance_exact.beside`) for H from 1e-3 to 1e3.
 
     >>> [round(float(beside(h)), 3) for h in (1e-3, 1.0, 1e3)]
     [33.802, 2.462, 0.098]
@@ -28,8 +28,9 @@ def beside(ratio: Numbers) -> Numbers:
 
 
 def beyond(ratio: Numbers, kappa: Numbers, reach: Numbers) -> Numbers:
-    """P: the gap beyond one end of the ellipse, the integral of dy/sqrt(H + E(y)) in units of a
-    from 1 to `reach` = S/a; zero if the ellipse fills the groove. H = h/g_s = `ratio`."""
+    """P, for the gap beyond one end of the ellipse: the integral of dy/sqrt(H + E(y)) from 1 to
+    `reach` = S/a, with y in units of a and H = h/g_s = `ratio`; zero if the ellipse fills the
+    groove."""
     return laws.gap_beyond(ratio, kappa, reach)
 
 
@@ -70,7 +71,7 @@ def rigid(
     widths: HalfWidths,
     play: Numbers | None = None,
 ) -> Numbers:
-    """I in m of an unloaded ball at `separation` g_0 (m) from the raceway's bottom; R_x, ball
+    """I in m of an unloaded ball at `separation` g_0 (m) from the bottom of the groove; R_x, ball
     and `groove` radius in m, `ellipse` of the loaded contact. Raises `ValueError` for a separation
     that is not positive.
 

@@ -2,8 +2,8 @@
 """Both gaps of every ball as capacitors: contact patch and surroundings of a loaded contact, rigid
 gap of an unloaded one. Arrays with one value per ball, SI units. Derivation: docs/electric.
 
-A ball between the rings always has both capacitors. An unloaded one lies on the outer raceway
-under its centrifugal load Q_u, and its play is the gap to the inner one.
+A ball between the rings always has both capacitors. An unloaded one lies on the outer raceway under
+its centrifugal load Q_u, and its play is the gap to the inner raceway.
 """
 
 from collections.abc import Callable
@@ -127,13 +127,13 @@ def of_raceway(
     clearance: float = 0.0,
 ) -> Capacitors:
     """`Capacitors` of one raceway from loads (N), separations (m) and contact angles (rad) of the
-    balls (Z,), in oil of relative `permittivity` at rest.
+    balls, arrays (Z,), in oil with the relative `permittivity` at rest.
 
     Without load the gap is rigid; its `play` (m) is by default the separation, and negative if a
-    film separates overlapping bodies. The plates have the `film_thickness` of their load, m, if it
-    differs from the separation. `roughness` sigma in m counts if `filling` includes it; `clearance`
-    is diametral, m. Raises `ValueError` for a separation that is not positive and for unknown words
-    in `filling`.
+    film separates overlapping bodies. `film_thickness` (m) is the thickness between the plates, by
+    default the separation. The roughness sigma (m) counts if `filling` includes it; `clearance` is
+    diametral, m. Raises `ValueError` for a separation that is not positive and for unknown words in
+    `filling`.
     """
     load, separation, angle = np.broadcast_arrays(
         *(np.asarray(value, float) for value in (load, separation, angle))
@@ -193,8 +193,8 @@ def of_raceway(
 def separation(
     thickness: Callable[[Floats], Floats], load: ArrayLike, play: ArrayLike, quiet: float
 ) -> Floats:
-    """Separation of a gap in m, continuous through loss and return of contact: h_c for the larger
-    of load and `quiet` Q_u (N), and at least the `play` (m; negative or zero under load).
+    """Separation of a gap in m, continuous when contact is lost and regained: h_c at the larger of
+    the load and Q_u = `quiet` (N), but at least the `play` (m; negative or zero under load).
 
     `thickness` gives h_c in m from the contact loads in N. All arrays have the same shape.
     """
@@ -217,9 +217,9 @@ def of_statics(
 ) -> BearingCapacitors:
     """`BearingCapacitors` of an `Equilibrium` with rotating balls, the inner ring at `speed` rad/s.
 
-    `quiet` is `quiet_load` in N, the least load of the outer film; two grooves share it.
-    `clearance` and `factor` as in `lubrication.lubricate`; `scale` multiplies every film. Raises
-    `ValueError` without speed, because there is no film then.
+    `quiet` is `quiet_load` in N, the lower limit of the load on the outer film; two grooves share
+    it. `clearance` and `factor` as in `lubrication.lubricate`; `scale` multiplies every film.
+    Raises `ValueError` without speed, because there is no film then.
     """
     if not speed:
         raise ValueError("speed = 0 rad/s: balls that do not turn have no film")

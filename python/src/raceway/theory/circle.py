@@ -5,8 +5,8 @@ The ring's position is (x, y, z, t_x, t_y): displacement of its centre in m and 
 transverse axes in rad. Tilt rotates the ring's axis to e = (sin t_y, -sin t_x, ...), so t_x and t_y
 are the values reported by `fix bearing/ring`. A ball's position is (radial, axial) in m in the
 plane through the outer ring's axis at the ball's azimuth. Derivatives are with respect to these
-seven coordinates: ball first, then ring. Arrays have the broadcast shape ... of `azimuth` and the
-circles' `height`.
+seven coordinates: ball first, then ring. The shape ... of the arrays is the broadcast shape of
+`azimuth` and the circles' `height`.
 """
 
 from collections.abc import Callable
@@ -26,7 +26,7 @@ class Reach(NamedTuple):
     curve: Callable[[int], Floats]  # n: second derivatives (..., n, n) for the first n coordinates
     # (..., 2), unit vector from circle to ball in the ring's own section (radial, axial)
     section: Floats
-    line: Floats  # (..., 3), this vector in space: also the force's direction on the ring
+    line: Floats  # (..., 3), that vector in space, which is the direction of the force on the ring
     arm: Floats  # (..., 3), m, from the ring's centre to a point on that line
 
 

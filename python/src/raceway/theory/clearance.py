@@ -16,7 +16,7 @@ def load_parameter(clearance: Numbers, shift: Numbers) -> Numbers:
 
 
 def groove_distance(bearing: Bearing) -> float:
-    """C = r_ci + r_co - D in m, between the grooves' centres of curvature (eq A.2)."""
+    """Distance C = r_ci + r_co - D in m between the grooves' centres of curvature (eq A.2)."""
     return bearing.inner_groove + bearing.outer_groove - bearing.ball_diameter
 
 

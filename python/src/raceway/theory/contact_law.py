@@ -15,7 +15,7 @@ from raceway.theory.lubricant import Fluid
 
 
 class Response(NamedTuple):
-    """A contact at an overlap, arrays of one shape."""
+    """Load and stiffness of contacts at given overlaps, arrays of one shape."""
 
     load: Floats  # N
     slope: Floats  # d(load)/d(overlap), N/m
@@ -50,19 +50,20 @@ class FilmInGap:
     speed: float  # of the inner ring, rad/s
     starvation: float = 1.0  # factor on the thickness
     share: float = 1.0  # zeta
-    # (C, Z), m/s; by default the speed of rolling at the angle of each contact
+    # (C, Z), m/s; by default the speed for rolling at the angle of each contact
     entrainment: Floats | None = None
 
     def factor(self, speed: Numbers) -> Numbers:
-        """phi_T of Murch and Wilson times the starvation factor, at u in m/s."""
+        """phi_T of Murch and Wilson times the starvation factor, at the entrainment `speed` in
+        m/s."""
         loading = film_factors.thermal_loading(
             self.fluid.temperature_viscosity, self.fluid.viscosity, speed, self.fluid.conductivity
         )
         return film_factors.murch_wilson(loading) * self.starvation
 
     def law(self, bearing: Bearing, angle: Floats, clearance: float, stiffness: Floats) -> Law:
-        """`Law` of the contacts of `bearing.raceways`: `angle` in rad and `stiffness`, by contact
-        and ball."""
+        """`Law` of the contacts of `bearing.raceways`; contact `angle` in rad and `stiffness` are
+        (C, Z), by contact and ball."""
         radii = np.array(
             [
                 bearing.effective_radii(side, one, clearance)

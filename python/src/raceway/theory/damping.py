@@ -8,7 +8,7 @@ from raceway.core import laws
 
 
 def hysteretic(load: Numbers, restitution: float = 0.08) -> Numbers:
-    """1.5 alpha_e Q for an elastic `load` Q in N and alpha_e = `restitution` in s/m (eq 4,
+    """1.5 alpha_e Q for an elastic load Q = `load` in N and alpha_e = `restitution` in s/m (eq 4,
     Hunt-Crossley)."""
     return laws.hysteretic_damping(restitution, load)
 

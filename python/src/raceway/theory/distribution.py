@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Stribeck-Harris distribution of a radial load over the balls (eq A.1), contact angle zero.
 
-The load is treated as distributed continuously; a real bearing varies about these values as the
-balls pass.
+The load is treated as distributed continuously; in a real bearing it varies about these values as
+the balls pass.
 """
 
 import numpy as np
@@ -17,7 +17,7 @@ from raceway.theory.bearing import INNER, OUTER, Bearing
 def relative_load(azimuth: Numbers, parameter: float) -> Numbers:
     """Q(psi)/Q_max = [1 - (1 - cos psi)/(2 epsilon)]^1.5, zero outside the load zone (eq A.1).
 
-    `azimuth` psi in rad from the load line, `parameter` epsilon > 0.
+    `azimuth` is psi in rad from the load line, `parameter` is epsilon > 0.
     """
     if not parameter > 0:
         raise ValueError(f"load parameter = {parameter} must be positive")

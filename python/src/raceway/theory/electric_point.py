@@ -34,7 +34,7 @@ class Point(NamedTuple):
     state: Equilibrium
     films: Lubrication
     speed: float  # rad/s
-    quiet: float | Floats  # Q_u, N; for several rows by ball
+    quiet: float | Floats  # Q_u, N; one value per ball for several rows
     clearance: float  # m
     film: FilmInGap | None
     filling: Filling
@@ -60,7 +60,7 @@ class Point(NamedTuple):
 class Ask(NamedTuple):
     """Requested quantities of a point in addition to its capacitance; None if not requested."""
 
-    strength: float = film_voltage.STRENGTH  # of a film, V/m
+    strength: float = film_voltage.STRENGTH  # breakdown field of a film, V/m
     voltage: float | None = None  # V, between the rings
     frequency: float | None = None  # Hz
     resistivity: float = math.inf  # of the oil, ohm m
@@ -92,9 +92,9 @@ def solve(
     of the first ball in rad.
 
     Shoulders missing in `filling` are taken from the bearing's file. `models` is one of
-    `models.CAPACITANCE`; "full" has the film in the gap and inlet shear. `four_point` (rad) and
-    `double_row` as in `inputs.bearing`. Raises `RacewayError`; `ValueError` without speed and for
-    unknown words.
+    `models.CAPACITANCE`; "full" includes the film in the gap and inlet shear. `four_point` (rad)
+    and `double_row` as in `inputs.bearing`. Raises `RacewayError`; `ValueError` without speed and
+    for unknown words.
     """
     path, oil_path = (
         catalogue.find("bearings", bearing, folder),

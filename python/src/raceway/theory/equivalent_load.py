@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 
-# deep groove: F_a/(Z D^2) in MPa, which is f_0 F_a/C_0; e; Y, all interpolated linearly. X = 0.56
+# deep groove, X = 0.56: F_a/(Z D^2) in MPa, which is f_0 F_a/C_0; e; Y, interpolated linearly
 RELATIVE = (0.172, 0.345, 0.689, 1.03, 1.38, 2.07, 3.45, 5.17, 6.89)
 LIMIT = (0.19, 0.22, 0.26, 0.28, 0.30, 0.34, 0.38, 0.42, 0.44)
 AXIAL = (2.30, 1.99, 1.71, 1.55, 1.45, 1.31, 1.15, 1.04, 1.00)

@@ -3,8 +3,9 @@
 
 Under a moment or a combined load the contact angles differ from ball to ball, and with them the
 speeds at which the balls roll around the bearing. A ball then moves relative to a cage that turns
-uniformly (called circumferential ball advance in bearing software). A pocket with less play
-restrains the ball, which then slides on both raceways and is pressed against the pocket by them.
+uniformly (called circumferential ball advance in bearing software). A pocket with less play than
+this motion restrains the ball, which then slides on both raceways, whose friction presses it
+against the pocket.
 """
 
 import math
@@ -33,7 +34,7 @@ class Excursion(NamedTuple):
 
     @property
     def whole(self) -> float:
-        """From the rearmost to the foremost position, m."""
+        """Distance from the rearmost to the foremost position, m."""
         return self.ahead - self.behind
 
 
@@ -102,7 +103,7 @@ def _traction(bearing, side, slip, one, friction, orbit):
 
 
 def _integral(values):
-    """Integral over a turn of samples at equal angles, at `POINTS` angles, without its mean."""
+    """Integral of samples at equal angles over a turn, at `POINTS` angles, minus its mean."""
     count = len(values)
     waves = np.fft.fft(values) / count
     order = np.round(np.fft.fftfreq(count, 1 / count)).astype(int)
@@ -113,7 +114,7 @@ def _integral(values):
 
 
 def warning(found: Excursion) -> str | None:
-    """Text if the balls' excursion exceeds the pocket play, otherwise None."""
+    """Warning if the balls' excursion exceeds the pocket play, otherwise None."""
     if found.whole <= found.play:
         return None
     text = (

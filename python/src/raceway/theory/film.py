@@ -55,8 +55,9 @@ def h_min(r_x: Numbers, g: Group) -> Numbers:
 def h_c(r_x: Numbers, g: Group, printed: bool = False) -> Numbers:
     """Central thickness after Masjedi and Khonsari (eq 9); R_x in m, `g` a `Group`.
 
-    Equation 9 prints the exponents of kappa with a minus sign; with a plus sign the film agrees
-    with Hamrock-Dowson and tends to the line contact as kappa grows. `printed` uses the minus.
+    Equation 9 is printed with a minus sign at the exponents of kappa; with a plus sign the film
+    agrees with Hamrock-Dowson and tends to the line contact as kappa grows. `printed` uses the
+    minus sign.
     """
     return r_x * laws.film_thickness(PRINTED if printed else MASJEDI_KHONSARI, *g).h_c
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Damping by the film of a rolling contact: one Maxwell branch in parallel with Hertz's spring.
+"""Damping by the film of a rolling contact: one Maxwell branch in parallel with the Hertz spring.
 
 The linear response of a steady EHL line contact, applied to the ellipse: df/dt = k_m d(delta)/dt -
 f/tau, F_n = max(0, Q + f), k_m = 0.44 k h_c/delta_H, tau = 1.33 b/u. Accurate to 10 to 30 % for
@@ -49,7 +49,8 @@ def dashpot(k: Numbers, h_c: Numbers, elastic: Numbers, b: Numbers, speed: Numbe
 
 
 def loss_factor(k: Numbers, branch: Branch, frequency: Numbers) -> Numbers:
-    """Imaginary over real part of k + k_m i w tau/(1 + i w tau), w = `frequency` in rad/s."""
+    """Ratio of the imaginary to the real part of k + k_m i w tau/(1 + i w tau), w = `frequency` in
+    rad/s."""
     z = 1j * frequency * branch.time
     whole = k + branch.stiffness * z / (1 + z)
     return whole.imag / whole.real

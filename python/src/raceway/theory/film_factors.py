@@ -17,7 +17,8 @@ def thermal_loading(
     temperature_viscosity: Numbers, viscosity: Numbers, speed: Numbers, conductivity: Numbers
 ) -> Numbers:
     """L = beta eta u^2/k_f from beta (1/K), eta (Pa s), the entrainment speed (m/s) and k_f (W/(m
-    K)). This is the entrainment speed, not the sum of both speeds, which has four times this L."""
+    K)). u is the entrainment speed, not the sum of both surface speeds, which would give four times
+    this L."""
     return laws.thermal_loading(temperature_viscosity, viscosity, speed, conductivity)
 
 
@@ -39,8 +40,8 @@ def gupta(loading: Numbers, pressure: Numbers, slide_roll: Numbers = 0.0) -> Num
     """Film factor (1 - 13.2 P L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), P = `pressure` = p_max
     over E' (Gupta et al. 1992; Zhu and Cheng).
 
-    `slide_roll` is S = s/u. For L below about 10. Raises `ValueError` if the pressure reduces it by
-    more than `GUPTA_MOST`.
+    `slide_roll` is S = s/u. Valid for L below about 10. Raises `ValueError` if pressure reduces the
+    factor by more than `GUPTA_MOST`.
     """
     unpressed, lost = gupta_parts(loading, pressure, slide_roll)
     if np.any(lost > GUPTA_MOST):

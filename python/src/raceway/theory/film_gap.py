@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The film in the gap, which adds to the overlap in Hertz's law.
 
-Q = K delta_H^1.5 with delta_H = delta + zeta h_c(Q), delta the overlap of the rigid bodies,
-negative in a gap. delta_H grows with Q and h_c falls, so there is exactly one root for any delta.
-zeta is 1.04 to 1.09 for a line contact according to a transient EHL solver; 1 is the default.
+Q = K delta_H^1.5 with delta_H = delta + zeta h_c(Q), where delta is the overlap of the rigid
+bodies, negative in a gap. As Q grows, delta_H grows and h_c falls, so there is exactly one root for
+any delta. zeta is 1.04 to 1.09 for a line contact according to a transient EHL solver; 1 is the
+default.
 """
 
 from dataclasses import dataclass, replace
@@ -18,7 +19,7 @@ CUT = 1.0  # N: default load below which the thickness by a power law is constan
 
 
 class Squeeze(NamedTuple):
-    """A contact with its film, arrays of one shape."""
+    """Contacts with their films, arrays of one shape."""
 
     load: Numbers  # Q, N
     h_c: Numbers  # m; below the cut, the thickness at the cut
@@ -61,7 +62,8 @@ def power_law(
     cut: float = CUT,
 ) -> Law:
     """`Law` of Masjedi and Khonsari (`film.h_c`) times `factor`; below the load `cut` in N the
-    thickness keeps its value at `cut`. With 0 the power law is not cut and grows without bound."""
+    thickness keeps its value at `cut`. With `cut` 0 the thickness grows without bound as the load
+    goes to zero."""
     return Law(False, viscosity, pressure_viscosity, modulus, r_x, kappa, speed, factor, cut=cut)
 
 

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Voltages over films: division between two films, field in a film, breakdown voltage, and the
+"""Voltages across films: division between two films, field in a film, breakdown voltage, and the
 energy of a discharge. Numbers or arrays of one shape, SI units.
 
 A smooth thin film fails at 15 to 60 V/um (from memory, unchecked). Measured bearings fail first at
-1.5 to 6 V over two films (Lubricants 2024, 12, 1, table A1), far below that, because of roughness:
-the local gap is the film thickness minus three standard deviations.
+1.5 to 6 V across two films (Lubricants 2024, 12, 1, table A1). This is far below the strength of
+smooth films because of roughness: the local gap is the film thickness minus three standard
+deviations.
 """
 
 from typing import NamedTuple
@@ -61,9 +62,9 @@ def field(voltage: Numbers, gap: Numbers) -> Numbers:
 
 
 def ring_voltages(limits: tuple[Numbers, Numbers], inner: Numbers, outer: Numbers) -> Floats:
-    """(2, ...) V between the rings at which inner and outer film have the voltages `limits`, from
-    the capacitances: V_i (C_i + C_o)/C_o and V_o (C_i + C_o)/C_i. Infinite for a film without
-    voltage."""
+    """Voltages (2, ...) between the rings in V at which the inner and the outer film reach the
+    voltages `limits`, from the capacitances: V_i (C_i + C_o)/C_o and V_o (C_i + C_o)/C_i. Infinite
+    for a film without voltage."""
     share = np.stack(shares(inner, outer))
     limit = np.stack([np.broadcast_to(one, share.shape[1:]) for one in limits])
     return np.divide(limit, share, out=np.full(share.shape, np.inf), where=share > 0)
@@ -75,7 +76,7 @@ class Threshold(NamedTuple):
     bearing: float  # V, of the weakest ball
     ball: Numbers  # (Z,), V
     weakest: int  # index of that ball
-    first: Numbers  # (Z,), film that fails first, 0 inner or 1 outer; the other follows
+    first: Numbers  # (Z,), film that fails first, 0 inner or 1 outer; the other film follows
 
 
 def threshold(
@@ -132,8 +133,8 @@ def real_area(asperity_share: Numbers, load: Numbers, hardness: float = HARDNESS
 
 
 def constriction(area: Numbers, spots: int, resistivity: float) -> Numbers:
-    """Resistance in ohm of `area` (m^2) of metal in `spots` round spots: rho/(2 n a), Holm (from
-    memory, unchecked), without their oxide films. `resistivity` of the metal in ohm m."""
+    """Resistance in ohm of a metal `area` (m^2) divided into `spots` round spots: rho/(2 n a) after
+    Holm (from memory, unchecked), without oxide films. `resistivity` of the metal in ohm m."""
     if spots < 1:
         raise ValueError(f"spots = {spots} must be 1 or more")
     radius = np.sqrt(_positive("area", area) / (np.pi * spots))

@@ -40,8 +40,8 @@ def clearance_change(
     the bearing's diameters, `shaft_bore` is the bore of a hollow shaft and `housing_outside` the
     outside diameter of the housing, all in m. Raises `ValueError` for diameters out of order.
 
-    A 6208 with 10 um on a solid steel shaft: the raceway grows in the ratio of bore to raceway
-    diameter.
+    A 6208 with an interference of 10 um on a solid steel shaft: the raceway grows by the
+    interference times the ratio of bore to raceway diameter.
 
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     >>> round(1e6 * clearance_change(b, 40e-3, 80e-3, shaft=10e-6), 3)

@@ -7,9 +7,9 @@ rolling
     (`rolling`)
 slip
     differential slip in free rolling under Coulomb's law: the film has a constant coefficient or
-    the coefficient of Eyring's stress with its limit (`traction`), asperities carry their share of
-    the load with the boundary coefficient (`sliding`); slip across the grooves under the gyroscopic
-    moment
+    the coefficient from Eyring's stress with its limit (`traction`), asperities carry their share
+    of the load with the boundary coefficient (`sliding`); slip across the grooves under the
+    gyroscopic moment
 spin
     about the contact normals, at the rotation where the moments on the ball balance (`attitude`):
     in closed form, as in a run, or, with `spin_law` "slices", together with slip
@@ -20,8 +20,8 @@ drag
 cage
     of a cage that is one ring, oil in its pockets and at its land, churning (`cage_drag`)
 
-A ball with more than two contacts cannot roll on all of them (`ball_motion`). A ball that only the
-outer ring touches loses rotation to rolling resistance and slides (`skidding`).
+A ball with more than two contacts cannot roll on all of them (`ball_motion`). A ball that touches
+only the outer ring is slowed by rolling resistance and slides (`skidding`).
 """
 
 from dataclasses import dataclass
@@ -62,7 +62,7 @@ class Surfaces:
     """Parameters of the laws except geometry, loads and oil."""
 
     boundary: float = 0.12  # mu_b, running (SKF)
-    film: float | None = 0.05  # mu of the film; None for Eyring's stress with its limit
+    film: float | None = 0.05  # mu of the film; None: from Eyring's stress with its limit
     loss: float = 0.016  # alpha of hysteresis, 0.005 to 0.05
     oil_share: float = 0.05  # oil fraction of the space around the balls
     inlet: float = 0.0  # inlet length of rolling contacts, in semi-axes b; 0: flooded
@@ -165,7 +165,7 @@ def losses(
         pair = pair[:, two]
         both = _Pressed(*(value[pair, balls] for value in pressed))
         at, turn = rates = [one[1:] for one in attitude.rolling(bearing, both.angle, ring)]
-        alone = at - turn * (at / turn)[::-1]  # of a ball that does not spin at the other raceway
+        alone = at - turn * (at / turn)[::-1]  # spin of a ball that has none at the other raceway
         both = _sheared(both, _free(both), alone, fluid, surfaces)
         if spin_law == "closed":
             limit, edge = both.friction * both.load, _edge(both)
@@ -221,8 +221,8 @@ def _free(pressed):
 
 
 def _sheared(pressed, along, rate, fluid, surfaces):
-    """`_Pressed` with the film friction at a slip (m/s) and a spin (rad/s), which shear a film more
-    than differential slip alone."""
+    """`_Pressed` with the film friction at a slip (m/s) and a spin (rad/s), which shear the film
+    more than differential slip alone does."""
     if surfaces.film is not None:
         return pressed
     curve = pressed.speed / (2 * pressed.r_d * pressed.r_x)
@@ -241,8 +241,8 @@ def surfaces(
     supply: oil_supply.Supply = oil_supply.BATH,
 ) -> Surfaces:
     """`Surfaces` for the `models` of a run, full or eyring, with the inlet, the oil share and SKF's
-    starvation factor of a `supply`, for an inner ring at `ring` rad/s. The factor is omitted
-    without the `size` of the bearing."""
+    starvation factor of a `supply`, for an inner ring at `ring` rad/s. Without the `size` of the
+    bearing, the starvation factor is omitted."""
     found = oil_supply.numbers(supply, bearing, fluid.density)
     starved = 1.0
     if size is not None:
@@ -304,7 +304,7 @@ def _one(bearing, side, contact, film, fluid, clearance, surfaces, alone):
         part, at_last = (skidding.rotation(slowing, rate, time) for time in (since, until))
         rolled = slowed(part) * turns * part
         slid = np.where(part < 1, friction * load * past * (1 - part), slid)
-        slid += 0.2 * load * flat * (1 - at_last) ** 2 * frequency  # balls that are spun up again
+        slid += 0.2 * load * flat * (1 - at_last) ** 2 * frequency  # spinning up returning balls
     values[:, live] = (
         rolled,
         slid,
@@ -342,9 +342,8 @@ def _together(both, rates, ball):
 
 
 def _several(bearing, one, sides, ring, spin_law, fluid, surfaces):
-    """(slip, spin) powers (C,) of one ball with more than two contacts, with the motion from
-    `ball_motion`; with slices, with the motion at which forces and moments of slip and spin
-    balance."""
+    """(slip, spin) powers (C,) of one ball with more than two contacts. The motion is that of
+    `ball_motion` or, with slices, the one at which forces and moments of slip and spin balance."""
     lines, goal, _ = ball_motion.rates(bearing, sides, one.angle, ring)
 
     def least(one):

@@ -13,7 +13,8 @@ USUAL_DEPTH = 0.18  # fraction of the ball's diameter, for unknown shoulders
 
 
 class HalfWidths(NamedTuple):
-    """Half-widths S of the parabola on both sides of a contact, m; equal at zero contact angle."""
+    """Half-widths S of the parabola on the two sides of a contact, m; equal at zero contact
+    angle."""
 
     near: Numbers  # on the side of the nearer shoulder
     far: Numbers
@@ -22,7 +23,7 @@ class HalfWidths(NamedTuple):
 def depth(
     bearing: Bearing, raceway: int, shoulder: float = np.nan, clearance: float = 0.0
 ) -> float:
-    """t in m: height from the groove's bottom to its shoulder of diameter `shoulder` (m); 0.18 of
+    """t in m: height of the shoulder of diameter `shoulder` (m) above the groove's bottom; 0.18 of
     the ball's diameter if `shoulder` is NaN. The diametral `clearance` (m) is assigned to the outer
     groove.
 
@@ -43,8 +44,9 @@ def depth(
 def shoulder_angle(
     groove: float, ball_radius: float, depth: float, gap: Numbers = 0.0, offset: float = 0.0
 ) -> Numbers:
-    """theta_b: the shoulder's angle at the centre of a ball that is `gap` (m) from the bottom of
-    its groove of radius `groove`, `depth` deep (m), and `offset` (m) from the plane of its centres.
+    """theta_b in rad: the shoulder's angle at the centre of a ball that is `gap` (m) from the
+    bottom of its groove. The groove has the radius `groove` and the depth `depth` (m); its centre
+    of curvature is `offset` (m) from the ball's plane.
 
     tan(theta_b) = (r_c sin(theta) - offset)/(R_b - t + gap), cos(theta) = 1 - t/r_c (derivation in
     docs/electric).
@@ -61,20 +63,20 @@ def half_widths(
     clearance: float = 0.0,
     semi_axis: Numbers = 0.0,
 ) -> HalfWidths:
-    """`HalfWidths` of a groove with the depth `depth` (m) at a contact angle (rad), around an
-    ellipse with the `semi_axis` a across the groove (m), 0 without load; with the shape of these
-    two. `clearance` is diametral, m.
+    """`HalfWidths` of a groove of depth `depth` (m) at the contact angle `angle` (rad), measured
+    around the contact ellipse with the semi-axis a = `semi_axis` across the groove (m; 0 without
+    load). Arrays have the broadcast shape of `angle` and `semi_axis`. `clearance` is diametral, m.
 
-    S = R_b (4 tan(t/4) ± 0.09 gamma) with t = theta_b -/+ angle, + inner, - outer: for the parabola
-    that has the capacitance of the arc (derivation in docs/electric). Zero beyond the shoulder.
-    Within the ellipse the groove already is the parabola, so the excess of the arc is subtracted
-    there: 4 R_b q_a - a from the first term and (q_a/q)^2 from the second, with q = tan(t/4), q_a =
-    tan(a/(4 R_b)).
+    S = R_b (4 tan(t/4) ± 0.09 gamma) with t = theta_b -/+ angle is the half-width of the parabola
+    that has the capacitance of the arc (derivation in docs/electric); + 0.09 gamma for the inner
+    and - for the outer raceway. S is zero beyond the shoulder. Within the ellipse the groove
+    already is the parabola, so the excess of the arc is subtracted there: 4 R_b q_a - a from the
+    first term and (q_a/q)^2 from the second, with q = tan(t/4), q_a = tan(a/(4 R_b)).
 
     A groove of a four-point bearing ends in the middle plane, where the other groove of its ring
-    begins: on the side away from its shoulder t is the contact angle, without the term with 0.09.
-    With the `offset` G of its centre and the contact angle alpha_0 of a centred ball, tan(theta_b)
-    = (r_c sin(theta) - G)/(R_b - t + (r_c - R_b)(1 - cos(alpha_0))).
+    begins: on the side away from its shoulder, t is the contact angle and the term with 0.09 is
+    absent. With the `offset` G of the groove's centre and the contact angle alpha_0 of a centred
+    ball, tan(theta_b) = (r_c sin(theta) - G)/(R_b - t + (r_c - R_b)(1 - cos(alpha_0))).
 
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     >>> [round(1e3 * float(half_widths(b, side, 2.3e-3).near), 3) for side in (0, 1)]  # mm

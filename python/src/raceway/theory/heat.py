@@ -24,8 +24,8 @@ REFERENCE_VISCOSITY = 12.0  # mm^2/s at 70 C, ISO 15312
 
 
 def cooling(bore: float, outside: float, width: float) -> float:
-    """W_s = q_r pi B (D + d)/50 K in W/K (ISO 15312): conductance of seats and housing of a radial
-    bearing of these sizes (mm), per kelvin above ambient, at the reference conditions."""
+    """W_s = q_r pi B (D + d)/50 K in W/K (ISO 15312): conductance from a radial bearing of these
+    sizes (mm) through seats and housing to ambient, at the reference conditions."""
     return float(laws.iso_15312_conductance(1e-3 * bore, 1e-3 * outside, 1e-3 * width))
 
 
@@ -37,8 +37,8 @@ def balance(
     tolerance: float = 1e-6,
     coldest: float | None = None,
 ) -> float:
-    """Temperature in degrees C, to `tolerance`, where `power`(T) in W equals `conductance` in W/K
-    times T - T_a, between `coldest` (ambient) and `hottest`.
+    """Temperature in degrees C, within `tolerance`, at which `power`(T) in W equals `conductance`
+    in W/K times T - T_a, between `coldest` (by default ambient) and `hottest`.
 
     Raises `ValueError` if the bearing is still warming up at `hottest`. For a power that falls with
     temperature, as with every oil, there is exactly one such temperature.
@@ -86,11 +86,11 @@ def network(
     ambient: float = 20.0,
     oil: OilFlow = STILL,
 ) -> dict[str, Any]:
-    """The heat network of a bearing, for `steady` and `advance`: `capacity` in J/K of inner ring,
-    balls, outer ring and housing (0: no housing). Conductances in W/K: `contacts` from the
-    inner and the outer ring to all balls, `shaft` from inner ring to ambient, `seat` from outer
-    ring to housing (0: no thermal resistance), `housing` from housing to ambient; `ambient` in
-    degrees C. `oil` flows between inner ring, balls and outer ring."""
+    """The heat network of a bearing, for `steady` and `advance`. `capacity` is the heat capacity in
+    J/K of inner ring, balls, outer ring and housing (0: no housing). Conductances in W/K:
+    `contacts` from the inner and the outer ring to all balls, `shaft` from inner ring to ambient,
+    `seat` from outer ring to housing (0: no thermal resistance), `housing` from housing to ambient;
+    `ambient` in degrees C. `oil` flows between inner ring, balls and outer ring."""
     inner, outer = contacts
     return dict(
         capacity=capacity,
@@ -111,9 +111,9 @@ def advance(
     time: float,
     end: ArrayLike | None = None,
 ) -> tuple[float, Floats]:
-    """(heat in J carried away, temperatures in degrees C (4)) after `time` seconds from the
-    temperatures `start`, with a `heat` input in W into the nodes and the oil (5) of a `network`
-    that is constant or varies linearly to `end`; exact."""
+    """(heat in J carried away, temperatures in degrees C (4)) of a `network`, `time` seconds after
+    the temperatures `start`. The `heat` in W into the nodes and the oil (5) is constant or varies
+    linearly to `end`. Exact."""
     return library().call(
         "heat_advance",
         net=of,
@@ -212,8 +212,8 @@ def flash(flux: Numbers, b: Numbers, speed: Numbers) -> Numbers:
 
 
 def film_rise(flux: Numbers, thickness: Numbers, conductivity: Numbers) -> Numbers:
-    """Temperature rise in K of the middle of the film above the surfaces: q_total h/(8 k_f), with
-    the heat q_total in W/m^2 generated in the film."""
+    """Excess in K of the temperature in the middle of the film over the surfaces: q_total h/(8
+    k_f), with the heat q_total in W/m^2 generated in the film."""
     return flux * thickness / (8 * conductivity)
 
 
@@ -232,8 +232,8 @@ def reference_speed(boundary: makers.Boundary, level: float = 0.0) -> float:
     """Thermal reference speed in rpm, at which SKF's friction under ISO 15312's conditions (F_r =
     0.05 C0, 12 mm^2/s) equals the cooling at 50 K.
 
-    `level` of an oil bath in mm, 0 for none. ISO 15312 assumes oil up to the middle of the lowest
-    ball (from memory, unchecked). Raises `ValueError` if there is no such speed.
+    `level` is that of the oil bath in mm, 0 for none. ISO 15312 assumes oil up to the middle of the
+    lowest ball (from memory, unchecked). Raises `ValueError` if there is no such speed.
     """
 
     def surplus(speed):

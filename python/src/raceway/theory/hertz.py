@@ -62,7 +62,7 @@ def hamrock_brewe(r_x: Numbers, r_y: Numbers, printed: bool = False) -> Ellipse:
 
 
 def stiffness(ellipse: Ellipse, modulus: float) -> Numbers:
-    """K in N/m^1.5 of Q = K overlap^1.5, for E' = `modulus` in Pa (eq 2)."""
+    """K in Q = K overlap^1.5, N/m^1.5, for E' = `modulus` in Pa (eq 2)."""
     return laws.hertz_stiffness(*ellipse, modulus)
 
 

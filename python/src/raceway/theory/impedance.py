@@ -20,7 +20,7 @@ THINNEST, THICKEST = 1e-3, 1e3  # search range of `film_scale`, factors on the m
 
 
 def leak(resistivity: Numbers, paths: Numbers) -> Numbers:
-    """R in ohm of oil of `resistivity` (ohm m) between surfaces whose `paths` are pi a b/h + I over
+    """R in ohm of oil of `resistivity` (ohm m) between two surfaces; `paths` is pi a b/h + I over
     the oil-filled part, m. With a uniform filling, R C = rho eps_0 eps for any geometry."""
     return resistivity / paths
 
@@ -88,8 +88,8 @@ def _positive(frequency):
 
 
 def _admittance(capacitances, paths, resistivity, frequency):
-    """Admittance in S of the balls in parallel from F and m of inner and outer films (..., Z), and
-    Hz."""
+    """Admittance in S of the balls in parallel, from `capacitances` (F) and `paths` (m) of inner
+    and outer films (..., Z), at `frequency` (Hz)."""
     capacitance, conductance, frequency = np.broadcast_arrays(
         np.stack(capacitances, axis=-2),
         np.stack(paths, axis=-2) / resistivity,
@@ -120,8 +120,8 @@ def film_scale(capacitance: float, whole: Callable[[float], float]) -> float:
     """Common factor on all films of a model that gives a measured `capacitance` (F); `whole` is the
     model's capacitance in F as a decreasing function of that factor.
 
-    Raises `ValueError` if no factor from 1e-3 to 1e3 fits: the reading then includes something
-    else.
+    Raises `ValueError` if no factor from 1e-3 to 1e3 fits: the reading then includes another
+    capacitance.
 
     >>> round(film_scale(2e-10, lambda scale: 1e-10 / scale), 6)
     0.5

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Speeds of a bearing with balls that roll without slip, and of a simulated one."""
+"""Speeds of a bearing whose balls roll without slip, and of a simulated bearing."""
 
 from typing import NamedTuple
 
@@ -14,9 +14,9 @@ from raceway.theory.bearing import Bearing
 class Frequencies(NamedTuple):
     """Frequencies in the unit of the rings' speeds."""
 
-    cage: Numbers  # FTF, positive if the inner ring's speed is
+    cage: Numbers  # FTF, positive if the inner ring's speed is positive
     outer: Numbers  # BPFO, ball passes over a point of the outer ring
-    inner: Numbers  # BPFI, over a point of the inner ring
+    inner: Numbers  # BPFI, ball passes over a point of the inner ring
     spin: Numbers  # BSF, rotations of a ball relative to the cage
 
 
@@ -42,9 +42,9 @@ def frequencies(
 
 
 def cosine_of_cage(bearing: Bearing, order: float) -> float:
-    """Cosine of the contact angle at which balls that roll without slip give the cage this `order`
-    of the shaft, the outer ring at rest: the inverse of FTF in `frequencies`. Above 1 for a cage
-    that slips more than any angle explains."""
+    """Cosine of the contact angle at which balls that roll without slip give the cage the `order`
+    (cage speed over shaft speed, outer ring at rest): the inverse of FTF in `frequencies`. Above 1
+    for a cage that slips more than any angle explains."""
     return (1 - 2 * order) * bearing.pitch_radius / bearing.ball_radius
 
 

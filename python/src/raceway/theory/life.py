@@ -20,8 +20,8 @@ from raceway.theory.cleanliness import contamination
 RELIABILITY: Mapping[float, float] = {90: 1, 95: 0.64, 96: 0.55, 97: 0.47, 98: 0.37, 99: 0.25}
 LARGEST_FACTOR = 50.0  # limit of a_ISO
 PERMITTED = 4.2e9  # Pa, for the most loaded contact under the static load rating (ISO 76)
-# kappa up to which a row applies, and its two constants (ISO 281:2007, eqs 31 to 33); the constants
-# of the second row make a_ISO continuous at 0.4 and 1
+# kappa up to which a row applies, and the row's two constants (ISO 281:2007, eqs 31 to 33); the
+# constants of the second row make a_ISO continuous at kappa 0.4 and 1
 _FACTOR = ((0.4, 2.2649, 0.054381), (1.0, 1.9987, 0.19087), (4.0, 1.9987, 0.071739))
 # exponents of the mean loads: for the ring that turns relative to the load, and for the other ring
 # (ISO/TS 16281, eqs 20 and 21)
@@ -68,9 +68,10 @@ def basic(dynamic: float, load: ArrayLike) -> np.ndarray:
 
 
 def wide_grooves(bearing: Bearing) -> np.ndarray:
-    """(2,) factors on the ball ratings for grooves wider than `CONFORMITY`, else 1: (2 f/(2 f
-    - 1))^0.41 over its value at `CONFORMITY`, where f is groove radius over ball diameter (Lundberg
-    and Palmgren 1947). ISO 281 does not give narrower grooves a higher rating."""
+    """Factors (2,) on the ball ratings of the inner and the outer groove: for a groove wider than
+    `CONFORMITY`, (2 f/(2 f - 1))^0.41 relative to its value at `CONFORMITY`, where f is groove
+    radius over ball diameter (Lundberg and Palmgren 1947); otherwise 1, because ISO 281 does not
+    give narrower grooves a higher rating."""
     groove, limit = (
         np.array([bearing.inner_groove, bearing.outer_groove]) / bearing.ball_diameter,
         np.array(CONFORMITY),
@@ -81,9 +82,9 @@ def wide_grooves(bearing: Bearing) -> np.ndarray:
 
 def ball_ratings(bearing: Bearing, dynamic: float, angle: float = 0.0) -> tuple[float, float]:
     """(Q_ci, Q_ce) in N: the ball load for which the inner and the outer raceway last 1e6
-    revolutions (ISO/TS 16281, eqs 16 to 19). `dynamic` is C, N, of the bearing with grooves no
-    wider than `CONFORMITY`; wider ones have the factors of `wide_grooves`. `angle` is the nominal
-    contact angle, rad."""
+    revolutions (ISO/TS 16281, eqs 16 to 19). `dynamic` is C in N of the bearing with grooves no
+    wider than `CONFORMITY`; for wider grooves the factors of `wide_grooves` apply. `angle` is the
+    nominal contact angle, rad."""
     ball, wide = bearing.ball_diameter, wide_grooves(bearing)
     gamma = ball * np.cos(angle) / (2 * bearing.pitch_radius)
     inner, outer = (
@@ -113,7 +114,7 @@ def reference(
     count as two rows: `dynamic` is the rating of all rows, and raceways of all rows add up. Makers
     rate four-point contact bearings in this way.
 
-    Raises `ValueError` for a load below 0 or none at all.
+    Raises `ValueError` for a negative load, or if all loads are zero.
 
     >>> from raceway.theory import static
     >>> from raceway.theory.bearing import Bearing
@@ -133,8 +134,8 @@ def reference(
 def of_means(
     bearing: Bearing, dynamic: float, inner: ArrayLike, outer: ArrayLike, angle: float = 0.0
 ) -> float:
-    """`reference` from power means: `inner` and `outer` are the means (T,), over balls and
-    positions, of the `POWERS` of the loads (N) on the T grooves of each ring, all rows together."""
+    """`reference` from power means: `inner` and `outer` are the means (T,) over balls and positions
+    of the loads (N) raised to `POWERS`, for the T grooves of each ring, over all rows."""
     means = np.atleast_1d(np.asarray(inner, float)), np.atleast_1d(np.asarray(outer, float))
     rated = ball_ratings(bearing, dynamic / len(means[0]) ** 0.7, angle)
     risks = [

@@ -29,7 +29,7 @@ _FC = (
 )
 _STEP = 0.01
 MATERIAL = 1.3  # b_m of ISO 281 for ball bearings of modern steel
-LARGE = 25.4  # mm, above which C has a different power of the ball diameter (from memory)
+LARGE = 25.4  # mm; above it C follows another power of the ball diameter (from memory)
 FULLEST = 0.95  # largest share of the pitch circle that balls take up; the cage needs the rest
 # mm: balls are made in steps of 1/64 in; if none is close enough, in steps of 0.5 mm
 INCH_STEP, METRIC_STEP, NEAR = 25.4 / 64, 0.5, 0.015
@@ -104,10 +104,10 @@ def balls(
 ) -> Balls:
     """The `Balls` of a row in a bearing with these ratings (N) on a `pitch` circle (m).
 
-    For each number, C_0 gives the diameter. The chosen number is the one for which C by ISO 281,
-    times the maker's `dynamic_factor`, is nearest to the rating. The diameter is then rounded: to
-    the nearest multiple of 1/64 in if that is within 1.5 %, otherwise of 0.5 mm. Raises
-    `ValueError` if no balls fit.
+    For each number of balls, C_0 gives the diameter. The number chosen is the one for which C by
+    ISO 281, times the maker's `dynamic_factor`, is nearest to the rating. The diameter is then
+    rounded to the nearest multiple of 1/64 in if that is within 1.5 %, otherwise to the nearest
+    multiple of 0.5 mm. Raises `ValueError` if no balls fit.
 
     JTEKT's 7208B, 40 degrees:
 
@@ -118,7 +118,7 @@ def balls(
     found = {}
     for count in range(4, 60):
         largest = pitch * math.sin(FULLEST * math.pi / count)
-        # starts above the smallest ratio of the tables, which also end at 0.4 of the pitch diameter
+        # inside the tables, which range from a ratio of 0.01 to 0.4
         low, high = 0.011 * pitch / math.cos(angle), min(largest, 0.39 * pitch / math.cos(angle))
 
         def excess(ball, count=count):

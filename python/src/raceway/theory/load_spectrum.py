@@ -18,7 +18,7 @@ from raceway.files import FilePath
 from raceway.theory import life
 from raceway.units import prefixed
 
-# columns: (lowest, highest, unit, default); the names of a sweep's table, and the share of the time
+# {column: (lowest, highest, unit, default)}; the columns of a sweep's table, and the time share
 COLUMNS = {
     "load": (0.0, 1e6, "N", 0.0),
     "axial": (-1e6, 1e6, "N", 0.0),
@@ -27,7 +27,7 @@ COLUMNS = {
 }
 LIFE = "life_reference_Mrev"
 KEYS = ("equivalent_load_N", LIFE, "dynamic_rating_N")
-# figures of a run by the columns of a sweep's table that they replace
+# {column of a sweep's table: figure of the run that replaces it}
 OF_RUN = {"load": "load_N", "rpm": "rpm"}
 
 
@@ -41,12 +41,12 @@ class Duty(NamedTuple):
 
 
 def read(path: FilePath) -> tuple[list[Duty], list[dict[str, float]]]:
-    """The points of the CSV file `path`, and for `results.csv` of a sweep the equivalent load and
-    the rating of each by `KEYS`, else an empty list.
+    """The points of the CSV file `path` and, if it is `results.csv` of a sweep, the equivalent load
+    and the rating of each point by `KEYS`, otherwise an empty list.
 
-    The head has names of `COLUMNS`, rpm among them, and there is a row for each point. A sweep's
-    table has more columns. Raises `InputError` with the line and the value that is wrong, also for
-    a point of a sweep that has not finished or has no equivalent load."""
+    The head line has names of `COLUMNS`, including rpm, and each point has a row. A sweep's table
+    has more columns. Raises `InputError` with the line and the value that is wrong, also for a
+    point of a sweep that has not finished or has no equivalent load."""
     try:
         with open(path, newline="", encoding="utf-8-sig") as file:
             rows = [row for row in csv.reader(file) if any(row) and row[0].lstrip()[:1] != "#"]
@@ -105,9 +105,9 @@ def _duty(path, number, point):
 def of_sweep(
     duties: Sequence[Duty], runs: Sequence[Mapping[str, float]], dynamic: float | None = None
 ) -> dict[str, Any]:
-    """Like `of_points`, for the points of a sweep with the figures of their `runs`, which follow
-    from the ball loads in the runs. `dynamic` is C in N of all rows, by default from the runs.
-    Raises `InputError` without a rating or with several."""
+    """Like `of_points`, for the points of a sweep with the figures of their `runs`. These figures
+    follow from the ball loads in the runs. `dynamic` is C in N of all rows, by default from the
+    runs. Raises `InputError` without a rating or with several."""
     known = {one["dynamic_rating_N"] for one in runs if "dynamic_rating_N" in one}
     rated = known if dynamic is None else {dynamic}
     if len(rated) != 1:
@@ -128,8 +128,8 @@ def of_points(
 ) -> dict[str, Any]:
     """Figures by name for the spectrum `duties`, SI units; `points` has the figures of each point.
 
-    `figures` returns the figures of a point (`operating_point.figures`). Raises `InputError` if
-    they have no life because the bearing has no rating.
+    `figures` returns the figures of a point (`operating_point.figures`). Raises `InputError` if the
+    figures include no life because the bearing has no rating.
     """
     points: list[dict[str, Any]] = []
     for duty in duties:

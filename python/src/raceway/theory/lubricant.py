@@ -2,9 +2,9 @@
 """Oils as functions of temperature and pressure: Walther, Vogel, Roelands, Barus. Temperatures in
 degrees C.
 
-A `Lubricant` holds physical data, `Lubricant.at` gives the `Fluid` at a temperature. Ambient
-pressure unless a pressure is given. Numbers or arrays of one shape, SI units except for kinematic
-viscosity in mm^2/s, the unit of its grades and of ASTM D341.
+A `Lubricant` holds physical data, `Lubricant.at` gives the `Fluid` at a temperature. Values are for
+ambient pressure unless a pressure is given. Numbers or arrays of one shape, SI units except for
+kinematic viscosity in mm^2/s, the unit of viscosity grades and of ASTM D341.
 """
 
 from dataclasses import dataclass, field
@@ -55,7 +55,8 @@ class Walther:
             )
 
     def viscosity(self, temperature: Numbers, oil: "Lubricant") -> tuple[Numbers, Numbers]:
-        """(nu in mm^2/s, -d(ln nu)/dT in 1/K) at a temperature; the density does not matter."""
+        """(nu in mm^2/s, -d(ln nu)/dT in 1/K) at a temperature; independent of the density of
+        `oil`."""
         return tuple(laws.walther(self.low, self.high, temperature))
 
 
@@ -150,5 +151,6 @@ def roelands(viscosity: Numbers, pressure_viscosity: Numbers, pressure: Numbers)
 
 
 def barus(viscosity: Numbers, pressure_viscosity: Numbers, pressure: Numbers) -> Numbers:
-    """eta_0 exp(xi p) in Pa s (Barus 1893): for the inlet only, far too steep at Hertz pressure."""
+    """eta_0 exp(xi p) in Pa s (Barus 1893); for the inlet only, much too high at Hertz
+    pressures."""
     return viscosity * np.exp(pressure_viscosity * pressure)

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Film and capacitance of a bearing in static equilibrium, rolling without slip: statics,
-kinematics and film together.
+kinematics and film combined.
 
-Each contact has the entrainment speed of pure rolling at its own contact angle, or the speed from
-the motion of its ball on several grooves (`ball_motion`), the film for its elastic load after
-Masjedi and Khonsari (eqs 6, 7, 9) and the capacitance of eqs 8, 10-12.
+Each contact has the entrainment speed of pure rolling at its own contact angle or, for a ball on
+several grooves, the speed that follows from the ball's motion (`ball_motion`). The film is that of
+Masjedi and Khonsari for the contact's elastic load (eqs 6, 7, 9), the capacitance that of eqs 8 and
+10-12.
 """
 
 from collections.abc import Callable
@@ -22,7 +23,8 @@ from raceway.theory.static import Equilibrium, equilibrium
 
 
 class Film(NamedTuple):
-    """One raceway's films, arrays of the shape of `static.Contacts`; zero without contact."""
+    """Films of one raceway, arrays with the shape of those in `static.Contacts`; zero without
+    contact."""
 
     entrainment: Floats  # m/s
     h_min: Floats  # m
@@ -114,7 +116,7 @@ def orbit(bearing: Bearing, state: Equilibrium, speed: float) -> float | Floats:
     cosine = np.cos(np.vstack([state.inner.angle, state.outer.angle]))
     if len(bearing.layout.rows) == 1:
         mean = np.average(cosine, weights=load)
-    else:  # a row without load rolls like all others
+    else:  # a row without load has the mean contact angle of all rows
         rows = [bearing.row == row for row in range(len(bearing.layout.rows))]
         loads = [load * row if (load * row).any() else load for row in rows]
         mean = np.array([np.average(cosine, weights=one) for one in loads])[bearing.row]
@@ -126,8 +128,8 @@ def turning(
 ) -> tuple[Equilibrium, float | Floats]:
     """(`Equilibrium`, `orbit` in rad/s) with the centrifugal load of balls that roll at `speed`
     rad/s of the inner ring; loads and options as in `static.equilibrium`. The contact angles
-    determine the speed, and the speed the angles, so both are iterated. The same applies to the
-    film in the gap of several grooves.
+    determine the orbital speed and the orbital speed determines the angles, so both are iterated.
+    With several grooves, the film in the gap is part of the iteration.
     """
     near, film = options.get("near"), options.get("film")
     orbital = orbit(bearing, near, speed) if near else speed * kinematics.frequencies(bearing).cage

@@ -28,7 +28,7 @@ CONSTANTS = {
 # R1, R2, R3, S1, S2, S3 of single-row angular contact ball bearings, contact angle 40 degrees
 ANGULAR = {"72": (5.03e-7, 1.97, 1.90e-12, 1.30e-2, 0.68, 1.91e-12)}
 SAME = {"630": "60", "622": "62", "623": "63", "161": "160", "628": "618"}
-BOUNDARY, MINERAL, SYNTHETIC = 0.12, 0.05, 0.04  # mu_bl, and mu_EHL by oil
+BOUNDARY, MINERAL, SYNTHETIC = 0.12, 0.05, 0.04  # mu_bl, and mu_EHL for each kind of oil
 OIL, GREASE = 3e-8, 6e-8  # K_rs: low oil bath and jet; grease and oil-air
 K_Z, K_Z_ANGULAR = 3.1, 4.4  # deep-groove and single-row angular contact ball bearings
 # values read from the diagram: level over mean diameter, V_M
@@ -46,7 +46,8 @@ class Size(NamedTuple):
 
 @dataclass(frozen=True)
 class Boundary:
-    """Boundary dimensions and ratings of a ball bearing as in its catalogue: mm, N."""
+    """Boundary dimensions (mm) and load rating (N) of a ball bearing as in its maker's
+    catalogue."""
 
     bore: float
     outside: float
@@ -126,7 +127,7 @@ def _geometric(bearing, radial, axial, speed):
             s1 * mean**0.26 * ((radial + s3 * thrown) ** (4 / 3) + s2 * axial ** (4 / 3)),
         )
     r1, r2, s1, s2 = CONSTANTS[SAME.get(bearing.series, bearing.series)]
-    # degrees; without axial load any angle will do, since it is multiplied by zero
+    # degrees; without axial load the angle is multiplied by zero
     angle = 24.6 * (np.where(axial > 0, axial, 1.0) / bearing.static_rating) ** 0.24
     sine = np.sin(np.radians(angle))
     slid = np.where(
@@ -163,10 +164,10 @@ def palmgren(
     bath: float = 2.0,
     static_load: Numbers | None = None,
 ) -> tuple[Numbers, Numbers]:
-    """(M0 of speed, M1 of load) in N mm after Palmgren (from memory, unchecked).
+    """(speed-dependent M0, load-dependent M1) in N mm after Palmgren (from memory, unchecked).
 
-    `bath` is f0, about 2 in an oil bath; not SKF's f0 of the product tables. f1 = 0.0004
-    (F_s/C0)^0.55 with F_s = `static_load` in N, the `load` unless given.
+    `bath` is f0, about 2 in an oil bath, which is not the f0 of SKF's product tables. f1 = 0.0004
+    (F_s/C0)^0.55 with F_s = `static_load` in N, by default `load`.
     """
     rate = np.asarray(kinematic * speed, float)
     moved = np.where(rate >= 2000, 1e-7 * np.maximum(rate, 1.0) ** (2 / 3), 160e-7)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The models of the contacts: their names in decks and options, the default, and the figures that
+"""Models of the contacts: their names in decks and options, the default model, and the figures that
 each model omits."""
 
 from collections.abc import Iterable
@@ -16,7 +16,7 @@ HEADLINES = ("friction_torque_N_m",)  # if absent, a table shows the reason inst
 
 
 def absent(models: str | None, keys: Iterable[str]) -> dict[str, str]:
-    """{key: reason} for figures among `keys` that `models` do not have; empty if they have all of
+    """{key: reason} for the figures among `keys` that `models` omits; empty if it omits none of
     them, and for a user's own models (None or another name).
 
     >>> absent("paper", ["friction_torque_N_m", "q_max_N"])

@@ -17,7 +17,7 @@ class Supply(NamedTuple):
     level: float = 0.5  # level of a bath above the lowest raceway, in ball diameters
 
 
-BATH = Supply()  # to the middle of the lowest ball
+BATH = Supply()  # oil level at the middle of the lowest ball
 
 
 class Numbers(NamedTuple):

@@ -10,9 +10,9 @@ from raceway.theory.static import Equilibrium
 
 
 def balls(state: Equilibrium, films: Lubrication | None) -> list[dict[str, Any]]:
-    """One mapping for each ball: loads, angles, pressures, axes, and, unless `films` is None, the
-    films. With several grooves per ring each ball has a list of `contacts`, named as in a
-    record."""
+    """One mapping for each ball: loads, contact angles, pressures, semi-axes and, unless `films` is
+    None, the films. With several grooves per ring each ball has a list of `contacts`, with the
+    names of a record."""
     found = [{"azimuth_rad": float(one)} for one in state.azimuth]
     if films is not None:
         for ball, value in zip(found, films.ball):

@@ -73,15 +73,15 @@ def figures(
     `bearing` and `lubricant` are names or paths of data files, looked up in the inputs `folder`
     (`catalogue.find`); the other arguments are as in `static.equilibrium`, with `rpm` of the inner
     ring and the load along x. Degrees of freedom that are not `held` are free. `models` is one of
-    `models.STATICS`: "full" has the film in the gap, inlet shear and the friction torque, with the
-    `spin_law` of `friction_torque.losses`; "eyring" also has Eyring's stress with its limit in the
-    film. `temperature` of the lubricant is in degrees C, by default as in its file. `cleanliness`
-    is a word of `cleanliness.CLEANLINESS`. `four_point` in rad makes the bearing a four-point
-    contact bearing with that angle, as its file may also do. Each of `balls` then has a list of
-    `contacts`. `double_row` gives the bearing two rows; `balls` has them one after the other.
-    `dynamic` is C in N of a row and replaces the value in the file. `supply` is the kind of
-    lubrication, `cage` a cage that is one ring, whose losses count in the friction torque. `absent`
-    has the reason by key for figures that the models omit.
+    `models.STATICS`: "full" includes the film in the gap, inlet shear and the friction torque, with
+    the `spin_law` of `friction_torque.losses`; "eyring" also includes Eyring's stress with its
+    limit in the film. `temperature` of the lubricant is in degrees C, by default as in its file.
+    `cleanliness` is a word of `cleanliness.CLEANLINESS`. `four_point` in rad makes the bearing a
+    four-point contact bearing with that angle; the bearing's file may also specify it. Each of
+    `balls` then has a list of `contacts`. `double_row` gives the bearing two rows; `balls` lists
+    one row after the other. `dynamic` is C in N of a row and replaces the value in the file.
+    `supply` is the kind of lubrication, `cage` a cage that is one ring, whose losses count in the
+    friction torque. `absent` gives, by key, the reason why the models omit a figure.
 
     As in a deck, the ring is held along z if there is no axial load (`inputs.held`).
 
@@ -220,7 +220,7 @@ def figures(
 
 
 def _wide(body):
-    """The warning about a life whose rating applies to narrower grooves."""
+    """The warning that the rating used for the life applies to narrower grooves."""
     if min(wide := life.wide_grooves(body)) >= 1 - 1e-9:
         return []
     return [
@@ -281,7 +281,8 @@ def _makers(body, boundary, load, axial, rpm, viscosity):
 
 
 def _basic_life(body, figures, angle):
-    """L_10 of ISO 281: the table of its load factors applies to one row and one groove per ring."""
+    """L_10 of ISO 281; the standard's table of load factors applies to one row and one groove per
+    ring."""
     axial, layout = figures["axial_N"], body.layout
     if axial and layout != Layout():
         return {}
@@ -311,7 +312,7 @@ def _life(path, body, state, rpm, fluid, cleanliness, angle, dynamic):
         rated = life.Ratings(dynamic, math.nan, math.nan)
     elif dynamic is not None:
         rated = rated._replace(dynamic=dynamic)
-    # for all rows, from the ratings of one
+    # for all rows, from the ratings of one row
     rated = life.Ratings(rated.dynamic * rows**0.7, rated.static * rows, rated.fatigue * rows)
     known = fluid is not None and not math.isnan(fluid.kinematic + rated.fatigue)
     viscosity = fluid.kinematic if known else None

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Stiffness and damping of a bearing's ring from statics and films: at one position of the balls,
-and their mean and spread over a ball pass.
+and as mean and spread over a ball pass.
 
 Damping comes only from the films and the steel of the contacts. Seats, housing, grease and friction
 are omitted.
@@ -58,7 +58,7 @@ def dampers(
     frequency: float = 0.0,
 ) -> Dampers:
     """`Dampers` of the contacts of an equilibrium with its films, the same as in the simulation
-    with these `models`, a key of `LAWS`. `clearance` is in m, as for `state`.
+    with these `models` (a key of `LAWS`). `clearance` in m is that of `state`.
 
     The film branch depends on the `frequency` of the motion, in rad/s. Raises `ValueError` for
     other models.
@@ -125,7 +125,8 @@ def turning_ring(
     phases: int = PHASES,
     **options: Any,
 ) -> OverPass:
-    """`OverPass` under a radial load along x and an axial one, N, the inner ring at `speed` rad/s.
+    """`OverPass` under a radial load along x and an axial load (N), with the inner ring at `speed`
+    rad/s.
 
     Without an `oil` there is no damping. "full" `models` also need the `fluid`. `frequency` of the
     motion is in rad/s, 0 for slow motion. `options` (clearance, moment, held and others) are passed
@@ -141,7 +142,7 @@ def turning_ring(
     _, orbit = turning(bearing, speed, load, axial, **options)
 
     def at(phase):
-        # otherwise the balls' motion determines the entrainment
+        # with several grooves, the balls' motion determines the entrainment
         if film is not None and len(bearing.raceways) > 2:
             state, _ = turning(bearing, speed, load, axial, phase=phase, film=film, **options)
         else:

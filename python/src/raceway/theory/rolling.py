@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Rolling resistance: hydrodynamic, in the inlet of the film, and from hysteresis of the steel.
 
-Both are couples about the axis of the relative rolling velocity w, opposing it, equal and opposite
+Both act as couples that oppose the relative rolling velocity w, about its axis, equal and opposite
 on ball and ring. Numbers or arrays of one shape, SI units; fully flooded and isothermal.
 """
 
@@ -17,8 +17,9 @@ def hydrodynamic(
     speed: Numbers,
     load: Numbers,
 ) -> Numbers:
-    """f in N (Biboulet and Houpert 2010, part 2, eq 32, as powers of U = eta u/(E' R_x), W and
-    R_y/R_x by Balan et al. 2015, within 0.6 % on a ball bearing); the contact loses 2 f u.
+    """f in N; the contact loses the power 2 f u. Biboulet and Houpert 2010, part 2, eq 32, written
+    as powers of U = eta u/(E' R_x), W and R_y/R_x by Balan et al. 2015, which differs by less than
+    0.6 % for a ball bearing.
 
     eta in Pa s, E' in Pa, R_x and R_y in m, u in m/s, Q in N. Valid for kappa up to 60 and p_max
     from 0.06 to 4 GPa. Zero at rest and without load.
@@ -38,8 +39,8 @@ def couple(force: Numbers, r_x: Numbers) -> Numbers:
 
 
 def hysteresis(load: Numbers, b: Numbers, loss: float) -> Numbers:
-    """Couple alpha Q 2b/(3 pi) in N m from Q in N and the semi-axis b along rolling in m; `loss` is
-    alpha, 0.005 to 0.05 for steel (Schwarz et al. 2023; Johnson 1985, section 9.4).
+    """Couple alpha Q 2b/(3 pi) in N m for a load Q in N and the semi-axis b along rolling in m;
+    `loss` is alpha, 0.005 to 0.05 for steel (Schwarz et al. 2023; Johnson 1985, section 9.4).
 
     This is the couple of a line contact; see `hysteresis_strips`.
     """

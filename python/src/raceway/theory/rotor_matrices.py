@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A rotor given as matrices by a rotor dynamics program, and its bending modes.
 
-A node has x, y, z, rx, ry, rz (ROSS since 2.0) or x, y, rx, ry (before), right-handed, z along the
-shaft. M q'' + (C + spin G) q' + K q = f in kg, m, s, N and rad, spin in rad/s. The rotor must be
-free, because the simulation adds the bearings.
+A node has the degrees of freedom x, y, z, rx, ry, rz (ROSS since 2.0) or x, y, rx, ry (ROSS before
+2.0); axes are right-handed, with z along the shaft. M q'' + (C + spin G) q' + K q = f in kg, m, s,
+N and rad, spin in rad/s. The rotor must be free, because the simulation adds the bearings.
 """
 
 from collections.abc import Sequence
@@ -42,7 +42,8 @@ def rotor(
     """`Rotor` of nodes at `z` (N,) in m and matrices (n, n), n = 4 N or 6 N, without bearings.
 
     Raises `ValueError` for properties that `fix bearing/shaft` does not support: matrices that are
-    not symmetric (G: not antisymmetric), unequal planes, stiffness or damping that holds the rotor.
+    not symmetric (G: not antisymmetric), matrices that differ between the planes, and stiffness or
+    damping that holds the rotor.
 
     >>> from raceway.theory.beam import Section, divided
     >>> z, pieces = divided([Section(0.4, 0.04)], [0.1, 0.2, 0.3])
@@ -187,7 +188,7 @@ def _shape(of, shape, place):
     block = _element(of, k)
     if not block[0, 0] < 0:
         raise ValueError(f"no shaft joins the nodes at {of.z[k]:g} and {of.z[k + 1]:g} m")
-    soft = 2 + 12 * block[1, 1] / (block[0, 0] * length**2)  # displacement by shear over bending
+    soft = 2 + 12 * block[1, 1] / (block[0, 0] * length**2)  # shear over bending displacement
     moved = np.array(
         [
             1 - 3 * u**2 + 2 * u**3 + soft * (1 - u),
@@ -209,7 +210,8 @@ def _shape(of, shape, place):
 
 
 def _modal_damping(of, found):
-    """(n,) N s/m of the rotor's own damping; `found` has all nodes as stations."""
+    """Modal damping (n,) in N s/m from the rotor's own damping; `found` has all nodes as
+    stations."""
     shapes = found.shape.reshape(len(found.mass), -1).T
     plane = shaft_bending.planes(len(of.z))[0]
     whole = shapes.T @ plane.T @ of.damping @ plane @ shapes

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Mean of 1/gap of a rough film relative to a smooth one, as a function of L = h/sigma: h the mean
-gap, sigma the rms composite roughness. Numbers or arrays of one shape.
+"""Mean of 1/gap of a rough film relative to a smooth film, as a function of L = h/sigma, where h is
+the mean gap and sigma the rms composite roughness. Numbers or arrays of one shape.
 
 The sigma of a profilometer is an upper bound, because long waves are flattened under pressure.
 """
@@ -20,7 +20,7 @@ HIGHEST = 8.0  # upper end of the integral, in sigmas above the mean
 class Clipped(NamedTuple):
     """A film with a Gaussian gap that is solid where it is thinner than a boundary film."""
 
-    factor: Numbers  # of the open part
+    factor: Numbers  # `factor` of the open part
     closed: Numbers  # share of the area
 
 
@@ -50,8 +50,8 @@ def gauss_cut(ratio: Numbers, cut: float = 3.0) -> Numbers:
 
 
 def clipped(ratio: Numbers, boundary: Numbers) -> Clipped:
-    """`Clipped` for a Gaussian gap: where it is below `boundary`, in sigmas (a boundary film of 2
-    to 10 nm), the surfaces touch. Raises `ValueError` for a boundary that is not positive.
+    """`Clipped` for a Gaussian gap; the surfaces touch where the gap is below `boundary` sigmas, a
+    boundary film of 2 to 10 nm. Raises `ValueError` for a boundary that is not positive.
     """
     ratio, boundary = np.broadcast_arrays(np.asarray(ratio, float), np.asarray(boundary, float))
     if not np.all(boundary > 0):
@@ -61,5 +61,5 @@ def clipped(ratio: Numbers, boundary: Numbers) -> Clipped:
     middle, half = (low + high) / 2, (high - low) / 2
     gap = np.exp(middle[..., None] + half[..., None] * NODES)
     density = np.exp(-((gap - ratio[..., None]) ** 2) / 2) / np.sqrt(2 * np.pi)
-    mean = (WEIGHTS * density).sum(-1) * half  # of 1/gap
+    mean = (WEIGHTS * density).sum(-1) * half  # mean of 1/gap
     return Clipped((ratio * mean)[()], ndtr(boundary - ratio)[()])

@@ -46,7 +46,7 @@ class Touch(NamedTuple):
 
     @property
     def carried(self) -> Floats:
-        """(Z,), bool: balls with an inner contact; other balls do not hold a ring."""
+        """(Z,), bool: balls with an inner contact; other balls do not support the inner ring."""
         return (self.load[: len(self.reach.distance)] > 0).any(0)
 
     @property
@@ -81,8 +81,8 @@ def gradient(grooves: Grooves, touch: Touch) -> Floats:
 
 
 def hessian(touch: Touch) -> Floats:
-    """Second derivative (Z, 2, 2) of the energy, N/m: each spring along its line of action, Q/s
-    across."""
+    """Second derivative (Z, 2, 2) of the energy, N/m: the stiffness of each spring along its line
+    of action, and Q/s across it."""
     line = touch.direction[..., :, None] * touch.direction[..., None, :]
     return _springs(touch.along, line, touch.load, touch.curve).sum(0)
 
@@ -112,7 +112,7 @@ def nearest(grooves: Grooves) -> tuple[Floats, ...]:
         inner = grooves.inner(outer)
         count = len(inner.distance)
         gap = grooves.gap[:count] + grooves.gap[count + k]
-        # exact if the circle lies in the plane
+        # exact if the circle lies in the ball's plane
         line = -inner.distance[..., None] * inner.slope[..., :2]
         number = np.broadcast_to([[[i], [count + k]] for i in range(count)], (count, 2, len(outer)))
         centre = np.broadcast_to(outer, line.shape)
@@ -124,8 +124,8 @@ def nearest(grooves: Grooves) -> tuple[Floats, ...]:
 
 
 def settle(grooves: Grooves, near: Floats | None = None) -> Floats:
-    """Positions (Z, 2) where every ball is in equilibrium. If positions `near` it are given, balls
-    that are held start there. Raises `NoEquilibrium` if Newton's method does not find one."""
+    """Positions (Z, 2) in which every ball is in equilibrium. If nearby positions `near` are given,
+    balls that are held start there. Raises `NoEquilibrium` if Newton's method does not find one."""
     centrifugal, stiffness = grooves.centrifugal, grooves.stiffness
     tight, line, distance, outer, pair = nearest(grooves)
     balls = np.arange(len(outer))
@@ -157,7 +157,7 @@ def settle(grooves: Grooves, near: Floats | None = None) -> Floats:
             break
         step = -np.linalg.solve(hessian(now) + floor, slope[..., None])[..., 0]
         step *= np.minimum(1, longest / np.maximum(np.linalg.norm(step, axis=-1), 1e-300))[:, None]
-        step[~left] = 0.0  # these balls have converged; their rounding errors would delay others
+        step[~left] = 0.0  # converged balls, whose rounding errors would delay the other balls
         before, (ball, now) = ball, _moved(grooves, ball, step, slope, now)
         if np.array_equal(before, ball):
             break

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A shaft on several ball bearings at rest: displacements, loads and tilts of the bearings.
 
-The shaft is a beam (`beam`), each bearing has the full statics of five degrees of freedom
-(`static`). The equilibrium of all nodes
+The shaft is a beam (`beam`), each bearing is solved with its full statics in five degrees of
+freedom (`static`). The equilibrium of all nodes
 
     K q + sum of bearing forces(q) = loads
 
@@ -47,7 +47,7 @@ class Seat:
 
 @dataclass(frozen=True)
 class Load:
-    """Force and moment on the shaft at a place."""
+    """Force and moment at one position on the shaft."""
 
     at: float  # m
     force: tuple[float, float, float] = (0.0, 0.0, 0.0)  # N
@@ -69,7 +69,7 @@ class Carried:
     """A bearing of a shaft at rest."""
 
     seat: Seat
-    place: Floats  # (5,), m and rad: inner relative to outer ring
+    place: Floats  # (5,), m and rad: position of the inner relative to the outer ring
     load: Floats  # (5,), N and N m: of the shaft on the inner ring
     state: static.Equilibrium
     stiffness: Floats  # (5, 5), of the bearing as it acts on the shaft
@@ -82,7 +82,7 @@ class Rest:
     """Equilibrium of a shaft."""
 
     z: Floats  # (N,), m, of the nodes
-    place: Floats  # (N, 5), m and rad
+    place: Floats  # (N, 5), m and rad, displacements of the nodes
     bearings: list[Carried]
     residual: float  # residual of the balance relative to the loads
 
@@ -215,7 +215,7 @@ def _newton(stiffness, given, holders, place, soft):
         while True:
             try:
                 further, bend = balance(place + share * step)
-            except NoEquilibrium:  # out of a groove
+            except NoEquilibrium:  # a ball out of its groove
                 further = None
             if further is not None and abs(further @ step) <= abs(start):
                 break

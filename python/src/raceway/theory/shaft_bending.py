@@ -43,10 +43,10 @@ def bending(
 ) -> Bending:
     """`Bending` of `whole` with the nodes at `z` (N,) in m.
 
-    `kept` nodes respond exactly to steady loads there; `modes` is the number of modes in a plane
-    while they are held. That gives ``2 len(kept) + modes - 2`` elastic modes. `stations` are the
-    nodes at which the shapes are needed. `damping` is the damping ratio of every mode. Raises
-    `ValueError` for more modes than the shaft has, or none.
+    The `kept` nodes respond exactly to steady loads on them; `modes` is the number of modes in a
+    plane with the kept nodes held. The result has ``2 len(kept) + modes - 2`` elastic modes.
+    `stations` are the nodes at which the shapes are needed. `damping` is the damping ratio of every
+    mode. Raises `ValueError` for more modes than the shaft has, or none.
 
     >>> from raceway.theory.beam import STEEL, Section, divided
     >>> z, pieces = divided([Section(0.5, 0.02)], np.linspace(0, 0.5, 21))
@@ -65,7 +65,7 @@ def bending(
     shapes = basis @ scipy.linalg.eigh(*few)[1][:, 2:]
     if not shapes.shape[1]:
         raise ValueError("a shaft that bends needs another kept place or a mode")
-    # rounding errors of the rigid-body motion in them
+    # removes the rounding errors of rigid-body motion from the modes
     rigid = np.zeros((2 * len(z), 2))
     rigid[0::2, 0], rigid[0::2, 1], rigid[1::2, 1] = 1.0, z - body.centre, 1.0
     own = rigid.T @ mass
@@ -88,9 +88,9 @@ def bending(
 
 
 def planes(nodes: int) -> tuple[Floats, Floats]:
-    """(5 N, 2 N) matrices, N = `nodes`, that map displacement and slope of a plane to the
-    freedoms of `beam`: the plane of x, where the slope is ry, and the plane of y, where it is
-    -rx."""
+    """Matrices (5 N, 2 N), N = `nodes`, that map displacement and slope in a plane to the degrees
+    of freedom of `beam`: one for the plane of x, where the slope is ry, and one for the plane of y,
+    where it is -rx."""
     one, other = np.zeros((FREEDOMS * nodes, 2 * nodes)), np.zeros((FREEDOMS * nodes, 2 * nodes))
     for k in range(nodes):
         one[FREEDOMS * k, 2 * k] = one[FREEDOMS * k + 4, 2 * k + 1] = 1.0
@@ -99,7 +99,7 @@ def planes(nodes: int) -> tuple[Floats, Floats]:
 
 
 def _craig_bampton(mass: Floats, stiffness: Floats, kept: Sequence[int], modes: int) -> Floats:
-    """(2 N, 2 kept + modes) motions of a plane."""
+    """Motions (2 N, 2 kept + modes) in one plane: those of the kept nodes, then the modes."""
     import scipy.linalg
 
     held = np.concatenate([2 * k + np.arange(2) for k in kept])

@@ -22,9 +22,9 @@ BENT = 0.5  # share of a mode's strain energy in the shaft above which it is cal
 class Mode(NamedTuple):
     """A natural motion, or a critical speed."""
 
-    speed: float  # rad/s: natural frequency, or speed of the shaft that equals it
+    speed: float  # rad/s: natural frequency, or shaft speed that equals the natural frequency
     shape: str  # axial, parallel, conical, bending or free
-    whirl: str  # forward, backward or planar; empty for an axial or a free one
+    whirl: str  # forward, backward or planar; empty for an axial or a free motion
 
 
 def modes(shaft: Shaft, rest: Rest, speed: float) -> list[Mode]:
@@ -45,7 +45,7 @@ def modes(shaft: Shaft, rest: Rest, speed: float) -> list[Mode]:
     z, whole = nodes(shaft, rest)
     bearings = springs(z, rest)
     stiffness = whole.stiffness + bearings
-    if speed == 0:  # real shapes, because pairs of equal frequency of a shaft at rest are planar
+    if speed == 0:  # real shapes: at rest, the two modes of equal frequency in a pair are planar
         squares, real = scipy.linalg.eigh(stiffness, whole.mass)
         speeds = np.sqrt(np.maximum(squares, 0.0))
         return _named(z, whole, bearings, list(zip(speeds, real.T, strict=True)))
@@ -67,7 +67,7 @@ def critical_speeds(shaft: Shaft, rest: Rest, highest: float) -> list[Mode]:
     """Speeds (rad/s) up to `highest` at which the shaft rotates as fast as one of its natural
     motions whirls, on the bearings' stiffness of `rest`. Axial motions have no critical speed.
 
-    -w^2 M + i w^2 G + K = 0 has them as eigenvalues w^2 of K u = w^2 (M - i G) u.
+    With -w^2 M + i w^2 G + K = 0, their squares w^2 are the eigenvalues of K u = w^2 (M - i G) u.
     """
     import scipy.linalg
 
@@ -127,7 +127,7 @@ def _quadratic(shape, matrix):
 
 
 def _whirl(shape):
-    """Whirl from the sense in which the nodes orbit, relative to the spin about +z."""
+    """The whirl, from the direction in which the nodes orbit relative to the spin about +z."""
     x, y = shape.reshape(-1, FREEDOMS)[:, :2].T
     turn = -2 * np.imag(np.conj(x) * y).sum() / (np.abs(x) ** 2 + np.abs(y) ** 2).sum()
     return "planar" if abs(turn) < ROUND else "forward" if turn > 0 else "backward"

@@ -45,8 +45,8 @@ def bending(
     kept: Sequence[float] = (),
     places: Sequence[float] = (),
 ) -> shaft_bending.Bending:
-    """Bending modes of `shaft`; its bearings, the positions of transverse `loads`, and `kept` (m)
-    are kept.
+    """Bending modes of `shaft`; the kept nodes are the bearings, the positions of transverse
+    `loads`, and `kept` (m).
 
     `modes` per plane and the `damping` ratio are as in `shaft_bending.bending`. Stations are
     the nodes of `rest`, the centre of mass, `kept` and `places` (m). Raises `ValueError` for a

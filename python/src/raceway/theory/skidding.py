@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Rotation of balls that only the outer ring touches. Rolling resistance slows them from the moment
+"""Rotation of balls that touch only the outer ring. Rolling resistance slows them from the moment
 they leave the load zone, traction is at most mu Q, and the ring accelerates them again when they
 return (docs/tribology, Friction torque)."""
 
@@ -15,12 +15,12 @@ MEMORY = 100.0  # time after which the initial rotation has decayed, in units of
 
 
 class Unloaded(NamedTuple):
-    """Balls of all rows, (Z,); zero for loaded ones."""
+    """Unloaded balls of all rows, arrays (Z,); zero for loaded balls."""
 
     speed: Floats  # m/s, of the ball's centre
     since: Floats  # s, since the ball lost its load
     until: Floats  # s, unloaded time of the ball that regains its load next; 0 for other balls
-    frequency: Floats  # 1/s, at which balls regain their load at this place
+    frequency: Floats  # 1/s, how often balls regain their load at this place
 
 
 def unloaded(
@@ -35,7 +35,7 @@ def unloaded(
         (balls,) = np.nonzero(row == one)
         balls = balls[
             np.argsort(-np.sign(orbit) * azimuth[balls])
-        ]  # each followed by the one behind
+        ]  # each ball followed by the ball behind it
         step, held = 2 * np.pi / len(balls) / abs(orbit), loaded[balls]
         if not held.any():
             found.since[balls] = np.inf

@@ -2,10 +2,10 @@
 """Differential slip of a ball in its groove (Heathcote): force along rolling and couple about the
 axis of rolling, with Coulomb's law in closed form.
 
-Across the groove the sliding speed is s(z) = (u/R_x) (y0 - z^2/(2 R_d)); z = 0 has the slip
-`slip` (s bar), and a contact with t0 = sqrt(slip/s_e) in [0, 1] has no slip at z = a t0. s is the
-speed of the ball minus the speed of the ring along the ball's surface motion past the contact.
-Numbers or arrays of one shape, SI.
+Across the groove the sliding speed is s(z) = (u/R_x) (y0 - z^2/(2 R_d)). At z = 0 it is `slip` (s
+bar); with t0 = sqrt(slip/s_e) in [0, 1], there is no sliding at z = a t0. s is the speed of the
+ball minus the speed of the ring along the ball's surface motion past the contact. Numbers or arrays
+of one shape, SI.
 """
 
 from typing import NamedTuple
@@ -53,8 +53,8 @@ def heathcote(
     """`Slip` with Coulomb's law.
 
     F/(mu Q) = 3 t0 - t0^3 - 1, C/(mu Q a^2/(2 R_d)) = t0^3 - 0.6 t0^5 - 0.2, power F s - C u/R_x.
-    For u > 0. Above t0 = 1 they are 1 and 0.2, below slip 0 they are -1 and -0.2. s_e is at least
-    `LEAST`.
+    These hold for u > 0. Above t0 = 1, force and couple are 1 and 0.2; for a slip below 0, -1 and
+    -0.2. s_e is at least `LEAST`.
     """
     law = laws.differential_slip(_off(slip, speed, a, r_d, r_x))
     limit = friction * load
@@ -82,8 +82,8 @@ def free_slope(
 
 
 def creep(a: Numbers, r_d: Numbers, r_x: Numbers) -> Numbers:
-    """v0/u = a^2/(7.60 R_d R_x), v0 the width of the smoothed Coulomb law F = mu Q s/v0 with the
-    slope of free rolling."""
+    """v0/u = a^2/(7.60 R_d R_x), where v0 is the width of the smoothed Coulomb law F = mu Q s/v0
+    that has the slope of free rolling."""
     return edge_slip(1.0, a, r_d, r_x) / LEAN
 
 
@@ -96,7 +96,8 @@ def secant(
     r_d: Numbers,
     r_x: Numbers,
 ) -> Numbers:
-    """F over the deviation of the slip from free rolling, N s/m; at free rolling, the slope."""
+    """F divided by the deviation of the slip from free rolling, N s/m; in free rolling, the
+    slope."""
     law = laws.differential_slip(_off(slip, speed, a, r_d, r_x))
     return friction * load * law.secant / np.maximum(edge_slip(speed, a, r_d, r_x), LEAST)
 
@@ -116,5 +117,5 @@ def in_series(
 
 
 def _off(slip, speed, a, r_d, r_x):
-    """Difference from free rolling relative to the slip at the edge."""
+    """Difference of the slip from free rolling, relative to the slip at the edge."""
     return slip / np.maximum(edge_slip(speed, a, r_d, r_x), LEAST) - FREE**2

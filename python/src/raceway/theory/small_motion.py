@@ -14,17 +14,17 @@ import numpy as np
 
 from raceway.arrays import Floats, Numbers, short
 
-SLOW = 1e-9  # rad/s: a motion so slow that damping is the derivative of the response
+SLOW = 1e-9  # rad/s, low enough that the damping is the limit for slow motion
 
 
 class Linear(NamedTuple):
     """Balls of a ring in equilibrium. Derivatives are with respect to the seven coordinates of
-    `circle`, the ball first."""
+    `circle`, those of the ball first."""
 
     stiffness: Floats  # (Z, 7, 7), second derivatives of the energy, N/m and so on
     approach: Floats  # (C, Z, 7), of the overlaps of a ball's contacts, inner ones first
     along: Floats  # (C, Z), N/m: stiffness of the contacts along their lines of action
-    loaded: Floats  # (Z,), bool: balls with an inner contact; other balls do not hold a ring
+    loaded: Floats  # (Z,), bool: balls with an inner contact; others do not support the inner ring
 
     __repr__ = short
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A ball over a spall across the whole groove: time of impact, and length of the spall.
 
-A ball that keeps its load hits half-way, where the near flank of its path meets the far one
+A ball that keeps its load hits half-way, where the near flank of its path meets the far flank
 (`kinematics.spall_length`). A ball that loses its load flies on and hits the far flank later. Here
 ball and ring are two masses along the load line: the ball between two Hertz contacts, the ring on a
 spring for the other balls. The path over the spall is the path of a rigid ball on two edges
@@ -18,7 +18,7 @@ from raceway.arrays import Floats
 from raceway.theory import hertz, kinematics, static
 from raceway.theory.bearing import INNER, OUTER, Bearing
 
-STEP = 0.2  # relative to the ball's angular frequency between its raceways
+STEP = 0.2  # time step times the ball's angular frequency between its raceways
 LONGEST = 0.4  # fraction of the ball pitch
 LENGTHS = 80  # number of points in the table for `length`
 
@@ -41,12 +41,12 @@ def seconds_to_blow(
 
     `speed` of the inner ring in rad/s; radial `load` in N; `ring_mass` in kg of the inner ring and
     the parts that turn with it, which the load accelerates towards the ball; diametral `clearance`
-    in m; `ball_density` in kg/m^3. `heard` is the raceway whose ring has the sensor, by default
-    the one with the spall; the ball must fly back to the other raceway. `edge` is the radius of the
-    spall's edges in m: a ball that keeps its load begins to rise that distance before the middle.
-    Raises `ValueError` for a length or mass that is not positive, an edge above half a length, and
-    for lengths above 0.4 of the spacing of two balls, `NoEquilibrium` if the bearing cannot carry
-    the load without that ball.
+    in m; `ball_density` in kg/m^3. `heard` is the raceway whose ring has the sensor, by default the
+    one with the spall; the ball must fly back to the other raceway. `edge` is the radius of the
+    spall's edges in m: a ball that keeps its load begins to rise by this distance before the
+    middle. Raises `ValueError` for a length or mass that is not positive, an edge above half a
+    length, and for lengths above 0.4 of the spacing of two balls, `NoEquilibrium` if the bearing
+    cannot carry the load without that ball.
 
     A 6208 at 1500 rpm and 2 kN keeps its load over 1 mm, not over 2 mm:
 
@@ -134,8 +134,9 @@ def length(
     clearance: float = 0.0,
     ball_density: float = 7800.0,
 ) -> Floats:
-    """Lengths in m along rolling of spalls with these `seconds` (any shape) from entry to impact,
-    for a ball that may lose its load: the inverse of `seconds_to_blow`, with the same arguments.
+    """Lengths in m along rolling of spalls with the times `seconds` (any shape) from entry to
+    impact, for a ball that may lose its load: the inverse of `seconds_to_blow`, with the same
+    arguments.
 
     Times that match no spall up to `longest` give NaN. If the ball reaches the bottom of a shallow
     spall, it hits there, and the length cannot be determined.

@@ -15,7 +15,7 @@ class Spin(NamedTuple):
     """Resisting force and moment, arrays of the shape of the given slip and spin."""
 
     along: Numbers  # N, opposing the slip along rolling
-    across: Numbers  # N, opposing the slip across
+    across: Numbers  # N, opposing the slip across the groove
     moment: Numbers  # N m, opposing the spin
     power: Numbers  # W, lost
 
@@ -27,9 +27,9 @@ def moment(load: Numbers, friction: Numbers, a: Numbers, second: Numbers) -> Num
 
 
 def closed_moment(pure: Numbers, speed: Numbers, edge: Numbers) -> Numbers:
-    """Moment in N m against spin in the presence of differential slip, a fit: the moment `pure` of
-    pure spin (N m), reduced if the `speed` omega a is small compared with `edge` s_e, both in m/s
-    (`sliding.edge_slip`)."""
+    """Moment in N m that resists spin in the presence of differential slip, by a fit: the moment
+    `pure` of pure spin (N m), reduced if omega a = `speed` is small compared with s_e = `edge`,
+    both in m/s (`sliding.edge_slip`)."""
     width = np.maximum(edge, sliding.LEAST)
     return pure * laws.spin_shares(np.abs(speed), width, 0.0).spin
 
@@ -55,9 +55,9 @@ def with_slip(
     """`Spin` of contacts with sliding speeds at their centre in m/s and a spin in rad/s, by the
     slices of a run with `spin_law` "slices" (docs/tribology, Slip and spin in slices).
 
-    At (x along, z across) the sliding is (along + spin z - curve z^2, across - spin x), with
-    `curve` = u/(2 R_d R_x) of differential slip, 1/(m s). Friction is proportional to sliding below
-    `least`, m/s.
+    At (x along, z across) the sliding velocity is (along + spin z - curve z^2, across - spin x),
+    where `curve` = u/(2 R_d R_x) in 1/(m s) is for differential slip. Friction is proportional to
+    the sliding speed below `least` (m/s).
     """
     speed, edge = spin * a, curve * np.square(a)
     found = laws.slip_slices(along, across, -speed, edge, b / a, least)

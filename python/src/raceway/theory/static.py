@@ -49,8 +49,8 @@ class Contacts(NamedTuple):
     raceway with several grooves (grooves, Z), in the order of its `bearing.Layout`; zero load if
     there is no contact."""
 
-    # m, overlap of the rigid bodies: negative if a film bridges a gap, minus the play for a ball
-    # held on the outer raceway by its centrifugal load, zero for a ball that is not held
+    # m, overlap of the rigid bodies: negative if a film bridges a gap; minus the play for a ball
+    # held on the outer raceway by its centrifugal load; zero for a ball that is not held
     overlap: Floats
     load: Floats  # N
     angle: Floats  # rad, positive if the inner ring is pushed to +z
@@ -85,7 +85,7 @@ class Equilibrium:
     # (5, 5), N/m, N/rad, N m/rad: d(load)/d(position) in x, y, z, rx, ry at the present contact
     # ellipses
     stiffness: Floats
-    linear: Linear  # for the balls about their equilibrium, for `small_motion.response`
+    linear: Linear  # linearised about the equilibrium of the balls, for `small_motion.response`
 
     __repr__ = short
 
@@ -112,12 +112,13 @@ def equilibrium(
     `moment` is (M_x, M_y) in N m on the inner ring; `held` maps degrees of freedom (x, y, z in m,
     rx, ry in rad) to the values at which they are held; the others are free. Without `held` the
     ring is held untilted (rx = ry = 0), or free to tilt if a `moment`, even zero, is given.
-    `clearance` is diametral, m; `phase` the azimuth of the first ball of each row, rad, or of every
-    ball if they are not evenly spaced (Z,); `orbital_speed` of all balls or of each (Z,), rad/s,
-    gives them the centrifugal load m r omega^2 with m from `ball_density` in kg/m^3; `finite_shift`
-    is explained above; `film` puts the film in the gap; if a nearby equilibrium `near` is given,
-    the search starts there. Raises `NoEquilibrium` if the ring is free to move or the balls are
-    forced out of their grooves, `ValueError` for an unknown degree of freedom.
+    `clearance` is diametral, m. `phase` is the azimuth of the first ball of each row in rad, or
+    (Z,) the azimuths of all balls if they are not evenly spaced. `orbital_speed` in rad/s, of all
+    balls or (Z,) of each, gives them the centrifugal load m r omega^2 with m from `ball_density` in
+    kg/m^3. `finite_shift` is explained above; `film` puts the film in the gap. If a nearby
+    equilibrium `near` is given, the search starts there. Raises `NoEquilibrium` if the ring is free
+    to move or the balls are forced out of their grooves, `ValueError` for an unknown degree of
+    freedom.
 
     >>> from raceway.theory.bearing import Bearing
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)

@@ -87,8 +87,8 @@ COLUMNS = (  # of the table of several points: key, heading, scale
 
 @dataclass(frozen=True)
 class Nodes:
-    """Conductances of `heat.three_nodes`, W/K. `housing` None: from ISO 15312. `contact` None: from
-    the moving contacts (`heat.conductances`)."""
+    """Conductances of `heat.three_nodes`, W/K. If `housing` is None, it follows from ISO 15312; if
+    `contact` is None, from the moving contacts (`heat.conductances`)."""
 
     shaft: float = 0.0
     housing: float | None = None
@@ -97,8 +97,8 @@ class Nodes:
 
 @dataclass(frozen=True)
 class CirculatingOil:
-    """Oil that flows through a bearing of this `width` in m: volume `flow` at 40 C in m^3/s,
-    temperature at the `inlet` in degrees C."""
+    """Oil that flows through a bearing of this `width` in m; `flow` is the volume flow at 40 C in
+    m^3/s, `inlet` the inlet temperature in degrees C."""
 
     flow: float
     inlet: float
@@ -106,7 +106,7 @@ class CirculatingOil:
 
 
 class Rest(NamedTuple):
-    """A bearing in equilibrium with its loads, with the films of its speed."""
+    """A bearing in equilibrium with its loads, and the films at its speed."""
 
     state: Equilibrium
     orbit: float | Floats  # rad/s, of the balls
@@ -135,9 +135,9 @@ class Scene:
         cage: cage_drag.CageRing | None = None,
         oil_flow: CirculatingOil | None = None,
     ) -> None:
-        """`roughness` is composite, m; `density` of the balls in kg/m^3; `spin_law`, `models` and
-        `cage` are as in `operating_point.figures`, `held` as in `static.equilibrium`, `size` and
-        `supply` as in `friction_torque.surfaces`."""
+        """`roughness` is the composite roughness in m, `density` that of the balls in kg/m^3;
+        `spin_law`, `models` and `cage` are as in `operating_point.figures`, `held` as in
+        `static.equilibrium`, `size` and `supply` as in `friction_torque.surfaces`."""
         self.bearing, self.boundary, self.lubricant = bearing, boundary, lubricant
         self.roughness, self.load, self.axial = roughness, load, axial
         self.ring, self.density = rpm * math.pi / 30, density
@@ -170,9 +170,9 @@ class Scene:
         return Rest(state, orbit, films, fluid)
 
     def at(self, temperature: float, clearance: float) -> dict[str, Any]:
-        """Figures of the scene at a temperature in degrees C and a clearance in m; `sides` has the
-        power in W at the inner and the outer raceway, half the drag to each; `cage` is the power at
-        the cage, `drag` the power of the drag, `flow` the `heat.OilFlow`."""
+        """Figures of the scene at a temperature in degrees C and a clearance in m. `sides` is the
+        power in W at the inner and the outer raceway, each with half of the drag; `cage` is the
+        power lost at the cage, `drag` the power lost by drag, `flow` the `heat.OilFlow`."""
         return self.figures(self.rest(temperature, clearance), clearance)
 
     def figures(self, rest: Rest, clearance: float) -> dict[str, Any]:
@@ -300,8 +300,8 @@ class Case:
     """Input of `figures`; SI units, degrees C.
 
     `bearing` and `lubricant` are names or paths of data files, looked up in the inputs `folder`
-    (`catalogue.find`); the lubricant's file must have physical data. Cooling: `nodes`, or
-    `conductance` in W/K, or by ISO 15312.
+    (`catalogue.find`); the lubricant's file must have physical data. Cooling follows from `nodes`,
+    or from `conductance` in W/K, or by default from ISO 15312.
     """
 
     bearing: str
@@ -314,9 +314,9 @@ class Case:
     ambient: float = 20.0
     conductance: float | None = None
     nodes: Nodes | None = None
-    four_point: float | None = None  # these two as in `inputs.bearing`
+    four_point: float | None = None  # `four_point` and `double_row` as in `inputs.bearing`
     double_row: DoubleRow | None = None
-    spin_law: str = "closed"  # these two as in `operating_point.figures`
+    spin_law: str = "closed"  # `spin_law` and `models` as in `operating_point.figures`
     models: str = DEFAULT
     supply: Supply = BATH
     cage: cage_drag.CageRing | None = None

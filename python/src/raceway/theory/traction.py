@@ -18,8 +18,9 @@ def eyring(
 ) -> Numbers:
     """tau = min(tau_0 asinh(eta s/(h tau_0)), limit) in Pa, odd in s.
 
-    eta in Pa s under pressure, s in m/s, h in m; `stress` is tau_0 in Pa; `limit` is Lambda_L p:
-    Lambda_L 0.047 mineral, 0.04 paraffinic, 0.035 PAO, 0.03 ester (Arana 2019 after Hoglund 1999).
+    eta in Pa s under pressure, s in m/s, h in m; `stress` is tau_0 and `limit` is Lambda_L p, both
+    in Pa. Lambda_L is 0.047 for mineral oil, 0.04 for paraffinic oil, 0.035 for PAO and 0.03 for
+    ester (Arana 2019 after Hoglund 1999).
     """
     rate = np.abs(sliding) / thickness
     return np.sign(sliding) * laws.eyring_shear(viscosity, rate, stress, limit)
@@ -36,9 +37,9 @@ def coefficient(
     """Friction coefficient of a film in a Hertz contact with the largest `pressure` in Pa that
     slides everywhere at the shear rate s/h = `rate` in 1/s.
 
-    `eyring` with the viscosity of Roelands, from eta (Pa s) and xi (1/Pa); `limit` is Lambda_L.
-    With p = t p_max the ellipse's mean is 3/p_max times the integral of tau t over t from 0 to 1;
-    by eight Gauss points, within 0.9 %.
+    From `eyring` with the viscosity of Roelands for eta (Pa s) and xi (1/Pa); `limit` is Lambda_L.
+    With p = t p_max the mean over the ellipse is 3/p_max times the integral of tau t over t from 0
+    to 1, computed with eight Gauss points to within 0.9 %.
     """
     return laws.film_coefficient(viscosity, pressure_viscosity, stress, limit, pressure, rate)
 
@@ -94,5 +95,5 @@ def bair_winer_rate(viscosity: Numbers, stress: Numbers, limit: Numbers) -> Numb
 
 
 def mixed(share: Numbers, boundary: Numbers, film: Numbers) -> Numbers:
-    """mu = L_a mu_b + (1 - L_a) mu_film, with `share` L_a (`asperity`)."""
+    """mu = L_a mu_b + (1 - L_a) mu_film, where L_a = `share` (`asperity`)."""
     return laws.mixed_friction(boundary, film, share)

@@ -46,8 +46,8 @@ RULES = {row["name"]: Rule(**row) for row in core.table("columns")["validity"]}
 
 
 def doubts(values: Mapping[str, float | None]) -> list[str]:
-    """A text for each of `values`, by the names of `RULES` in SI units, that is outside its range
-    of validity. None and NaN are missing values."""
+    """A text for each of the `values` {name in `RULES`: value in SI units} that is outside its
+    range of validity. None and NaN are missing values."""
     texts = []
     for name, value in values.items():
         rule = RULES[name]
@@ -74,8 +74,8 @@ def of_statics(
     axial: float,
     four_point: float | None = None,
 ) -> list[str]:
-    """A text for everything in the equilibrium `state` under `load` and `axial` (N) that is outside
-    its range of validity; `four_point` (rad) as `free` of `past_middle`."""
+    """A text for each quantity of the equilibrium `state` under the loads `load` and `axial` (N)
+    that is outside its range of validity; `four_point` (rad) is `free` in `past_middle`."""
     sides = (state.inner, state.outer)
     found = {"pressure": max(side.pressure.max() for side in sides)}
     if films is not None:
@@ -111,7 +111,7 @@ def past_shoulder(
     angle: tuple[np.ndarray, np.ndarray],
     semi_axis: tuple[np.ndarray, np.ndarray],
 ) -> list[str]:
-    """A text for each raceway with contact patches that extend beyond the edge of their groove.
+    """A text for each raceway on which contact patches extend beyond the edge of the groove.
 
     `angle` (rad) and `semi_axis` a (m) belong to the loaded contacts of the inner and the outer
     raceway. The groove ends at the angle theta with cos(theta) = 1 - depth/r_c from its bottom; an

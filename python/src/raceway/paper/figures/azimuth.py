@@ -57,7 +57,8 @@ def by_clearance(book: Book) -> tuple[Figure, pd.DataFrame]:
 
 
 def _static(axes, book, run):
-    """Draw static theory for a run's oil, load and clearance; return it on `GRID`, F."""
+    """Draw static theory for a run's oil, load and clearance; return the capacitance on `GRID`,
+    F."""
     gap = run.given.get("clearance_ratio", 0) * book.bearing.ball_diameter
     psi, load, _ = theory.loads(book.bearing, float(run.given["load"]), gap)
     order = np.argsort(psi, axis=None)

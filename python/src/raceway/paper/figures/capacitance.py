@@ -27,7 +27,7 @@ def by_load(book: Book) -> tuple[Figure, pd.DataFrame]:
     whole = np.array([run.whole_top_capacitance() for run in runs])
     other = np.array([run.top_capacitance() for run in printed])
     line = np.linspace(1000, 7000, 25)
-    # without clearance, the same for every load
+    # without clearance, this share is the same for every load
     share = theory.largest_load(bearing, 5000.0) / 5000.0
     rest, rest_printed = (
         theory.ball(bearing, oil, share * line, 0.41, printed=form) for form in (False, True)

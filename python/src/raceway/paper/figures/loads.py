@@ -16,7 +16,7 @@ from raceway.theory.bearing import INNER, Bearing
 
 def stribeck(bearing: Bearing, radial_load: float, gap: float, psi: Floats) -> tuple[Floats, float]:
     """(loads in N at `psi` in degrees, load parameter) after Stribeck and Harris (eq A.1) for a
-    clearance in m."""
+    clearance `gap` in m."""
     parameter = clearance.load_parameter(gap, distribution.shift(bearing, radial_load, gap))
     return (
         distribution.largest_load(bearing.balls, radial_load, parameter)
@@ -26,8 +26,8 @@ def stribeck(bearing: Bearing, radial_load: float, gap: float, psi: Floats) -> t
 
 
 def distribution_curves(book: Book) -> list[tuple[float, float, Floats, Floats, float]]:
-    """[(P_d/D, load parameter of the run, simulated Q on `GRID` in N, Q of eq A.1, its load
-    parameter)]."""
+    """[(P_d/D, load parameter of the run, simulated Q on `GRID` in N, Q of eq A.1 in N, load
+    parameter of eq A.1)]."""
     result = []
     for run in book.readings.all("distribution"):
         ratio = run.given["clearance_ratio"]

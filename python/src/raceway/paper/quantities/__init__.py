@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The numbers by which the paper's statements are judged.
 
-Every module's `measure(book, printed)` returns {name: `Quantity`}. With `printed`, the quantities
-affected by eqs 2, 3 and 9 follow from the formulas as printed; the others do not depend on it.
-`measure_whole` returns the quantities that change with the total capacitance or exist only with it.
+`measure(book, printed)` of every module returns {name: `Quantity`}. With `printed`, the quantities
+affected by eqs 2, 3 and 9 follow from the formulas as printed; other quantities do not depend on
+`printed`. `measure_whole` returns the quantities that differ if the total capacitance is used, or
+exist only with the total capacitance.
 """
 
 from raceway.paper.book import Book

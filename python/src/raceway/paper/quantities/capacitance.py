@@ -86,7 +86,7 @@ def of_runs(book: Book, form: str, top: OfRun, mean: OfRun) -> dict[str, Quantit
 
 def curves(book: Book, form: str, top: OfRun, mean: OfRun) -> dict[tuple[str, int], Floats]:
     """{(oil, load): (4, speeds)} of the runs of fig 10: entrainment speed, capacitance of a ball on
-    the load line and of the bearing, smallest film there; SI units."""
+    the load line, capacitance of the bearing, and smallest film on the load line; SI units."""
     curve = {
         (oil, load): [
             (run.given["entrainment"], top(run), mean(run), run.top(INNER, "h_min"))
@@ -130,7 +130,7 @@ def _same(book, curve):
             * area
         )
     )
-    # the curve over azimuth is formed by all balls in one pass, its mirror image by other balls
+    # all balls in one pass form the curve over azimuth; other balls form its mirror image
     mirrored = np.abs(around - around[::-1]).max() / around.max()
     other = {
         load: runs.one("measured_bearing", load=load).top_capacitance() for load in (1000, 5000)

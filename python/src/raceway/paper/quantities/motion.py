@@ -16,7 +16,7 @@ def measure(book: Book, printed: bool) -> dict[str, Quantity]:
     run, b = book.readings.one("pressure"), book.bearing
     shaft, orders = 477.5 * np.pi / 30, kinematics.frequencies(b)
     cage = run.figures["cage_speed_rad_s"] / shaft
-    spin = run.spin() / shaft + cage  # relative to the cage
+    spin = run.spin() / shaft + cage  # of a ball relative to the cage
     return {
         "ftf": Quantity(cage / orders.cage - 1, "%", f"FTF against {orders.cage:.4f} of the shaft"),
         "bpfo": Quantity(

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Films and lubrication regimes of the runs. Only the central thickness follows the printed eq
-9."""
+"""Films and lubrication regimes of the runs. The printed eq 9 affects only the central
+thickness."""
 
 import numpy as np
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The quantities of figs 8 to 12 from total capacitances instead of capacitances of the plates, and
-the capacitances of the gap around the plates and of unloaded balls."""
+"""The quantities of figs 8 to 12 from total capacitances instead of the capacitances of the plates,
+and the capacitances of the gap around the plates and of unloaded balls."""
 
 import numpy as np
 from scipy.optimize import brentq
