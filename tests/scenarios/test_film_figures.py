@@ -71,7 +71,8 @@ def test_impedance_is_that_of_the_whole(pair):
 
 
 def test_one_fill_relaxes_with_its_resistivity(tmp_path):
-    """In an unloaded and flooded bearing R C = rho eps_0 eps. The ring is not included yet."""
+    """At the first sample nothing is in contact yet and the bearing is flooded, so that
+    R C = rho eps_0 eps."""
     rows, _ = measured(tmp_path / "run", f"surroundings flooded {ASKED}", False, 1)
     none = rows["capacitance"] == 0
     assert none[0] and rows["hertz_area"][0] == 0
