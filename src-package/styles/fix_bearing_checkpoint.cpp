@@ -78,7 +78,7 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
       if (f != this && dynamic_cast<const FixBearingCheckpoint *>(f))
         args.fail(std::string("fix ") + f->id + " already has this style: the host keeps one " +
                   "kind of restart files");
-  if (means_.empty()) means_.emplace_back();    // empty, since counters come second
+  if (means_.empty()) means_.emplace_back();    // an empty mean, since counters come second
   sums_.assign(means_.size() + (ring_id_.empty() ? 0 : 6), 0.0);
   before_.assign(counters_.size(), 0.0);
   length_.assign(files_.size(), 0.0);
@@ -205,7 +205,7 @@ void FixBearingCheckpoint::end_of_step()
   if (!waits()) take_sample();
   int signal = StopSignal::caught();
   if (comm->nprocs > 1)
-    MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, world);    // on all ranks
+    MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, world);    // stop at the same step
   if (!signal) return;
   StopSignal::set(signal);
   bearing::end_run_after_this_step(lmp);

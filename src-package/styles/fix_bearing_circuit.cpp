@@ -131,7 +131,7 @@ std::vector<FixBearingCircuit::BallFilms> FixBearingCircuit::find_balls()
   return balls_of(tags, std::move(rows));
 }
 
-// The same balls at an instant within the last step; `instant` counts from 1.
+// The balls of the last sample, at an instant within the last step; `instant` counts from 1.
 std::vector<FixBearingCircuit::BallFilms> FixBearingCircuit::balls_at(int instant)
 {
   std::vector<tag_t> tags;

@@ -49,7 +49,7 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   // Present temperatures (C) of the contacts, as in core/figures/fix_columns.h from INNER to OIL.
   std::array<double, 5> temperatures() const;
   bool covers_type(int ball_type) const;
-  double ambient() const { return network_.ambient; }    // C, of the given clearance
+  double ambient() const { return network_.ambient; }    // C, at which the clearance is given
 
  private:
   enum Stage { WAIT, RAMP, WATCH, LAST, STAY };

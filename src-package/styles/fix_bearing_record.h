@@ -84,7 +84,7 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   class PairBearingHertz *pair_;
   std::string command_, folder_, path_;
   bool single_ = false, sampled_ = true, motion_ = true, overwrite_ = false;
-  bearing::NetcdfHeader::Attributes notes_, about_;    // as given; and derived attributes
+  bearing::NetcdfHeader::Attributes notes_, about_;    // of the command; with derived attributes
   bearing::ContactSelection columns_;
   bearing::ContactContext context_;
   bool dumps_ = false;
