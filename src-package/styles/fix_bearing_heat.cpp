@@ -244,8 +244,8 @@ void FixBearingHeat::apply_oil()
   for (FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp)) f->laws_changed();
 }
 
-// Sets the clearance, at the fraction `share` of the way from its previous value to its value at the
-// present temperatures.
+// Sets the clearance, at the fraction `share` of the way from its previous value to its value at
+// the present temperatures.
 void FixBearingHeat::grow(double share)
 {
   double strain[parts];

@@ -108,7 +108,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   raceway::Vec3 load_of(const RingProgram &, int i) const;    // N, bearing axis third
   raceway::RingAtom read(int i) const;
   void write(int i, const raceway::RingAtom &);
-  // Forces of the supports on a ring (as many numbers as SPIN, N and N m), for given other forces.
+  // Forces of the supports on a ring (RingProgram::SPIN values, N and N m), for given other forces.
   static void support_of(const RingProgram &, const raceway::RingAtom &, const raceway::Vec3 &push,
                          const raceway::Vec3 &moment, double half, double *on);
   virtual void kick();

@@ -113,7 +113,7 @@ void NameBearing::refuse_chain_data(const Arguments &args, const NamedBearing &b
                   " is a ring: give it cage_play, or choose 'cage chain'");
 }
 
-// Completes the data, and derives the raceways from clearance or arches.
+// Completes the data, and derives the raceways, including their clearance or arches.
 void NameBearing::derive(const Arguments &args, NamedBearing &b)
 {
   DataValues::Map &map = b.data.values;
