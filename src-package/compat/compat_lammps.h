@@ -11,7 +11,7 @@ namespace bearing {
 static_assert(sizeof(tag_t) == sizeof(LAMMPS_NS::tagint), "LAMMPS_BIGBIG as the host has it");
 typedef LAMMPS_NS::Command CommandBase;
 
-// Ends the run after the current step, with its output. All ranks must call it in the same step.
+// Ends the run after the current step, with output. All ranks must call it in the same step.
 inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *lmp) { lmp->timer->force_timeout(); }
 }    // namespace bearing
 

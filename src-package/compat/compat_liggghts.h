@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Interface of LIGGGHTS 3.x, which equals the interface of LAMMPS of about 2014.
+// Interface of LIGGGHTS 3.x, which is that of LAMMPS of about 2014.
 #ifndef BEARING_COMPAT_LIGGGHTS_H
 #define BEARING_COMPAT_LIGGGHTS_H
 
@@ -9,7 +9,7 @@
 namespace bearing {
 typedef LAMMPS_NS::Pointers CommandBase;
 
-// Ends the run after the current step, with its output. All ranks must call it in the same step.
+// Ends the run after the current step, with output. All ranks must call it in the same step.
 inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *)
 {
   LAMMPS_NS::SignalHandler::request_write_restart = false;
@@ -37,8 +37,8 @@ inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *)
   } while (0)
 // values per atom; LAMMPS expects the total
 #define BRG_COMM_RETURN(total, peratom) ((void)(total), (peratom))
-// LIGGGHTS calls set_arrays() for all atoms in the first setup, when forces and restart data are
-// already set
+// LIGGGHTS calls set_arrays() for all atoms in the first setup, when forces and restart data have
+// already been set
 #define BRG_ARRAYS_ARE_SET() just_created = 0
 #define BRG_CHANGES_BOX(fix) ((fix).box_change_size || (fix).box_change_shape)
 #define BRG_FORWARD_FIX(fix) comm->forward_comm_fix(fix)

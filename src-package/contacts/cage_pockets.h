@@ -12,9 +12,9 @@ namespace bearing {
 
 struct CagePockets {
   struct Cell {
-    int i, i_cage;    // local indices of ball and cage
+    int i, i_cage;    // local indices of a ball and of its cage
     tag_t ball, cage;
-    int claim;    // in RingSum; -1: none yet
+    int claim;    // in RingSum; -1: not made yet
   };
   struct Land {
     int i_cage, i_ring;    // local indices of a cage of this rank and of the ring that guides it

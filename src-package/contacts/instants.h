@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// State of the bearings within a host step, from fix bearing/implicit; vectors are in the lab
-// frame.
+// State of the bearings at instants within a host step, from fix bearing/implicit; vectors are in
+// the lab frame.
 #ifndef BEARING_INSTANTS_H
 #define BEARING_INSTANTS_H
 
@@ -13,8 +13,8 @@
 
 namespace bearing {
 
-// Requested instants, at the fractions k/number of a host step, k = 1 to number - 1. With number 0
-// there are no instants; with permittivity 0, no capacitances.
+// Requested instants, at the fractions k/number of a host step, k = 1 to number - 1. If number is
+// 0, no instants are requested; if the permittivity is 0, no capacitances are.
 struct Instants {
   int number = 0;
   raceway::CapacitorModel capacitor;
@@ -25,11 +25,11 @@ struct Instants {
 struct InstantContact {
   tag_t ball, ring;
   const raceway::RacewayPhysics &raceway;
-  double orbit;    // rad/s, speed of the ball about the ring's axis
+  double orbit;    // rad/s, orbital speed of the ball about the ring's axis
   bool live;
   double load;                                         // N
   const raceway::FilmCapacitorT<double> &capacitor;    // 0 if not requested
-  const raceway::ContactState &state;    // if states are requested and the contact is live
+  const raceway::ContactState &state;                  // if states are requested and it is live
 };
 
 struct InstantBody {
@@ -41,20 +41,20 @@ struct InstantRing {
   double of[of_ring::AZ + 1];    // starting at of_ring::RING
 };
 
-// Callbacks for the parts of a bearing: first for the contacts, ball by ball, then for the bodies.
+// Called for the parts of a bearing: first for the contacts, ball by ball, then for the bodies.
 struct InstantReader {
   std::function<void(const InstantContact &)> contact;
-  std::function<void(const InstantBody &)> body;    // or none
-  std::function<void(const InstantRing &)> ring;    // or none
+  std::function<void(const InstantBody &)> body;    // or null
+  std::function<void(const InstantRing &)> ring;    // or null
 };
 
 // A fix with its own substeps within the host step (fix bearing/implicit).
 class InstantSource {
  public:
-  // To be called in another fix's setup(); the instants are then available after every step. Error
-  // messages name `command`.
+  // To be called in the setup() of another fix; the instants are then available after every step.
+  // Error messages name `command`.
   virtual void want_instants(const Instants &, const std::string &command) = 0;
-  // The k-th instant (from 1) of the bearings at home on this rank.
+  // Reads the k-th instant (from 1) of the bearings at home on this rank.
   virtual void read_instant(int k, const InstantReader &) const = 0;
 
  protected:

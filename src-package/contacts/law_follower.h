@@ -7,7 +7,7 @@ namespace bearing {
 
 class LawFollower {
  public:
-  // Called before the motion of a step; takes effect once per step, however often it is called.
+  // Called before the bodies move in a step; acts only once per step, however often it is called.
   virtual void begin_step() = 0;
 
  protected:

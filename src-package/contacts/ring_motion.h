@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// State of a ring that is kept from step to step in addition to the position, velocity and spin of
-// its atom.
+// State of a ring that is stored from step to step besides the position, velocity and spin of its
+// atom.
 #ifndef BEARING_RING_MOTION_H
 #define BEARING_RING_MOTION_H
 

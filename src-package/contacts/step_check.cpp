@@ -28,14 +28,14 @@ static void keep_smaller(StepLimit &limit, double k, double c, double m, int cau
 {
   const double step = verlet_step_limit(k, c, m, film);
   if (step >= limit.step) return;
-  // the damper is the cause if the spring alone would allow more than twice the step
+  // the damper is the cause if the limit of the spring alone would be more than twice the step
   if (cause == StepLimit::spring && verlet_step_limit(k, 0.0, m) > 2.0 * step)
     cause = StepLimit::film_damper;
   limit = StepLimit{step, cause, ball, k, c};
 }
 
-// N s/m. Slope of smoothed friction at zero sliding, where it is steepest; the slope at the present
-// sliding speed would hide an instability.
+// N s/m. Slope of the smoothed friction at zero sliding, where it is steepest. The slope at the
+// present sliding speed would hide an instability.
 static double steepest_friction(const raceway::ContactState &c)
 {
   return c.v_0 > 0.0 ? c.mu * c.normal / c.v_0 : c.ct;
@@ -68,13 +68,14 @@ StepLimit step_limit(LAMMPS *lmp, const ContactTable &table)
   for (const SphereContact &s : table.sphere)
     if (s.stiffness > 0.0)
       keep_smaller(limit, s.stiffness, s.damping, s.mass, StepLimit::cage, s.tag_i);
-  // ball and cage vibrate against each other on one spring, and several balls may press on the cage
+  // a ball and the cage vibrate against each other on one spring, and several balls may press on
+  // the cage
   for (const PocketRow &p : table.pocket)
     if (p.stiffness > 0.0)
       keep_smaller(limit, 2.0 * p.stiffness, 2.0 * p.damping, p.mass, StepLimit::cage, p.ball);
   if (unloaded < limit.step) limit = StepLimit{unloaded, StepLimit::unloaded, 0, 0.0, 0.0};
 
-  // the rank with the smallest step broadcasts its limit (lowest rank on a tie)
+  // the rank with the smallest step broadcasts its limit (on a tie, the lowest rank)
   struct {
     double step;
     int rank;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A set of atom tags with a fast lookup, used for every contact.
+// A set of atom tags with a lookup that is fast enough for every contact.
 #ifndef BEARING_TAG_SET_H
 #define BEARING_TAG_SET_H
 
@@ -23,7 +23,7 @@ class TagSet {
   }
   bool has(tag_t t) const
   {
-    const size_t at = static_cast<size_t>(t - first_);    // huge if t is below first_
+    const size_t at = static_cast<size_t>(t - first_);    // very large if t is below first_
     return at < in_.size() && in_[at];
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Contacts outside the validity of the models (core/raceway/validity.h), collected over a run; each
-// kind is reported once.
+// Contacts outside the validity range of the models (core/raceway/validity.h), collected over a
+// run; each kind of violation is reported once.
 #ifndef BEARING_VALIDITY_CHECK_H
 #define BEARING_VALIDITY_CHECK_H
 
@@ -16,15 +16,15 @@ namespace bearing {
 
 class ValidityCheck {
  public:
-  // Shoulders of the grooves of a group's balls, if the deck gives them
+  // Shoulders of the grooves in which a group's balls run, if the deck gives them
   void forget_shoulders() { shoulders_.clear(); }
   void add_shoulders(int groupbit, const raceway::CapacitorModel &m)
   {
     if (m.inner_shoulder > 0.0 || m.outer_shoulder > 0.0) shoulders_.push_back({groupbit, m});
   }
-  // Checks the contacts of this step on this rank; `mask` has the groups of the atoms.
+  // Checks the contacts of this rank in this step; `mask` contains the groups of each atom.
   void look(const ContactTable &, const int *mask, bool film);
-  // Warns of the findings since the last call, once per kind of violation. Collective.
+  // Warns of violations found since the last call, once per kind. Collective.
   void report(LAMMPS_NS::LAMMPS *, bool capacitance);
 
  private:

@@ -8,7 +8,7 @@
 
 namespace bearing {
 
-// The text of rank 0; empty: no error.
+// Returns the text that rank 0 has; empty: no error.
 inline std::string agree(std::string complaint, MPI_Comm world)
 {
   int n = static_cast<int>(complaint.size());

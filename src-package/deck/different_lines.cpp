@@ -18,7 +18,7 @@ std::string missing_line(const std::vector<std::string> &list,
   return "";
 }
 
-// Shortens two command lines to the words between their first and last difference, after the name
+// Shortens two command lines to the words from their first to their last difference, after the name
 // of the command.
 void leave_difference(std::string &one, std::string &other)
 {
@@ -33,7 +33,7 @@ void leave_difference(std::string &one, std::string &other)
   while (first < shorter && words[0][first] == words[1][first]) ++first;
   while (last < shorter - first && words[0].end()[-1 - last] == words[1].end()[-1 - last]) ++last;
   for (int k = 0; k < 2; ++k) {
-    // from a few words before the first difference, if they are not the command itself
+    // starts a few words before the first difference, unless they include the command itself
     const size_t from = first > 6 ? first - 3 : 0;
     const size_t end = words[k].size() - last, to = std::min(end, from + longest_difference);
     *lines[k] = from ? words[k][0] + " ..." : "";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The first difference of two decks, as lists of command lines
+// The first difference between two decks, given as lists of command lines
 #ifndef RACEWAY_DIFFERENT_LINES_H
 #define RACEWAY_DIFFERENT_LINES_H
 
@@ -9,8 +9,8 @@
 
 namespace bearing {
 
-// The first line of each list that the other lacks; empty if there is none. If both lack one, the
-// lines are shortened to the words that differ.
+// The first line of each list that the other list lacks; empty if there is none. If each list has
+// such a line, the two lines are shortened to the words that differ.
 std::pair<std::string, std::string> different_lines(const std::vector<std::string> &one,
                                                     const std::vector<std::string> &other);
 

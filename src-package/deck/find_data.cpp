@@ -32,7 +32,7 @@ static Data data_file(const fs::path &file)
 }
 
 // A message lists all names if there are at most `longest_list`, otherwise only the `nearest_names`
-// nearest ones.
+// names nearest to the given one.
 static constexpr size_t longest_list = 12, nearest_names = 6;
 
 Data find_data(std::string folder, std::string name)

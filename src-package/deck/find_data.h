@@ -12,7 +12,7 @@ struct Data {
   std::string complaint = {}, label = {}, lines = {};
 };
 
-// `name` may also be the path of a file, with a '/'. Reads files: call it on one rank.
+// `name` may also be the path of a file, with a '/'. The function reads files: call it on one rank.
 Data find_data(std::string folder, std::string name);
 
 std::string joined(const std::vector<std::string> &names, const char *between = ", ");

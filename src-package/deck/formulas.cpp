@@ -11,7 +11,7 @@ using namespace LAMMPS_NS;
 namespace bearing {
 
 // The hosts evaluate formulas, but have no function that returns the text of a formula or the style
-// of a variable. An explicit instantiation may name private members.
+// of a variable. The private members are reached by an explicit instantiation, which may name them.
 typedef char ***Variable::*Texts;
 typedef int *Variable::*Styles;
 Texts texts_of_variables();
@@ -27,7 +27,7 @@ constexpr int INDEX_STYLE = 0, STRING_STYLE = 5;    // in variable.cpp or variab
 
 static bool in_name(char c) { return isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-// Text of a variable, empty if there is no variable of that name
+// Text of a variable; empty if no variable has that name
 static std::string text_of(LAMMPS *lmp, const std::string &name)
 {
   Variable &all = *lmp->input->variable;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Formulas of the variables that commands of a deck name as v_NAME, directly or through other
-// formulas, for the comparison of a continued run with its restart file.
+// Formulas of the variables to which commands of a deck refer as v_NAME, directly or through other
+// formulas. A continued run compares them with those in its restart file.
 #ifndef BEARING_FORMULAS_H
 #define BEARING_FORMULAS_H
 

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace bearing {
 
-// Command line of the program; the host keeps no copy of it.
+// Command line of the program, of which the host stores no copy
 static std::vector<std::string> command_line()
 {
   std::ifstream file("/proc/self/cmdline");
@@ -31,7 +31,7 @@ Names words_after(const char *option, const char *other)
   return found;
 }
 
-// Words of a command that `&` continues on further lines, without its comment
+// Words of a command, with the lines on which `&` continues it and without its comment
 static std::vector<std::string> command_words(std::istream &file, std::string line)
 {
   std::vector<std::string> words;
@@ -44,7 +44,7 @@ static std::vector<std::string> command_words(std::istream &file, std::string li
   return words;
 }
 
-// The variable of a word that ends with ${NAME}; empty for any other word
+// Name of the variable if the word ends with ${NAME}; empty for any other word
 static std::string named_in(const std::string &word)
 {
   const size_t at = word.find("${");
@@ -52,7 +52,7 @@ static std::string named_in(const std::string &word)
                                                        : word.substr(at + 2, word.size() - at - 3);
 }
 
-// The words of a command that pass a variable to it under its name in the table
+// Collects the words of a command that pass a variable to it under the variable's name in the table
 static void collect_passed(const std::vector<std::string> &words, Names &passed)
 {
   std::string keyword;

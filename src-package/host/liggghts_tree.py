@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Put the styles into an upstream LIGGGHTS 3.8.0 source tree, with the patches that a modern
-compiler needs, or remove them.
+compiler needs, or remove both.
 
     python3 src-package/host/liggghts_tree.py install TREE
     python3 src-package/host/liggghts_tree.py uninstall TREE
 
-The styles register themselves like the host's own styles: its Make.sh collects the headers that
-name a style. Sources are copied flat into TREE/src, where the host compiles all sources; a machine
-file MAKE/Makefile.raceway is added. TREE/src/raceway.manifest lists all changes.
+The styles are registered like the host's own styles: its Make.sh collects the headers that name a
+style. Sources are copied into TREE/src without subfolders, because the host compiles all sources in
+that folder; a machine file MAKE/Makefile.raceway is added. TREE/src/raceway.manifest lists all
+changes.
 """
 
 import sys
@@ -20,7 +21,7 @@ KNOWN = "3.8.0"
 WITH_VTK = Wrap(
     "#ifdef LAMMPS_VTK    // raceway: VTK is optional", "#endif    // raceway: LAMMPS_VTK"
 )
-PATCHES = {  # none changes the behaviour of a compiled program
+PATCHES = {  # none of them changes the behaviour of a compiled program
     "finish.cpp": Replace(
         "if (neighbor->lists[m]->numneigh > 0) {", "if (neighbor->lists[m]->numneigh != NULL) {"
     ),

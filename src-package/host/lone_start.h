@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Fast start of Open MPI for a process without a launcher. Such a process has no peers, but Open
-// MPI starts a daemon for it (0.2 s) and probes all its networks (0.1 s).
+// MPI would start a daemon for it (0.2 s) and probe all its networks (0.1 s).
 #ifndef LONE_START_H
 #define LONE_START_H
 
@@ -12,7 +12,7 @@
 
 class LoneStart {
  public:
-  // Create it before MPI_Init. Settings of the user are kept; under a launcher nothing is set.
+  // To be created before MPI_Init. Settings of the user are kept; under a launcher nothing is set.
   LoneStart()
   {
     if (launched()) return;
@@ -22,8 +22,8 @@ class LoneStart {
     offer("OMPI_MCA_orte_create_session_dirs", "0");
   }
 
-  // Call it after MPI_Init: programs started by a deck (`shell mpirun ...`) must not inherit the
-  // settings.
+  // To be called after MPI_Init: programs started by a deck (`shell mpirun ...`) must not inherit
+  // the settings.
   void forget()
   {
     for (const std::string &name : set) unsetenv(name.c_str());
@@ -40,7 +40,7 @@ class LoneStart {
     set.push_back(name);
   }
 
-  // environment variables set by mpirun of Open MPI or MPICH, srun, aprun and flux
+  // environment variables that mpirun of Open MPI or MPICH, srun, aprun and flux set
   static bool launched()
   {
     for (char **entry = environ; *entry; ++entry)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Accepts the arguments of the stock executable; the styles come from the shared object that it is
-// linked to.
+// Accepts the arguments of the stock executable; the styles come from the shared object to which it
+// is linked.
 #include <mpi.h>
 
 #include "input.h"
@@ -10,8 +10,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-// The mpirun of MPICH (an activated .venv has one) starts this Open MPI program as independent
-// processes of one rank each.
+// The mpirun of MPICH, which may come from an activated .venv, starts this Open MPI program as
+// independent processes of one rank each.
 static bool started_by_mpich()
 {
   int size;

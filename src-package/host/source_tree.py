@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Put the styles into a source tree of a host, or remove them.
 
-Everything is checked before anything is written; a manifest lists all changes, and uninstall
-undoes exactly these. A `Host` describes the tree of a host and the changes to it
+Everything is checked before anything is written. A manifest lists all changes, and uninstall undoes
+exactly these changes. A `Host` describes the source tree of a host and the changes to it
 (liggghts_tree.py, lammps_tree.py).
 """
 
@@ -61,7 +61,7 @@ class Wrap:
 
 
 class Both:
-    """Two patches of one file, the second applied to the result of the first."""
+    """Two patches of one file; the second is applied to the result of the first."""
 
     def __init__(self, first, second):
         self.first, self.second = first, second
@@ -80,12 +80,12 @@ class Both:
 
 
 class Host:
-    """A host whose source tree is known: its names, and methods for such a tree."""
+    """A host whose source tree is known: its names, and methods that act on such a tree."""
 
     name = variable = version = ""
 
     def base(self, tree):
-        """Folder to which names in the manifest are relative. Refuses any tree of another kind."""
+        """Folder to which names in the manifest are relative. Any other kind of tree is refused."""
         raise NotImplementedError
 
     def patches(self, base):
@@ -97,7 +97,7 @@ class Host:
         raise NotImplementedError
 
     def hint(self, tree):
-        """Commands that build the host, and commands that remove the build."""
+        """Commands that build the host, and commands that remove the results of the build."""
         raise NotImplementedError
 
     def in_use(self, base):
@@ -135,7 +135,7 @@ def read(path):
 
 
 def write(path, text, stat=None):
-    """Write the file atomically, with the times of `stat` if given."""
+    """Write the file atomically, with the file times of `stat` if given."""
     temporary = path.with_name(path.name + ".raceway-new")
     try:
         with open(temporary, "w", encoding="utf-8", newline="") as file:
@@ -190,7 +190,7 @@ def install(host, tree):
             folder.mkdir(parents=True, exist_ok=True)
         for name, text in new.items():
             write(src / name, text)
-        # with their old times, so that make does not compile the host again
+        # with their old file times, so that make does not compile the host again
         for name, patch in patches.items():
             write(src / name, patch.apply(read(src / name)), (src / name).stat())
     except BaseException as error:
@@ -202,8 +202,8 @@ def install(host, tree):
 
 
 def take_out(src, manifest, patches):
-    """Undo the entries of `manifest`; those that an interrupted installation had not reached are
-    skipped."""
+    """Undo the entries of `manifest`, except those that an interrupted installation had not
+    reached."""
     for name in manifest["patched"]:
         path, patch = src / name, patches[name]
         if path.is_file() and patch.is_in(read(path)):
@@ -258,7 +258,7 @@ def uninstall(host, tree):
 
 
 def main(host, usage, words):
-    """Run the command of a `Host`; `words` are install or uninstall, and the tree."""
+    """Run the command given by `words` (install or uninstall, and the tree) for a `Host`."""
     if len(words) != 2 or words[0] not in ("install", "uninstall"):
         print(usage, file=sys.stderr)
         return 2

@@ -31,7 +31,7 @@ template <class T> std::vector<T> gather_all(const std::vector<T> &mine, MPI_Com
   return all;
 }
 
-// As above, but without a copy on a single rank; otherwise `space` holds the result.
+// As above, but on a single rank without a copy; on several ranks `space` holds the result.
 template <class T>
 const std::vector<T> &gather_all(const std::vector<T> &mine, std::vector<T> &space, MPI_Comm world)
 {
@@ -42,8 +42,8 @@ const std::vector<T> &gather_all(const std::vector<T> &mine, std::vector<T> &spa
   return space;
 }
 
-// Gathers the numbers of all ranks in rank order into `all` on rank 0. Returns the offset of each
-// rank's numbers and the total on rank 0, and an empty vector on other ranks.
+// Gathers the numbers of all ranks into `all` on rank 0, in rank order. On rank 0, returns the
+// offset of each rank's numbers, then the total; on other ranks, an empty vector.
 inline std::vector<size_t> gather_to_first(const std::vector<double> &mine,
                                            std::vector<double> &all, MPI_Comm world)
 {

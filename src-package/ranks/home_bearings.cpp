@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Sends the state of the bearings from the owners of the atoms to the homes and back, every step.
-// home_bearings_build.cpp finds the bearings.
+// In every step, sends the state of the bearings from the owners of the atoms to the homes and
+// back. home_bearings_build.cpp finds the bearings.
 #include "home_bearings.h"
 
 #include "letters.h"
@@ -16,7 +16,7 @@ namespace bearing {
 
 static constexpr int pose_letters = 6208;    // MPI message tag, used in this file only
 
-// States are sent as raw memory, in the form of numbers.
+// States are sent as raw memory that is treated as numbers.
 static_assert(std::is_trivially_copyable<BodyPose>::value &&
                   std::is_trivially_copyable<RingPose>::value,
               "sent as they are");

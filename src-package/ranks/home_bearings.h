@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The bearings in the box, each whole on one rank: the implicit integrator solves for all bodies of
-// a bearing at once.
+// The bearings in the box, each of them whole on one rank: the implicit integrator solves for all
+// bodies of a bearing at once.
 //
 // A bearing is everything connected through possible contacts. Its home is the rank that owns its
 // ring of lowest tag. build() finds the bearings after a neighbour build and sends their pieces to
@@ -24,28 +24,28 @@
 
 namespace bearing {
 
-// Input of a rank to the bearings of which it owns atoms.
+// What a rank contributes to the bearings of which it owns atoms.
 struct BearingSources {
   struct MovedRing {
     int i;        // owned atom
     int mover;    // index of the fix that moves it, the same on all ranks
     std::vector<raceway::RingValue> own;
-    tag_t shaft = 0;     // first ring of its shaft, 0: no shaft
-    double at = 0.0;     // m, along the shaft from its centre
-    tag_t holder = 0;    // ring that its supports connect it to, 0: ground
+    tag_t shaft = 0;     // first ring on the shaft of the ring, 0: no shaft
+    double at = 0.0;     // m, position on the shaft, from its centre
+    tag_t holder = 0;    // ring to which its supports connect, 0: ground
   };
   const ContactTable *table = nullptr;
-  int states = 0;    // state variables of the contact law per contact
+  int states = 0;    // number of state variables of the contact law per contact
   raceway::LabAxes axes;
-  std::vector<const CageRails *> cages;           // the same cages in the same order on all ranks
-  std::vector<const CagePockets *> cage_rings;    // also the same on all ranks
+  std::vector<const CageRails *> cages;           // the same in the same order on all ranks
+  std::vector<const CagePockets *> cage_rings;    // as for cages
   std::vector<MovedRing> moved;
   std::function<bool(int type)> is_ring, is_ball;
   std::function<const raceway::RacewayPhysics *(int ball_type, int ring_type, int groove)> raceway;
   std::function<const raceway::RacewayProfile *(tag_t ring, const raceway::RacewayPhysics *)>
-      profile;    // profile of a raceway, or null; optional
+      profile;    // profile of a raceway, or null; may be empty
   std::function<const raceway::BallProfile *(tag_t ball, const raceway::RacewayPhysics *)>
-      ball_profile;                                    // profile of a ball, or null; optional
+      ball_profile;                                    // profile of a ball, or null; may be empty
   std::function<raceway::Quaternion &(int i)> turn;    // orientation of a ball, if needed
   std::function<RingMotion &(int i)> motion;           // motion of a ring
 };
@@ -58,8 +58,8 @@ class HomeBearings : protected LAMMPS_NS::Pointers {
   {
   }
 
-  // Finds all bearings with atoms of the group; error if such an atom is in no bearing, or a
-  // bearing is only partly in the group.
+  // Finds all bearings with atoms of the group. Error if an atom of the group is in no bearing, or
+  // if a bearing is only partly in the group.
   void build(const BearingSources &, int groupbit);
 
   // Bearings at home on this rank, by name.
@@ -67,13 +67,13 @@ class HomeBearings : protected LAMMPS_NS::Pointers {
   const raceway::BearingModel &model(int p) const { return bearings_[p].model; }
   std::vector<raceway::BodyPose> &bodies(int p) { return bearings_[p].bodies; }
   std::vector<raceway::RingPose> &rings(int p) { return bearings_[p].rings; }
-  // State variables of the contacts, in the order of the model's grooves.
+  // State variables of the contacts of bearing p, in the order of the grooves in its model.
   std::vector<double> &states(int p) { return bearings_[p].states; }
-  // s, the next substep requested by the step control; stored with the bearing's first ring
+  // s, next substep requested by the step control; stored with the first ring of the bearing
   double &wished_step(int p) { return bearings_[p].steps.front(); }
 
   void gather();     // sends the state from the atoms of all ranks to the homes
-  void scatter();    // sends it back
+  void scatter();    // sends the state back
 
  private:
   struct HomeBearing {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// After a neighbour build: finds the bearings, their home ranks and their pieces.
+// After a neighbour build: finds the bearings and their home ranks, and sends their pieces there.
 #include "home_bearings.h"
 
 #include "exchange.h"
@@ -13,8 +13,8 @@ using raceway::BearingModel;
 
 namespace bearing {
 
-// Connectivity that a rank sends to all others: `tag` is in the same piece of a bearing as the atom
-// `piece`.
+// Connection that a rank sends to all others: the atom `tag` is in the same piece of a bearing as
+// the atom `piece`.
 struct Node {
   tag_t piece, tag;
   int owner;     // rank, -1: owned by another rank
@@ -26,12 +26,12 @@ struct HomeBearings::Piece {
   enum Kind { body, ring, value, groove, pocket, seat, cell } kind;
   tag_t name;    // name of the bearing
   tag_t a, b;
-  // types of ball and ring; or, in `first`, the number of a cage, of the mover of a ring or of a
-  // ring's own value
+  // types of ball and ring; or `first` is the number of a cage, of the fix that moves a ring, or of
+  // a value given for a single ring
   int first, second;
   int number;    // number of a groove; 1 for a ring on a shaft
   int inside;    // 1: the atom is in the group
-  // `radius` has the reach of a pocket; K has a ring's own value or a ring's position on its shaft
+  // `radius` is also the reach of a pocket; K is also a ring's own value or position on its shaft
   double radius, mass, K;
 };
 
@@ -43,9 +43,9 @@ void HomeBearings::build(const BearingSources &sources, int groupbit)
   assemble(bearing::exchange(cut(bearing_of, bearings, groupbit), world));
 }
 
-// Bearing number of each owned atom, -1: no bearing with atoms of the group. Every rank joins the
-// possible contacts of its own balls; rings, and balls in contact across a subdomain boundary,
-// connect these pieces.
+// Bearing number of each owned atom; -1: no bearing with atoms of the group. Every rank joins the
+// bodies of the possible contacts of its own balls to pieces; the pieces of several ranks are
+// connected by rings and by balls in contact across a subdomain boundary.
 std::vector<int> HomeBearings::find_bearings(int groupbit, std::vector<NamedBearing> &bearings)
 {
   const int nlocal = atom->nlocal, nall = nlocal + atom->nghost;
@@ -117,8 +117,8 @@ std::vector<int> HomeBearings::find_bearings(int groupbit, std::vector<NamedBear
   return bearing_of;
 }
 
-// The pieces of bearings that this rank owns, by home rank; the lists of atoms whose state is sent
-// there have the same order.
+// The pieces of bearings that this rank owns, by home rank. The lists of atoms whose state is sent
+// to a home have the same order as the pieces.
 std::vector<std::vector<HomeBearings::Piece>>
 HomeBearings::cut(const std::vector<int> &bearing_of, const std::vector<NamedBearing> &bearings,
                   int groupbit)
@@ -207,7 +207,7 @@ static bool before(const BearingModel::Groove &a, const BearingModel::Groove &b)
   return a.ring != b.ring ? a.ring < b.ring : a.physics->number < b.physics->number;
 }
 
-// Index of a groove in the model.
+// Index in the model of the groove to which a piece belongs.
 int HomeBearings::groove_of(const BearingModel &m, int body, int ring, const Piece &p) const
 {
   const BearingModel::Groove wanted = {body, ring, sources_.raceway(p.first, p.second, p.number),
@@ -237,7 +237,7 @@ static void find_holders(BearingModel &m)
       if (m.rings[k].tag == ring.held_by) ring.holder = k;
 }
 
-// The ring whose land guides a cage, -1: none.
+// The ring whose land guides a cage; -1: none.
 static int land_of(const BearingModel &m, const BearingModel::Cage &cage)
 {
   if (cage.of->guide == raceway::CageRing::by_balls) return -1;
@@ -248,7 +248,7 @@ static int land_of(const BearingModel &m, const BearingModel::Cage &cage)
   return -1;
 }
 
-// On the home rank: models in the order of names, their atoms in the order of tags.
+// On the home rank: builds the models in the order of names, with their atoms in the order of tags.
 void HomeBearings::assemble(const std::vector<std::vector<Piece>> &from)
 {
   std::vector<Piece> pieces;

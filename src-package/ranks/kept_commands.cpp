@@ -32,7 +32,7 @@ void write_commands(FILE *fp, const Commands &commands)
 
 constexpr int MOST = 1000000;    // commands, words of one, characters of a word
 
-// Layout of the file, 0 for none; negative if it ends early
+// Layout of the restart file, 0 if it has no number; negative if the file ends early
 static int read_layout(FILE *fp, MPI_Comm world, int rank)
 {
   Mark found;

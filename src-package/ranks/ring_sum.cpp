@@ -38,7 +38,7 @@ int RingSum::claim(tag_t ring, int owner, Source source, tag_t partner)
   return claims() - 1;
 }
 
-// Sets up the messages between ranks, and the terms of every ring's sum in their order.
+// Sets up the messages between ranks, and the terms in the sum of every ring, in order.
 void RingSum::find_ways()
 {
   const int np = comm->nprocs, me = comm->me;
@@ -86,7 +86,7 @@ void RingSum::find_ways()
   ways_known_ = true;
 }
 
-// Sends said(claim), `width` numbers per claim, to the owners of the rings.
+// Sends said(claim), `width` numbers for each claim, to the owners of the rings.
 template <class Said> void RingSum::send(int width, Said said)
 {
   for (Letter &l : out_) {
@@ -103,7 +103,7 @@ template <class Said> void RingSum::send(int width, Said said)
 
 void RingSum::flush()
 {
-  const bool first = !ways_known_;    // nothing has been added to a ring directly yet
+  const bool first = !ways_known_;    // nothing has been added directly to a ring yet
   if (first) find_ways();
   send(force_and_torque, [this](int k) { return shares_[k].said; });
   for (size_t n = 0; n < rings_.size(); ++n) {

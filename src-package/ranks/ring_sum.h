@@ -2,11 +2,12 @@
 // Sums the forces and torques of balls and cage on a ring, in an order that does not depend on the
 // number of ranks.
 //
-// Only the owner of a ball computes its contacts, so their forces must be sent to a ring on another
-// rank. After a neighbour build every contact claims a term in the sum of its ring. A rank sends
-// its claims on another rank's rings once, and then only six numbers per claim in each step; the
-// ring's owner adds them by source, then by ascending tag of the partner. A ring with all claims
-// on its own rank is summed directly, in the order of the calls, which equals that order.
+// Only the owner of a ball computes the ball's contacts, so their forces must be sent if the ring
+// is on another rank. After a neighbour build every contact claims a term in the sum of its ring. A
+// rank sends its claims on the rings of another rank once, and then only six numbers per claim in
+// each step. The owner of the ring adds the terms by source, then by ascending tag of the partner.
+// A ring whose claims are all on its own rank is summed directly, in the order of the calls, which
+// is the same order.
 #ifndef BEARING_RING_SUM_H
 #define BEARING_RING_SUM_H
 
@@ -24,7 +25,7 @@ class RingSum : protected LAMMPS_NS::Pointers {
   enum Source { rail, pocket, land, ball };    // in the order in which they are added
   explicit RingSum(LAMMPS_NS::LAMMPS *lmp) : Pointers(lmp) {}
 
-  void reset();    // after a neighbour build, on all ranks: forget all claims
+  void reset();    // to be called after a neighbour build, on all ranks: clears all claims
   void own(int i_ring, tag_t ring);
   // Claims a term in the sum of a ring owned by the rank `owner`; valid until reset(). All claims
   // must be made before the first flush().
@@ -43,14 +44,14 @@ class RingSum : protected LAMMPS_NS::Pointers {
   }
   void flush();    // adds to atom->f and atom->torque of owned rings; collective
 
-  // Owned rings by tag: local index, force and torque of the last flush().
+  // Owned rings in the order of tags: local index, force and torque at the last flush().
   int rings() const { return static_cast<int>(rings_.size()); }
   int ring(int n) const { return rings_[n].i; }
   const raceway::Vec3 &force(int n) const { return rings_[n].summed[0]; }
   const raceway::Vec3 &torque(int n) const { return rings_[n].summed[1]; }
-  // Sends other numbers in the same way: `said` has `width` numbers per claim; heard(n, source,
+  // Sends other numbers along the same ways: `said` has `width` numbers per claim; heard(n, source,
   // numbers) is called for every claim on the n-th owned ring, ring by ring in the order of the
-  // sums. Call it on all ranks, after a flush().
+  // sums. To be called on all ranks, after a flush().
   void collect(int width, const std::vector<double> &said,
                const std::function<void(int n, Source, const double *)> &heard);
   int claims() const { return static_cast<int>(shares_.size()); }
@@ -64,7 +65,7 @@ class RingSum : protected LAMMPS_NS::Pointers {
   struct Share {
     double said[force_and_torque];
     int direct;
-  };    // direct: index of a ring with local claims only, or -1
+  };    // direct: index of a ring with local claims only; else -1
   struct Term {
     tag_t partner;
     int source, letter, at;
@@ -78,7 +79,7 @@ class RingSum : protected LAMMPS_NS::Pointers {
   };
   struct Letter {
     int rank;
-    std::vector<int> claims;    // claims of this rank, in an outgoing letter
+    std::vector<int> claims;    // claims of this rank that an outgoing letter contains
     int terms;
     std::vector<double> text;
   };
@@ -88,7 +89,7 @@ class RingSum : protected LAMMPS_NS::Pointers {
 
   bool ways_known_ = false;
   std::vector<Claim> claims_;
-  std::vector<int> owner_;    // owner of the ring of a claim
+  std::vector<int> owner_;    // rank that owns the ring of each claim
   std::vector<Share> shares_;
   std::vector<OwnedRing> rings_;    // owned, by tag
   std::vector<Letter> out_, in_;

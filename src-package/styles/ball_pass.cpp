@@ -47,7 +47,8 @@ std::vector<Body> bodies_of(LAMMPS *lmp, const PairCoefficients &coefficients)
   return all;
 }
 
-// The ring's groove that is nearest to the surface of a ball at d from the ring's centre.
+// Groove of the ring whose surface is nearest to a ball; d is the ball's position relative to the
+// ring's centre.
 struct Place {
   const RacewayPhysics *raceway = nullptr;
   double gap = HUGE_VAL, cosine = 1.0;    // m; cosine of the contact angle
@@ -75,7 +76,8 @@ struct Row {
   const RacewayPhysics *raceway[2] = {};
   double balls = 0.0, ball_radius = 0.0, cosine = 1.0;
 
-  // Ball pass, s; not finite if the balls do not move. A ring without an imposed spin is at rest.
+  // Duration of a ball pass, s; not finite if the balls do not move. A ring without an imposed spin
+  // is at rest.
   double pass(double angle) const
   {
     const double pitch = written(
@@ -89,7 +91,7 @@ struct Row {
   }
 };
 
-// A ball belongs to the nearest ring on each side.
+// Assigns each ball to the nearest inner and the nearest outer ring.
 std::vector<Row> rows_of(const PairCoefficients &coefficients, const std::vector<Body> &bodies)
 {
   std::map<std::pair<double, double>, Row> rows;

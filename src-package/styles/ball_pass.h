@@ -10,9 +10,10 @@
 
 namespace bearing {
 
-// The longest ball pass (s) of all bearings whose rings rotate. Balls roll at the speeds that the
-// fixes bearing/ring impose now. `angle` (degrees): contact angle; NAN: the angle at the balls'
-// present positions. Collective. Errors name `command`: no bearing, no imposed speed, no rotation.
+// The longest ball pass (s) of all bearings whose rings rotate. Balls roll at the speeds that fixes
+// bearing/ring impose at present. `angle` (degrees): contact angle; if NAN, the angle follows from
+// the balls' present positions. Collective. Error naming `command` if there is no bearing, no
+// imposed speed or no rotation.
 double ball_pass_time(LAMMPS_NS::LAMMPS *, const std::string &command, double angle);
 
 // Number of rows of balls, each between an inner and an outer ring. Collective.

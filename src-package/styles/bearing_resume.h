@@ -11,8 +11,9 @@ CommandStyle(bearing_resume,BearingResume)
 
 namespace LAMMPS_NS {
 
-// bearing_resume FILE resume yes|no [overwrite yes|no]: makes and claims the folder of the restart
-// file, and sets the host's variable b_resumed to 1 if the run continues from that file, else to 0.
+// bearing_resume FILE resume yes|no [overwrite yes|no]: creates and claims the folder of the
+// restart file, and sets the host's variable b_resumed to 1 if the run continues from the restart
+// file, else to 0.
 class BearingResume : public bearing::CommandBase {
  public:
   explicit BearingResume(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}

@@ -10,8 +10,8 @@
 
 namespace bearing {
 
-// Calls `take` with the tags of both bodies (0: a rail, or the land of a cage ring), the local
-// index of the first, loss (W) and force (N; 0 for a rail or land).
+// Calls `take` for each contact with the tags of both bodies (0: a rail, or the land of a cage
+// ring), the local index of the first body, the loss (W) and the force (N; 0 for a rail or land).
 template <class Take>
 void each_cage_loss(LAMMPS_NS::LAMMPS *lmp, const LAMMPS_NS::PairBearingHertz &pair,
                     const Take &take)

@@ -22,9 +22,9 @@ constexpr char citation[] =
     " pages =   {506}\n"
     "}\n\n";
 
-// LAMMPS prints the first line of the citation with the run's citations and logs the whole.
-// LIGGGHTS would write a file log.cite into the folder in which it was started, so no citation is
-// registered there.
+// LAMMPS prints the first line of the citation with the run's citations and writes the whole
+// citation to the log. LIGGGHTS would write a file log.cite into the folder in which it was
+// started, so no citation is registered there.
 inline void cite_paper(LAMMPS_NS::LAMMPS *lmp)
 {
 #if BEARING_IS_LIGGGHTS

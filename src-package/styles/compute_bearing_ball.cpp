@@ -62,7 +62,8 @@ void ComputeBearingBall::init()
               "' needs a fix bearing/profile with a profile of balls, which follows how they turn");
 }
 
-// Values are 0 for a ball that does not touch that raceway, and for atoms other than balls.
+// All values are 0 for atoms other than balls; values of a contact are 0 if the ball does not touch
+// that raceway.
 void ComputeBearingBall::compute_peratom()
 {
   invoked_peratom = update->ntimestep;

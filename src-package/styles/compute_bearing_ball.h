@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// compute bearing/ball: per-atom data of rolling balls, from their inner and outer contact.
+// compute bearing/ball: per-atom data of rolling balls, from their contacts with both raceways.
 #ifdef COMPUTE_CLASS
 ComputeStyle(bearing/ball,ComputeBearingBall)
 #else
@@ -23,7 +23,7 @@ class ComputeBearingBall : public Compute, public bearing::ColumnList {
 
  private:
   struct Column {
-    int own;                                    // column of the ball itself; -1: of a contact
+    int own;                                    // column of the ball's own values; -1: of a contact
     bool inner;                                 // the contact is with the inner raceway
     const bearing::ContactColumn *attribute;    // column of a contact
   };

@@ -18,7 +18,7 @@ using bearing::RacewayContact;
 using bearing::RingSum;
 namespace of_ring = bearing::of_ring;
 
-// Values of a contact for its ring: its figures, then the direction of the orbit over its radius.
+// Values that a contact sends to its ring: its figures, then the orbital direction over the radius.
 static constexpr size_t ALONG = BallFigures::numbers(), N_SAID = ALONG + 3;
 
 // compute ID group bearing/ring all|value ...
@@ -74,7 +74,7 @@ void ComputeBearingRing::init()
   }
 }
 
-// Fills the numbers by claim, the index by which a contact reaches the owner of its ring.
+// Fills the numbers of each claim, the index under which a contact sends data to its ring's owner.
 void ComputeBearingRing::tell()
 {
   said_.assign(static_cast<size_t>(pair_->ring_sum().claims()) * N_SAID, 0.0);

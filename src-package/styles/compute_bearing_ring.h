@@ -29,11 +29,11 @@ class ComputeBearingRing : public Compute, public bearing::ColumnList {
 
   class PairBearingHertz *pair_;
   std::function<raceway::FilmCapacitorT<double>(const bearing::RacewayContact &)>
-      capacitor_;    // or none
+      capacitor_;    // or null
   struct Output {
     raceway::Column is;
-    int motion;                       // index in of_ring::list, used if figure is null
-    const bearing::Figure *figure;    // otherwise this figure of the contacts
+    int motion;                       // index in of_ring::list, used if `figure` is null
+    const bearing::Figure *figure;    // otherwise this figure, taken over the contacts
   };
   std::vector<Output> columns_;
   std::vector<double> said_;    // sent by the contacts of this rank

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Input of contact columns in addition to the contact, from the pair style and the fixes of a run.
+// Input of contact columns besides the contact itself, from the pair style and the fixes of a run.
 #ifndef BEARING_CONTACT_CONTEXT_H
 #define BEARING_CONTACT_CONTEXT_H
 
@@ -12,12 +12,12 @@ class PairBearingHertz;
 
 namespace bearing {
 
-// Data available from the commands so far: the film of the pair style, the capacitance of a fix.
+// Data available from the commands so far: the pair style's film, and a fix's capacitances.
 Offer offer_of(LAMMPS_NS::LAMMPS *, const LAMMPS_NS::PairBearingHertz &);
 
-// Capacitor of a contact from the fix bearing/capacitance whose group has its ball, 0 if none;
-// without contact the capacitance of the surroundings, if the fix computes it. Without such a fix:
-// error naming `asked_by` and `wants`.
+// Capacitor of a contact, from the fix bearing/capacitance whose group contains the ball; 0 if no
+// group does. An open contact has the capacitance of its surroundings if that fix computes it.
+// Error naming `asked_by` and `wants` if there is no such fix.
 std::function<raceway::FilmCapacitorT<double>(const RacewayContact &)>
 capacitor_of(LAMMPS_NS::LAMMPS *, const std::string &asked_by, const std::string &wants);
 

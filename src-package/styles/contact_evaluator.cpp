@@ -10,7 +10,7 @@ using namespace raceway;
 
 namespace bearing {
 
-// Four contacts in lanes, and results of lanes without a contact.
+// Four contacts in lanes, and room for the results of spare lanes.
 struct ContactEvaluator::InLanes {
   ContactLanes four;
   ContactState state;
@@ -97,7 +97,7 @@ BallState ContactEvaluator::ball_of(const RacewayContact &c) const
           Vec3::from(atom->omega[c.i_ball])};
 }
 
-// Ring state at the groove, which may be offset from the ring's mid-plane.
+// State of the ring at the groove, which may be offset from the ring's mid-plane.
 RingState ContactEvaluator::groove_of(const RacewayContact &c) const
 {
   RingState ring = {Vec3::from(atom->x[c.i_ring]), Vec3::from(atom->v[c.i_ring]),
@@ -110,7 +110,7 @@ RingState ContactEvaluator::groove_of(const RacewayContact &c) const
   return ring;
 }
 
-// Finds the possible contacts of one groove, which has the entries `first` to `end` of by_groove_.
+// Finds the possible contacts of one groove, which are the entries `first` to `end` of by_groove_.
 void ContactEvaluator::find_near(int first, int end)
 {
   near_.clear();
@@ -128,7 +128,7 @@ void ContactEvaluator::find_near(int first, int end)
   }
 }
 
-// Loads rows of the table into the lanes. Spare lanes copy the ball of the first one, and their
+// Loads rows of the table into the lanes. Spare lanes copy the ball of the first lane, and their
 // results are discarded.
 void ContactEvaluator::take(const int *rows, int count)
 {

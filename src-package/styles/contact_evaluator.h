@@ -21,8 +21,8 @@ class ContactEvaluator : protected LAMMPS_NS::Pointers {
     LAMMPS_NS::FixBearingState *state;
     const raceway::LawFacts *facts;    // facts about the contact law
     int axis;
-    int implicit_bits;    // groups of fixes that advance the states of contacts themselves
-    bool gaps;            // also evaluate motions of surfaces that do not touch
+    int implicit_bits;    // groups of fixes that advance contact states themselves
+    bool gaps;            // also evaluate the motion of surfaces that do not touch
     bool energies;
     bool profiled;    // some surface has a profile
   };
@@ -31,10 +31,10 @@ class ContactEvaluator : protected LAMMPS_NS::Pointers {
   void set_order(const ContactTable &);    // after every search for contacts
   void evaluate(ContactTable &, const Setting &);
 
-  // Results for row n of the table, valid for live contacts.
+  // Results for row n of the table, valid for live contacts only.
   const raceway::ContactForces &forces(size_t n) const { return found_[n]; }
   double energy(size_t n) const { return energies_.empty() ? 0.0 : energies_[n]; }    // J, stored
-  // State of the ring at the groove, which may be offset from the ring's middle plane.
+  // State of the ring at the groove, which may be offset from the ring's mid-plane.
   raceway::RingState groove_of(const RacewayContact &) const;
 
  private:
@@ -50,7 +50,7 @@ class ContactEvaluator : protected LAMMPS_NS::Pointers {
 
   Setting set_ = {};
   RacewayContact *rows_ = nullptr;       // rows of the table
-  std::vector<int> by_groove_, near_;    // indices of all rows, and of some rows of one groove
+  std::vector<int> by_groove_, near_;    // indices of all rows; of some rows of one groove
   std::vector<raceway::ContactForces> found_;
   std::vector<double> energies_;
   std::vector<raceway::FlawedPlace> flaws_;    // empty if all surfaces are smooth

@@ -188,7 +188,7 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
     args.fail("two rings at odds: inner raceway radius " + text(Ri) +
               " m is not smaller than the outer one, " + text(Re) + " m");
   p.pitch = p.middle = 0.5 * (Ri + Re);
-  // with interference, both contacts of a ball share -P_d/2
+  // with interference, the two contacts of a ball share the overlap -P_d/2
   const double clearance = 2.0 * (Re - Ri - 2.0 * R), squeeze = -0.25 * clearance;
   const double allowed = 0.02 * R;
   if (squeeze > allowed)
@@ -226,9 +226,9 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
 }
 
 // Moves the inner ring along the axis until the load-carrying grooves, one of each ring, are in
-// contact. If a ring has two grooves, the load-carrying groove is centred ahead on the inner ring
-// and behind on the outer ring. With preload all grooves are already in contact, and the ring does
-// not move.
+// contact with the balls. If a ring has two grooves, the load-carrying groove is the one centred
+// ahead on the inner ring and behind on the outer ring. With preload all grooves are already in
+// contact, and the ring does not move.
 void CreateBearing::seat(Arguments &args, const Groove &inner, const Groove &outer,
                          double clearance, Plan &p)
 {
@@ -241,7 +241,7 @@ void CreateBearing::seat(Arguments &args, const Groove &inner, const Groove &out
   const double sine = std::sqrt(1.0 - cosine * cosine);
   const double way = gaps * sine - (in_offset + out_offset);
   if (way < 0.0) return;
-  const double room = 1.0 + 1e-9;    // equal angles without clearance, to rounding
+  const double room = 1.0 + 1e-9;    // equal angles without clearance, up to rounding
   if (in_gap * sine * room < in_offset || out_gap * sine * room < out_offset)
     args.fail("'seat': a ball would lie in both grooves of one ring and one of the other; their "
               "contact angles are " +
@@ -259,11 +259,11 @@ static double mass(double R, double rho)
   return 4.0 / 3.0 * 3.14159265358979323846 * R * R * R * rho;
 }
 
-// Rotation of a ball: the one with the least loss for a law with friction against spin, otherwise a
-// rotation about the bearing's axis.
+// Rotation of a ball: for a law with friction against spin, the rotation with the least loss;
+// otherwise a rotation about the bearing's axis.
 BallRotation CreateBearing::rotation(const Plan &p, const PairBearingHertz &pair)
 {
-  // distance of a contact from the ball's spin axis: ball radius times cosine
+  // distance of a contact from the ball's spin axis: ball radius times cosine of the contact angle
   const Rolling roll =
       pure_rolling(p.ball_radius * p.cosine, p.pitch, p.inner_speed, p.outer_speed);
   const bool seated = p.inner_z != 0.0;

@@ -78,8 +78,8 @@ void BearingDump::command(int narg, char **arg)
                    .c_str());
     return;
   }
-  // A continued file already has its title. LAMMPS writes `none` and a row at the set-up of a run;
-  // fix bearing/checkpoint truncates both.
+  // A continued file already has its title. LAMMPS writes the title `none` and a row at the set-up
+  // of a run; fix bearing/checkpoint removes both.
   input->one(("fix " + id + " " + group + " print " + every + " " + quoted(of.values) +
               (append ? " append " : " file ") + file + " screen no title " +
               (append ? "none" : quoted(of.names)))

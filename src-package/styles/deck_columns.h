@@ -11,9 +11,9 @@ CommandStyle(bearing_dump,BearingDump)
 
 namespace LAMMPS_NS {
 
-// bearing_dump ID GROUP N FILE SOURCE [append yes|no] [columns NAME]: the host's dump of all
-// columns of the compute SOURCE, or fix print of all columns of the fix SOURCE. NAME is a
-// variable that receives their names.
+// bearing_dump ID GROUP N FILE SOURCE [append yes|no] [columns NAME]: defines the host's dump of
+// all columns if SOURCE is a compute, or fix print of all columns if SOURCE is a fix. NAME is a
+// variable that receives the names of the columns.
 class BearingDump : public bearing::CommandBase {
  public:
   explicit BearingDump(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}

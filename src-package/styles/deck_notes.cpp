@@ -39,7 +39,7 @@ std::string cage_of(LAMMPS *lmp)
   return "no";
 }
 
-// Values chosen by the run if the deck leaves them open
+// Values that the run chooses if the deck leaves them open
 Words chosen(LAMMPS *lmp, double within)
 {
   Words of = {{"within", digits(within)}, {"cage", cage_of(lmp)}};
@@ -53,14 +53,15 @@ Words chosen(LAMMPS *lmp, double within)
   return of;
 }
 
-// NAME=VALUE of every variable needed to repeat the run of the deck; empty if the deck lacks one
-// that determines the motion
+// NAME=VALUE of every variable needed to repeat the run of the deck; empty if the deck does not
+// define one of those that determine the motion
 std::string variables_of(LAMMPS *lmp, double within)
 {
   static const char *const head[] = {"bearing", "lubricant", "models", "integrator", "load", "rpm"};
   for (const char *name : head)
     if (!host_variable(lmp, name)) return "";
-  // variables about the folder or the length of the run, or stated elsewhere in the record
+  // variables that concern the folder or the length of the run, or are stated elsewhere in the
+  // record
   static const std::vector<std::string> others = {
       "out",   "inputs", "overwrite",  "resume",     "keep",      "record",
       "dumps", "passes", "flaw_inner", "flaw_outer", "flaw_ball", "flawed_ball"};
@@ -88,7 +89,7 @@ std::string variables_of(LAMMPS *lmp, double within)
   return list;
 }
 
-// Text of a data file and its oil, as KEY=VALUE
+// The data of a bearing and its oil, as words KEY=VALUE
 std::string words_of(const NamedBearing &b, const PairBearing &pair)
 {
   const auto [oil, temperature] = pair.oil_of(b.name);
@@ -155,7 +156,7 @@ void add_deck_notes(LAMMPS *lmp, const PairBearingHertz &pair, const RecordLayou
       }))
     add("bearing", b.word("bearing"));
   if (list.size() > 1) {
-    std::string lines, numbers;    // a line per name; its number for each bearing of the record
+    std::string lines, numbers;    // a line per name; its value for each bearing of the record
     for (const NamedBearing *one : list)
       lines += (lines.empty() ? "" : "\n") + words_of(*one, *named);
     for (const int type : ball_types(lmp, layout)) {
@@ -183,7 +184,7 @@ void add_deck_notes(LAMMPS *lmp, const PairBearingHertz &pair, const RecordLayou
     add("moment_x_N_m", loads.moment[0]);
     add("moment_y_N_m", loads.moment[1]);
     add("unbalance_kg_m", loads.unbalance);
-    // twelve digits: the accuracy of the speed in rpm that the deck has converted to rad/s
+    // twelve digits, the accuracy of a speed that the deck has converted from rpm to rad/s
     char rpm[32];
     snprintf(rpm, sizeof rpm, "%.12g", loads.speed * 30.0 / M_PI);
     if (!std::isnan(loads.speed)) add("rpm", strtod(rpm, nullptr));

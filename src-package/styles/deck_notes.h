@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Attributes of a record of named bearings: data and loads as given to the deck's commands,
-// and the variables that repeat the run of a deck.
+// Attributes of a record of named bearings: data and loads as given to the deck's commands, and the
+// variables with which the run of a deck can be repeated.
 #ifndef BEARING_DECK_NOTES_H
 #define BEARING_DECK_NOTES_H
 
@@ -8,11 +8,11 @@
 
 namespace bearing {
 
-// Adds the attributes that `to` does not have yet; none if no bearing has a name. Collective.
+// Adds the attributes that `to` lacks; adds none if no bearing has a name. Collective.
 void add_deck_notes(LAMMPS_NS::LAMMPS *, const LAMMPS_NS::PairBearingHertz &, const RecordLayout &,
                     double within, NetcdfHeader::Attributes &to);
 
-// A line for each named bearing: its data and the permittivity of its oil, without paths.
+// One line for each named bearing: its data and the permittivity of its oil, without paths.
 std::vector<std::string> data_lines(LAMMPS_NS::LAMMPS *);
 
 }    // namespace bearing

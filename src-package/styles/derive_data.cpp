@@ -68,7 +68,7 @@ void vogel(DataValues &deck)
                                    at));
 }
 
-// Data of a four-point bearing; with `four_point` 0 a ring has one groove.
+// Data of a four-point bearing; if `four_point` is 0, a ring has one groove.
 void four_point(DataValues &deck)
 {
   const double angle = deck.number("four_point") * degree,

@@ -9,7 +9,7 @@ namespace bearing {
 
 double file_size(const std::string &file);    // bytes; -1 without such a file
 
-// Reason why the disk is full; empty if it accepts another 64 kB beside `file`.
+// Reason why the disk is full; empty if another 64 kB can be written beside `file`.
 std::string disk_is_full(const std::string &file);
 
 // Flushes `file` to the disk; true if that succeeded.

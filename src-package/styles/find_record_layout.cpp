@@ -36,10 +36,11 @@ bool before(const Piece &a, const Piece &b)
   return std::make_tuple(a.what, a.bearing, a.tag) < std::make_tuple(b.what, b.bearing, b.tag);
 }
 
-// Relative permittivity by ball, from the first fix bearing/capacitance that has the ball.
+// Relative permittivity of the oil at each ball, from the first fix bearing/capacitance whose group
+// has the ball.
 std::map<double, double> permittivities(LAMMPS *lmp)
 {
-  std::vector<double> mine, space;    // ball and permittivity alternate
+  std::vector<double> mine, space;    // mine: ball and permittivity alternate
   for (const FixBearingCapacitance *f : capacitances_of(lmp))
     for (int i = 0; i < lmp->atom->nlocal; ++i)
       if (f->covers(i)) {

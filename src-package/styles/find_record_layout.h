@@ -12,8 +12,8 @@ class PairBearingHertz;
 
 namespace bearing {
 
-// Call after the forces have been computed. Error naming `command` for an atom of the group outside
-// all bearings, and for a ball on two raceways of one side.
+// To be called after the forces have been computed. Error naming `command` if an atom of the group
+// is outside all bearings, or if a ball runs on two raceways of the same side.
 RecordLayout find_record_layout(LAMMPS_NS::LAMMPS *, LAMMPS_NS::PairBearingHertz &, int groupbit,
                                 const std::string &command);
 

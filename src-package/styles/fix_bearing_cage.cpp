@@ -77,7 +77,7 @@ bool FixBearingCage::holds(int i) const
   return (atom->mask[i] & groupbit) && (cage_type_ == 0 || atom->type[i] == cage_type_);
 }
 
-// False for a bearing whose deck omits the cage by a word.
+// False for a bearing whose deck states that it has no cage.
 bool FixBearingCage::expected() const
 {
   const bearing::NamedBearing *const b = named();
@@ -91,7 +91,7 @@ void FixBearingCage::init()
   pair_ = PairBearingHertz::find(lmp, "fix bearing/cage");
   const bearing::NamedBearing *const b = named();
   cage_type_ = b ? b->cage : 0;
-  // one radius and one pitch circle for the whole cage, as in create_bearing
+  // one ball radius and one pitch circle for the whole cage, as in create_bearing
   double radius = 0.0;
   for (int i = 0; i < atom->nlocal; ++i)
     if (holds(i)) radius = std::max(radius, atom->radius[i]);
@@ -116,10 +116,10 @@ void FixBearingCage::init()
 void FixBearingCage::setup_pre_neighbor() { find_balls(); }
 void FixBearingCage::pre_neighbor() { find_balls(); }
 
-// A cage ball is carried by the ring whose pitch circle is nearest, within two pitch radii of its
-// centre; the centre of a housing may be nearer than the centre of the ring. Local indices are
-// valid until the next build. Only rings in a slab about the ball, normal to the direction of their
-// largest spread, are searched.
+// A cage ball is carried by the ring whose pitch circle is nearest and whose centre is within two
+// pitch radii; the centre of a housing may be nearer than the centre of the ring. The local indices
+// found are valid until the next neighbour build. Only rings in a slab about the ball are searched;
+// the slab is normal to the direction in which the rings are spread furthest.
 void FixBearingCage::find_balls()
 {
   cage_.balls.clear();
@@ -169,7 +169,7 @@ void FixBearingCage::find_balls()
 
 void FixBearingCage::setup_pre_force(int vflag) { pre_force(vflag); }
 
-// Evaluates rail by rail all cage balls in lanes of four. Four balls that touch no rail cost one
+// Evaluates all cage balls rail by rail, in lanes of four. Four balls that touch no rail cost one
 // comparison.
 void FixBearingCage::pre_force(int)
 {
@@ -226,10 +226,10 @@ void FixBearingCage::left_pocket(const CageRails::CageBall &ball, double off) co
           "inwards under gravity or vibration at low speed");
 }
 
-// Lanes from `first` have no ball: they copy the previous lane but lie far from any rail.
+// Lanes from `first` on hold no ball: they copy the previous lane but lie far from any rail.
 void FixBearingCage::Four::spare(int first)
 {
-  constexpr double far = 1.0e30;    // m^2: r is a square here
+  constexpr double far = 1.0e30;    // m^2: r is squared here
   for (int k = first; k < lanes; ++k) {
     for (Lane *a : {&z, &vr, &ve, &mass, &radius}) (*a)[k] = (*a)[first - 1];
     r[k] = far;

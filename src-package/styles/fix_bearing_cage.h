@@ -46,11 +46,11 @@ class FixBearingCage : public Fix {
   bearing::CageRails cage_;
   double tube_ = 1e-3, gap_ = 0.0;
   double young_[2] = {3.3e9, 3.3e9}, poisson_[2] = {0.41, 0.41};    // PA66 on PA66
-  bool seats_ = true;    // default pair of rails, placed from the cage balls
+  bool seats_ = true;    // default pair of rails, placed to fit the cage balls
   double pitch_ = 0.0;
   double pocket_ = 0.0;    // m, largest distance of a cage ball from the pitch circle
-  // Four cage balls: position and velocity in the ring (radial, axial), mass, radius, rail force,
-  // loss.
+  // Four cage balls: position and velocity relative to the ring (radial, axial), mass, radius, rail
+  // force, loss.
   struct alignas(32) Four {
     raceway::Lane r, z, vr, ve, mass, radius, fr, fe, loss;
     void spare(int first);

@@ -35,7 +35,7 @@ FixBearingCageRing::FixBearingCageRing(LAMMPS *lmp, int narg, char **arg) :
   const bearing::NamedBearing *const b =
       args.more() ? bearing::find_bearing(lmp, args.next()) : nullptr;
   if (b) bearing_ = args.word("name of a bearing");
-  if (b) only_type_ = b->cage;    // bearings of several names may share a group
+  if (b) only_type_ = b->cage;    // bearings of different names may share a group
   ball_type_ = b ? b->balls : args.integer("ball type", 1, atom->ntypes);
   if (!pair_->coefficients().is_ball(ball_type_))
     args.fail("type " + std::to_string(ball_type_) +
@@ -55,7 +55,7 @@ int FixBearingCageRing::setmask() { return FixBearingRing::setmask() | PRE_NEIGH
 void FixBearingCageRing::init()
 {
   FixBearingRing::init();
-  state_->follow_axes();    // the positions of the pockets follow its angle
+  state_->follow_axes();    // the pockets turn with the cage's angle
   const std::string me = bearing::name_of(*this);
   for (int i = 0; i < atom->nlocal; ++i)
     if (moves(i) && !pair_->coefficients().is_cage(atom->type[i]))
@@ -75,8 +75,8 @@ void FixBearingCageRing::init()
   turn_to_balls();
 }
 
-// The cages of a named bearing start with a pocket at their first ball; the state in a restart file
-// has the angles by which they have turned since.
+// Turns the cages of a named bearing so that a pocket starts at the first ball; the state in a
+// restart file contains the angles by which they have turned since the start.
 void FixBearingCageRing::turn_to_balls()
 {
   const bearing::NamedBearing *const b = bearing::find_bearing(lmp, bearing_);
@@ -116,7 +116,7 @@ void FixBearingCageRing::pre_neighbor()
   }
 }
 
-// The atoms for which `fits` is true, with ghosts.
+// Local indices of the atoms for which `fits` is true, ghosts included.
 template <class Fits> static std::vector<int> atoms_that(const Atom &atom, const Fits &fits)
 {
   std::vector<int> found;
@@ -125,7 +125,7 @@ template <class Fits> static std::vector<int> atoms_that(const Atom &atom, const
   return found;
 }
 
-// The atom of `others` that is nearest to atom i, within `reach` (m); -1 if there is none. Of two
+// The atom of `others` nearest to atom i, at most `reach` (m) away; -1 if there is none. Of two
 // equally near atoms, the one with the lower tag counts.
 static int nearest(const Atom &atom, int i, double reach, const std::vector<int> &others)
 {
@@ -149,7 +149,7 @@ void FixBearingCageRing::find_cells()
   const std::vector<int> cages = atoms_that(*atom, [this](int j) { return moves(j); });
   for (int i = 0; i < atom->nlocal; ++i) {
     if (atom->type[i] != ball_type_) continue;
-    // a ball is nearer to the centre of its own bearing than to any other bearing's
+    // a ball is nearer to the centre of its own cage than to the centre of any other cage
     const int cage = nearest(*atom, i, 2.0 * all_.of.pitch, cages);
     if (cage < 0)
       BRG_ONE(bearing::name_of(*this) + ": ball " + std::to_string(atom->tag[i]) +

@@ -135,7 +135,7 @@ FixBearingCapacitance::~FixBearingCapacitance()
   memory->destroy(per_ball_);
 }
 
-// Settings that the command takes from the pair style, which may have a named bearing and its oil
+// Settings that follow from the pair style if it has a named bearing and its oil
 void FixBearingCapacitance::take_usual_data()
 {
   const std::vector<int> there = ball_types();
@@ -166,7 +166,7 @@ void FixBearingCapacitance::take_usual_data()
 
 int FixBearingCapacitance::setmask() { return idle_ ? 0 : END_OF_STEP; }
 
-// Samples as often as the run does; error if `within` needs samples at every step.
+// Samples as often as the run does; error if the run samples more rarely than `within` requires.
 void FixBearingCapacitance::begin(const bearing::Sampling &sampling)
 {
   if (within_ > 1 && sampling.every > 1)
@@ -196,7 +196,7 @@ std::vector<int> FixBearingCapacitance::ball_types() const
   return there;
 }
 
-// Checks the shoulders of the raceways that balls of the group may run on.
+// Checks the shoulders of the raceways on which balls of the group may run.
 void FixBearingCapacitance::check_shoulders()
 {
   const std::vector<int> there = ball_types();
@@ -283,7 +283,7 @@ FixBearingCapacitance::Row FixBearingCapacitance::row_of(int instant, tag_t ball
   return row;
 }
 
-// Adds the instants of the bearings at home on this rank.
+// Adds the instants within the step of the bearings at home on this rank.
 void FixBearingCapacitance::add_instants()
 {
   for (bearing::InstantSource *f : integrators_)
@@ -297,7 +297,7 @@ void FixBearingCapacitance::add_instants()
                           {}});
 }
 
-// Samples the balls owned by this rank. Sums over all ranks are computed on request only, since a
+// Samples the balls owned by this rank. Sums over all ranks are computed only on request, because a
 // table by ring does not need them.
 void FixBearingCapacitance::sample(bool between)
 {

@@ -39,16 +39,16 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
   void set_arrays(int) override;
   double memory_usage() override;
 
-  // Tags of the balls of its group, on all ranks.
+  // Tags of the balls in the fix's group, on all ranks.
   std::vector<bearing::tag_t> find_members() const;
-  // Request for `number` instants of a step.
+  // Request for `number` instants per step.
   bearing::Instants instants(int number) const { return {number, model_, ask_.any()}; }
   bool covers(int i) const { return atom->mask[i] & groupbit; }
   const raceway::CapacitorModel &model() const { return model_; }
   std::string said() const { return said_; }    // words of the command after N
   bool idle() const { return idle_; }           // dry contacts, chosen by the deck
-  // Capacitor of a contact in the table of the pair style; without contact the capacitor of
-  // the surroundings, or 0.
+  // Capacitor of a contact in the table of the pair style. An open contact has the capacitor of its
+  // surroundings, or 0.
   raceway::FilmCapacitorT<double> capacitor(const bearing::RacewayContact &);
 
  private:
@@ -67,14 +67,14 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
     void add(double value, bool first);
   };
   struct Row {
-    int instant;    // one of within_
+    int instant;    // number of the instant, up to within_
     bearing::tag_t ball;
     raceway::Side side;
     int groove;
     bool live;
     double load;    // N
     raceway::FilmCapacitorT<double> of;
-    double area, roughness;    // m^2, m; if the outputs need them
+    double area, roughness;    // m^2, m; only if the outputs need them
   };
 
   void read_options(bearing::Arguments &);
@@ -100,20 +100,20 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
   double background_ = 0.0;
   raceway::FilmQuestions ask_;
   bearing::CapacitorTable table_;    // capacitors with surroundings
-  int planned_ = -1;                 // build and filling of the contact table
+  int planned_ = -1;                 // numbers of the contact table's build and filling
   bigint filled_ = -1;
-  double **per_ball_ = nullptr;    // inner, outer, series; these again with surroundings
+  double **per_ball_ = nullptr;    // inner, outer, series; the same three with surroundings
   int within_ = 1;                 // instants per step, the last at its end
-  std::vector<bearing::InstantSource *> integrators_;    // they provide instants between steps
-  bearing::TagSet members_;    // balls of the group; set if integrators_ are
+  std::vector<bearing::InstantSource *> integrators_;    // provide the instants within steps
+  bearing::TagSet members_;    // balls of the group; set if there are integrators_
   std::vector<Row> mine_;      // rows of this step; reused buffer
   bearing::TextFile totals_, contacts_;
   bool grooves_ = false;                       // the second file lists the grooves separately
-  bool between_ = false, summed_ = true;       // kind of mine_; sums below are current
+  bool between_ = false, summed_ = true;       // content of mine_; the sums below are up to date
   Total total_ = {};                           // values at the end of the step
   std::vector<raceway::SampledBall> balls_;    // balls of one instant; reused buffer
   bigint written_ = -1;                        // step of the last row in the files
-  Spread plates_ = {}, whole_ = {};            // spread of the sum
+  Spread plates_ = {}, whole_ = {};            // over the instants, of the sum
 };
 
 }    // namespace LAMMPS_NS

@@ -27,7 +27,8 @@ double figure(const FilmFigures &f, double hertz_area, int k)
 }
 }    // namespace
 
-// Sums instant by instant, in the order of ball tags, for the same bits on any number of ranks.
+// Sums instant by instant in the order of ball tags, so that bits do not depend on the number of
+// ranks.
 void FixBearingCapacitance::sum_up()
 {
   if (summed_) return;
@@ -58,7 +59,7 @@ void FixBearingCapacitance::sum_up()
   whole_.mean /= within_ - first_instant + 1;
 }
 
-// `mean` holds the sum until all instants are added.
+// Until all instants are added, `mean` contains their sum.
 void FixBearingCapacitance::Spread::add(double value, bool first)
 {
   if (first) *this = {0.0, value, value};
@@ -67,8 +68,8 @@ void FixBearingCapacitance::Spread::add(double value, bool first)
   most = std::max(most, value);
 }
 
-// The contacts of a ball are adjacent. Capacitances to the same ring add up; a ball in contact with
-// only one ring contributes nothing.
+// The contacts of a ball are adjacent rows. Capacitances between a ball and the same ring add up; a
+// ball in contact with only one ring contributes nothing.
 FixBearingCapacitance::Total FixBearingCapacitance::add_up(const Row *row, const Row *end)
 {
   Total t = {};

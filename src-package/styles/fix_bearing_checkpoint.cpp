@@ -91,8 +91,8 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
   write_every(every_restart_);
 }
 
-// The host writes under a temporary name; publish() renames the complete file. With 0 steps it
-// writes only when the run is stopped.
+// The host writes under a temporary name; publish() renames the complete file. If `steps` is 0, a
+// restart file is written only when the run is stopped.
 void FixBearingCheckpoint::write_every(int steps)
 {
   const std::string n = std::to_string(steps ? steps : std::numeric_limits<int>::max());
@@ -136,13 +136,13 @@ void FixBearingCheckpoint::init()
             " of this style");
   check_deck();
   if (!resumed_ && comm->me == 0 && !begun_)
-    unlink(file_.c_str());    // file of a run that this run replaces
+    unlink(file_.c_str());    // restart file of an earlier run that this run replaces
   begun_ = true;
 }
 
-// Commands that determine a run: the bearings (first line), the pair style, data of named
-// bearings, the package's fixes except fixes that only write or watch, and the formulas of
-// variables in them.
+// Commands that determine a run: the bearings (first line), the pair style, data of named bearings,
+// the package's fixes except those that only write or watch, and the formulas of variables in these
+// commands.
 std::vector<std::string> FixBearingCheckpoint::deck() const
 {
   std::vector<std::string> lines = {bearing::noted_words(lmp, "create_bearing")};
@@ -163,7 +163,8 @@ std::vector<std::string> FixBearingCheckpoint::deck() const
   return lines;
 }
 
-// Error if the deck of a continued run has other data. It need not repeat create_bearing.
+// Error if the deck of a continued run has other data than the restart file. The deck need not
+// repeat create_bearing.
 void FixBearingCheckpoint::check_deck()
 {
   if (deck_.empty()) return;
@@ -190,8 +191,9 @@ void FixBearingCheckpoint::find_ring()
             "'");
 }
 
-// Before the first step, removes the output of the set-up of a continued run, which the files
-// already have. Later, the restart file of the previous step is now complete.
+// Before the first step of a continued run, removes the output of its set-up, which the files
+// already contain. In later steps, publishes the restart file of the previous step, which is now
+// complete.
 void FixBearingCheckpoint::initial_integrate(int)
 {
   if (resumed_ && !cut_) cut_files();
@@ -224,7 +226,8 @@ void FixBearingCheckpoint::take_sample()
 
 void FixBearingCheckpoint::post_run()
 {
-  // may differ between ranks after the last sample, so only the agreed value counts
+  // a signal after the last sample may have reached some ranks only, so the ranks agree on one
+  // value
   int signal = StopSignal::caught();
   if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, world);
   StopSignal::set(signal);
@@ -232,13 +235,14 @@ void FixBearingCheckpoint::post_run()
   if (signal) stop();
   if (last_ && !waits()) output->write_restart(update->ntimestep);
   if (written_) publish();
-  if (comm->me == 0 && !files_.empty()) {    // no later sample detects a full disk
+  if (comm->me == 0 && !files_.empty()) {    // no later sample could detect a full disk
     const std::string room = bearing::disk_is_full(file_);
     if (!room.empty()) BRG_ONE(command_ + ": the last output may be lost: " + room);
   }
 }
 
-// The run has ended after a complete step and its output is written: saves its state and exits.
+// Called when the run has ended after a complete step and its output is written: saves the state
+// and exits.
 void FixBearingCheckpoint::stop()
 {
   output->write_restart(update->ntimestep);
@@ -254,7 +258,7 @@ void FixBearingCheckpoint::stop()
     if (logfile) fputs(say.c_str(), logfile);
   }
   MPI_Finalize();
-  exit(128 + StopSignal::caught());    // as a shell reports a signal
+  exit(128 + StopSignal::caught());    // the exit code with which a shell reports a signal
 }
 
 void FixBearingCheckpoint::publish()
@@ -274,7 +278,7 @@ void FixBearingCheckpoint::publish()
           ". The previous one, if any, is intact: make room and continue from it");
 }
 
-// Output files may be longer than at the time of the restart file, but not shorter.
+// Output files may have grown since the restart file was written, but must not be shorter.
 void FixBearingCheckpoint::check_files()
 {
   if (comm->me != 0) return;
@@ -296,11 +300,12 @@ void FixBearingCheckpoint::cut_files()
       unlink(files_[k].c_str());
     } else if (truncate(files_[k].c_str(), static_cast<off_t>(length_[k])) != 0)
       BRG_ONE(command_ + ": cannot cut " + files_[k] + ": " + strerror(errno));
-    seen_[k] = -1.0;    // the next sample of a dump comes after the next check of its length
+    seen_[k] = -1.0;    // a dump has its next sample after the next check of its length
   }
 }
 
-// Detects a full disk by a file that has stopped growing, since the host does not check.
+// Detects a full disk from a file that has stopped growing, since the host does not check its
+// writes.
 void FixBearingCheckpoint::watch_files()
 {
   for (size_t k = 0; k < files_.size(); ++k) {
@@ -327,7 +332,7 @@ double FixBearingCheckpoint::compute_scalar()
   return std::hypot(of[3], of[4], of[5]) / std::hypot(of[0], of[1], of[2]);
 }
 
-// Means over the samples, then counters, both over all parts of an interrupted run
+// Means over the samples, then counters; both cover all parts of an interrupted run
 double FixBearingCheckpoint::compute_vector(int n)
 {
   size_t k = static_cast<size_t>(n);

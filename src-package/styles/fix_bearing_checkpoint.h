@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/checkpoint: a run that can be stopped, killed and continued with the same bits and
-// the same files.
+// fix bearing/checkpoint: lets a run be stopped, killed and continued with the same bits and the
+// same files as an uninterrupted run.
 //
 // The host writes the restart file, during or after a run; this fix adds what the host does not
 // store: the lengths of the output files at that step, and running sums. A restart file gets its
@@ -51,7 +51,7 @@ class FixBearingCheckpoint : public Fix, public bearing::WaitsForRun {
 
   bearing::StopSignal stop_signal_;
   std::string command_, file_, part_, settings_;
-  std::string deck_;    // deck() of the run of the restart file, until it is compared
+  std::string deck_;    // deck() of the run that wrote the restart file, until compared
   int every_restart_ = 0;
   double keep_ = 0.0;    // samples between restart files, in run_bearing
   bool resume_ = false, resumed_ = false;

@@ -64,7 +64,7 @@ void FixBearingCircuit::init()
 void FixBearingCircuit::setup(int)
 {
   if (settings_.within > 1) find_integrators();
-  if (restored_) {    // recomputes values that the restart file omits from values that it has
+  if (restored_) {    // recomputes values omitted from the restart file from values in it
     last_time_ = time_of(last_step_);
     static_cast<CircuitPoint &>(state_) = point(balls_, last_time_);
     restored_ = false;
@@ -74,7 +74,7 @@ void FixBearingCircuit::setup(int)
 
 void FixBearingCircuit::end_of_step() { sample(); }
 
-// Finds the integrators that provide the instants within steps.
+// Finds the integrators that provide the instants within host steps.
 void FixBearingCircuit::find_integrators()
 {
   const std::string who = bearing::name_of(*this);
@@ -131,7 +131,7 @@ std::vector<FixBearingCircuit::BallFilms> FixBearingCircuit::find_balls()
   return balls_of(tags, std::move(rows));
 }
 
-// These balls at an instant of the last step, counted from 1.
+// The balls of the last sample, at an instant within the last step; `instant` counts from 1.
 std::vector<FixBearingCircuit::BallFilms> FixBearingCircuit::balls_at(int instant)
 {
   std::vector<tag_t> tags;
@@ -188,7 +188,7 @@ FixBearingCircuit::balls_of(const std::vector<tag_t> &tags, std::vector<Row> min
               std::to_string(row.ring) + "; give each bearing a group and a fix");
     ring[row.side] = row.ring;
     const size_t k = std::lower_bound(tags.begin(), tags.end(), row.ball) - tags.begin();
-    balls[k].azimuth = row.azimuth;    // about the outer ring, which comes last
+    balls[k].azimuth = row.azimuth;    // measured about the outer ring, which comes last
     balls[k].film[row.side].add(row.film);
   }
   return balls;
@@ -277,7 +277,7 @@ void FixBearingCircuit::require_films(const std::vector<BallFilms> &at, double t
             bearing::text(time) + " s: give a stray capacitance");
 }
 
-// Films of the circuit from the sampled films.
+// Converts sampled films to films of the circuit.
 BearingFilms FixBearingCircuit::films(const std::vector<BallFilms> &balls) const
 {
   const auto film = [this](const Film &f) {
@@ -296,8 +296,8 @@ BearingFilms FixBearingCircuit::films(const std::vector<BallFilms> &balls) const
   return all;
 }
 
-// Interpolates at the fraction `share` between two samples. A film that is missing in one sample
-// has no thickness here.
+// Interpolates the films between two samples, at the fraction `share`. A film that is missing in
+// one of the samples has no thickness in the result.
 std::vector<FixBearingCircuit::BallFilms>
 FixBearingCircuit::between(const std::vector<BallFilms> &from, const std::vector<BallFilms> &to,
                            double share)
@@ -372,8 +372,8 @@ double FixBearingCircuit::compute_vector(int k)
   return 0.0;
 }
 
-// Stores the last sample and the state of the circuit there; films and outer circuit follow from
-// them.
+// Stores the last sample and the state of the circuit at that sample; films and outer circuit
+// follow from them.
 void FixBearingCircuit::write_restart(FILE *fp)
 {
   if (comm->me != 0) return;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix bearing/circuit: a bearing in an outer circuit, sampled every N steps or at several instants
-// within every step: bearing voltage, discharges, energy. Films come from a fix
-// bearing/capacitance. Every rank solves the circuit, so bits do not depend on ranks.
+// within every step: bearing voltage, discharges, energy. The films come from a fix
+// bearing/capacitance. Every rank solves the whole circuit, so the results do not depend on the
+// number of ranks.
 #ifdef FIX_CLASS
 FixStyle(bearing/circuit,FixBearingCircuit)
 #else
@@ -37,22 +38,23 @@ class FixBearingCircuit : public Fix {
   void restart(char *) override;
 
  private:
-  // A film as sampled.
+  // A sampled film.
   struct Film {
     double capacitance = 0.0;                                       // F
     double thickness = std::numeric_limits<double>::quiet_NaN();    // m
     double rough = 0.0;    // m, film thickness lost to the roughness of the surfaces
-    double metal = 0.0;    // S, of asperities
-    double area = 0.0;     // m^2, of the contact patch, if the arc model needs it
+    double metal = 0.0;    // S, conductance of touching asperities
+    double area = 0.0;     // m^2, of the contact patch, only if the arc model needs it
 
-    // Adds another film between the same ball and ring; the locally thinner film breaks down.
+    // Adds another film between the same ball and ring; breakdown occurs in the locally thinner
+    // film.
     void add(const Film &beside);
   };
   struct BallFilms {
-    double tag = 0.0, azimuth = 0.0;    // rad
+    double tag = 0.0, azimuth = 0.0;    // azimuth in rad
     Film film[2];                       // inner, outer
   };
-  // A contact on its way to all ranks.
+  // Film of a contact, to be sent to all ranks.
   struct Row {
     bearing::tag_t ball, ring;
     int side;
@@ -68,7 +70,7 @@ class FixBearingCircuit : public Fix {
   Film film_of(const raceway::RacewayPhysics &, bool live, const raceway::ContactState &,
                const raceway::FilmCapacitorT<double> &) const;
   bool needs_states() const { return settings_.metal > 0.0 || settings_.arc > 0.0; }
-  // Time since the first sample, s; `back` steps before the end of `step`.
+  // Time since the first sample, s, at the instant that lies `back` steps before the end of `step`.
   double time_of(bigint step, double back = 0.0) const
   {
     return (static_cast<double>(step - first_step_) - back) * dt_;
@@ -86,12 +88,12 @@ class FixBearingCircuit : public Fix {
   bearing::CircuitSettings settings_;
   PairBearingHertz *pair_ = nullptr;
   FixBearingCapacitance *cap_ = nullptr;
-  std::vector<bearing::InstantSource *> integrators_;    // they provide instants between steps
+  std::vector<bearing::InstantSource *> integrators_;    // provide the instants within steps
   bearing::TextFile events_;
   bool begun_ = false, restored_ = false;
   bigint first_step_ = 0, last_step_ = -1;    // steps of the first and the last sample
   double last_time_ = 0.0;                    // s, time of the last sample
-  double dt_ = 0.0;                           // s, length of all steps between them
+  double dt_ = 0.0;                           // s, length of each step between them
   std::vector<BallFilms> balls_;              // at the last sample, by tag
   raceway::CircuitState state_;
 };

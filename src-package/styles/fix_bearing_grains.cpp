@@ -17,7 +17,7 @@ using bearing::Arguments;
 using bearing::text;
 using raceway::Vec3;
 
-// steps per collision below which there is an error, or a warning
+// numbers of steps per collision below which there is an error or a warning
 static constexpr double fewest_steps = 5.0, few_steps = 20.0;
 
 // fix ID group bearing/grains [drum SHAFT|none R Z1 Z2] [blades SHAFT|none N R1 R2 Z1 Z2]
@@ -110,7 +110,7 @@ void FixBearingGrains::init()
 
 void FixBearingGrains::check_step() const
 {
-  double shortest = HUGE_VAL;    // s, duration of a collision
+  double shortest = HUGE_VAL;    // s, duration of the shortest collision
   const int n = atom->ntypes;
   std::vector<double> mass(n + 1, HUGE_VAL);
   for (int i = 0; i < atom->nlocal; ++i)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/grains: contacts of grains with each other and with walls, which may turn with a
-// fix bearing/shaft and load it. Their sums are in order of tag, so bits do not depend on ranks.
+// fix bearing/grains: contacts of grains with each other and with walls, which may turn with a fix
+// bearing/shaft and exert load on it. Sums are taken in the order of tags, so the results do not
+// depend on the number of ranks.
 #ifdef FIX_CLASS
 FixStyle(bearing/grains,FixBearingGrains)
 #else
@@ -50,7 +51,7 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
   double memory_usage() override;
 
  private:
-  // Contact with a grain of that tag, or (tag 0) with a part of the walls
+  // Contact with the grain of that tag or, if the tag is 0, with a part of the walls
   struct Contact {
     bearing::tag_t tag = 0;
     int part = 0;
@@ -58,14 +59,14 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
   };
   struct Grain {
     std::vector<Contact> contacts;
-    double lost = 0.0;    // J, since the start of the run; half of a contact with a grain
+    double lost = 0.0;    // J, since the start of the run; half the loss at contacts with grains
   };
-  // A shaft with walls, known to all ranks; the bearing axis is the third.
+  // A shaft with walls, known to all ranks; components have the bearing axis third.
   struct Shaft {
     std::string id;
     FixBearingShaft *fix = nullptr;
     raceway::RingAtom now, before;
-    raceway::Vec3 force, moment;    // N, N m, of grains, at its centre
+    raceway::Vec3 force, moment;    // N, N m, exerted by grains, at the shaft's centre
   };
   struct Velocity {
     raceway::Vec3 v, w;
@@ -74,8 +75,8 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
     raceway::TurningWall shape;
     int shaft = -1;    // index in shafts_; -1: at rest
     int first = 0;     // number of its first part
-    // State in the present step, with the bearing axis third. The axes of the wall are its own axis
-    // pose.e, and e1 and e2, which do not rotate about it.
+    // State in the present step; components have the bearing axis third. The axes of the wall are
+    // its own axis pose.e, and e1 and e2, which do not rotate about pose.e.
     raceway::RingAtom pose;
     Velocity moved;
     raceway::Vec3 e1, e2;
@@ -86,7 +87,7 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
   struct Push {    // load of a grain on a wall
     bearing::tag_t tag;
     int part, shaft;
-    raceway::Vec3 force, moment;    // on the shaft's centre
+    raceway::Vec3 force, moment;    // moment about the shaft's centre
     double work;                    // J, work on the grain in the last step
   };
   struct Sums {
@@ -104,7 +105,7 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
                     raceway::Vec3 &force, raceway::Vec3 &torque) const;
   void touch_walls(int i, double dt, std::vector<Contact> &, double &lost, raceway::Vec3 &force,
                    raceway::Vec3 &torque);
-  // Contact of a grain in the previous step, or null.
+  // The contact in the previous step of grain i with that grain or part; null if there was none.
   const raceway::GrainContact *kept(int i, bearing::tag_t, int part) const;
   bool touched_a_wall(int i) const;
   void load_shafts();
@@ -121,7 +122,7 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
   std::vector<Neighbour> neighbours_;
   std::vector<Push> pushes_;
   int build_ = -1;
-  double known_step_ = -1.0;    // the contacts belong to this step
+  double known_step_ = -1.0;    // step to which the contacts belong
   double work_ = 0.0;           // J, work of the walls on the grains
   Sums start_, now_;
   bigint summed_ = -1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The step of fix bearing/grains. Each rank computes all contacts of its own grains; two ranks
-// compute a contact of their grains with the same bits, because the grain of lower tag comes first.
+// The step of fix bearing/grains. Each rank computes all contacts of its own grains; a contact that
+// two ranks compute is bitwise identical on both, because the grain of lower tag comes first.
 #include "../core/settings/arguments.h"
 #include "../ranks/gather.h"
 #include "fix_bearing_grains.h"
@@ -47,9 +47,9 @@ void FixBearingGrains::find_shafts()
   }
 }
 
-// Mean velocity (m/s) and angular velocity (rad/s) of a shaft over the step, from the change of its
-// position, so that the work of its walls equals the work of the shaft under either integrator. The
-// bearing axis is the third.
+// Mean velocity (m/s) and angular velocity (rad/s) of a shaft over the step. They follow from the
+// change of its position, so that the work of its walls equals the work of the shaft under either
+// integrator. Components have the bearing axis third.
 FixBearingGrains::Velocity FixBearingGrains::velocity(const Shaft *s) const
 {
   if (!s) return {};
@@ -139,7 +139,8 @@ void FixBearingGrains::touch_walls(int i, double dt, std::vector<Contact> &list,
   torque += axes_.lab(couple);
 }
 
-// Forces of all contacts. Without `advance`, as at the start of a run, contacts do not change.
+// Adds the forces of all contacts. Without `advance`, as at the start of a run, the states of the
+// contacts do not change.
 void FixBearingGrains::act(bool advance)
 {
   find_neighbours();

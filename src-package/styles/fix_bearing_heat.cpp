@@ -100,7 +100,7 @@ void FixBearingHeat::init()
   apply_ = false;
 }
 
-// The named bearing of the group's balls, and the number of such bearings.
+// Finds the named bearing to which the group's balls belong, and the number of such bearings.
 void FixBearingHeat::find_bearing()
 {
   std::vector<int> there(atom->ntypes + 1, 0);
@@ -144,7 +144,7 @@ void FixBearingHeat::check_oil()
             " is dry");
 }
 
-// Finds conductances and capacities from the sizes of the bearing.
+// Finds conductances and heat capacities from the dimensions of the bearing.
 void FixBearingHeat::find_network()
 {
   const bearing::NamedBearing &b = *bearing_;
@@ -175,7 +175,7 @@ void FixBearingHeat::find_network()
   if (oil_flow_ > 0.0) find_oil_flow();
 }
 
-// The mass flow follows from the density at 40 C.
+// Sets the mass flow, which follows from the volume flow and the density at 40 C.
 void FixBearingHeat::find_oil_flow()
 {
   const bearing::NamedBearing &b = *bearing_;
@@ -190,7 +190,7 @@ void FixBearingHeat::find_oil_flow()
   oil.wetted[2] = wets.outer;
 }
 
-// A datum of the bearing's oil at its present temperature
+// A property of the bearing's oil at its present temperature
 double FixBearingHeat::oil_datum(const char *name) const
 {
   return std::atof(pair_->oil_datum(bearing_->name, name).c_str());
@@ -206,7 +206,7 @@ double FixBearingHeat::convection() const
                         oil_datum("oil_density"), oil_datum("viscosity"), orbit, pitch);
 }
 
-// Finds the steps of a ball pass and the time until the end of the load ramp.
+// Finds the duration of a ball pass and the time until the end of the load ramp.
 void FixBearingHeat::setup(int)
 {
   if (idle_) return;
@@ -215,7 +215,7 @@ void FixBearingHeat::setup(int)
   for (const FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp))
     ramp_ = std::max(ramp_, f->ramp());
   stride_ = std::max(1, static_cast<int>(pass_ / update->dt / samples_a_pass));
-  if (rewrite_) {    // rows before the restart file
+  if (rewrite_) {    // rows written before the restart file
     rewrite_ = false;
     if (FILE *f = file_.file(); f)
       for (const Row &row : rows_) write_row(row);
@@ -233,7 +233,7 @@ void FixBearingHeat::begin_step()
     grow(std::min(1.0, (now_.since + update->dt) / pass_));
 }
 
-// Sets the contact law at the temperature of the oil, and the positions of the surfaces.
+// Sets the contact law at the temperature of the oil, and the expansion of the surfaces.
 void FixBearingHeat::apply_oil()
 {
   if (!dry_)
@@ -244,7 +244,7 @@ void FixBearingHeat::apply_oil()
   for (FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp)) f->laws_changed();
 }
 
-// Moves the clearance by a fraction `share` of the way from the previous clearance to the one at
+// Sets the clearance, at the fraction `share` of the way from its previous value to its value at
 // the present temperatures.
 void FixBearingHeat::grow(double share)
 {
@@ -293,7 +293,7 @@ void FixBearingHeat::end_of_step()
   }
 }
 
-// Temperatures jump according to the losses of a ball pass.
+// Lets the temperatures jump according to the mean losses of the last ball pass.
 void FixBearingHeat::end_pass()
 {
   HeatPass seen = now_.sum;
@@ -382,7 +382,7 @@ double FixBearingHeat::value(int column) const
   return 0.0;
 }
 
-// Temperature (C) of the oil that leaves; without flow, of the oil in the contacts
+// Temperature (C) of the oil at the outlet; without flow, of the oil in the contacts
 double FixBearingHeat::outlet() const
 {
   const HeatState &h = now_.heat;
@@ -392,7 +392,7 @@ double FixBearingHeat::outlet() const
   return oil.outlet(h.at, h.start.heat[heat_nodes]);
 }
 
-// Diametral clearance (m) of the warm parts
+// Diametral clearance (m) of the parts at their present temperatures
 double FixBearingHeat::clearance() const
 {
   const double *t = now_.heat.at, cold = network_.ambient;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix bearing/heat: temperatures of inner ring, balls, outer ring, housing and flowing oil of a
-// named bearing, fed by the losses of its contacts; films, clearance and friction follow
-// (docs/heat).
+// named bearing, heated by the losses of its contacts. Films, clearance and friction follow the
+// temperatures (docs/heat).
 //
-// Heat is slow and balls are fast, so temperatures jump (core/laws/heat_jumps.h): during one ball
-// pass a ramp takes the clearance to its value at the new temperatures, during the next the losses
-// are averaged, then temperatures jump again. All ranks have the same state.
+// Temperatures change slowly and balls move fast, so temperatures jump (core/laws/heat_jumps.h):
+// during one ball pass a ramp takes the clearance to its value at the new temperatures, during the
+// next ball pass the losses are averaged, and then the temperatures jump again. All ranks have the
+// same state.
 #ifdef FIX_CLASS
 FixStyle(bearing/heat,FixBearingHeat)
 #else
@@ -41,18 +42,19 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   void restart(char *) override;
 
   void begin_step() override;
-  // True if temperatures no longer change: steady, at the end of the requested time, or off.
+  // True if temperatures no longer change: they are steady, the requested time is over, or heat is
+  // off.
   bool still() const { return idle_ || now_.stage == STAY; }
   bool idle() const { return idle_; }
   // Present temperatures (C) of the contacts, as in core/figures/fix_columns.h from INNER to OIL.
   std::array<double, 5> temperatures() const;
   bool covers_type(int ball_type) const;
-  double ambient() const { return network_.ambient; }    // C, the clearance is given there
+  double ambient() const { return network_.ambient; }    // C, at which the clearance is given
 
  private:
   enum Stage { WAIT, RAMP, WATCH, LAST, STAY };
   static constexpr int parts = 3;    // strains of inner ring, balls, outer ring
-  // It has doubles only, for restart files.
+  // Contains doubles only, for restart files.
   struct State {
     raceway::HeatState heat;
     raceway::HeatPass sum;    // sum of values times time over the present ball pass
@@ -62,7 +64,7 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
     double summed = 0.0;                        // s, time in `sum`
     double oil = 0.0;                           // C, oil temperature of the present law
     double begin[raceway::heat_nodes] = {};     // C, at the start
-    double from[parts] = {}, to[parts] = {};    // C, range of the present ramp of clearance
+    double from[parts] = {}, to[parts] = {};    // C, start and end of the present ramp of clearance
     double jump = 0.0;                          // s, length of the last jump
     double rows = 0.0;                          // number of rows in the file
   };
@@ -94,8 +96,8 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   raceway::HeatNetwork network_;
   raceway::HeatControl control_;
   double bearings_ = 1.0;    // number of bearings that share the temperatures
-  double pass_ = 0.0;        // s, a ball pass
-  double ramp_ = 0.0;        // s, until the end of the load ramp
+  double pass_ = 0.0;        // s, duration of a ball pass
+  double ramp_ = 0.0;        // s, end of the load ramp
   int stride_ = 1;           // steps between samples
   bigint last_step_ = -1;    // last step that has begun
   bool apply_ = false, rewrite_ = false;

@@ -14,9 +14,10 @@
 using namespace LAMMPS_NS;
 using raceway::HeatPass;
 
-// Half of a contact's loss heats each body. Drag heats oil that flows; oil that stays gives its
-// heat to the surfaces that it wets. Losses of balls on the cage heat the balls. Sums are in the
-// order of tags, for the same bits on any number of ranks.
+// Half of a contact's loss heats each of its two bodies. Drag heats the oil if oil flows; oil that
+// stays in the bearing gives its heat to the surfaces that it wets. Losses of balls on the cage
+// heat the balls. Sums are taken in the order of tags, so that bits do not depend on the number of
+// ranks.
 HeatPass FixBearingHeat::losses()
 {
   struct Share {

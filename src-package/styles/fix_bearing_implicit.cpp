@@ -56,7 +56,7 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
   extscalar = extvector = 0;
 }
 
-// One keyword and its value. A tolerance of 0 is chosen automatically.
+// Reads one keyword and its value. A tolerance of 0 means that it is chosen automatically.
 void FixBearingImplicit::read(Arguments &args)
 {
   BearingIntegrator::Settings &settings = solver_->settings;
@@ -138,12 +138,12 @@ void FixBearingImplicit::init()
   }
 }
 
-// Finds the fixes whose rings are in the group, the same list on all ranks although ranks own
-// different rings or none.
+// Finds the fixes whose rings are in the group. The list is the same on all ranks, although a rank
+// may own no ring or other rings than another rank.
 void FixBearingImplicit::find_rings()
 {
   const std::vector<FixBearingRing *> all = bearing::fixes_of<FixBearingRing>(lmp);
-  std::vector<int> seen;    // two numbers per fix: rings in the group, rings outside
+  std::vector<int> seen;    // per fix: has rings in the group, has rings outside
   for (const FixBearingRing *r : all) {
     int mine = 0, others = 0;
     for (int i = 0; i < atom->nlocal; ++i)
@@ -165,7 +165,8 @@ void FixBearingImplicit::find_rings()
   }
 }
 
-// Styles that act in a step without changing the motion of atoms; all others may change it.
+// True for styles that act in a step without changing the motion of atoms; any other style may
+// change it.
 static bool only_reads(const std::string &style)
 {
   for (const std::string known :
@@ -179,7 +180,7 @@ static bool only_reads(const std::string &style)
 // Error if another fix moves these atoms or applies forces that the step does not include.
 void FixBearingImplicit::check_fixes()
 {
-  // an atom in both this group and the fix's group, 0: none
+  // local index, plus one, of an atom that is in both this group and the group of fix f; 0: none
   auto shared = [this](const Fix &f) {
     for (int i = 0; i < atom->nlocal; ++i)
       if ((atom->mask[i] & groupbit) && (atom->mask[i] & f.groupbit)) return i + 1;
@@ -204,7 +205,7 @@ void FixBearingImplicit::check_fixes()
                        : modify->fmask[k] & POST_FORCE ? "adds forces that "
                                                          "an implicit step does not include"
                                                        : "may change their motion";
-    // for fixes of any group; recenter may move another group
+    // for fixes of any group, because recenter may move another group than its own
     const char *changes = BRG_CHANGES_BOX(f)                 ? "box"
                           : strcmp(f.style, "dt/reset") == 0 ? "timestep"
                           : strcmp(f.style, "recenter") == 0 ? "place of its atoms"
@@ -219,7 +220,7 @@ void FixBearingImplicit::check_fixes()
   }
 }
 
-// Requires that gravity acts on all bodies of a bearing, since the step applies it to all of them.
+// Error unless gravity acts on all bodies of a bearing, since the step applies it to all of them.
 void FixBearingImplicit::add_gravity(Fix &f)
 {
   int inside = 0;
@@ -232,15 +233,15 @@ void FixBearingImplicit::add_gravity(Fix &f)
   if (inside == 1) gravity_.push_back(&f);
 }
 
-// Acceleration of an atom by the gravity fixes in this step, m/s^2, with the bearing axis third.
-// Collective, since a variable may be evaluated.
+// Acceleration of an atom by the gravity fixes in this step, m/s^2; components have the bearing
+// axis third. Collective, since a variable may be evaluated.
 raceway::Vec3 FixBearingImplicit::gravity()
 {
   if (gravity_.empty()) return {};
   const size_t n = 3 * static_cast<size_t>(atom->nlocal);
   if (n > 0) forces_.assign(&atom->f[0][0], &atom->f[0][0] + n);
   raceway::Vec3 fall;
-  double mass = 1.0;    // kg: rounding must not depend on which atom comes first on the rank
+  double mass = 1.0;    // kg: rounding must not depend on which atom is the first on the rank
   int one = 0;
   while (one < atom->nlocal && !(atom->mask[one] & groupbit)) ++one;
   if (one < atom->nlocal) {

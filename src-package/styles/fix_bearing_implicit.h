@@ -2,13 +2,13 @@
 // fix bearing/implicit: implicit steps for balls, cage balls and rings
 // (core/step/bearing_integrator.h).
 //
-// In the host's step, initial_integrate makes the whole step, in as many substeps as the step
-// control requires, with its own copy of the state and its own calls of the contact functions. The
+// The whole host step is made in initial_integrate, in as many substeps as the step control
+// requires. The fix works on its own copy of the state and calls the contact functions itself. The
 // host's subsequent force evaluation fills the contact table at the end of the step. The reasons:
-// output is at host steps, however the substeps vary; the table and all output from it belong to
-// the state that is written, not to a prediction; substeps and repeats cost no neighbour check, no
-// calls of fixes and no clearing of arrays; and a restart needs only positions, velocities and one
-// step size.
+// output is due at host steps, however the substeps vary; the table and all output from it belong
+// to the state that is written, not to a prediction; substeps and repeated substeps cost no
+// neighbour check, no calls of fixes and no clearing of arrays; and a restart needs only positions,
+// velocities and one step size.
 #ifdef FIX_CLASS
 FixStyle(bearing/implicit,FixBearingImplicit)
              FixStyle(bearing/damping,FixBearingImplicit)
@@ -45,7 +45,7 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   void initial_integrate(int) override;
   double compute_scalar() override;
   double compute_vector(int) override;
-  // Number of systems on all ranks: bearings, with all bearings on one shaft counted as one. Each
+  // Number of systems on all ranks. A system is a bearing, or all bearings on one shaft; each
   // system has its own substeps.
   double systems() const;
   struct Control {
@@ -53,24 +53,26 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
     bool estimate;
   };
   Control control() const;
-  // Sampling rate of a record as requested by bearing/vibration, Hz; 0: the record chooses it
+  // Sampling rate of a record as requested by fix bearing/vibration, Hz; 0: the record chooses the
+  // rate
   double sampling_rate() const { return sampling_ * oversampling_; }
 
-  // Selects coarse implicit steps, which damp all vibration, on the way to a state that is settled
-  // afterwards, or the steps of the deck. A deck that measures vibration always uses its own steps.
+  // Selects coarse implicit steps, which damp all vibration, while the bearing settles; or else the
+  // steps of the deck. A deck that measures vibration always uses its own steps.
   void coarse(bool);
   bool can_be_coarse() const { return sampling_ == 0.0; }
-  // False if the steps of the deck cost hardly more than coarse ones.
+  // False if the steps of the deck cost hardly more than coarse steps.
   bool coarse_saves() const;
-  // The constants of the contact law change from the next step on.
+  // To be called when the constants of the contact law change; the change applies from the next
+  // step.
   void laws_changed() { laws_changed_ = true; }
 
   void want_instants(const bearing::Instants &, const std::string &command) override;
   void read_instant(int k, const bearing::InstantReader &) const override;
 
  private:
-  // The solver, its settings and the bearings at home on this rank: defined in the sources only, so
-  // that no other style depends on them.
+  // The solver, its settings and the bearings at home on this rank. It is defined in the sources
+  // only, so that no other style depends on these types.
   struct Solver;
   struct OwnBearing;
 
@@ -92,7 +94,7 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   bool laws_changed_ = false;
   bool energy_wanted_ = false, begun_ = false;    // begun_: stored_before_ is set
   bearing::Instants instants_;
-  std::set<std::string> readers_;    // commands that request instants
+  std::set<std::string> readers_;    // commands that have requested instants
   double largest_ = HUGE_VAL;        // s, largest substep
   double creep_ = 0.01;
   double cage_ = 0.0;                           // m, tolerance of cage balls; 0: set by pair style
@@ -100,7 +102,7 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   std::optional<bool> estimate_;                // none: set by the pair style
   double sampling_ = 0.0, oversampling_ = 4;    // Hz, of the signal; record samples per sample
   std::vector<FixBearingRing *> rings_;         // integrated by this fix
-  std::vector<Fix *> gravity_;                  // gravity on all atoms of the group
+  std::vector<Fix *> gravity_;                  // gravity fixes, acting on all atoms of the group
   std::vector<double> forces_;                  // saved while gravity is evaluated
   std::unique_ptr<Solver> solver_;
   int build_ = -1;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// State of flexible shafts, exchanged between their fixes and the bearings at home on this rank.
+// Exchange of the state of flexible shafts between their fixes and the bearings at home on this
+// rank.
 #include "../ranks/gather.h"
 #include "fix_bearing_implicit_solver.h"
 #include "fix_bearing_shaft.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// State of the bearings within host steps: its requests and readout.
+// State of the bearings at instants within host steps: requests and readout.
 #include "fix_bearing_implicit_solver.h"
 #include "pair_bearing_hertz.h"
 #include "ring_values.h"
@@ -9,7 +9,7 @@ using bearing::Instants;
 using bearing::tag_t;
 using raceway::BearingModel;
 
-// Requests for the same instants share one evaluation.
+// All requests must be for the same instants, which are evaluated once.
 void FixBearingImplicit::want_instants(const Instants &i, const std::string &command)
 {
   const bool others = instants_.number > 1;

@@ -27,7 +27,7 @@ void FixBearingImplicit::build()
   if (build_ == pair_->table_build() && !laws_changed_) return;
   build_ = pair_->table_build();
   Solver &all = *solver_;
-  // totals of the bearings of the last neighbour build
+  // totals of the bearings as of the last neighbour build
   for (const auto &integrator : all.integrators) {
     all.energy.work += integrator->spent().work;
     all.energy.dissipated += integrator->spent().dissipated;
@@ -63,8 +63,8 @@ void FixBearingImplicit::build()
   sources.motion = [this](int i) -> bearing::RingMotion & { return pair_->state()->ring(i); };
   all.bearings.build(sources, groupbit);
   all.own.clear();
-  // A solver has no memory of earlier steps, so it is reused for a bearing with the same parts. An
-  // energy balance starts with a new solver.
+  // A solver stores nothing from earlier steps, so it is reused for any bearing with the same
+  // parts. An energy balance needs a new solver.
   std::vector<std::unique_ptr<BearingIntegrator>> earlier;
   if (!energy_wanted_ && !laws_changed_) earlier.swap(all.integrators);
   laws_changed_ = false;
@@ -76,8 +76,8 @@ void FixBearingImplicit::build()
     return found == earlier.end() ? nullptr : std::move(*found);
   };
   all.unpacked.assign(readers_.size() > 1 ? (instants_.number - 1) * all.bearings.size() : 1, {});
-  // A solver shared by identical bearings stays in the caches. With an energy balance or instants,
-  // which belong to one bearing beyond its step, each bearing has its own solver.
+  // A solver shared by identical bearings stays in the caches. An energy balance and instants
+  // belong to one bearing and outlast its step; with them, each bearing has its own solver.
   const bool shared = !energy_wanted_ && instants_.number < 2;
   using Kind = std::tuple<const void *, size_t, int>;    // distinguishes most kinds
   std::map<Kind, std::vector<std::pair<int, BearingIntegrator *>>> kinds;
@@ -142,8 +142,8 @@ void FixBearingImplicit::initial_integrate(int)
   }
   for (int p = 0; p < bearings.size(); ++p) {
     load(p, fall);
-    // the requested substep is stored with the ring, so that it moves with the bearing to another
-    // home or into a restart file
+    // the requested substep is stored with the first ring, so that it moves with the bearing to
+    // another home or into a restart file
     double &wish = bearings.wished_step(p);
     own[p].step = wish > 0.0 ? wish : largest_;
     advance(own[p]);
@@ -156,7 +156,7 @@ void FixBearingImplicit::initial_integrate(int)
   time_ += update->dt;
 }
 
-// Makes the host's step in equal substeps, as few as the control allows.
+// Advances a bearing by one host step, in as few equal substeps as the error control allows.
 void FixBearingImplicit::advance(OwnBearing &p)
 {
   const double whole = update->dt;
@@ -173,7 +173,7 @@ void FixBearingImplicit::advance(OwnBearing &p)
     p.outcome = p.integrator->step(settings, h, done / whole, last ? 1.0 : (done + h) / whole);
     const BearingIntegrator::Outcome &o = p.outcome;
     corrections_ += o.corrections;
-    // ratio to the allowed value; grows as h^2
+    // ratio of the error to its allowed value; it grows as h^2
     const double excess = std::max(o.error / o.tolerance, o.stability);
     const double fit = 0.9 / std::sqrt(std::max(excess, 1e-6));
     if (!o.solved() || !(excess <= 1.0)) {

@@ -21,7 +21,7 @@ using raceway::ProfileShape;
 using raceway::RacewayPhysics;
 using raceway::Wave;
 
-// A word as written in a deck: in quotes if it has blanks.
+// Writes a word as in a deck: in quotes if it contains blanks.
 static std::string quoted(const std::string &word)
 {
   if (word.find_first_of(" \t") == std::string::npos) return word;
@@ -84,7 +84,7 @@ std::vector<FixBearingProfile::FlawedBall> FixBearingProfile::balls(PairBearingH
   return bearing::gather_all(mine, world);
 }
 
-// Checks that a ball can follow the notch.
+// Error unless a ball can follow the notch.
 void FixBearingProfile::check_notch(const NotchShape &n, const char *what, double rolling) const
 {
   const double most = std::min(0.5 * n.length, std::sqrt(2.0 * rolling * n.depth));
@@ -145,7 +145,7 @@ void FixBearingProfile::check_pits(bearing::tag_t ring, const ProfileShape &shap
     }
 }
 
-// The first of these fixes passes the sums of all profiles to the pair style.
+// The first fix of this style passes the sums of all profiles to the pair style.
 void FixBearingProfile::init()
 {
   const std::vector<FixBearingProfile *> all = bearing::fixes_of<FixBearingProfile>(lmp);
@@ -246,8 +246,8 @@ void FixBearingProfile::check_apart(bearing::tag_t ball, const BallShape &shape,
     }
 }
 
-// Velocity Verlet: a ball rotates over a step with its mid-step spin. Fix bearing/implicit rotates
-// its own balls.
+// For velocity Verlet: rotates each ball over a step with its mid-step spin. Fix bearing/implicit
+// rotates its balls itself.
 void FixBearingProfile::pre_force(int)
 {
   if (!turns_) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/profile: deviation of the raceways of a group's rings from their torus, or of a
-// group's balls from their sphere.
+// fix bearing/profile: deviation of the raceways of a group's rings from a torus, or of a group's
+// balls from a sphere.
 #ifdef FIX_CLASS
 FixStyle(bearing/profile,FixBearingProfile)
 #else
@@ -26,11 +26,11 @@ class FixBearingProfile : public Fix {
 
   bool departs() const { return settings_.departs(); }    // from a torus or sphere
   bool of_balls() const { return settings_.of_balls; }
-  const std::string &said() const { return said_; }    // its keywords and values
+  const std::string &said() const { return said_; }    // keywords and values of the command
 
   struct FlawedRing {
     bearing::tag_t tag;
-    int type, turns_alone;    // 1: it spins, and no fix bearing/ring counts its angle
+    int type, turns_alone;    // 1: it spins, and no fix bearing/ring tracks its angle
   };
   std::vector<FlawedRing> rings(PairBearingHertz &) const;    // rings of the group, on all ranks
   struct FlawedBall {
@@ -52,7 +52,7 @@ class FixBearingProfile : public Fix {
 
   std::string said_;
   bearing::ProfileSettings settings_;
-  bool turns_ = false;    // this fix rotates the balls of all such fixes
+  bool turns_ = false;    // this fix rotates the balls of all fixes of this style
 };
 
 }    // namespace LAMMPS_NS

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/progress: progress of a run and state of the bearings as a readable table with names,
-// units, finished share and remaining time. The host's own table has eight letters per column and
-// no units.
+// fix bearing/progress: a readable table of the progress of a run and the state of the bearings,
+// with names, units, finished share and remaining time. The host's own table has eight letters per
+// column and no units.
 #ifdef FIX_CLASS
 FixStyle(bearing/progress,FixBearingProgress)
 #else

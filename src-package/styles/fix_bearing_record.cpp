@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 
 static constexpr size_t batch_bytes = 1 << 20, most_in_batch = 256;
 
-// A note becomes an attribute of the file. Names that scipy's netCDF reader uses would break that
-// reader; `checksum` is used by the header.
+// A note becomes an attribute of the file. Names that scipy's netCDF reader uses itself would break
+// that reader; the header uses the name `checksum`.
 static void check_note(const Arguments &args, const char *what, const std::string &name)
 {
   static const char *const taken[] = {
@@ -61,8 +61,8 @@ FixBearingRecord::FixBearingRecord(LAMMPS *lmp, int narg, char **arg) :
   check_path();
 }
 
-// Reads N, the steps between samples, or pass/N, N samples in a ball pass during the measurement of
-// run_bearing.
+// Reads N, the number of steps between samples, or pass/N, where N is the number of samples per
+// ball pass while run_bearing measures.
 void FixBearingRecord::read_rate(Arguments &args)
 {
   nevery = 1;
@@ -117,7 +117,7 @@ void FixBearingRecord::read_options(Arguments &args)
       args.unknown("contacts, content, within, single, overwrite, number, goal, text");
     }
   }
-  if (dumps_ && within_ == 0) within_ = 1;    // dumps contain ends of steps only
+  if (dumps_ && within_ == 0) within_ = 1;    // dumps are written at the ends of steps only
   if (within_ > 1 && nevery != 1)
     args.fail("'within' takes samples evenly within every step: N must be 1, not " +
               std::to_string(nevery));
@@ -157,7 +157,7 @@ void FixBearingRecord::read_notes(Arguments &args, Note kind)
 
 int FixBearingRecord::setmask() { return END_OF_STEP | POST_RUN; }
 
-// Makes the folder; error if that fails.
+// Creates the folder of the record; error if that fails.
 void FixBearingRecord::check_path()
 {
   std::string why;
@@ -177,14 +177,14 @@ void FixBearingRecord::init()
   }
   pair_ = PairBearingHertz::find(lmp, command_);
   context_ = bearing::context_of(lmp, *pair_, columns_, command_);
-  // sums over bearings need these data, whichever columns are selected
+  // sums over bearings need these data even if their columns are not selected
   const bearing::Offer offer = bearing::offer_of(lmp, *pair_);
   if (!context_.capacitor && offer.capacitance)
     context_.capacitor = bearing::capacitor_of(lmp, command_, "a capacitance");
   context_.surroundings = offer.surroundings;
 }
 
-// Spreads the samples of a ball pass over the steps that run_bearing has chosen.
+// Distributes the samples of a ball pass over the steps that run_bearing has chosen.
 void FixBearingRecord::begin(const bearing::Sampling &sampling)
 {
   nevery = sampling.every;
@@ -193,8 +193,8 @@ void FixBearingRecord::begin(const bearing::Sampling &sampling)
   if (dumps_) begin_dumps();
 }
 
-// Begins the host's text dumps of contacts, balls and rings, at ends of steps, in the folder of the
-// record. run.yaml names their columns.
+// Starts the host's text dumps of contacts, balls and rings at the ends of steps, in the folder of
+// the record. run.yaml names the columns of the dumps.
 void FixBearingRecord::begin_dumps()
 {
   const std::string every = std::to_string(nevery), resumed = resumed_ ? "yes" : "no";
@@ -222,7 +222,7 @@ void FixBearingRecord::note(NetcdfHeader::Attribute one, bool changes)
   notes_.push_back(one);
 }
 
-// Takes the first sample at the start of every run, unless the previous run ended with it.
+// Takes the first sample at the start of every run, unless the previous run ended with that sample.
 void FixBearingRecord::setup(int)
 {
   if (waits()) return;
@@ -253,7 +253,7 @@ void FixBearingRecord::check_time_step() const
             bearing::text(update->dt) + " s; samples of a record are evenly spaced");
 }
 
-// Error if the host's step number changed between two runs, which would leave a gap.
+// Error if the host's step number changed between two runs, because the record would have a gap.
 void FixBearingRecord::check_step() const
 {
   const double now = static_cast<double>(update->ntimestep);
@@ -327,7 +327,7 @@ void FixBearingRecord::open()
 void FixBearingRecord::find_heats()
 {
   heats_.clear();
-  std::vector<int> type(layout_.bearings.size(), 0);    // type of a bearing's balls
+  std::vector<int> type(layout_.bearings.size(), 0);    // type of each bearing's balls
   for (const bearing::RecordLayout::RecordBody &b : layout_.balls)
     if (const int i = atom->map(static_cast<bearing::tag_t>(b.tag)); i >= 0)
       type[b.bearing] = atom->type[i];
@@ -344,7 +344,7 @@ void FixBearingRecord::find_heats()
   if (any) heats_ = found;
 }
 
-// Checks before the first step that a finished run in the folder is not overwritten unless this is
+// Before the first step: error if the folder contains a finished run, unless overwriting is
 // allowed.
 void FixBearingRecord::check_finished()
 {
@@ -355,7 +355,7 @@ void FixBearingRecord::check_finished()
             " holds a finished run: name another folder, or give 'overwrite yes'");
 }
 
-// Samples so far
+// Number of samples so far
 double FixBearingRecord::compute_scalar() { return samples_; }
 
 void FixBearingRecord::refuse(const std::string &complaint) const

@@ -2,10 +2,11 @@
 // fix bearing/record: a folder with all data of the bearings of a group, evenly sampled, in
 // one netCDF file (core/record/record_file.h).
 //
-// At the end of a step every rank samples the atoms that it owns; within a step, the bearings at
-// home on it (core/record/record_rows.h). Rows of a batch of samples go together to rank 0, which
-// sorts them, sums over bearings and writes. The restart file stores the length of the file; a
-// continued run truncates the file to that length and writes the same bytes.
+// At the end of a step every rank samples the atoms that it owns; within a step, it samples the
+// bearings at home on it (core/record/record_rows.h). The rows of a batch of samples are sent
+// together to rank 0, which sorts them, sums over bearings and writes them. The restart file stores
+// the length of the record; a continued run truncates the record to that length and then writes the
+// same bytes as an uninterrupted run.
 #ifdef FIX_CLASS
 FixStyle(bearing/record,FixBearingRecord)
 #else
@@ -36,10 +37,10 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   void restart(char *) override;
   double memory_usage() override;
 
-  // Samples per ball pass, requested from run_bearing; 0: N steps between samples instead
+  // Samples per ball pass, requested from run_bearing; 0: samples are N steps apart instead
   double samples_a_pass() const { return a_pass_; }
   int within_asked() const { return within_; }    // 0: chosen by run_bearing
-  // A number of samples in a ball pass that differs from the requested one, for the notes.
+  // Notes a number of samples per ball pass that differs from the requested number.
   void set_samples_a_pass(double number) { a_pass_ = number; }
   // Adds an attribute to the record's header; `changes`: a longer run may change the value.
   void note(bearing::NetcdfHeader::Attribute, bool changes = false);
@@ -68,7 +69,7 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   void end_sample(double step);
   void flush();
   std::string gather(const std::vector<double> &said, size_t samples);
-  void refuse(const std::string &complaint) const;    // error if there is a message
+  void refuse(const std::string &complaint) const;    // error unless `complaint` is empty
   void refuse_write(const std::string &complaint) const;
   double time_of(double step) const;
   struct Spent {
@@ -88,9 +89,9 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   bearing::ContactContext context_;
   bool dumps_ = false;
   int within_ = 1;                                         // samples per step, the last at its end
-  double a_pass_ = 0.0;                                    // samples in a ball pass
-  bool allowed_ = false;                                   // its folder may be overwritten
-  std::vector<class FixBearingImplicit *> integrators_;    // they provide instants between steps
+  double a_pass_ = 0.0;                                    // samples per ball pass, or 0
+  bool allowed_ = false;                                   // the record's folder may be overwritten
+  std::vector<class FixBearingImplicit *> integrators_;    // provide the instants within steps
   std::vector<class FixBearingHeat *> heats_;    // by bearing, null: none; empty if all are null
   bearing::TagSet capacitors_;                   // balls with a capacitance
 
@@ -100,9 +101,9 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   bearing::RecordRows rows_;    // rows of this rank since the last flush
   double samples_ = 0.0;
   double first_step_ = 0.0, start_ = 0.0, last_step_ = -1.0, step_length_ = 0.0;
-  double left_ = -1.0;    // step at the end of the previous run, or of the restart file
+  double left_ = -1.0;    // last step of the previous run, or step of the restart file
   bool resumed_ = false, running_ = false;
-  Spent clocks_;    // clocks at the start of the present run
+  Spent clocks_;    // at the start of the present run
   Spent spent_;     // spent in the previous runs
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Time and steps spent by a run, at its end and in a restart file.
+// Time and steps spent by a run: stops the clocks at its end and stores both in restart files.
 #include "fix_bearing_record.h"
 #include "integrator_work.h"
 #include "record_settings.h"
@@ -20,8 +20,8 @@ void FixBearingRecord::start_clocks()
   running_ = true;
 }
 
-// Time from the first sample until the operating system has the last one. It excludes flushing the
-// files to disk, which takes equally long for a long record.
+// Time from the first sample until the operating system has received the last sample. It excludes
+// flushing the files to disk, which takes about as long for a long record as for a short one.
 void FixBearingRecord::stop_clocks()
 {
   flush();
@@ -54,7 +54,7 @@ void FixBearingRecord::post_run()
          NetcdfHeader::attribute("wall_s", spent_.wall)}));
 }
 
-// Collective.
+// Cost of the present run so far; collective.
 FixBearingRecord::Spent FixBearingRecord::made() const
 {
   Spent s;
@@ -79,7 +79,7 @@ FixBearingRecord::Spent FixBearingRecord::spent_now() const
   return sum;
 }
 
-// Writes every sample counted in the restart file to the record first; collective.
+// First writes every sample that the restart file counts to the record; collective.
 void FixBearingRecord::write_restart(FILE *fp)
 {
   flush();
@@ -108,5 +108,5 @@ void FixBearingRecord::restart(char *buf)
   spent_.evaluations = data[7];
   left_ = data[8];
   resumed_ = samples_ > 0.0;
-  allowed_ = true;    // it was allowed in the run that wrote the file
+  allowed_ = true;    // overwriting was allowed in the run that wrote the restart file
 }

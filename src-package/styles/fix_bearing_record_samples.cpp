@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Samples of fix bearing/record: at the end of a step from the owners of the atoms, between steps
-// from the homes of the bearings.
+// Samples of fix bearing/record: at the end of a step, each rank samples the atoms that it owns; at
+// instants within a step, the bearings at home on it.
 #include "contact_context.h"
 #include "fix_bearing_cage.h"
 #include "fix_bearing_capacitance.h"
@@ -17,7 +17,8 @@ using bearing::RacewayContact;
 using raceway::Vec3;
 namespace of_ring = bearing::of_ring;
 
-// Finds the integrators that provide samples within steps, and the balls with a capacitance there.
+// Finds the integrators that provide samples within steps, and the balls whose capacitance they
+// give.
 void FixBearingRecord::find_integrators()
 {
   integrators_ = bearing::fixes_of<FixBearingImplicit>(lmp);
@@ -59,7 +60,7 @@ void FixBearingRecord::sample(bool between)
   samples_ += 1.0;
 }
 
-// Takes samples within the step of the bearings at home on this rank.
+// Samples the bearings at home on this rank at the instants within the step.
 void FixBearingRecord::sample_instants()
 {
   bearing::InstantReader tell;
@@ -78,7 +79,7 @@ void FixBearingRecord::sample_instants()
   };
   tell.body = [this](const bearing::InstantBody &b) {
     const int ball = rows_.ball(b.tag);
-    if (ball >= 0) rows_.cage(ball, NAN, NAN);    // available at the ends of steps only
+    if (ball >= 0) rows_.cage(ball, NAN, NAN);    // known at the ends of steps only
     rows_.body(b.tag, b.x, b.v, b.w);
   };
   tell.ring = [this](const bearing::InstantRing &r) { rows_.ring(r.of); };
@@ -100,13 +101,13 @@ void FixBearingRecord::sample_contacts()
   }
 }
 
-// Samples an open contact of a ball for which a fix computes surroundings.
+// Samples an open contact of a ball if a fix computes its surroundings.
 void FixBearingRecord::sample_gap(int ball, const bearing::ContactView &view)
 {
   if (view.capacitor.separation > 0.0) rows_.gap(ball, view);
 }
 
-// A ball is assigned half of the losses at contacts with other balls and all of the losses at
+// A ball is assigned half of the loss at its contacts with other balls and the whole loss at its
 // contacts with cage balls.
 void FixBearingRecord::sample_cage()
 {

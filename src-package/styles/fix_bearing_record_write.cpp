@@ -17,7 +17,7 @@ void FixBearingRecord::end_sample(double step)
   if (rows_.full()) flush();
 }
 
-// Sends the rows of all ranks to rank 0, which writes them; call it on all ranks.
+// Sends the rows of all ranks to rank 0, which writes them; to be called on all ranks.
 void FixBearingRecord::flush()
 {
   const size_t samples = rows_.samples();
@@ -45,7 +45,7 @@ void FixBearingRecord::refuse_write(const std::string &complaint) const
   if (!complaint.empty()) BRG_ONE(command_ + ": " + path_ + ": " + complaint);
 }
 
-// Merges the data of all ranks for the same samples, on rank 0.
+// Combines the rows that all ranks have for the same samples; on rank 0.
 std::string FixBearingRecord::gather(const std::vector<double> &said, size_t samples)
 {
   std::vector<double> all;

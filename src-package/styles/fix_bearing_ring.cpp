@@ -43,7 +43,7 @@ FixBearingRing::FixBearingRing(LAMMPS *lmp, int narg, char **arg, Words) :
   axes_.along = pair_->coefficients().axis_index();
 }
 
-// Mass and inertia of the inner ring of a named bearing; unknown for other rings
+// Mass and inertia of a named bearing's inner ring, the usual values; unknown for other rings
 bearing::RingBody FixBearingRing::usual_body() const
 {
   std::vector<int> types;
@@ -65,7 +65,7 @@ bearing::RingBody FixBearingRing::usual_body() const
 void FixBearingRing::settings_are_read()
 {
   find_rings();
-  // a variable may be atom-style, in which case its values travel with the rings
+  // a variable may be atom-style; its values then travel with the rings
   called_back_ = std::any_of(settings_.value, settings_.value + RingProgram::N_VALUE,
                              [](const DrivenValue &v) { return v.is_variable(); });
   if (called_back_) {
@@ -74,7 +74,7 @@ void FixBearingRing::settings_are_read()
   }
 }
 
-// Finds the rings anew for every run, since the group may change between two runs.
+// Finds the rings again for every run, since the group may change between two runs.
 void FixBearingRing::find_rings()
 {
   const std::string group_name = group->names[igroup];
@@ -150,12 +150,12 @@ void FixBearingRing::init()
     settings_.value[k].check(lmp, bearing::name_of(*this));
     if (settings_.value[k].by_atom()) own_.push_back(k);
   }
-  grow_arrays(atom->nmax);    // because atoms are sorted and exchanged before the values are set
+  grow_arrays(atom->nmax);    // atoms are sorted and exchanged before the values are set
   int by_another = 0;
   for (int i = 0; i < atom->nlocal; ++i)
     if (moves(i) && pair_->is_implicit(i)) by_another = 1;
   MPI_Allreduce(MPI_IN_PLACE, &by_another, 1, MPI_INT, MPI_MAX,
-                world);    // ranks without rings also need it
+                world);    // the result is needed on ranks without rings, too
   by_another_ = by_another;
   time_integrate = by_another_ ? 0 : 1;
   find_holder();
@@ -164,8 +164,8 @@ void FixBearingRing::init()
       if (moves(i)) atom->rmass[i] = mass_of_atom();    // for the kinetic energy in thermo output
 }
 
-// Finds the ring at the other end of the supports. That ring has its own fix, which must make
-// its final half step after the forces of these supports are added.
+// Finds the ring at the other end of the supports. Another fix moves that ring; its final half step
+// must come after the forces of these supports are added.
 void FixBearingRing::find_holder()
 {
   between_.clear();
@@ -196,8 +196,8 @@ void FixBearingRing::find_holder()
   holder_ = all.front();
 }
 
-// Driven speeds apply from the first instant; the load is added to the set-up forces as in any
-// step.
+// Driven speeds apply from the first instant; the load is added to the forces of the set-up, as in
+// any step.
 void FixBearingRing::setup(int vflag)
 {
   if (holder_moves_by_ && holder_moves_by_->by_another_ != by_another_)
@@ -224,7 +224,7 @@ void FixBearingRing::setup(int vflag)
   noted_ = false;    // forces of later fixes are still missing
 }
 
-// Evaluates numbers and equal-style variables.
+// Evaluates the values that are numbers or equal-style variables.
 void FixBearingRing::evaluate(int first, int last)
 {
   for (int k = first; k < last; ++k) now_.of[k] = settings_.value[k].now(lmp);
@@ -305,7 +305,7 @@ RingProgram FixBearingRing::program(const std::vector<RingValue> &own) const
   return p;
 }
 
-// Velocity Verlet needs the program only at the end of its step.
+// RingProgram for velocity Verlet, which needs it only at the end of a step.
 RingProgram FixBearingRing::at_end(const Values &of) const
 {
   RingProgram p = settings_.program;
@@ -329,8 +329,9 @@ void FixBearingRing::begin_step()
   check_jumps();
 }
 
-// Error if an imposed position or spin speed jumped in the last step, that is, changed by far more
-// than in the steps before and after, and by more than contacts can follow: 1 um, or slip of 1 %.
+// Error if an imposed position or spin speed jumped in the last step. A jump is a change that is
+// far larger than in the steps before and after and larger than contacts can follow: 1 um, or slip
+// of 1 %.
 void FixBearingRing::check_jumps()
 {
   constexpr double far = 20.0;

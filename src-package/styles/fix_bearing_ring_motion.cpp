@@ -30,7 +30,7 @@ void FixBearingRing::write(int i, const RingAtom &r)
   axes_.lab(r.w).to(atom->omega[i]);
 }
 
-// Changes velocities by half a step under the forces.
+// Changes the velocities by the effect of the forces over half a step.
 void FixBearingRing::kick()
 {
   const double half = 0.5 * update->dt * force->ftm2v;
@@ -63,7 +63,7 @@ void FixBearingRing::coast()
 void FixBearingRing::post_force(int)
 {
   evaluate(RingProgram::FORCE, RingProgram::N_VALUE);
-  // from the sums of the rings, since other fixes may already have added to the forces of the atoms
+  // uses the rings' sums, because other fixes may already have added to the forces in atom->f
   const bearing::RingSum &sums = pair_->ring_sum();
   contacts_.clear();
   for (int n = 0; n < sums.rings(); ++n)
@@ -96,7 +96,7 @@ void FixBearingRing::final_integrate()
   reported_ = -1;    // a variable may have evaluated the report within the step
 }
 
-// Adds force and moment of the supports, after all other forces. Velocities lag by `half` seconds.
+// Adds force and moment of the supports after all other forces. Velocities are `half` seconds old.
 void FixBearingRing::hold(double half)
 {
   if (!settings_.program.supported) return;
@@ -111,8 +111,8 @@ void FixBearingRing::hold(double half)
     }
 }
 
-// As above for supports to another ring. All ranks compute all of them, because the two rings may
-// be on different ranks.
+// Like hold(), for supports to another ring. All ranks compute all such supports, because the two
+// rings may be on different ranks.
 void FixBearingRing::hold_between(double half)
 {
   struct End {
@@ -159,7 +159,7 @@ void FixBearingRing::hold_between(double half)
   holder_moves_by_->add_support(holder_, all);
 }
 
-// Adds a support force to force and moment of the ring on its owner, and to the output.
+// Adds a support force and moment to the ring on the rank that owns it, and to the output.
 void FixBearingRing::add_support(bearing::tag_t ring, const double *on)
 {
   const Vec3 force = {on[0], on[1], on[2]};

@@ -11,7 +11,7 @@ using namespace LAMMPS_NS;
 using raceway::RingProgram;
 using raceway::Vec3;
 
-// Each ring is owned by one rank: the sum over ranks only gathers the values.
+// Each ring is owned by one rank, so the sum over ranks only collects the values.
 void FixBearingRing::make_report()
 {
   report_.assign(tags_.size() * bearing::of_fix_ring::N, 0.0);
@@ -19,7 +19,7 @@ void FixBearingRing::make_report()
     if (!moves(i)) continue;
     const auto known = std::lower_bound(tags_.begin(), tags_.end(), atom->tag[i]);
     if (known == tags_.end() || *known != atom->tag[i])
-      continue;    // joined the group since the last run: included in the next run
+      continue;    // ring that joined the group since the last run: included in the next run
     using namespace bearing::of_fix_ring;
     double *r = &report_[(known - tags_.begin()) * N];
     const bearing::RingMotion &ring = state_->ring(i);
@@ -58,7 +58,7 @@ double FixBearingRing::compute_vector(int k) { return reported(0, k); }
 
 double FixBearingRing::compute_array(int row, int k)
 {
-  // rows of rings that joined the group come with the next run
+  // rows of rings that joined the group exist from the next run on
   return static_cast<size_t>(row) < tags_.size() ? reported(row, k) : 0.0;
 }
 

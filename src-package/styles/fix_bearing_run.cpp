@@ -60,8 +60,8 @@ void FixBearingRun::end_of_step()
   if (done >= (now_.passes + 1.0) * now_.steps) end_pass();
 }
 
-// Sums over the bearings in the order of tags, for the same bits on any number of ranks. Unlike the
-// largest load, the sum of the loads hardly depends on the positions of the balls.
+// Sums over the bearings in the order of tags, so that bits do not depend on the number of ranks.
+// Unlike the largest load, the sum of the loads hardly depends on the positions of the balls.
 SettlingSample FixBearingRun::sample()
 {
   struct Ball {
@@ -110,7 +110,7 @@ void FixBearingRun::end_pass()
   if (orbit_.runs()) search_orbit();
 }
 
-// If there is no orbit, the ball passes are counted again from 0.
+// Evaluates a ball pass of the search. If there is no orbit, ball passes are counted again from 0.
 void FixBearingRun::search_orbit()
 {
   Settling settling;
@@ -126,7 +126,8 @@ void FixBearingRun::search_orbit()
   now_.begin_steps = static_cast<double>(update->ntimestep);
 }
 
-// Runs after the fix that may stop the run and write a restart file, which counts this run itself.
+// Runs after the fix that may stop the run and write a restart file; write_restart() counts the
+// present run.
 void FixBearingRun::post_run()
 {
   if (now_.measures == 0.0) now_.evaluations += bearing::integrator_work(lmp).evaluations;

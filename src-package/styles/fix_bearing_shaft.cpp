@@ -16,7 +16,7 @@ using raceway::RingAtom;
 using raceway::RingProgram;
 using raceway::Vec3;
 
-static constexpr double exact = 1e-9;    // m and m/s, off a rigid shaft at the start of a run
+static constexpr double exact = 1e-9;    // m and m/s, deviation from a rigid shaft at the start
 
 FixBearingShaft::FixBearingShaft(LAMMPS *lmp, int narg, char **arg) :
     FixBearingRing(lmp, narg, arg, Words::unread)
@@ -70,7 +70,7 @@ double FixBearingShaft::mass_of_atom() const
   return settings_.program.mass / static_cast<double>(tags_.size());
 }
 
-// Error unless the rings start on one axis, parallel to the axis of the bearings.
+// Error unless the rings start on a common axis that is parallel to the axis of the bearings.
 void FixBearingShaft::check_axis() const
 {
   const std::vector<MountedRing> all = rings();
@@ -105,8 +105,8 @@ void FixBearingShaft::check_places() const
   }
 }
 
-// Error if there is a fix gravity: it would act at the rings, whereas the centre of mass may be
-// elsewhere.
+// Error if there is a fix gravity: its force would act at the rings, whereas the centre of mass of
+// the shaft may be elsewhere.
 void FixBearingShaft::check_gravity() const
 {
   for (int k = 0; k < modify->nfix; ++k) {
@@ -126,7 +126,7 @@ void FixBearingShaft::setup(int vflag)
   check_places();
 }
 
-// Reduces loads along the shaft to loads at its centre.
+// Converts loads along the shaft to loads at its centre.
 void FixBearingShaft::evaluate(int first, int last)
 {
   FixBearingRing::evaluate(first, last);

@@ -25,16 +25,17 @@ class FixBearingShaft : public FixBearingRing {
   void write_restart(FILE *) override;
   void restart(char *) override;
 
-  // For fix bearing/implicit. Every rank has the bending state of the shaft at the end of each host
-  // step.
+  // For fix bearing/implicit. After each host step, every rank has the bending state of the shaft
+  // at the end of that step.
   FixBearingShaft *bending() override { return shaft_.of_file ? this : nullptr; }
   const raceway::ShaftModes &modes() const { return shaft_.of_file->modes; }
   const raceway::BendState &bend() const { return bend_; }
   void set_bend(const raceway::BendState &b) { bend_ = b; }
   raceway::BendProgram bend_program() const;
 
-  // For fix bearing/grains: the rigid shaft now, on all ranks (bearing axis third), and the load of
-  // grains at its centre from the next step on, N and N m. Collective.
+  // For fix bearing/grains: the present state of the rigid shaft, on all ranks (bearing axis
+  // third); and the load of the grains at the shaft's centre, N and N m, which acts from the next
+  // step on. Collective.
   raceway::RingAtom pose() const { return whole().shaft; }
   void set_grain_load(const raceway::Vec3 &force, const raceway::Vec3 &moment);
 
@@ -42,7 +43,7 @@ class FixBearingShaft : public FixBearingRing {
   double place_on_shaft(int i) const override;
 
  private:
-  // A ring, sent by its owner to all ranks; components have the bearing axis third.
+  // A ring of the shaft, sent by its owner to all ranks; components have the bearing axis third.
   struct MountedRing {
     bearing::tag_t tag;
     double at;    // m, from the shaft's centre
@@ -50,7 +51,7 @@ class FixBearingShaft : public FixBearingRing {
     raceway::Vec3 force, moment;    // on the atom
     raceway::Vec3 contact[2];       // force and moment of balls and cage
   };
-  // The shaft and the loads at its centre.
+  // State of the shaft and the loads at its centre.
   struct Whole {
     raceway::RingAtom shaft;
     raceway::Vec3 push, moment;    // total on the rings' atoms
@@ -69,7 +70,8 @@ class FixBearingShaft : public FixBearingRing {
   void report_loads(int, double *) const override {}    // reported for the shaft
 
   double centre() const;
-  // The rigid shaft of a ring that is `at` metres from its centre, and the reverse.
+  // State of the rigid shaft from a ring that is `at` metres from the shaft's centre, and the
+  // reverse.
   raceway::RingAtom straight(const raceway::RingAtom &ring, double at) const;
   raceway::RingAtom seat(const raceway::RingAtom &shaft, double at,
                          const raceway::Vec3 &origin) const;
@@ -88,7 +90,7 @@ class FixBearingShaft : public FixBearingRing {
   void check_axis() const;
   void check_places() const;
   void check_gravity() const;
-  int first_ring() const;    // local index, -1: not here
+  int first_ring() const;    // local index; -1: not on this rank
   std::vector<MountedRing> rings() const;
   Whole whole() const;
   void move_rings(const raceway::RingAtom &shaft);
@@ -97,9 +99,9 @@ class FixBearingShaft : public FixBearingRing {
 
   bearing::ShaftSettings shaft_;
   raceway::BendState bend_;
-  std::vector<double> places_;    // m, of its rings from the centre, by tag
-  double middle_ = 0.0;           // m, position of the middle of its rings along the axis
-  raceway::RingAtom between_;     // the shaft between kick and drift
+  std::vector<double> places_;    // m, positions of the rings from the shaft's centre, by tag
+  double middle_ = 0.0;           // m, middle of the rings' positions along the axis
+  raceway::RingAtom between_;     // state of the shaft between kick and drift
 };
 
 }    // namespace LAMMPS_NS

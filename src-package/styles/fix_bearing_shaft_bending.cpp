@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Bending of a flexible shaft: modes, their loads and their state.
+// Bending of a flexible shaft: its modes, their loads and their state.
 #include "../core/figures/fix_columns.h"
 #include "fix_bearing_shaft.h"
 #include "fix_bearing_state.h"
@@ -15,7 +15,7 @@ using raceway::RingProgram;
 using raceway::ShaftModes;
 using raceway::Vec3;
 
-static constexpr double near_enough = 1e-6;    // m, distance from a station
+static constexpr double near_enough = 1e-6;    // m, allowed distance from a station
 
 Deflection FixBearingShaft::deflection(double at) const { return {modes().station(at), bend_}; }
 
@@ -51,7 +51,8 @@ void FixBearingShaft::check_stations() const
     check_station("an unbalance", u.at);
 }
 
-// Adds a load on the modes at a position along the shaft (m, from its centre).
+// Adds the modal loads of a force and moment that act at the position `at` (m, from the shaft's
+// centre).
 void FixBearingShaft::load_modes(double at, const Vec3 &force, const Vec3 &moment)
 {
   add_to_modes(modes().station(at), {0.0, 0.0, 1.0}, force, moment, now_.bending);
@@ -76,7 +77,7 @@ std::vector<double> FixBearingShaft::forces_on_modes(const std::vector<MountedRi
   return of;
 }
 
-// Strain energy, then both coordinates of each mode.
+// Strain energy, then the two coordinates of each mode.
 double FixBearingShaft::bending_value(int k) const
 {
   if (k == 0) return strain_energy(modes(), bend_);
@@ -97,7 +98,7 @@ double FixBearingShaft::compute_array(int row, int k)
   return values[k - bearing::of_fix_ring::N];
 }
 
-// Stores the state of a ring's fix, then the modes.
+// Stores the state of the fix as a fix bearing/ring, then the modes.
 void FixBearingShaft::write_restart(FILE *fp)
 {
   if (comm->me != 0) return;

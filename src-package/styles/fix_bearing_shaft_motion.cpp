@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Fix bearing/shaft within the host's step: conversion from rings to shaft and back, velocity
-// Verlet, and loads under either integrator.
+// Fix bearing/shaft within the host's step: conversion from the states of rings to the state of the
+// shaft and back, velocity Verlet, and loads under either integrator.
 #include "fix_bearing_shaft.h"
 
 #include "../contacts/ring_motion.h"
@@ -72,7 +72,7 @@ void FixBearingShaft::move_rings(const RingAtom &shaft)
       write(i, raceway::carried(shaft, place_on_shaft(i), axes_.third(state_->ring(i).origin)));
 }
 
-// Adds loads on the whole shaft to the atom of the first ring.
+// Adds loads on the shaft as a whole to the atom of its first ring.
 void FixBearingShaft::add_to_first(const RingAtom &shaft, const Vec3 &push, const Vec3 &moment)
 {
   const int i = first_ring();
@@ -128,7 +128,7 @@ void FixBearingShaft::note_accelerations()
   const Whole w = whole();
   const RingProgram p = at_end(now_);
   const RingPose shaft = pose_of(w.shaft), held = pose_of(at_centre(w.shaft));
-  // not from the torques of the atoms, since gravity acts on the rings there
+  // the atoms' torques are not used, because they contain the effect of gravity on the rings
   Vec3 moment = w.contact[1] + p.moment_at(1.0, shaft);
   if (p.supported) moment += p.support_moment(held, held.rate[0], held.rate[1]);
   std::vector<double> on_modes;

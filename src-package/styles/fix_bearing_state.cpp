@@ -36,10 +36,11 @@ int FixBearingState::setmask() { return PRE_NEIGHBOR | END_OF_STEP | POST_RUN; }
 void FixBearingState::pre_neighbor()
 {
   pair_->indices_changed();
-  axes_sent_ = -1;    // ghosts have changed
+  axes_sent_ = -1;    // ghosts may be other atoms now
 }
 
-// Runs as the last fix: restores the forces of the previous step if this run continues it.
+// Runs after all other fixes: if this run continues the previous one, restores the forces of its
+// last step.
 void FixBearingState::setup(int)
 {
   bearing::require_order(lmp, *modify->fix[modify->nfix - 1], *this,
@@ -99,8 +100,8 @@ double *FixBearingState::kept(int i, bearing::tag_t ring, int groove)
   return p.kept[n];
 }
 
-// It is called by rails and then by the pair style; only the first call in a step sends data. Axes
-// that no fix rotates are sent only to new ghosts.
+// Called by the rails and then by the pair style; only the first call in a step sends data. If no
+// fix rotates axes, they are sent only after ghosts have changed.
 void FixBearingState::forward_axes()
 {
   if (comm->nprocs == 1 || axes_sent_ == update->ntimestep || (axes_sent_ >= 0 && !axes_turn_))
@@ -219,8 +220,8 @@ void FixBearingState::BRG_UNPACK_FORWARD(int n, int first, double *buf)
 }
 
 #if BEARING_IS_LIGGGHTS
-// LIGGGHTS sends ghosts only from a slab of half this width (plus skin/2), hence the factor 2 for
-// ring centres.
+// LIGGGHTS sends ghosts only from a slab of half this width (plus skin/2); the factor 2 makes the
+// slab wide enough for the centres of rings.
 double FixBearingState::extend_cut_ghost() { return 2.0 * reach_; }
 #endif
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Internal fix of the bearing pair styles: state of balls and rings that is kept from step to step
-// in addition to position and velocity, across ranks and restarts. The pair style creates it; users
-// need not name it.
+// Internal fix of the bearing pair styles. It stores the state of balls and rings other than
+// position and velocity from step to step, on any number of ranks and in restart files. The pair
+// style creates it; users need not define it.
 //
 //   ball  contact state, by ring and groove; orientation, if a profile needs it
 //   ring  axis, spin angle, origin, imposed tilt
 //   all   force and torque at the end of a run
 //
-// The next run (or a restart) starts its first half kick from these forces, with the bits of the
-// previous step, instead of from forces at full-step velocities.
+// The next run (or a continued run) starts its first half kick with these forces, which have the
+// bits of the previous step, instead of with forces at full-step velocities.
 #ifdef FIX_CLASS
 FixStyle(bearing/state,FixBearingState)
 #else
@@ -28,9 +28,9 @@ namespace bearing {
 class PairHooks {
  public:
   virtual raceway::Vec3 axis() const = 0;    // axis of the bearings at the start
-  virtual void indices_changed() = 0;        // local indices, after a neighbour build
-  virtual void forces_known() = 0;           // at the end of the set-up of a run
-  virtual void after_step() = 0;             // every tenth step
+  virtual void indices_changed() = 0;        // called after a neighbour build
+  virtual void forces_known() = 0;           // called at the end of the set-up of a run
+  virtual void after_step() = 0;             // called every tenth step
   virtual void run_done() = 0;
 
  protected:
@@ -64,7 +64,7 @@ class FixBearingState : public Fix {
   RingMotion &ring(int i) { return per_atom_[i].ring; }
   // Rotation from the body axes of a ball to axes with the bearing axis third.
   raceway::Quaternion &turn(int i) { return per_atom_[i].turn; }
-  // Contact state of a ball in a groove; new contacts start at 0.
+  // Contact state of a ball in a groove; the state of a new contact starts at 0.
   double *kept(int i_ball, bearing::tag_t ring, int groove);
   void forward_axes();    // sends axes, angles and owners of rings to ghosts, once per step
   int owner(int i) const
@@ -72,8 +72,8 @@ class FixBearingState : public Fix {
     return i < atom->nlocal ? comm->me : per_atom_[i].owner;
   }    // rank; for ghosts as of the last forward_axes()
   std::vector<PerAtom> &per_atom() { return per_atom_; }
-  // Called in the set-up of a run: axes and angles of rings are constant unless a fix declares
-  // otherwise.
+  // Called in the set-up of a run: axes and angles of rings are constant unless a fix then calls
+  // follow_axes().
   void keep_axes() { axes_turn_ = false; }
   void follow_axes() { axes_turn_ = true; }
   void ghost_reach(double cut)
@@ -104,10 +104,10 @@ class FixBearingState : public Fix {
     double kept[max_grooves][room] = {};
     RingMotion ring;
     raceway::Quaternion turn;
-    bool saved = false;    // force and torque below belong to saved_step
+    bool saved = false;    // force and torque are those of saved_step
     double saved_step = -1.0;
     double force[3] = {}, torque[3] = {};
-    int owner = 0;    // owner of a ghost
+    int owner = 0;    // rank that owns a ghost
   };
 
  private:
@@ -119,7 +119,7 @@ class FixBearingState : public Fix {
   bearing::PairHooks *pair_;
   double reach_ = 0.0;
   bigint axes_sent_ = -1;    // step in which axes were last sent
-  bool axes_turn_ = true;    // some ring may tilt in this run, or its angle is needed
+  bool axes_turn_ = true;    // a ring may tilt in this run, or its angle is needed
 };
 
 }    // namespace LAMMPS_NS

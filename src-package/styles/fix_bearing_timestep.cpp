@@ -62,8 +62,8 @@ void FixBearingTimestep::check()
   limit_ = limit.step;
   smallest_limit_ = std::min(smallest_limit_, limit_);
   if (adapt_) {
-    // shrink at once but grow by a fifth per check, because the limit does not include contacts
-    // that are about to close
+    // decrease at once, but increase by at most a fifth per check, because the limit does not
+    // include contacts that are about to close
     const double wanted = std::min({safety_ * limit_, 1.2 * update->dt, largest_});
     if (!(wanted >= shortest_step))
       BRG_ALL(std::string("fix ") + id + " bearing/timestep: " + limit.why() + " allows only " +

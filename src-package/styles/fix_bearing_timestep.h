@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/timestep: compares the step of velocity Verlet with the stability limit due to
-// springs and film dampers; follows the limit, warns, or stops.
+// fix bearing/timestep: compares the step of velocity Verlet with the stability limit set by
+// contact stiffness and film damping; adapts the step to the limit, warns, or stops.
 #ifdef FIX_CLASS
 FixStyle(bearing/timestep,FixBearingTimestep)
 #else
@@ -33,7 +33,7 @@ class FixBearingTimestep : public Fix {
   PairBearingHertz *pair_ = nullptr;
   double safety_ = 0.3, largest_ = HUGE_VAL;
   bool adapt_ = false, warned_ = false;
-  bool goes_on_ = false;    // a restart file has its step and the previous check
+  bool goes_on_ = false;    // step and previous check are from a restart file
   int exceed_ = warn;
   double limit_ = HUGE_VAL, smallest_limit_ = HUGE_VAL;
   double run_start_ = 0.0;    // wall clock

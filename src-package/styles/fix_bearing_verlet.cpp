@@ -8,8 +8,8 @@
 using namespace LAMMPS_NS;
 using bearing::Arguments;
 
-// fix ID group bearing/verlet [tolerance T] ...: the tolerances of the implicit step are ignored,
-// so that a deck's line suits either integrator
+// fix ID group bearing/verlet [tolerance T] ...: keywords for the tolerances of the implicit step
+// are ignored, so that the same line of a deck suits either integrator
 FixBearingVerlet::FixBearingVerlet(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
   Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/verlet: velocity Verlet for the balls and cage balls of a group, by the host's
-// fix nve/sphere. Rings of the group are left to fix bearing/ring.
+// fix bearing/verlet: velocity Verlet for the balls and cage balls of a group, by means of the
+// host's fix nve/sphere. Fix bearing/ring moves the rings of the group.
 #ifdef FIX_CLASS
 FixStyle(bearing/verlet,FixBearingVerlet)
 #else

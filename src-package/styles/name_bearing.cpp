@@ -73,7 +73,7 @@ void NameBearing::refuse_unknown(const Arguments &args, const std::string &input
       bearing::collect_folder(inputs + sort, names);
     const bearing::Names given = bearing::words_after("-var", "-v");
     for (const std::string &set : given) {
-      // the word after -v of another program, such as python, is not a variable
+      // the word after the option -v of another program, such as python, is not a variable
       const auto value = bearing::host_variable(lmp, set);
       if (deck.settable.empty() || !value) continue;
       const std::string wrong = names.count(set) ? bearing::wrong_with(*value)
@@ -81,9 +81,10 @@ void NameBearing::refuse_unknown(const Arguments &args, const std::string &input
                                                        bearing::nearest(set, names) + "'";
       if (!wrong.empty()) complaint += (complaint.empty() ? "-var " : "; -var ") + set + wrong;
     }
-    // also checks variables of later commands, so that wrong values are found before anything runs
+    // variables of later commands are also checked, so that wrong values are found before anything
+    // runs
     const std::string file = bearing::deck_name(infile);
-    bool main = true;    // all variables of a main deck, which converts rpm by a formula
+    bool main = true;    // it has all variables of a main deck, which converts rpm by a formula
     for (const bearing::DeckVariable &v : bearing::deck_variables())
       if (v.taken_by("deck")) main = main && deck.settable.count(v.name);
     for (const bearing::DeckVariable &v : bearing::deck_variables()) {
@@ -102,7 +103,7 @@ void NameBearing::refuse_unknown(const Arguments &args, const std::string &input
   if (!complaint.empty()) args.fail(complaint);
 }
 
-// A cage that is a ring takes no data of cage balls: error if the user set them.
+// Error if the user set data of cage balls for a one-piece cage, which does not use them.
 void NameBearing::refuse_chain_data(const Arguments &args, const NamedBearing &b)
 {
   for (const std::string &given : b.given)
@@ -112,7 +113,7 @@ void NameBearing::refuse_chain_data(const Arguments &args, const NamedBearing &b
                   " is a ring: give it cage_play, or choose 'cage chain'");
 }
 
-// Completes the data, and derives the raceways with their clearance or arches.
+// Completes the data, and derives the raceways, including their clearance or arches.
 void NameBearing::derive(const Arguments &args, NamedBearing &b)
 {
   DataValues::Map &map = b.data.values;
@@ -168,6 +169,6 @@ void NameBearing::set_variables(const NamedBearing &b)
   number("skin", 0.4 * b.number("ball_diameter"));
   set("box", b.word("b_box"));
   set("cage_style", b.has_cage_ring ? "cage/ring" : "cage");
-  // atoms in the order of create_bearing: balls, cage balls, both rings, a cage that is a ring
+  // numbering as in create_bearing: balls, cage balls, both rings, one-piece cage
   number("inner_atom", b.number("balls") * (b.has_cage ? 2.0 : 1.0) + 1.0);
 }

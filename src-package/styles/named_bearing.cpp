@@ -6,8 +6,8 @@
 
 namespace bearing {
 
-// A new instance may have the address of an old instance but does not have its variables. Variables
-// of the command `bearing` show whether a name belongs to this instance.
+// A new instance of the host may have the address of an old one, but it does not have the old one's
+// variables. Variables set by the command `bearing` show whether a name belongs to this instance.
 static std::map<std::pair<const LAMMPS_NS::LAMMPS *, std::string>, NamedBearing> &kept()
 {
   static std::map<std::pair<const LAMMPS_NS::LAMMPS *, std::string>, NamedBearing> bearings;

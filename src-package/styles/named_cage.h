@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The one-piece cage of a named bearing: its data and their estimates.
+// The one-piece cage of a named bearing: its data, some of them estimated.
 #ifndef BEARING_NAMED_CAGE_H
 #define BEARING_NAMED_CAGE_H
 
@@ -10,9 +10,10 @@ namespace bearing {
 // Keywords of fix bearing/cage/ring after the ball type, from [cage_play J] [cage_across J]
 // [cage_mass M] [cage_young E] [cage_poisson NU] [cage_friction MU] [cage_filled X]
 // [cage_guide balls|inner|outer] [cage_land R] [cage_clearance C] [cage_width B]
-// [cage_without PART+...] (friction, shear, land, churning). The play is
-// estimated as `usual_play` of the ball's diameter (docs/cage), the mass as the mass of a pressed
-// steel cage, 10 g in a 6205, scaled by D^2 d_m. The cage moves in the plane if every ring does.
+// [cage_without PART+...] (friction, shear, land, churning). The estimate of the play is
+// `usual_play` times the ball diameter (docs/cage). The estimate of the mass is the mass of a
+// pressed steel cage, 10 g in a 6205, scaled by D^2 d_m. The cage moves in the plane if every ring
+// does.
 std::vector<std::string> cage_words(LAMMPS_NS::LAMMPS *, Arguments &, const NamedBearing &);
 
 }    // namespace bearing

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // `settle orbit` of run_bearing: finds the steady state of a bearing under constant load and speed,
-// in which every ball has its neighbour's state after a ball pass.
+// in which after a ball pass every ball has the state that its neighbour had before it.
 //
-// The unknowns are the orbital speeds and spins of the balls by slot (orbit_balls.h), which decay
-// over many ball passes, and the length of a ball pass. Everything else follows within a pass. Each
-// ball pass is a value of the map, and FixedPoint (core/numbers/fixed_point.h) chooses the start of
-// the next one.
+// The unknowns are the length of a ball pass and, by slot, the orbital speeds and spins of the
+// balls (orbit_balls.h), which decay over many ball passes. All other quantities follow within a
+// ball pass. Each ball pass is a value of the map, and FixedPoint (core/numbers/fixed_point.h)
+// chooses the start of the next ball pass.
 #ifndef BEARING_ORBIT_SEARCH_H
 #define BEARING_ORBIT_SEARCH_H
 
@@ -23,16 +23,16 @@ class OrbitSearch {
  public:
   enum { OFF, ON, FOUND, NONE };
 
-  // It has doubles only, for restart files.
+  // Contains doubles only, for restart files.
   struct State {
     double stage = OFF;
     double passes = 0.0;    // ball passes so far
     // Change of orbital speeds and spins in the last ball pass, relative and weighted by load, and
-    // the estimated sum of all their further changes.
+    // the estimated sum of all later changes.
     double residual = HUGE_VAL, distance = HUGE_VAL;
     double best = HUGE_VAL, best_pass = 0.0;    // smallest residual; last useful ball pass
     double values = 0.0;     // successive values of the map up to the last ball pass
-    double stretch = 1.0;    // next length of a ball pass over the last
+    double stretch = 1.0;    // next length of a ball pass, over the last
     double jumps = 0.0;      // ball passes that began with chosen speeds
     double jumped = 0.0;     // 1: the present ball pass began with chosen speeds
   };
@@ -42,14 +42,14 @@ class OrbitSearch {
   bool runs() const { return now_.stage == ON; }
   bool found() const { return now_.stage == FOUND; }
 
-  // Both act at the end of a step, `begin` before the first ball pass, `end_pass` after each one,
-  // and set the speeds of the balls; collective. The orbit is found if figures change by at most a
-  // fifth of `settled` from one ball pass to the next, and speeds and axes of the balls by at most
-  // `settled` in all further ball passes together.
+  // Both are called at the end of a step, `begin` before the first ball pass and `end_pass` after
+  // each ball pass, and set the speeds of the balls; collective. The orbit is found if figures
+  // change by at most a fifth of `settled` from one ball pass to the next, and speeds and axes of
+  // the balls change by at most `settled` in all further ball passes together.
   void begin(LAMMPS_NS::LAMMPS *);
   void end_pass(LAMMPS_NS::LAMMPS *, const SettlingChanges &, double settled);
 
-  // All numbers, for a restart file.
+  // All numbers of the state, for a restart file.
   std::vector<double> packed() const;
   void unpack(const std::vector<double> &);
 

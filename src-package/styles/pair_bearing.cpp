@@ -26,7 +26,7 @@ static std::vector<std::string> words_of(const std::string &line)
   return words;
 }
 
-// Text of a file of keywords, without comments
+// Words of a file of keywords, without its comments
 static std::string keywords_of(const std::string &text)
 {
   std::istringstream lines(text);
@@ -91,7 +91,7 @@ void PairBearing::settings(int narg, char **arg)
   PairBearingHertz::settings(static_cast<int>(words.size()), words.data());
 }
 
-// The data of an oil at a temperature (C); for a dry contact only `film`.
+// The data of an oil at the temperature t (C); for a dry contact only the word `film`.
 bearing::OilWords PairBearing::read_oil(const Arguments &args, const std::string &name, double t)
 {
   if (name == "dry") return {{"film", "dry"}};
@@ -162,7 +162,8 @@ void PairBearing::coeff(int narg, char **arg)
   coeffs_.push_back(own);
 }
 
-// Passes the commands for both raceways and the cage, or for balls that touch, to the base class.
+// Passes the commands for both raceways and the cage, or for balls that may touch each other, to
+// the base class.
 void PairBearing::resolve(Coeff &of)
 {
   Arguments args(lmp, "pair_coeff * * " + of.bearing, {});
@@ -177,7 +178,7 @@ void PairBearing::resolve(Coeff &of)
       0.5 * (b.number("inner_radius") + b.number("outer_radius")), 0.5 * b.number("ball_diameter"),
       b.number_or("bore_diameter", 0.0), b.number_or("outside_diameter", 0.0),
       b.number_or("contact_angle", 0.0)};
-  // twelve digits: the accuracy of the speed in rpm that the deck has converted to rad/s
+  // twelve digits, the accuracy of a speed that the deck has converted from rpm to rad/s
   char rpm[32];
   snprintf(rpm, sizeof rpm, "%.12g", std::fabs(of.speed) * 30.0 / M_PI);
   lubricated.rpm = strtod(rpm, nullptr);
@@ -289,7 +290,8 @@ double PairBearing::shoulder(int ball_type, raceway::Side side) const
   return b ? b->number_or(inner ? "inner_shoulder_diameter" : "outer_shoulder_diameter", 0.0) : 0.0;
 }
 
-// The restart file stores the commands with numbers, since data files may change.
+// The restart file stores the commands with the numbers of data files, since these files may
+// change.
 void PairBearing::write_restart(FILE *fp)
 {
   const Kept kept = {cage_share_, coefficients().lubricated(), estimate_};

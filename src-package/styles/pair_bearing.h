@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// pair_style bearing: contacts of named bearings, given by oil and models, with the laws of
-// bearing/ehd or, if dry, bearing/hertz.
+// pair_style bearing: contacts of named bearings, described by oil and models, with the laws of
+// bearing/ehd or, if dry, of bearing/hertz.
 #ifdef PAIR_CLASS
 PairStyle(bearing,PairBearing)
 #else
@@ -27,24 +27,26 @@ class PairBearing : public PairBearingHertz {
   double shoulder(int ball_type, raceway::Side) const override;
   bool dry_by_choice() const override { return !coefficients().lubricated(); }
 
-  // Relative speed of the rings of a named bearing (rad/s), for starvation of the oil.
-  // The first speed counts.
+  // Relative speed of the rings of a named bearing (rad/s), for starvation of the oil. The first
+  // speed set for a bearing counts.
   void set_speed(const std::string &bearing, double);
-  // A datum of a bearing's oil at its temperature, as text; empty if it has none.
+  // A datum of the oil of a bearing at its temperature, as text; empty if the oil lacks this datum.
   std::string oil_datum(const std::string &bearing, const std::string &name) const;
-  // Share of oil in the space around its balls; 0 without oil, or with models without drag.
+  // Share of oil in the space around the bearing's balls; 0 without oil, or with models without
+  // drag.
   double oil_share(const std::string &bearing) const;
-  std::string oil() const;    // oil of all bearings; empty if they have several oils
-  // Oil of a named bearing, and its temperature (C); empty and NaN without a pair_coeff.
+  std::string oil() const;    // oil of all bearings; empty if oils differ
+  // Oil of a named bearing and the oil's temperature (C); empty and NaN without a pair_coeff.
   std::pair<std::string, double> oil_of(const std::string &bearing) const;
-  // True if the oil of a named bearing has data over temperature.
+  // True if data of the oil of a named bearing depend on temperature.
   bool oil_follows(const std::string &bearing) const;
-  // Sets the temperature of its oil (C) during a run. Raceways then have the sizes of cold parts.
+  // Sets the temperature of a bearing's oil (C) during a run. Raceways then have the sizes of cold
+  // parts.
   void set_oil_temperature(const bearing::Arguments &, const std::string &bearing, double);
   const std::string &models() const { return choice_.models; }
   double temperature() const { return temperature_; }
   const std::vector<std::string> &given() const { return given_; }    // oil data, NAME=VALUE
-  // Constants of the oil that the models use and its file does not have, NAME=VALUE,...
+  // Constants of the oil that the models use and that are missing in its file, NAME=VALUE,...
   const std::string &assumed() const { return assumed_; }
 
  private:
@@ -54,12 +56,12 @@ class PairBearing : public PairBearingHertz {
     double temperature;        // C
     bearing::OilWords data;    // data of the oil
     std::string law;           // further keywords of the raceways
-    bool printed = false;      // for balls and cage balls
+    bool printed = false;      // `spheres printed`, for balls and cage balls
     double speed = 0.0;        // rad/s
-    size_t first = 0;          // first of its lines in commands()
-    double oil_share = 0.0;    // share of the space around the balls
+    size_t first = 0;          // index of its first line in commands()
+    double oil_share = 0.0;    // share of oil in the space around the balls
   };
-  struct Kept {    // in restart files, before the commands
+  struct Kept {    // in restart files, stored before the commands
     double cage_share;
     int film, estimate;
   };
@@ -73,10 +75,10 @@ class PairBearing : public PairBearingHertz {
   bearing::ModelChoice choice_;
   std::string own_model_;    // keywords of a file of models
   std::vector<std::string> given_;
-  std::string noted_;    // printed note on data that the deck sets
+  std::string noted_;    // printed note on data set by the deck
   std::string assumed_;
   std::vector<Coeff> coeffs_;
-  bool replays_ = false;    // commands of a restart file
+  bool replays_ = false;    // it repeats commands of a restart file
 };
 
 }    // namespace LAMMPS_NS

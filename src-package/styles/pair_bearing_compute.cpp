@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The step: fills the contact table and adds forces.
+// The step of the pair style: fills the contact table and adds forces.
 #include "pair_bearing_hertz.h"
 
 #include "../core/laws/damped_hertz.h"
@@ -11,8 +11,8 @@ using bearing::RacewayContact;
 using bearing::SphereContact;
 using bearing::text;
 
-// Overlap on the far side of a groove that causes an error, over r_c - R_b. Balls may touch lightly
-// there before they have settled.
+// Overlap on the far side of a groove above which there is an error, over r_c - R_b. Balls may
+// touch this side lightly before they have settled.
 static constexpr double far_touch = 1e-2;
 
 void PairBearingHertz::compute(int eflag, int vflag)
@@ -91,7 +91,8 @@ static std::string place_of(const RacewayContact &c, bigint step)
          " at step " + std::to_string(step);
 }
 
-// The torus of the groove extends beyond the shoulders, where a ring has no surface.
+// Error for a ball on the far side of a groove: the torus of the groove extends beyond the
+// shoulders, where a ring has no surface.
 void PairBearingHertz::far_side(const RacewayContact &c)
 {
   BRG_ONE(place_of(c, update->ntimestep) + ": force " + text(c.state.normal) +

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Possible contacts of balls with raceways, cage balls and balls, found once per neighbour build.
+// Possible contacts of balls with raceways, cage balls and other balls, found once per neighbour
+// build.
 #include "pair_bearing_hertz.h"
 
 #include "../core/settings/arguments.h"
@@ -68,7 +69,7 @@ void PairBearingHertz::rebuild_contacts()
   ++builds_;
 }
 
-// The grooves of a ring that a ball may touch.
+// Adds the grooves of a ring that a ball may touch.
 void PairBearingHertz::add_grooves(int i_ball, int i_ring)
 {
   RacewayContact c;
@@ -92,8 +93,8 @@ void PairBearingHertz::add_grooves(int i_ball, int i_ring)
   }
 }
 
-// Adds the contacts with their claims and states; every ball must be in one ring on each
-// side where its type has a raceway.
+// Sets the claims and states of the contacts. Error unless every ball is in exactly one ring on
+// each side on which its type has a raceway.
 void PairBearingHertz::add_raceway_contacts()
 {
   std::vector<int> sides(atom->nlocal, 0);

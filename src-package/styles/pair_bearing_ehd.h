@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// pair_style bearing/ehd: bearing/hertz with an EHD film, its damping, and friction by lambda
-// ratio.
+// pair_style bearing/ehd: bearing/hertz with an EHD film, film damping, and friction that depends
+// on the lambda ratio.
 #ifdef PAIR_CLASS
 PairStyle(bearing/ehd,PairBearingEHD)
 #else

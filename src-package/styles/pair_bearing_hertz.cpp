@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Set-up of the pair style: commands, coefficients, restart. The step itself is in
+// Set-up of the pair style: commands, coefficients, restart. The step is in
 // pair_bearing_compute.cpp, the contact search in pair_bearing_contacts.cpp.
 #include "pair_bearing_hertz.h"
 
@@ -114,22 +114,22 @@ void PairBearingHertz::init_style()
   for (int k = 0; k < modify->nfix; ++k)
     if (dynamic_cast<bearing::InstantSource *>(modify->fix[k]))
       implicit_bits_ |= modify->fix[k]->groupbit;
-  // set up again by the fixes that follow contacts and by fixes bearing/capacitance
+  // the fixes that follow contacts and fixes bearing/capacitance set these again
   followers_.clear();
   capacitors_ = gaps_ = false;
   validity_.forget_shoulders();
   check_ghosts();
   check_types(sizes.count);
   check_rails();
-  profiles_.clear();    // set again by fixes bearing/profile
+  profiles_.clear();    // fixes bearing/profile set these again
   atoms_ = count_atoms();
   put_state_last();
   rebuild_ = true;
 }
 
-// The state fix restores the forces of the previous step after the set-up of every other fix, so it
-// must be the last one. If fixes were defined since the previous run, it is moved to the end again,
-// with its state.
+// The state fix must be the last fix, because it restores the forces of the previous step after the
+// set-up of every other fix. If fixes were defined since the previous run, the state fix is moved
+// to the end again, with its state.
 void PairBearingHertz::put_state_last()
 {
   const int at = modify->find_fix(FixBearingState::fixed_id);
@@ -166,8 +166,8 @@ bearing::TypeSizes PairBearingHertz::type_sizes() const
   return s;
 }
 
-// The hosts take the larger one of the deck's ghost cutoff and the pairs' cutoff; a smaller cutoff
-// in the deck is probably a mistake.
+// The hosts take the larger of the deck's ghost cutoff and the pairs' cutoff; a smaller cutoff in
+// the deck is probably a mistake.
 void PairBearingHertz::check_ghosts()
 {
   const double reach = coefficients_.reach();
@@ -183,7 +183,7 @@ void PairBearingHertz::expect_sphere(int ball_type, int cage_type)
   cage_types_.insert(std::minmax(ball_type, cage_type));
 }
 
-// Types that no pair_coeff names do not interact, which is hardly intended: one warning per type.
+// Types that no pair_coeff names do not interact, which is hardly intended: warns once per type.
 void PairBearingHertz::check_types(const std::vector<int> &count)
 {
   for (const auto &c : cage_types_) {
@@ -204,7 +204,7 @@ void PairBearingHertz::check_types(const std::vector<int> &count)
              ": its atoms pass through everything");
 }
 
-// Nothing holds a cage without rails: one warning for each number of its balls.
+// Nothing holds cage balls without rails: warns whenever the number of such balls has changed.
 void PairBearingHertz::check_rails()
 {
   int railed = 0;
@@ -233,7 +233,8 @@ bigint PairBearingHertz::count_atoms() const
   return all;
 }
 
-// The hosts delete an atom that leaves the box; LIGGGHTS does so silently.
+// Error if atoms are missing: the hosts delete an atom that leaves the box, LIGGGHTS without a
+// message.
 void PairBearingHertz::check_atoms() const
 {
   const bigint now = count_atoms();

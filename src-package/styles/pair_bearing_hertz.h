@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // pair_style bearing/hertz: dry elliptical Hertz contact of balls in the grooves of rings,
-// friction, and frictionless sphere contacts of the cage. Owns the contact table. bearing/ehd adds
-// the film.
+// friction, and frictionless sphere contacts of the cage. It owns the contact table. bearing/ehd
+// adds the film.
 #ifdef PAIR_CLASS
 PairStyle(bearing/hertz,PairBearingHertz)
 #else
@@ -40,25 +40,26 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bearing::PairCoefficients &coefficients() { return coefficients_; }
   bearing::SurfaceProfiles &profiles() { return profiles_; }    // fixes set them in every init()
   const bearing::ContactTable &table() const { return table_; }
-  // Grains that may touch, as local indices, valid until the table is built again; for fix
-  // bearing/grains.
+  // Pairs of grains that may touch, as local indices, for fix bearing/grains. They are valid until
+  // the table is built again.
   const std::vector<std::pair<int, int>> &grains() const { return grains_; }
   std::vector<bearing::PocketRow> &pocket_rows() { return table_.pocket; }
   bearing::RingSum &ring_sum() { return ring_sum_; }
   FixBearingState *state() const { return state_; }
   raceway::Vec3 axis() const override { return coefficients_.axis(); }
-  // Called when a bearing with these balls and cage balls has been created: they need a pair_coeff
-  // ... sphere.
+  // Called when a bearing with these types of balls and cage balls has been created: the types need
+  // a pair_coeff ... sphere.
   void expect_sphere(int ball_type, int cage_type);
-  int table_build() const { return builds_; }     // number of changes of local indices in the table
-  bigint table_fill() const { return fills_; }    // number of times it was filled
+  int table_build() const { return builds_; }     // number of times local indices have changed
+  bigint table_fill() const { return fills_; }    // number of times the table was filled
 
   void indices_changed() override;
   void forces_known() override;
   void after_step() override;
   void run_done() override;
 
-  // Called by fixes that change the law in every init(), and by integrators before each step.
+  // Called by fixes that change the contact law, in every init(), and by integrators before each
+  // step.
   void add_follower(bearing::LawFollower *one) { followers_.push_back(one); }
   void begin_step()
   {
@@ -68,29 +69,32 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   // Called by fix bearing/capacitance in every init(), for the balls of a group.
   void add_capacitor(int groupbit, const raceway::CapacitorModel &);
 
-  // True for an atom of a fix bearing/implicit, which advances its state.
+  // True for an atom in the group of a fix bearing/implicit, which advances the atom's contact
+  // states.
   bool is_implicit(int i) const { return atom->mask[i] & implicit_bits_; }
-  // Defaults of fix bearing/implicit: tolerance relative to the largest overlap, tolerance of cage
-  // balls over the tolerance of other bodies, and control by estimates of errors.
+  // Defaults of fix bearing/implicit: tolerance relative to the largest overlap, ratio of the
+  // tolerance of cage balls to the tolerance of other bodies, and whether error estimates control
+  // the step.
   virtual double relative_tolerance() const { return 0.0; }
   virtual double cage_tolerance_share() const { return 1.0; }
   virtual bool estimates_errors() const { return false; }
-  // Data of a ball type's bearing and oil, if the pair style has them: relative permittivity, and
-  // shoulder diameters (m) of the inner and the outer ring; 0: unknown.
+  // Data of the bearing and oil of a ball type, if the pair style has them: relative permittivity,
+  // and shoulder diameter (m) of the inner or the outer ring; 0: unknown.
   virtual double permittivity(int) const { return 0.0; }
   virtual double shoulder(int, raceway::Side) const { return 0.0; }
-  // True if a word of the deck chose dry contacts: the deck may then keep its fixes for films.
+  // True if a word of the deck selected dry contacts: the deck may then still contain fixes for
+  // films.
   virtual bool dry_by_choice() const { return false; }
-  // Words of pair_style and of every pair_coeff.
+  // Words of pair_style and of every pair_coeff of the deck.
   const bearing::Commands &commands() const { return commands_; }
 
   // The pair style of the run; error naming `asked_by` if it is not a style of this package.
   static PairBearingHertz *find(class LAMMPS *, const std::string &asked_by);
 
  protected:
-  // Selects contacts with a film, or dry ones; call it before settings and coefficients
+  // Selects contacts with a film or dry contacts; to be called before settings and coefficients
   void set_film(bool film) { coefficients_ = bearing::PairCoefficients(film); }
-  // The last command replaces command k, if there is one.
+  // Puts the last command in the place of command k, if there is a command k.
   void move_last_command(size_t k);
 
  private:
@@ -118,7 +122,7 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bearing::Commands commands_;                  // commands so far; a restart repeats them
   std::set<std::pair<int, int>> cage_types_;    // types of created bearings, smaller type first
   std::vector<bearing::LawFollower *> followers_;
-  std::set<int> silent_types_;    // unnamed types with a warning
+  std::set<int> silent_types_;    // types without pair_coeff that were warned of
   bigint without_rails_ = 0;      // number of cage balls without rails
   int implicit_bits_ = 0;         // groups of fixes that advance contact states themselves
   bearing::ContactTable table_;
@@ -127,13 +131,13 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bearing::RingSum ring_sum_;
   FixBearingState *state_ = nullptr;
   bearing::ValidityCheck validity_;
-  bigint atoms_ = 0;    // number with types named by pair_coeff, at the start of the run
+  bigint atoms_ = 0;    // atoms of types named by pair_coeff, at the start of the run
   bool rebuild_ = true;
   int builds_ = 0;
   bigint fills_ = 0;
   bool capacitors_ = false;    // there is a fix bearing/capacitance
-  bool gaps_ = false;          // such a fix needs the surroundings of contacts
-  bool warned_ = false;        // the warning about a too long step was given
+  bool gaps_ = false;          // a fix bearing/capacitance needs surroundings of contacts
+  bool warned_ = false;        // the warning that the step is too long was given
 };
 
 }    // namespace LAMMPS_NS

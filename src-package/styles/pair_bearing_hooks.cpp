@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Hooks of fix bearing/state in the pair style: claims in the sums of rings, checks of the step and
-// of the laws' ranges.
+// of the validity ranges of the laws.
 #include "pair_bearing_hertz.h"
 
 #include "../contacts/step_check.h"
@@ -9,9 +9,9 @@
 using namespace LAMMPS_NS;
 using bearing::text;
 
-static constexpr int steps_between_checks = 1000;    // checks of the step
+static constexpr int steps_between_checks = 1000;    // interval of the checks of the step
 
-// Rails (pre_force) and contacts (compute) renew their claims in the sums of the rings.
+// Makes rails (pre_force) and contacts (compute) renew their claims in the sums of the rings.
 void PairBearingHertz::indices_changed()
 {
   ring_sum_.reset();
@@ -41,7 +41,8 @@ void PairBearingHertz::add_capacitor(int groupbit, const raceway::CapacitorModel
   validity_.add_shoulders(groupbit, model);
 }
 
-// Checks the step of velocity Verlet; fix bearing/implicit chooses its own substeps.
+// Checks the step of velocity Verlet. Fix bearing/implicit chooses its own substeps, so they need
+// no check.
 void PairBearingHertz::check_step()
 {
   if (implicit_bits_) return;

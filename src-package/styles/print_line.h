@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A line for the user, on the screen and in the log.
+// Prints a line for the user, on the screen and in the log.
 #ifndef BEARING_PRINT_LINE_H
 #define BEARING_PRINT_LINE_H
 
@@ -7,7 +7,7 @@
 
 namespace bearing {
 
-// Printed by the first rank and flushed, so that a long run shows it at once.
+// The first rank prints the line and flushes the output, so that a long run shows it at once.
 inline void print_line(LAMMPS_NS::LAMMPS *lmp, const std::string &line)
 {
   if (lmp->comm->me != 0) return;

@@ -29,7 +29,8 @@ static bool has(const Attributes &list, const std::string &name)
                      [&](const NetcdfHeader::Attribute &a) { return a.name == name; });
 }
 
-// Data of a record's single bearing: names with units, as in the decks' data files.
+// Adds the data of the bearing, if a record has only one: names with units, as in the decks' data
+// files.
 static void add_bearing(const RecordLayout &layout, Attributes &list)
 {
   static const std::map<std::string, const char *> suffix = {
@@ -97,7 +98,7 @@ Attributes record_settings(LAMMPS *lmp, PairBearingHertz &pair, const RecordLayo
     for (const std::string &w : words) commands += " " + w;
   }
   list.push_back(NetcdfHeader::attribute("pair_commands", commands));
-  std::string surroundings;    // surroundings of the contacts in these columns
+  std::string surroundings;    // surroundings of contacts, as used by columns
   for (const FixBearingCapacitance *f : capacitances_of(lmp))
     if (f->model().surrounded()) surroundings += (surroundings.empty() ? "" : "\n") + f->said();
   if (!surroundings.empty())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Metadata of a run in a record, as attributes of the file, and in run.yaml for people and scripts.
+// Metadata of a run in a record: attributes of the file, and run.yaml for people and scripts.
 #ifndef BEARING_RECORD_SETTINGS_H
 #define BEARING_RECORD_SETTINGS_H
 
@@ -19,8 +19,8 @@ struct RunTimes {
   double sample, start;    // s: time between samples, time of the first sample
 };
 
-// Every profile of a ring of the record: the ring's tag and the words of its fix bearing/profile,
-// separated by "; ". Collective.
+// For every profile of a ring of the record: the ring's tag and the words of its fix
+// bearing/profile; entries are separated by "; ". Collective.
 std::string flaws_of(LAMMPS_NS::LAMMPS *, LAMMPS_NS::PairBearingHertz &, const RecordLayout &);
 
 // Notes of the deck, data of the bearing if there is only one, the host, the commands of the pair
@@ -30,7 +30,7 @@ NetcdfHeader::Attributes record_settings(LAMMPS_NS::LAMMPS *, LAMMPS_NS::PairBea
                                          const NetcdfHeader::Attributes &notes, const RunTimes &);
 
 // Writes these attributes and the numbers in `more` to run.yaml in the folder. Returns an error
-// message, or empty.
+// message, or an empty string.
 std::string write_run_yaml(const std::string &folder, const NetcdfHeader::Attributes &,
                            const NetcdfHeader::Attributes &more);
 

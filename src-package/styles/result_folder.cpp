@@ -15,7 +15,7 @@ namespace bearing {
 
 void claim_result_folder(LAMMPS *lmp, const Arguments &args, const std::string &folder)
 {
-  // characters that the host's commands interpret
+  // characters with a meaning in the host's commands
   if (folder.find_first_of("%*\"'$&#") != std::string::npos)
     args.fail("the folder's name '" + folder + "' may not contain any of % * \" ' $ & #");
   FolderClaim claim;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Checks of the folder of a run before anything runs: whether it can be written, whether another
-// run writes to it, whether it has a finished run, and whether its restart file is intact and from
-// this host. Collective.
+// Checks the folder of a run before anything runs: whether it can be written, whether another run
+// writes to it, whether it contains a finished run, and whether its restart file is intact and was
+// written by this host. Collective.
 #ifndef BEARING_RESULT_FOLDER_H
 #define BEARING_RESULT_FOLDER_H
 
@@ -16,10 +16,11 @@ void claim_result_folder(LAMMPS_NS::LAMMPS *, const Arguments &args, const std::
 
 struct ResumeRequest {
   std::string file;          // restart file
-  bool resume, overwrite;    // continue from it; a finished run next to it may be removed
+  bool resume, overwrite;    // continue from `file`; a finished run next to it may be removed
 };
 
-// True if the run continues from the file. Prints that it does, or that the file is missing.
+// True if the run continues from the file. Prints that the run continues, or that the file is
+// missing.
 bool goes_on(LAMMPS_NS::LAMMPS *, const Arguments &args, const ResumeRequest &);
 
 }    // namespace bearing

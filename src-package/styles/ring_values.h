@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Motion of a ring and the loads of balls and cage on it.
+// Motion of a ring and the loads that balls and cage exert on it.
 #ifndef BEARING_RING_VALUES_H
 #define BEARING_RING_VALUES_H
 
@@ -24,10 +24,10 @@ struct RingView {
 // Sets of[of_ring::RING] to of[of_ring::AZ] (core/figures/bearing_columns.h).
 void ring_values(const RingView &, const raceway::LabAxes &, double *of);
 
-// Notes accelerations at the start of a run; call it before ring_values().
+// Stores accelerations at the start of a run; to be called before ring_values().
 void note_setup(LAMMPS_NS::LAMMPS *);
 
-// As above for the n-th ring of this rank in the pair style's RingSum.
+// The same for the n-th ring of this rank in the RingSum of the pair style.
 void ring_values(const LAMMPS_NS::Atom &, LAMMPS_NS::PairBearingHertz &, int n, double *of);
 
 }    // namespace bearing

@@ -102,8 +102,8 @@ bool RunBearing::implicit() const { return !bearing::fixes_of<FixBearingImplicit
 
 // ---- the plan: ball pass, samples and steps. Numbers are rounded as a deck's formulas write them.
 
-// Defaults from the scene: the sampling rate of fix bearing/vibration,
-// and the nominal contact angle of bearings with names.
+// Takes default values from the scene: the sampling rate of fix bearing/vibration, and the nominal
+// contact angle of named bearings.
 void RunBearing::take_usual()
 {
   if (settings_.rate == 0.0)
@@ -119,11 +119,11 @@ void RunBearing::plan()
   now().start = bearing::SimulatedTime::now(*update);
   if (update->ntimestep != 0) begin_at_step_0(now().start);
   now().pass = bearing::ball_pass_time(lmp, command_name, settings_.angle);
-  double ramp = 0.0;    // s, until the full loads act
+  double ramp = 0.0;    // s, time until the full loads act
   for (const FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp))
     ramp = std::max(ramp, f->ramp());
   begin_search();
-  // adaptive steps cover a whole ball pass before even steps replace them
+  // a whole ball pass with adaptive steps comes before even steps
   const double before = automatic() ? (implicit() ? 0.0 : 1.0) : settings_.settle;
   const double least = fix_->orbit().runs() ? 1e-3 : 1e-2;    // s
   now().begin = written(before * now().pass + std::max(least, ramp));
@@ -132,8 +132,9 @@ void RunBearing::plan()
   if (implicit()) plan_steps();
 }
 
-// Samples per ball pass as requested by the records, and samples per host step: ten, five, two or
-// one, such that a ball pass is a whole number of steps and at least twenty.
+// Sets the samples per ball pass as the records request them, and the samples per host step: ten,
+// five, two or one, chosen such that a ball pass is a whole number of steps and at least twenty
+// steps.
 void RunBearing::plan_samples()
 {
   double samples = 0.0, asked = 0.0;
@@ -155,8 +156,8 @@ void RunBearing::plan_samples()
   now().within = asked != 0.0 ? asked : chosen;
 }
 
-// Chooses the step of the implicit integrator near `step`: several samples, or an integer fraction
-// of one.
+// Sets the step of the implicit integrator near the requested step: a whole number of samples, or
+// an integer fraction of one sample.
 void RunBearing::plan_steps()
 {
   fix_step(settings_.step == 0.0 ? sampled_length() : settings_.step);
@@ -171,7 +172,8 @@ double RunBearing::sampled_length()
   return implicit() ? written(length) : length;
 }
 
-// Sets a whole number of steps of about that length per sample, or per `within` samples.
+// Sets a step of about the length `wanted`, with a whole number of steps per sample or per `within`
+// samples.
 void RunBearing::fix_step(double wanted)
 {
   const double largest = sampled_length();
@@ -217,9 +219,9 @@ void RunBearing::settle()
   choose_steps();
   warm_up();
   if (automatic()) settle_until_still();
-  // by the number of steps if they are even, so that a stopped run has the same rounding
+  // even steps: time from the number of steps, so that a stopped run has the same rounding
   const bool even = implicit() && !settings_.orbit;
-  // a run that was stopped after the last step of settling: LIGGGHTS refuses new fixes after
+  // if a run was stopped after the last step of settling, LIGGGHTS refuses new fixes after
   // reset_timestep until the restart file's data are released, which happens here
   if (fix_->resumed()) lmp->init();
   begin_at_step_0(even ? now().start + update->ntimestep * now().step_length
@@ -227,15 +229,15 @@ void RunBearing::settle()
   now().measures = 1.0;
 }
 
-// Settling and measurement count steps from 0; the time continues.
+// Settling and measurement each count steps from 0; the simulated time is not reset.
 void RunBearing::begin_at_step_0(double time)
 {
   input->one("reset_timestep 0");
   bearing::SimulatedTime::set(*update, time);
 }
 
-// Velocity Verlet: settles with steps at a fraction of the stability limit, then takes the step of
-// the measurement from the smallest limit found.
+// For velocity Verlet: settles with steps at a fraction of the stability limit, then sets the step
+// of the measurement from the smallest limit found.
 void RunBearing::settle_adaptively()
 {
   constexpr double chunk = 5000.0;    // steps
@@ -270,7 +272,7 @@ void RunBearing::warm_up()
   if (still()) return;
   set_step(now().step_length);
   const double steps = steps_a_pass();
-  while (!still()) {    // to whole ball passes, even for a run that was stopped within one
+  while (!still()) {    // in whole ball passes, even if a run was stopped within one
     const double passes =
         std::floor((static_cast<double>(update->ntimestep) - now().begin_steps) / steps) + 1.0;
     input->one(("run " + digits(now().begin_steps + passes * steps) + " upto post no").c_str());
@@ -337,8 +339,8 @@ void RunBearing::measure()
   if (!implicit()) input->one(("unfix " + step_id).c_str());
 }
 
-// The contacts of a ring must carry its load on average; otherwise the run had not settled and
-// gives no figures.
+// Error unless the contacts of a ring carry its load on average: otherwise the run had not settled
+// and gives no figures.
 void RunBearing::check_balance() const
 {
   for (FixBearingCheckpoint *f : bearing::fixes_of<FixBearingCheckpoint>(lmp))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // `settle auto` of run_bearing: settles ball pass by ball pass until the remaining changes are
 // small (core/figures/settling_rest.h). Implicit steps are coarse at first; the last ball passes
-// use the steps of the deck.
+// are made with the steps of the deck.
 #include "../core/settings/arguments.h"
 #include "../core/settings/written.h"
 #include "fix_bearing_heat.h"
@@ -14,11 +14,12 @@ using namespace LAMMPS_NS;
 using bearing::digits;
 using bearing::text;
 
-// Fewest ball passes that distinguish a drift from noise.
+// Smallest number of ball passes in which a drift can be distinguished from noise.
 static constexpr double first_passes = 3.0;
 
-// Plans coarse steps while the loads are applied and, if they save evaluations, also afterwards.
-// Temperatures follow the losses of the deck's own steps.
+// Plans coarse steps while the loads are applied and, if coarse steps save evaluations, also
+// afterwards. With fix bearing/heat later steps are not coarse: temperatures follow the losses,
+// which need the deck's own steps.
 void RunBearing::plan_coarse()
 {
   now().coarse = now().may_be_coarse = 0.0;
@@ -54,8 +55,9 @@ void RunBearing::settle_until_still()
 }
 
 // Chooses the steps of the next ball pass, or of the present one when a stopped run continues:
-// coarse while changes remain. Coarse steps may settle at a slightly different state, so they are
-// resumed if the deck's steps show a remaining change.
+// coarse steps while changes remain. The state that settles with coarse steps may differ slightly
+// from the state with the deck's steps; if the deck's steps show a remaining change, coarse steps
+// are resumed.
 void RunBearing::plan_pass()
 {
   const bool last = now().passes + 1.0 >= settings_.limit;
@@ -75,8 +77,9 @@ bool RunBearing::still()
   return fix_->orbit().found() || (now().coarse == 0.0 && rests_are_small());
 }
 
-// A ball that is in the loaded arc at the start keeps its place in its pocket until it leaves the
-// arc, at most half a turn of the cage later.
+// True if the remaining changes are small, after at least half a turn of the cage: a ball that is
+// in the loaded arc at the start keeps its place in its pocket until it leaves the arc, at most
+// half a turn of the cage later.
 bool RunBearing::rests_are_small()
 {
   const double s = settings_.settled;

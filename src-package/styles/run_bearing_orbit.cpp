@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// `settle orbit` of run_bearing: scenes that cannot have an orbit, and messages of the search.
+// `settle orbit` of run_bearing: excludes scenes that cannot have an orbit, and prints messages.
 #include "../core/settings/arguments.h"
 #include "ball_pass.h"
 #include "fix_bearing_grains.h"
@@ -15,7 +15,7 @@ using bearing::fixes_of;
 using bearing::print_line;
 using bearing::text;
 
-// Reason why no ball pass of this scene can repeat the previous one; empty if one may.
+// Reason why no ball pass of this scene can repeat the previous ball pass; empty if one may.
 std::string RunBearing::why_no_orbit()
 {
   if (!implicit()) return "the steps of velocity Verlet follow its stability limit";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Fixes that wait while run_bearing settles the bearings, and sample once it measures.
+// Fixes that wait while run_bearing settles the bearings, and sample while it measures.
 #ifndef BEARING_RUN_PHASE_H
 #define BEARING_RUN_PHASE_H
 
@@ -7,7 +7,7 @@
 
 namespace bearing {
 
-// ID of the internal fix that exists while run_bearing runs
+// ID of the internal fix that exists while run_bearing runs.
 inline constexpr const char *fix_of_run = "RUN_BEARING";
 
 // Samples of a measurement: one at every `every`-th host step, or `within` samples per step.
@@ -18,9 +18,9 @@ struct Sampling {
 class WaitsForRun {
  public:
   bool waits() const { return waits_; }
-  // Called before settling if the steps are known then.
+  // Called before settling, if the steps are already known.
   virtual void settle(const Sampling &) {}
-  // run_bearing has settled the bearings; called before the set-up of the run that measures.
+  // Called when run_bearing has settled the bearings, before the set-up of the run that measures.
   void measure(const Sampling &sampling)
   {
     waits_ = false;
@@ -31,7 +31,7 @@ class WaitsForRun {
   ~WaitsForRun() = default;
   void wait() { waits_ = true; }
   virtual void begin(const Sampling &) = 0;
-  // Error in a run by the host's own command, which never measures.
+  // Error if the host's own command starts a run, in which this fix would never sample.
   void refuse_plain_run(LAMMPS_NS::LAMMPS *, const std::string &command) const;
 
  private:

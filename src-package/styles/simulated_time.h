@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Keeps the simulated time from one run to the next and through restart files, for formulas with
-// the host's keyword `time`. Some hosts do not store it in restart files; reset_timestep sets it to
-// 0 in some hosts and makes it jump in others.
+// Continues the simulated time from one run to the next and through restart files, for formulas
+// with the host's keyword `time`. Some hosts do not store the time in restart files; reset_timestep
+// sets it to 0 in some hosts and makes it jump in others.
 #ifndef BEARING_SIMULATED_TIME_H
 #define BEARING_SIMULATED_TIME_H
 
@@ -37,8 +37,8 @@ class SimulatedTime {
     left_ = s, known_ = read_ = true;
     set(u, s.now());
   }
-  // Call it before a run or before writing a restart file: a continued run then has the bits of an
-  // uninterrupted run.
+  // To be called before a run or before a restart file is written, so that a continued run has the
+  // bits of an uninterrupted run.
   void go_on(LAMMPS_NS::Update &u) const
   {
     if (!known_) return;

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The friction of rolling contacts in whole bearings. Velocity Verlet and the implicit step use
-one law and agree: from rest, oscillating, loaded and nearly unloaded. States survive rank changes
-and restarts with the same bits. The shaft's power equals the sum of the losses."""
+"""The friction of rolling contacts in whole bearings. Velocity Verlet and the implicit step use the
+same law and agree: from rest, oscillating, loaded and nearly unloaded. Contact states have the same
+bits after rank changes and restarts. The shaft's power equals the sum of the losses."""
 
 import re
 
@@ -34,7 +34,7 @@ def radial(load, speed=50):
 
 
 COMBINED = "x free y free z free rx free ry free spin speed 50 force 0 -2000 10000 ramp 3.0e-3"
-# law, lubricant, motion and initial speed of the inner ring, Verlet steps per sample
+# law, lubricant, motion and initial speed of the inner ring, steps of velocity Verlet per sample
 SCENES = {
     "radial, dry": (SLIP, "dry", radial(5000), 50, 50),
     "radial, film": (FULL, "mineral", radial(5000), 50, 200),
@@ -92,8 +92,8 @@ def inner_ring(run):
 
 
 def largest_difference(one, other):
-    """Largest relative difference between figures: displacements relative to the largest
-    displacement, spin loss relative to the friction loss."""
+    """Largest relative difference between figures. Displacements are relative to the largest
+    displacement, the spin loss is relative to the friction loss."""
     most = max(abs(one[name]) for name in ("x", "y", "z"))
     scale = one | dict(x=most, y=most, z=most, spin_power=one["friction_power"])
     return max(abs(one[name] - other[name]) / abs(scale[name]) for name in one)
@@ -101,8 +101,8 @@ def largest_difference(one, other):
 
 @pytest.mark.parametrize("scene", SCENES)
 def test_one_answer(tmp_path, scene):
-    """The integrators agree within 1 % in loads, displacement, cage speed and friction power; each
-    changes by less than 0.5 % with half the step."""
+    """Loads, displacement, cage speed and friction power of both integrators agree within 1 %; with
+    half the step, each integrator changes them by less than 0.5 %."""
     steps = SCENES[scene][-1]
     found = {
         (integrator, n): figures(tmp_path / f"{integrator}{n}", scene, integrator, n)
@@ -126,7 +126,7 @@ def test_one_answer(tmp_path, scene):
 
 def test_slip_and_spin_in_slices(tmp_path):
     """In a 7208 at 40 degrees under combined load the integrators agree within 1 %. Slip and spin
-    losses are smaller than with the closed forms, and loads are the same."""
+    losses are smaller than with the closed forms; the loads are equal."""
     inner = "x free y free z free rx free ry free spin speed 50 force 0 -500 4000 ramp 3.0e-3"
     case = dict(bearing="7208", inner=inner, samples=200)
     slices = GAP.replace("heathcote 1.0e-4", "slices 1.0e-4 1.0").replace(" spin 1.0", "")
@@ -139,7 +139,7 @@ def test_slip_and_spin_in_slices(tmp_path):
         case |= dict(out=tmp_path / name, law=law, integrator=integrator, substeps=n)
         succeed(CASE, **case)
         found[name] = means(tmp_path / name)
-        # slip and spin come from one sum of stresses, so that their split is arbitrary
+        # slip and spin losses come from one sum of stresses, so how they are divided is arbitrary
         found[name]["friction_power"] += found[name]["spin_power"]
     closed, implicit = found["closed"], found["implicit"]
     apart = largest_difference(found["verlet"], implicit)
@@ -152,8 +152,9 @@ def test_slip_and_spin_in_slices(tmp_path):
 
 @pytest.mark.parametrize("lubricant, law, steps", [("dry", DRY, 50), ("mineral", FULL, 200)])
 def test_to_and_fro(tmp_path, lubricant, law, steps):
-    """The ring turns at 50 cos(2 pi t/20 ms) rad/s and the balls reverse: the integrators agree
-    within 2 % in friction power and within 0.01 % in radial displacement, and nothing drifts."""
+    """The ring turns at 50 cos(2 pi t/20 ms) rad/s, and the balls reverse their motion. The
+    integrators agree within 2 % in friction power and within 0.01 % in radial displacement, and
+    nothing drifts."""
     found = {}
     for integrator, n in (("implicit", 1), ("verlet", steps)):
         succeed(
@@ -177,7 +178,7 @@ def test_to_and_fro(tmp_path, lubricant, law, steps):
 
 @pytest.mark.parametrize("integrator, steps", [("implicit", 1), ("verlet", 50)])
 def test_standing_bearing_sticks(tmp_path, integrator, steps):
-    """A bearing that is loaded at rest settles: no power is lost and no ball rolls."""
+    """A bearing that is loaded at rest comes to rest: no power is lost and no ball rolls."""
     succeed(
         CASE,
         out=tmp_path,
@@ -207,8 +208,8 @@ def test_standing_bearing_sticks(tmp_path, integrator, steps):
 )
 def test_power_is_the_sum_of_losses(tmp_path, integrator, steps, scene, bound):
     """Over the third ball pass the work of shaft and loads equals the losses of all parts plus the
-    energy stored in bodies and springs. Under combined load the balls' centres differ in speed and
-    compress the cage more from pass to pass: 3 mJ per pass, 1.7e-3 of the losses."""
+    energy stored in bodies and springs. Under combined load the centres of the balls differ in
+    speed and compress the cage more in each pass: 3 mJ per pass, 1.7e-3 of the losses."""
     cage = 19.775 if scene.startswith("radial") else 20.222
     case = dict(sample=2 * np.pi / 9 / cage / 350)
     before, after = (
@@ -233,7 +234,7 @@ def test_power_is_the_sum_of_losses(tmp_path, integrator, steps, scene, bound):
 @pytest.mark.parametrize("speed", [5, 50, 1000])
 def test_work_is_dissipated_or_stored(tmp_path, speed, load):
     """The energy balance of the implicit step closes over two ball passes with all parts under a
-    ramped load: the energy that the step itself adds or removes is below 1e-3 of the losses."""
+    ramped load: the step itself adds or removes less than 1e-3 of the losses."""
     inner = (radial(5000) if load == "radial" else COMBINED).replace("speed 50", f"speed {speed}")
     text = succeed(
         CASE,
@@ -255,7 +256,7 @@ def test_work_is_dissipated_or_stored(tmp_path, speed, load):
 @pytest.mark.parametrize("load, ramp", [(50, True), (5000, True), (5000, False)])
 @pytest.mark.parametrize("speed", [0, 0.01, 1, 50])
 def test_balance_at_any_speed(tmp_path, speed, load, ramp, law):
-    """The energy balance closes with film in the gap, with and without the film branch."""
+    """The energy balance closes with film in the gap, both with and without the film branch."""
     inner = radial(load, speed) if ramp else radial(load, speed).partition(" ramp")[0]
     control = "tolerance 1e-9 energy yes"
     text = succeed(CASE, out=tmp_path, law=law, inner=inner, start=speed, control=control).text
@@ -267,8 +268,8 @@ def test_balance_at_any_speed(tmp_path, speed, load, ramp, law):
 @pytest.mark.parametrize("law, lubricant", [("friction constant 0", "dry"), ("gap 1", "mineral")])
 def test_the_own_loss_vanishes_with_the_tolerance(tmp_path, law, lubricant):
     """Contact angles grow under a ramped axial load. The stiffness of a contact depends on its
-    angle, along which no force does work: if the account omits this, 5.5e-4 and 2e-4 of the work
-    are missing at any tolerance."""
+    angle, and no force does work along a change of the angle. If the energy balance neglected this,
+    5.5e-4 and 2e-4 of the work would be missing at any tolerance."""
     inner = "x free y free z free spin speed 50 force 0 -100 20000 ramp 3.0e-3"
     shares = []
     for tolerance in (1e-9, 1e-11):
@@ -277,8 +278,8 @@ def test_the_own_loss_vanishes_with_the_tolerance(tmp_path, law, lubricant):
         text = succeed(CASE, out=tmp_path / str(tolerance), **case).text
         work, own, *_ = map(float, re.search(r"ENERGY (.*)", text).group(1).split())
         shares.append(abs(own) / work)
-    # steps of order 2 shrink with the root of the tolerance, and the energy that they lose shrinks
-    # with the tolerance or the step
+    # steps of order 2 shrink with the root of the tolerance, and the energy lost in them shrinks
+    # with the tolerance or with the step
     assert shares[0] < 1e-4 and shares[1] < 0.15 * shares[0]
 
 
@@ -308,9 +309,9 @@ def test_ranks_and_restarts_to_the_bit(tmp_path, integrator, steps, samples):
 
 
 def test_step_limit_is_the_spring_s(tmp_path):
-    """Two tangential springs turn a ball, so the limit is 2 sqrt((2/7) m/(2 k_t)), 5.6 us at
-    2.4 kN. A step of 4 us is stable at 48, 477.5 and 9549 rpm, at which the slip law alone would
-    allow 24 ns to 5 us."""
+    """Two tangential springs turn a ball, so the step limit is 2 sqrt((2/7) m/(2 k_t)), 5.6 us at
+    2.4 kN. A step of 4 us is stable at 48, 477.5 and 9549 rpm, where the slip law alone would allow
+    24 ns to 5 us."""
     powers = []
     for speed, substeps in ((5, 25), (50, 25), (1000, 25)):
         out = tmp_path / str(speed)
@@ -327,5 +328,5 @@ def test_step_limit_is_the_spring_s(tmp_path):
         run = raceway.open(out)
         powers.append(float(run.bearing["friction_power"][-100:].mean()) / speed)
         assert float(run.bearing["friction_power"][-100:].min()) > 0
-    # Coulomb's torque does not depend on the speed, except for centrifugal loads
+    # Coulomb's torque does not depend on the speed, apart from centrifugal loads
     assert powers == pytest.approx([powers[0]] * 3, rel=0.05)

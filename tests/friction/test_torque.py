@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Friction torque of a 6208 with the models `full`, compared part by part with statics, and with
+"""Friction torque of a 6208 with the models `full`, compared with statics part by part, and with
 SKF's formula. No constant is fitted."""
 
 import numpy as np
@@ -27,8 +27,8 @@ def test_torque(tmp_path, rpm):
 
 
 def test_torque_is_steady(tmp_path):
-    """At 9549 rpm the torque depends neither on the time of measurement nor on the tolerance. Means
-    over two ball passes scatter by half a per cent."""
+    """At 9549 rpm the torque depends neither on the time at which it is measured nor on the
+    tolerance. Means over two ball passes scatter by half a per cent."""
     torques = []
     for settle, tolerance in ((1, 1e-9), (40, 1e-9), (1, 1e-10)):
         succeed(

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Drift and energy of a 6208 at 5 kN and 477.5 rpm over many simulated seconds, coarsely
-sampled."""
+"""Drift and energy of a 6208 at 5 kN and 477.5 rpm over many simulated seconds, with few samples
+per ball pass."""
 
 import re
 from typing import NamedTuple
@@ -9,15 +9,14 @@ import numpy as np
 
 from hard.harness import BALLS, Course, run
 
-PER_PASS = 12  # samples
-PASS = 2 * np.pi / (BALLS * 0.5 * 50 * (1 - 6.3 / 30.3))  # s, kinematic
+PER_PASS = 12  # samples per ball pass
+PASS = 2 * np.pi / (BALLS * 0.5 * 50 * (1 - 6.3 / 30.3))  # s, kinematic duration of a ball pass
 SAMPLE = PASS / PER_PASS
 SETTLED = 10  # ball passes before the first averaged second
 
 
 class Drift(NamedTuple):
-    """Means over the first and the last second and the statistical error of their
-    difference."""
+    """Means over the first and the last second, and the statistical error of their difference."""
 
     first: float
     last: float
@@ -30,7 +29,7 @@ class Drift(NamedTuple):
 
 
 def long_run(folder, seconds, control="energy yes", substeps=4) -> Course:
-    """A run that writes every sample, with `substeps` host steps per sample."""
+    """The course of a run that writes every sample, with `substeps` host steps per sample."""
     case = {
         "variables": {
             "inner": "x free y free spin speed 50 force 0 -5000 0 ramp 3.0e-3",
@@ -44,8 +43,8 @@ def long_run(folder, seconds, control="energy yes", substeps=4) -> Course:
 
 
 def drifts(course):
-    """{quantity: `Drift`}; each ball pass gives one value, whose scatter yields the error of the
-    means."""
+    """{quantity: `Drift`}. Each ball pass gives one value; the scatter of these values yields the
+    error of the means."""
     size = round(1 / PASS)
     found = {}
     for name, series in {
@@ -71,7 +70,7 @@ class Account(NamedTuple):
     work: float  # work of loads and drives
     own: float  # energy lost by the integrator itself
     dissipated: float  # dissipated in contacts
-    stored: float  # growth of the energy of motion and springs
+    stored: float  # increase in the energy of motion and springs
 
     @property
     def figure(self):
@@ -80,6 +79,6 @@ class Account(NamedTuple):
 
 
 def account(course):
-    """`Account` of the energies of a course, from the line ENERGY that report.implicit prints."""
+    """`Account` of the energies of a course, from the line ENERGY printed by report.implicit."""
     line = r"^ENERGY work (\S+) own (\S+) dissipated (\S+) stored (\S+)"
     return Account(*map(float, re.search(line, course.text, re.MULTILINE).groups()))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs the hard cases and their references, which also run with half their step, and writes
-build/bench/hard_cases.rst.
+"""Runs the hard cases and their references, and the references also with half their step, and
+writes build/bench/hard_cases.rst.
 
     python tests/hard/table.py          # all
     python tests/hard/table.py last     # only the last part
@@ -44,7 +44,7 @@ def number(value):
 
 
 def rows_of(name, folder):
-    """Table rows of one case, one row for each reference, and names of references that have not
+    """Table rows of one case, one row for each reference, and the names of references that have not
     converged."""
     case, unsure, rows = CASES[name], [], []
     found = harness.run(folder, case)
@@ -92,7 +92,8 @@ def rows_of(name, folder):
 
 
 def too_large(name, folder):
-    """Results of a case with host steps and Verlet steps that are deliberately too large."""
+    """Results of a case with host steps and steps of velocity Verlet that are deliberately too
+    large."""
     case = CASES[name]
     kinds = case["references"]
     truth_kind = next(k for k in ("verlet", "fine") if k in kinds)

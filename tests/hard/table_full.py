@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs the hard cases with the models `full` with both integrators and writes
+"""Runs the hard cases with the models `full` with both integrators, and writes
 build/bench/hard_cases_full.rst.
 
     python tests/hard/table_full.py

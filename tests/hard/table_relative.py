@@ -33,7 +33,7 @@ def corrections(course):
 
 
 def by_smoothed_friction(name, folder):
-    """Yields (course, verdict nearest to its bound) for each share."""
+    """Yields (course, verdict nearest to its bound) for each value of R."""
     case = CASES[name]
     truths = truths_of(folder, case)
     for share in SHARES:
@@ -43,7 +43,7 @@ def by_smoothed_friction(name, folder):
 
 
 def by_full(name, folder):
-    """Yields (course, verdict) for each share with the models `full`, compared with velocity
+    """Yields (course, verdict) for each value of R with the models `full`, compared with velocity
     Verlet."""
     truth = None
     for share in SHARES:
@@ -57,8 +57,8 @@ def by_full(name, folder):
 
 
 def compared(by, folder):
-    """Table rows, and for each share the numbers of cases that save a third and of cases that miss
-    their bound."""
+    """Table rows, and for each value of R the number of cases that save a third and the number of
+    cases that miss their bound."""
     rows, halves, misses = [], [0] * len(SHARES), [0] * len(SHARES)
     for name in CASES:
         found = list(by(name, folder))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/implicit compared with velocity Verlet with the same friction, with statics, and with
-itself."""
+"""fix bearing/implicit, compared with velocity Verlet with the same friction, with statics, and
+with its own finer steps."""
 
 import re
 
@@ -16,7 +16,7 @@ CASE = "tests/implicit/in.case"
 
 
 def loads(folder):
-    """Contact loads (samples, raceways, balls), N, of a run of in.case."""
+    """Contact loads (samples, raceways, balls) in N of a run of in.case."""
     table = np.zeros((len(frames(folder / "contacts.dump")), 2, 9))
     for sample, rows in enumerate(frames(folder / "contacts.dump").values()):
         for ball, side, load, *_ in (map(float, row.split()) for row in rows):
@@ -25,8 +25,8 @@ def loads(folder):
 
 
 def error(tmp_path, control="", verlet_step=5e-8, after=0, **case):
-    """Largest difference in any contact load, starting from sample `after`, relative to the largest
-    load."""
+    """Largest difference in any contact load between both integrators, starting from sample
+    `after`, relative to the largest load."""
     sample = float(case.get("sample", 1e-4))
     succeed(
         CASE,
@@ -69,8 +69,8 @@ def ring(motion):
     ],
 )
 def test_loads_against_verlet(tmp_path, name, bound, case):
-    """Loads after the ramp agree with Verlet. There is one step per sample of 0.1 ms, 2000 times as
-    long as Verlet's steps."""
+    """Loads after the ramp agree with velocity Verlet. The implicit run has one step per sample of
+    0.1 ms, 2000 times as long as Verlet's steps."""
     assert error(tmp_path, samples=100, after=75, **case) < bound
 
 
@@ -83,16 +83,16 @@ def test_loads_against_verlet(tmp_path, name, bound, case):
     ],
 )
 def test_loads_by_estimated_errors(tmp_path, bound, case):
-    """Loads also agree with Verlet if errors are estimated instead of bounded, with a tolerance of
-    0.1 nm."""
+    """Loads also agree with velocity Verlet if errors are estimated instead of bounded, with a
+    tolerance of 0.1 nm."""
     words = dict(inner=ring("spin speed 50 force 0 -5000 0"), **case)
     control = "tolerance 1e-10 control estimate"
     assert error(tmp_path, control, samples=100, after=75, **words) < bound
 
 
 def test_transient_with_tilts_and_everything_free(tmp_path):
-    """With three free translations and two free tilts under a load that is applied in 3 ms, the
-    error relative to Verlet with a step of 12.5 ns falls with the step."""
+    """Three translations and two tilts are free, and a load is applied in 3 ms. The error relative
+    to velocity Verlet with a step of 12.5 ns falls with the implicit step."""
     case = dict(
         inner=(
             "x free y free z free rx free ry free spin speed 50 force 0 -2000 1000 moment 3 0 0"
@@ -111,9 +111,9 @@ def test_transient_with_tilts_and_everything_free(tmp_path):
 
 @pytest.mark.parametrize("order, steps", [(1, (4e-6, 2e-6, 1e-6)), (2, (4e-6, 2e-6, 1e-6))])
 def test_order(tmp_path, order, steps):
-    """After a load step of 3 kN at 1000 rad/s, at which the film is thick and its damper soft, the
-    error relative to the same scene with an eighth of the smallest step falls with the order of the
-    method."""
+    """A load of 3 kN is applied suddenly at 1000 rad/s, where the film is thick and its damper
+    soft. The error relative to a run with an eighth of the smallest step falls with the order of
+    the method."""
     case = dict(
         start=1000,
         inner="x free y free spin speed 1000 force 0 -3000 0 ramp 3.0e-4",
@@ -143,9 +143,9 @@ def test_order(tmp_path, order, steps):
 
 @pytest.mark.parametrize("rpm", [47.75, 477.5, 9549])
 def test_deck_against_statics(tmp_path, rpm):
-    """In in.6208 with the implicit integrator, ball loads at every azimuth, with centrifugal load,
-    agree within 0.2 % of the largest load; at 9549 rpm the loads vibrate on the contact springs,
-    and 2 % is allowed."""
+    """In in.6208 with the implicit integrator, the ball loads at every azimuth, including
+    centrifugal load, agree with statics within 0.2 % of the largest load. At 9549 rpm the loads
+    vibrate on the contact springs, and 2 % is allowed."""
     succeed("inputs/in.6208", out=tmp_path, integrator="implicit", passes=1, rpm=rpm)
     run = RunTables(tmp_path)
     contacts = run.contacts
@@ -182,8 +182,9 @@ def test_split_run_and_restart_are_bitwise(tmp_path):
 
 
 def test_cold_step_refines_by_itself(tmp_path):
-    """If 5 kN is applied at once to a bearing with clearance, substeps shrink far below the sample
-    of 0.1 ms and grow again; the motion after the impact agrees with Verlet."""
+    """If 5 kN is applied at once to a bearing with clearance, substeps become much shorter than the
+    sample of 0.1 ms and then longer again. The motion after the impact agrees with velocity
+    Verlet."""
     case = dict(inner="x free y free spin speed 50 force 0 -5000 0", clearance=44.1e-6, samples=100)
     assert error(tmp_path, after=75, verlet_step=2.5e-8, **case) < 2e-3
     text = succeed(CASE, out=tmp_path / "again", **case).text
@@ -192,7 +193,7 @@ def test_cold_step_refines_by_itself(tmp_path):
 
 
 def test_a_step_far_too_large_is_refined_not_wrong(tmp_path):
-    """Samples are 2 ms apart, which is 18 samples per ball pass."""
+    """Samples are 2 ms apart, 18 per ball pass."""
     assert (
         error(
             tmp_path, inner=ring("spin speed 50 force 0 -5000 0"), sample=2e-3, samples=20, after=3
@@ -231,9 +232,9 @@ def test_two_implicit_steps_of_one_atom_are_refused(tmp_path):
 
 
 def test_a_step_that_turns_a_ball_too_far_is_refined(tmp_path):
-    """Host steps are 40 ms, 0.8 rad of orbit each, under preload, so that nothing else shortens
-    them. The frames rotate by series that are accurate up to 0.6 rad, so the error control must
-    limit the step. Every ball keeps its position on the pitch circle.
+    """Each host step is 40 ms, in which balls orbit by 0.8 rad; with preload nothing else shortens
+    the steps. The frames rotate according to series that are accurate up to 0.6 rad, so the error
+    control must limit the step. Every ball stays on the pitch circle.
     """
     case = dict(
         inner=ring("spin speed 50 force 0 -50 0"), clearance=-88.2e-6, samples=10, sample=4e-2
@@ -249,9 +250,9 @@ def test_a_step_that_turns_a_ball_too_far_is_refined(tmp_path):
 
 @pytest.mark.parametrize("speed, bound", [(50, 1e-4), (1000, 1e-3)])
 def test_only_dampers_implicit_against_verlet(tmp_path, speed, bound):
-    """`solve damping` agrees with Verlet at its stability limit. At 50 rad/s nothing vibrates; at
-    1000 rad/s balls vibrate as they are loaded, by 1e-3 of the largest load, and the period has an
-    error of (h omega)^2/24, up to a tenth."""
+    """`solve damping` agrees with velocity Verlet at its stability limit. At 50 rad/s nothing
+    vibrates. At 1000 rad/s balls vibrate as they are loaded, by 1e-3 of the largest load, and the
+    period of this vibration has an error of (h omega)^2/24, up to a tenth."""
     case = dict(
         start=speed,
         inner=ring(f"spin speed {speed} force 0 -5000 0"),
@@ -262,24 +263,26 @@ def test_only_dampers_implicit_against_verlet(tmp_path, speed, bound):
 
 
 def test_only_dampers_implicit_keeps_its_step_stable(tmp_path):
-    """Host steps of fifty times the limit of the springs are cut to the limit, h^2 k = 3 m + 1.5 h
-    c, for the heaviest ball: k is the stiffness of its two contacts (4.2e8 N/m under 5 kN), and c
-    adds little at this speed. During the load ramp, steps are shorter (drift).
+    """Host steps of fifty times the stability limit of the springs are divided into steps at the
+    limit, h^2 k = 3 m + 1.5 h c, for the heaviest ball: k is the stiffness of its two contacts
+    (4.2e8 N/m under 5 kN), and c adds little at this speed. During the load ramp, drift makes the
+    steps shorter.
     """
     case = dict(inner=ring("spin speed 1000 force 0 -5000 0"), start=1000, sample=4e-4, samples=40)
     text = succeed(CASE, out=tmp_path, control="solve damping", **case).text
     ball_mass = 7800 * 4 / 3 * np.pi * 6.3e-3**3
     limit = (3 * ball_mass / 4.2e8) ** 0.5
     assert 0.8 * limit < float(re.search(r"CONTROL mean (\S+)", text).group(1)) < 1.3 * limit
-    # the largest load is 2436 N at rest with a ball on the load line, and less with the load
-    # between two balls; the centrifugal load of a ball is 38 N
+    # the largest load is 2436 N at rest with a ball on the load line, and less if two balls share
+    # the load; the centrifugal load of a ball is 38 N
     assert 2200 < loads(tmp_path)[-20:].max() < 2600
 
 
 def test_only_dampers_implicit_keeps_a_swing(tmp_path):
-    """A dry ring under a sudden 5 kN oscillates on its balls, slowly damped by the contacts. In the
-    last 3 of 15 ms it agrees with another method, order 2 with steps of 0.25 us. The period of the
-    balls has an error of (h omega)^2/24, the period of the ring has none.
+    """A dry ring under a suddenly applied 5 kN oscillates on its balls, slowly damped by the
+    contacts. In the last 3 of 15 ms the oscillation agrees with another method, order 2 with steps
+    of 0.25 us. The period of the balls has an error of (h omega)^2/24; the period of the ring has
+    none.
     """
     case = dict(
         lubricant="dry",
@@ -298,8 +301,8 @@ FIGURES = ("q_max_N", "h_c_m", "cage_speed_rad_s", "friction_torque_N_m", "capac
 
 
 def test_cage_balls_may_be_farther_off(tmp_path):
-    """With the models `full`, in which the cage drives the unloaded balls, steps are more than
-    twice as long with a tolerance of 1 um for cage balls instead of 1 nm, and the figures of the
+    """With the models `full`, in which the cage drives the unloaded balls, a tolerance of 1 um
+    instead of 1 nm for cage balls makes steps more than twice as long, and the figures of the
     bearing change by less than 0.1 %."""
     found = []
     for cage in (1e-9, 1e-6):
@@ -314,10 +317,10 @@ def test_cage_balls_may_be_farther_off(tmp_path):
 
 
 def test_coarse_cage_balls_leave_unloaded_balls_at_rest(tmp_path):
-    """At low speed stages are long. The residual contact force of a cage ball after the last
+    """At low speed stages are long. The contact force that remains on a cage ball after the last
     correction must not throw unloaded balls. With bounded errors, a tolerance of 1 um for cage
-    balls takes fewer evaluations than 0.1 um, and figures are as close to the figures with 0.1 nm.
-    Without finer corrections in long stages it would take more evaluations."""
+    balls needs fewer evaluations than 0.1 um, and the figures differ no more from those with 0.1
+    nm. Without finer corrections in long stages, 1 um would need more evaluations than 0.1 um."""
     found = {}
     for cage, more in ((1e-7, {}), (1e-6, {}), (1e-10, dict(tolerance=1e-10))):
         out = tmp_path / str(cage)
@@ -331,8 +334,8 @@ def test_coarse_cage_balls_leave_unloaded_balls_at_rest(tmp_path):
 
 
 def test_an_error_may_be_larger_than_corrections(tmp_path):
-    """A step may have 2.5 times the error that the corrections leave. With the models `full` this
-    saves a sixth of the evaluations at high speed, and figures change by less than 0.1 %."""
+    """A step may have an error 2.5 times as large as the corrections leave. With the models `full`
+    this saves a sixth of the evaluations at high speed, and figures change by less than 0.1 %."""
     found = []
     for share in (1, 2.5):
         out = tmp_path / str(share)
@@ -346,8 +349,8 @@ def test_an_error_may_be_larger_than_corrections(tmp_path):
 
 @pytest.mark.parametrize("rpm", [477.5, 9549])
 def test_estimated_errors_need_fewer_evaluations(tmp_path, rpm):
-    """With estimated errors the models `full` need less than 60 % of the evaluations that bounded
-    errors need, and figures are within 0.1 % of figures with errors bounded by 0.1 nm."""
+    """With estimated errors the models `full` need less than 60 % of the evaluations needed with
+    bounded errors. Figures agree within 0.1 % with those of errors bounded by 0.1 nm."""
     found = {}
     for control, more in (
         ("estimate", {}),

@@ -16,7 +16,7 @@ TILTED = (
 
 
 def sampled(folder, within, **case):
-    """(rows of contacts, totals, values for thermo) of a run of in.case with the capacitance at
+    """(rows of contacts, totals, values for thermo) of a run of in.case with capacitances at
     instants within steps."""
     folder.mkdir()
     more = folder / "more"
@@ -31,7 +31,7 @@ def sampled(folder, within, **case):
 
 
 def by_instant(rows, instants, column):
-    """A column of contacts as an array (instants, raceways, balls); 0 without contact."""
+    """One column of the contacts as an array (instants, raceways, balls); 0 for open contacts."""
     table = np.zeros((instants + 1, 2, 9))
     table[
         np.rint(rows[:, 1] * instants / rows[-1, 1]).astype(int),
@@ -44,23 +44,23 @@ def by_instant(rows, instants, column):
 @pytest.mark.parametrize("inner", [RADIAL, TILTED], ids=["radial", "tilted"])
 def test_instants_are_what_finer_steps_give(inner, tmp_path):
     """Host steps of 0.8 ms (1 degree of orbit) with 8 instants each are compared with host steps of
-    0.1 ms, both with an error of 1 nm per internal step: at 2e8 N/m this is 0.2 N, 1e-4 of the
-    largest load, plus the errors of a few earlier steps that are not damped yet.
+    0.1 ms. Both have an error of 1 nm per internal step: at 2e8 N/m this is 0.2 N, 1e-4 of the
+    largest load, plus the errors of a few earlier steps, which are not damped yet.
     """
     case = dict(inner=inner, control="tolerance 1e-9")
     coarse, _, _ = sampled(tmp_path / "coarse", 8, sample=8e-4, samples=20, **case)
     fine, _, _ = sampled(tmp_path / "fine", 1, sample=1e-4, samples=160, **case)
     found, truth = by_instant(coarse, 160, 4), by_instant(fine, 160, 4)
     assert np.abs(found - truth)[40:].max() < 5e-4 * truth.max()
-    # film and capacitance follow from load and speed; Q^0.7 at the edge of the load zone magnifies
+    # film and capacitance follow from load and speed; at the edge of the load zone Q^0.7 magnifies
     # the error of the load
     found, truth = by_instant(coarse, 160, 6), by_instant(fine, 160, 6)
     assert np.abs(found - truth)[40:].max() < 1e-3 * truth.max()
 
 
 def test_a_load_that_comes_on_within_steps(tmp_path):
-    """During a ramp of 3 ms with host steps of 1 ms, instants are taken from every internal step,
-    not only from the ends of host steps."""
+    """During a ramp of 3 ms with host steps of 1 ms, instants follow from every internal step, not
+    only from the ends of host steps."""
     coarse, _, _ = sampled(
         tmp_path / "coarse", 10, sample=1e-3, samples=4, inner=RADIAL, control="tolerance 1e-9"
     )
@@ -76,8 +76,9 @@ def test_a_load_that_comes_on_within_steps(tmp_path):
 
 
 def test_columns(tmp_path):
-    """Capacitances agree with those that the Python package computes from the load and film of each
-    row; totals, largest values, active balls and the figures of a step agree with the rows."""
+    """Capacitances agree with those that the Python package computes from the load and film in each
+    row. Totals, largest values, numbers of active balls and the figures of a step agree with the
+    rows."""
     rows, totals, now = sampled(tmp_path / "run", 5, sample=4e-4, samples=8, inner=RADIAL)
     bearing = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     for side in (0, 1):

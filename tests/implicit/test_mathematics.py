@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Contact derivatives compared with finite differences, solvers with numpy and a single ring with
-scipy; rotating frames."""
+"""Contact derivatives are compared with finite differences, solvers with numpy, and a single ring
+with scipy; frames rotate with the balls."""
 
 import subprocess
 from pathlib import Path
@@ -43,7 +43,7 @@ def lib():
 
 
 def ball(overlap=20e-6, angle=0.0, v=(0, 0, 0), w=(0, 0, 0)):
-    """A ball at azimuth 0.7 pressed into the outer groove under a contact angle."""
+    """A ball at azimuth 0.7 rad that is pressed into the outer groove at a contact angle."""
     circle, s, phi = 36.6e-3 - 6.552e-3, 0.252e-3 + overlap, 0.7
     r, z = circle + s * np.cos(angle), s * np.sin(angle)
     u, t = np.array([np.cos(phi), np.sin(phi), 0]), np.array([-np.sin(phi), np.cos(phi), 0])
@@ -56,14 +56,14 @@ def force(lib, state, spin, mu, frozen):
 
 
 def derivatives(lib, state, spin, mu):
-    """The derivatives D and K as matrices, and the normal."""
+    """The derivatives D and K as matrices, and the normal of the contact."""
     D, K, n = lib.call("contact_derivatives", state=state, spin=spin, mu=mu)
     return D.reshape(3, 3), K.reshape(3, 3), n
 
 
 def differences(lib, state, spin, mu, first, step):
-    """-df/ds for three entries of the state from `first`, with C, mu and the friction's denominator
-    held at their values in `state`."""
+    """-df/ds for three entries of the state, from `first` on; C, mu and the friction's denominator
+    are held at their values in `state`."""
     frozen = np.array([-1.0, 0, 0])
     force(lib, state, spin, mu, frozen)
     columns = []
@@ -96,8 +96,8 @@ def test_velocity_derivative_is_exact(lib, angle, mu):
 
 @pytest.mark.parametrize("angle, tolerance", [(0.0, 1e-6), (0.4, 1e-2)])
 def test_position_derivative(lib, angle, tolerance):
-    """The derivative is exact for a radial contact; with a contact angle, the derivative of the
-    frozen constants is neglected."""
+    """The derivative is exact for a radial contact. With a contact angle, it neglects the
+    derivative of the constants, which are frozen."""
     state = ball(angle=angle)
     _, K, _ = derivatives(lib, state, 0.0, 0.0)
     numeric = differences(lib, state, 0.0, 0.0, 0, 1e-9)
@@ -105,7 +105,7 @@ def test_position_derivative(lib, angle, tolerance):
 
 
 def test_turn_of_the_normal(lib):
-    """The two terms from the rotation of the normal alone are N/s across the groove and N/r along
+    """The two terms due to the rotation of the normal alone are N/s across the groove and N/r along
     it."""
     state = ball()
     frozen = np.array([-1.0, 0, 0])
@@ -117,8 +117,8 @@ def test_turn_of_the_normal(lib):
 
 
 def test_friction_slope_is_a_dashpot(lib):
-    """A sliding contact resists in every direction: the slope has no negative eigenvalue beyond the
-    cross term mu C."""
+    """A sliding contact resists motion in every direction: except for the cross term mu C, the
+    slope has no negative eigenvalue."""
     state = ball(v=(0, 0.65, 2e-3), w=(0, 0, -95.5))
     D = derivatives(lib, state, 0.0, 0.07)[0]
     assert np.linalg.eigvalsh(D + D.T).min() > -1e-3 * np.abs(D).max()
@@ -205,7 +205,7 @@ def lone_ring(lib, order, steps, time):
 
 
 def gyroscope(time):
-    """Axis and its rate of change from L' = M + reaction along e, integrated by scipy with the
+    """Axis and its rate of change from L' = M + reaction along e, which scipy integrates with the
     complete kinematics."""
     axial, transverse = INERTIA
 
@@ -213,8 +213,8 @@ def gyroscope(time):
         e, L = y[:3], y[3:]
         along = e * (L @ e)
         turn = np.cross((L - along) / transverse, e)
-        # the spin is held: the momentum along e stays I_a spin, and the drive takes the remaining
-        # moment
+        # the spin is imposed: the momentum along e remains I_a spin, and the drive supplies the
+        # other part of the moment
         return np.concatenate([turn, MOMENT - e * (MOMENT @ e)])
 
     start = np.array([0, 0, 1, 0, 0, axial * SPIN])
@@ -225,8 +225,8 @@ def gyroscope(time):
 
 @pytest.mark.parametrize("order, method", [(1, 1), (2, 2), (1, 0)], ids=["1", "2", "dampers only"])
 def test_gyroscope(lib, order, method):
-    """A spinning ring under a moment precesses and nutates according to theory, with errors of the
-    order of the method."""
+    """A spinning ring under a moment precesses and nutates as in theory, with errors of the order
+    of the method."""
     time = 5e-3
     axis, rate = gyroscope(time)
     errors = []
@@ -245,8 +245,8 @@ def test_gyroscope(lib, order, method):
 
 @pytest.mark.parametrize("method", [2, 0], ids=["order 2", "dampers only"])
 def test_free_fall_is_exact(lib, method):
-    """Under a constant force, order 2 gives the exact parabola to rounding, and so does `solve
-    damping`, which treats springs as velocity Verlet does."""
+    """Under a constant force, order 2 gives the exact parabola except for rounding, and so does
+    `solve damping`, which treats springs as velocity Verlet does."""
     out, time = lone_ring(lib, method, 7, 2e-3), 2e-3
     acceleration = np.array([1.0, 2.0, 3.0]) / 0.5
     np.testing.assert_allclose(out.v, acceleration * time, rtol=1e-12)
@@ -254,7 +254,7 @@ def test_free_fall_is_exact(lib, method):
 
 
 def estimated(lib, n, h, place, velocity, stiffness=0.0, force=0.0):
-    """Largest error estimated in a step, and position and velocity at the end."""
+    """Largest error that is estimated in a step, and position and velocity at the end."""
     x, v = np.array([place, 0.0]), np.array([velocity, 0.0])
     error = lib.call(
         "estimated_errors", n=n, h=h, stiffness=stiffness, force=force, place=x, velocity=v
@@ -269,10 +269,11 @@ GAMMA = 1 - np.sqrt(0.5)
 
 @pytest.mark.parametrize("turn", [0.1, 0.05, 0.02])
 def test_estimate_of_a_step_of_a_vibration(lib, turn):
-    """The velocity is the same at the ends of both stages, so that the bound is 0. The error that
-    counts is the distance of the end point in the plane of position and velocity: R(z) of the
-    method lacks c z^3, and the first stage has the second difference gamma z^2 v, not z^2 v/2. Four
-    times the error for a velocity given as a function of time is 0.59 of this distance."""
+    """The velocity is the same at both ends of each stage, so that the error bound is 0. The
+    relevant error is the distance of the end point from the exact one in the plane of position and
+    velocity: R(z) of the method lacks c z^3, and the first stage has the second difference gamma
+    z^2 v, not z^2 v/2. Four times the error for a velocity that is a given function of time is 0.59
+    of this distance."""
     h = turn / RATE
     start = -0.5 * (1 + GAMMA) * turn
     error, x, v = estimated(
@@ -281,14 +282,14 @@ def test_estimate_of_a_step_of_a_vibration(lib, turn):
     end = start + turn
     off = np.hypot(x - SWING * np.sin(end), v / RATE - SWING * np.cos(end))
     c = GAMMA**2 * (3 - 2 * GAMMA) - 1 / 6
-    given = GAMMA + (1 - GAMMA) * GAMMA**2 - 1 / 3  # of v = t^2
+    given = GAMMA + (1 - GAMMA) * GAMMA**2 - 1 / 3  # for v = t^2
     assert off == pytest.approx(c * turn**3 * SWING, rel=turn, abs=0)
     assert error == pytest.approx(4 * given * GAMMA / c * off, rel=2 * turn, abs=0)
 
 
 def test_estimate_of_a_constant_force_is_a_share_of_the_bound(lib):
-    """The method has no error under a constant force, so 0.3 of the error of a first-order method
-    counts."""
+    """The method has no error under a constant force, so the estimate is 0.3 of the error of a
+    first-order method."""
     h, acceleration = 1e-4, 3.0 / 0.5
     error, x, _ = estimated(lib, 1, h, 0.0, 0.0, force=3.0)
     bound = GAMMA * (1 - GAMMA) * h**2 * acceleration
@@ -298,9 +299,9 @@ def test_estimate_of_a_constant_force_is_a_share_of_the_bound(lib):
 
 @pytest.mark.parametrize("periods", [1, 10])
 def test_vibration_lags_by_less_than_the_stated_bound(lib, periods):
-    """After s radians of a vibration that sets the step, the error is below 0.65 s times the
-    largest error estimated in a step (docs/fix_bearing_implicit). In theory it is c/(0.3 gamma
-    (1 - gamma)) s times this estimate."""
+    """After s radians of a vibration that determines the step, the error is below 0.65 s times the
+    largest error estimated in a step (docs/fix_bearing_implicit). According to theory it is c/(0.3
+    gamma (1 - gamma)) s times this estimate."""
     turn = 0.02
     n = round(2 * np.pi * periods / turn)
     error, x, v = estimated(lib, n, turn / RATE, SWING, 0.0, stiffness=SPRING)
@@ -331,7 +332,8 @@ def test_between_steps_a_cubic_is_exact(lib):
 
 
 def test_between_steps_an_axis_turns_to_fourth_order(lib):
-    """Half-way between two instants, the error of the axis of a precessing ring is of order h^4."""
+    """Half-way between two instants h apart, the axis of a precessing ring has an error of order
+    h^4."""
     errors = []
     for h in (2e-3, 1e-3, 5e-4):
         miss = lib.call("axis_between", [40.0, -60.0, 30.0], h)
@@ -343,8 +345,8 @@ def test_between_steps_an_axis_turns_to_fourth_order(lib):
 @pytest.mark.parametrize("width", [0, 3e-4], ids=["full", "pit"])
 @pytest.mark.parametrize("off_middle", [-4e-4, 1e-5, 2e-4, 2e-3])
 def test_derivatives_over_a_flaw(lib, off_middle, width):
-    """Slope and curvature of a flaw enter the matrix of the implicit step, on a flank, at an edge
-    and on a wave. So does the motion of the ring with the flaw."""
+    """The matrix of the implicit step contains slope and curvature of a flaw, on a flank, at an
+    edge and on a wave. It also contains the motion of the ring with the flaw."""
 
     def found(overlap):
         return [
@@ -363,20 +365,20 @@ def test_derivatives_over_a_flaw(lib, off_middle, width):
     mass, frame, _ = found(-2e-4)  # without contact
     force, want = (matrix - mass)[:3], (differences - frame)[:3]
     stiff = want[0, 0]
-    # the matrix rotates the force with the ball's position, as its frame already does: h^2 N/r
+    # the matrix rotates the force as the ball moves around; its frame already does so: h^2 N/r
     assert np.abs(force[1, 1] - want[1, 1]) < 7e-4 * stiff
     force[1, 1] = want[1, 1]
     assert np.abs(force - want)[:, [0, 1, 2, 6, 7]].max() < 5e-5 * stiff
-    assert force[:, 8] == pytest.approx(want[:, 8], abs=1e-8 * stiff)  # the ring's spin
+    assert force[:, 8] == pytest.approx(want[:, 8], abs=1e-8 * stiff)  # spin of the ring
     assert transposed[:3, :2] == pytest.approx(force[:, 6:8], abs=1e-12 * stiff)
     if off_middle < 1e-3:
-        assert np.abs(want[0, 1]) > 1e-3 * stiff  # the slope counts
+        assert np.abs(want[0, 1]) > 1e-3 * stiff  # the slope matters
 
 
 @pytest.mark.parametrize("width", [5e-3, 3e-4], ids=["wide", "narrow"])
 @pytest.mark.parametrize("off_middle", [-4e-4, 1e-5, 2e-4, 2e-3])
 def test_derivatives_over_a_flaw_of_the_ball(lib, off_middle, width):
-    """For a flaw of a ball, the ball's spin about the axis takes the place of its motion along the
+    """For a flaw of a ball, the ball's spin about the axis replaces its motion along the
     raceway."""
 
     def found(overlap):
@@ -401,15 +403,15 @@ def test_derivatives_over_a_flaw_of_the_ball(lib, off_middle, width):
             off = force[row, column] - want[row, column]
             assert abs(off) < 5e-5 * stiff * unit_row * unit, (row, column)
     assert np.abs(force - want)[0, 6:8].max() < 5e-5 * stiff  # x, y of the ring
-    assert np.abs(force[:, 8]).max() < 1e-8 * stiff  # and its spin
+    assert np.abs(force[:, 8]).max() < 1e-8 * stiff  # spin of the ring
     assert transposed[0, :2] == pytest.approx(force[0, 6:8], abs=1e-12 * stiff)
     if off_middle < 1e-3:
-        assert np.abs(want[0, 5]) > 1e-3 * stiff * radius  # the slope counts
+        assert np.abs(want[0, 5]) > 1e-3 * stiff * radius  # the slope matters
 
 
 def test_old_factors_stay(lib):
-    """Corrections that reuse earlier factors solve with these factors, without adding masses
-    again."""
+    """Corrections that reuse earlier factors solve with exactly these factors, without adding
+    masses a second time."""
     h = 1e-4
     found = lib.call("old_factors", h=h)
     assert found.reshape(3, 3) == pytest.approx(
@@ -418,17 +420,18 @@ def test_old_factors_stay(lib):
 
 
 def resting(lib, steps=1, **words):
-    """Corrections, estimated error (m) and overlap (m) of each step of a ball on a raceway."""
+    """Number of corrections, estimated error (m) and overlap (m) of each step of a ball on a
+    raceway."""
     found = np.zeros((3, steps))
     lib.call("resting", n=steps, corrections=found[0], error=found[1], overlap=found[2], **words)
     return found
 
 
 def test_a_ball_that_rests_stays(lib):
-    """A ball of 8 g that rolls around at 2 rad/s is pressed on its raceway by 1 mN, to an overlap
-    of 1 nm. It starts a nanometre away. The tolerance is 5 nm, and a step lasts a few of its
-    vibration periods. One correction per stage brings the ball to its place, without a jump off the
-    raceway and back."""
+    """A ball of 8 g that rolls around at 2 rad/s is pressed on its raceway by 1 mN, up to an
+    overlap of 1 nm. It starts a nanometre away from the raceway. The tolerance is 5 nm, and a step
+    lasts a few periods of the ball's vibration. One correction per stage brings the ball to its
+    place, and it does not jump off the raceway and back."""
     scene = dict(speed=2 * 30.3e-3, gap=1e-9, heavy=0.0, h=4e-3, steps=10)
     corrections, _, overlap = resting(lib, newton=5e-9, **scene)
     assert corrections.tolist() == [2] * 10
@@ -438,7 +441,8 @@ def test_a_ball_that_rests_stays(lib):
 
 
 def test_a_light_ball_counts_a_tenth(lib):
-    """The error of an unloaded ball counts a tenth if another ball has an overlap of 0.1 um."""
+    """The error of an unloaded ball counts only a tenth if another ball has an overlap of 0.1
+    um."""
     scene = dict(speed=30.0, gap=1e-6, newton=1e-9, h=1e-7)
     alone, beside = (resting(lib, heavy=heavy, **scene)[1][0] for heavy in (0.0, 1e-7))
     assert alone > 1e-11
@@ -449,7 +453,7 @@ def test_a_light_ball_counts_a_tenth(lib):
     "gap, speed, h", [(1e-8, 3e-4, 2e-4), (6e-8, 1e-3, 1e-3), (6.5e-8, 1e-2, 3e-5)]
 )
 def test_a_contact_that_opens_and_closes_in_turn_is_met_half_way(lib, gap, speed, h):
-    """A ball reaches a cage ball within a step. Full corrections would cycle between the open
+    """A ball reaches a cage ball within a step. Full corrections would alternate between the open
     and the closed contact."""
     corrections = np.zeros(1)
     lib.call("meeting", gap=gap, speed=speed, h=h, newton=1e-9, corrections=corrections)
@@ -458,7 +462,7 @@ def test_a_contact_that_opens_and_closes_in_turn_is_met_half_way(lib, gap, speed
 
 @pytest.mark.parametrize("again", [0, 1])
 def test_corrections_of_the_cage_alone_start_from_the_matrix_of_the_raceways(lib, again):
-    """The matrix is restored, also after a correction that used the factors of an earlier
+    """The matrix is restored, even after a correction that used the factors of an earlier
     matrix."""
     want = np.random.default_rng(4).standard_normal(48)
     want[:36:7] += 10.0

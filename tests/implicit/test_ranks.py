@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """fix bearing/implicit gives the same bits on any number of ranks, wherever the box is cut, with
-other bearings in the box, and through a restart on another number of ranks.
+other bearings in the box, and if a run continues on another number of ranks.
 
-The scene (in.ranks) is a transient under a growing load with refused steps. The inner ring
-starts on the cuts through the middle of the box and leaves them, so the bearing moves to another
-rank.
+The scene (in.ranks) is a transient under a growing load, in which some steps are refused. The inner
+ring starts at the cuts through the middle of the box and moves away from them, so the bearing moves
+to another rank.
 """
 
 import re
@@ -26,7 +26,7 @@ def state(folder):
 
 
 def first_bearing(folder):
-    """Rows of atoms 1 to 20."""
+    """Rows of atoms 1 to 20, which belong to the first bearing."""
     return {
         step: [row for row in rows if int(row.split()[0]) <= 20]
         for step, rows in frames(folder / "balls.dump").items()
@@ -34,7 +34,7 @@ def first_bearing(folder):
 
 
 def last(folder):
-    """Last samples of atoms, contacts and ring."""
+    """Last samples of atoms, contacts and the ring."""
     return [frames(folder / name)[LAST] for name in ("balls.dump", "contacts.dump")] + [
         (folder / "ring.txt").read_text().splitlines()[-1]
     ]
@@ -62,10 +62,10 @@ def test_scene_is_worth_comparing(whole):
     rings = [
         list(map(float, row.split())) for row in (whole / "ring.txt").read_text().splitlines()[1:]
     ]
-    assert all(r[2] < -1e-6 for r in rings)  # m, so that the ring has left the cut at y = 0
-    # N, so that the load still grows at the first sample
+    assert all(r[2] < -1e-6 for r in rings)  # m: the ring has left the cut at y = 0
+    # N: the load is still growing at the first sample
     assert 1000 < rings[0][7] < 4500 < rings[-1][7]
-    assert abs(rings[0][8]) > 1e-4  # rad, so that the outer ring wobbles
+    assert abs(rings[0][8]) > 1e-4  # rad: the outer ring wobbles
     assert rings[-1][10] > 3  # discharges
     refused = float((whole / "control.txt").read_text().splitlines()[-1].split()[4])
     assert refused > 0
@@ -83,7 +83,7 @@ def test_ranks(whole, ranks, tmp_path):
         ((2, 1, 1), 2, {}),
         ((1, 2, 1), 2, {}),
         ((1, 1, 2), 2, {}),
-        ((2, 1, 1), 2, {"xhi": 0.09}),  # the cut misses the rings
+        ((2, 1, 1), 2, {"xhi": 0.09}),  # the cut lies beside the rings
         ((1, 2, 2), 4, {"ylo": -0.1}),
         ((3, 3, 1), 9, {"xhi": 0.06}),  # the rank with the rings has no ball
     ],
@@ -95,8 +95,8 @@ def test_cuts(whole, cuts, ranks, box, tmp_path):
 
 
 def test_a_cage_ball_between_strangers(tmp_path):
-    """Without rails a cage ball is connected to its bearing only by balls, here by balls of other
-    ranks."""
+    """Without rails a cage ball is connected to its bearing only through balls, which here belong
+    to other ranks."""
     succeed(DECK, out=tmp_path / "one", rails=0)
     succeed(DECK, ranks=8, out=tmp_path / "eight", rails=0, cuts_x=8, cuts_y=1)
     assert state(tmp_path / "eight") == state(tmp_path / "one")
@@ -109,7 +109,7 @@ def test_two_bearings(both, ranks, tmp_path):
 
 
 def test_another_bearing_changes_no_bits(whole, both):
-    """No bits change although the other bearing needs finer steps and other neighbour lists."""
+    """No bits change, although the other bearing needs finer steps and other neighbour lists."""
     assert first_bearing(both) == frames(whole / "balls.dump")
     finest = [
         float((f / "control.txt").read_text().splitlines()[-1].split()[1]) for f in (whole, both)
@@ -126,7 +126,7 @@ def test_a_fix_for_each_bearing(both, ranks, tmp_path):
 @pytest.mark.parametrize("bearings", [1, 2])
 def test_restart_on_other_ranks(whole, both, bearings, tmp_path):
     """Two ranks write a restart file in the middle of a run, while the load grows and steps are
-    refined; one rank and four ranks resume it."""
+    refined. One rank and four ranks continue from it."""
     case = TWO if bearings == 2 else {}
     unbroken = {1: whole, 2: both}[bearings]
     succeed(DECK, ranks=2, out=tmp_path, keep=22, first=22, second=38, **case)
@@ -147,9 +147,10 @@ def test_restart_on_other_ranks(whole, both, bearings, tmp_path):
 
 @pytest.mark.parametrize("scene", ["full", "full by estimates", "flaw"])
 def test_models_full_or_flaws(scene, tmp_path):
-    """Two and four ranks, with a restart file written in the middle and resumed by four, give the
-    bits of one rank: with film in the gap, film branch and tangential springs, which store forces
-    between steps, or with flaws of balls and of a ring, whose ghosts must have the ring's angle."""
+    """Two ranks, and four ranks that continue from a restart file written in the middle, give the
+    bits of one rank. One scene has film in the gap, film branch and tangential springs, which store
+    forces between steps; the other has flaws of balls and of a ring, whose ghosts must have the
+    ring's angle."""
     kept = {
         "full": {"control": "tolerance 1e-8 cage_tolerance 1e-6"},
         "full by estimates": {"control": "tolerance 1e-8 cage_tolerance 1e-6 control estimate"},
@@ -179,8 +180,8 @@ def test_models_full_or_flaws(scene, tmp_path):
 
 
 def test_a_fixed_housing_is_the_ground(tmp_path):
-    """A fixed housing on the pitch circle, nearer to some cage balls than their ring, gives the
-    same bits as the ground."""
+    """A fixed housing has its centre on the pitch circle, nearer to some cage balls than their ring
+    is. It gives the same bits as the ground."""
     held = (ROOT / "tests/hosts/bits.housing.1").read_text().split("fix housing")[0]
     text = (ROOT / DECK).read_text()
     for name, words in (
@@ -197,8 +198,8 @@ def test_a_fixed_housing_is_the_ground(tmp_path):
 
 
 def test_only_dampers_implicit(tmp_path):
-    """`solve damping` on two ranks, with a restart file written in the middle and resumed by four
-    ranks, gives the bits of one rank."""
+    """With `solve damping`, two ranks, and four ranks that continue from a restart file written in
+    the middle, give the bits of one rank."""
     words = dict(control="solve damping")
     succeed(DECK, out=tmp_path / "one", **words)
     succeed(DECK, ranks=2, out=tmp_path / "two", keep=22, first=22, second=38, **words)

@@ -19,8 +19,8 @@ def runs(tmp_path_factory):
 
 
 def test_fewer_evaluations_and_exact_loads(runs):
-    """Steps may have an error of R relative to the largest overlap; loads then have an error of
-    1.5 R."""
+    """Steps may have an error of R times the largest overlap, so that loads have an error of at
+    most 1.5 R times the largest load."""
     exact = Run(runs / "fine").contacts["load"]
     evaluations = []
     for share in (0, 5e-4, 2e-3):
@@ -32,7 +32,8 @@ def test_fewer_evaluations_and_exact_loads(runs):
 
 
 def test_light_loads_keep_the_tolerance(tmp_path):
-    """5 N cause an overlap of 0.2 um: 5e-4 of it is below 1 nm, so the bits are the same."""
+    """5 N causes an overlap of 0.2 um: 5e-4 of this overlap is below 1 nm, so the bits are the
+    same."""
     for share in (0, 5e-4):
         out = tmp_path / f"{share}"
         words = {**SCENE, "load": 5, "rpm": 100, "settle": 2, "lubricant": "dry"}

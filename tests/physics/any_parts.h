@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The law for any set of parts (core/contact/any_law.h), for the number types used in tests.
+// The contact law for any set of parts (core/contact/any_law.h), for the number types of the tests.
 #ifndef RACEWAY_TESTS_ANY_PARTS_H
 #define RACEWAY_TESTS_ANY_PARTS_H
 
@@ -58,7 +58,7 @@ template <class F> void with_parts(unsigned parts, const F &f)
   else f(PartsLaw<3>{parts});
 }
 
-// Motions of a contact at a given position; returns whether the contact is open.
+// Sets the motions of a contact at a given position; returns whether the contact is open.
 template <class L>
 bool approach(const L &law, const RacewayPhysics &p, const BallState &ball, const RingState &ring,
               ContactState &c)

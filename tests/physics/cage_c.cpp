@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Drag of a cage ring, its pockets and its land, for test_physics_cage_ring.py.
+// Drag of a one-piece cage, its pockets and its land, for test_physics_cage_ring.py.
 #include "../../src-package/core/geometry/cage_ring.h"
 #include "../../src-package/core/interface/exports.h"
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-# finds the helpers of this folder wherever pytest starts
+# lets pytest find the helpers of this folder wherever it starts
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from film_scene import Gap  # noqa: E402
@@ -30,11 +30,11 @@ def side(request):
 
 @pytest.fixture(scope="module")
 def gap(physics, side):
-    """A contact of either raceway with its film."""
+    """A contact with the inner or the outer raceway, with its film."""
     return Gap(physics, side)
 
 
 @pytest.fixture(scope="module")
 def inner(physics):
-    """A contact of the inner raceway with its film."""
+    """A contact with the inner raceway, with its film."""
     return Gap(physics, INNER)

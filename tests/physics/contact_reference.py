@@ -2,8 +2,8 @@
 """A ball and a ring as moving rigid bodies in 40-digit arithmetic: reference for contact.h.
 
 It does not use the derivation in the header. Points of the bodies are followed along the motion
-(constant velocities, Rodrigues rotation) and differentiated in time; vectors are mpmath vectors, so
-no step size enters.
+(constant velocities, Rodrigues rotation) and differentiated in time. Vectors are mpmath vectors, so
+that no step size enters.
 """
 
 import mpmath
@@ -48,8 +48,8 @@ def turn(a, w):
 def derivative(f):
     """df/dt at t = 0 of a vector function, from central differences with Richardson extrapolation.
 
-    Motions here vary over T = 1e-5 s and more: truncation (h/T)^4 = 1e-36, rounding 1e-40 m/h =
-    1e-26 m/s.
+    Motions here vary over T = 1e-5 s or longer times: truncation (h/T)^4 = 1e-36, rounding 1e-40
+    m/h = 1e-26 m/s.
     """
     h = mpf(10) ** -14  # s
 
@@ -70,7 +70,7 @@ class Reference:
         self.circle, self.radius = mpf(circle), mpf(radius)
 
     def frame(self, t=0):
-        """Geometry at the time t: u, t, e, n, w, s, contact point."""
+        """Geometry at the time t (s): u, t, e, n, w, s and the contact point."""
         t = mpf(t)
         x = add(self.ball[0], self.ball[1], t)
         centre = add(self.ring[0], self.ring[1], t)

@@ -11,7 +11,8 @@ using namespace raceway;
 
 RECORD(FilmContact, double load, compression, h_c, h_min, slope, stiffness, reach;)
 
-// shear: 0 none, 1 Murch and Wilson, 2 Wilson, 3 Gupta; pressure over E', sliding speed in m/s
+// shear: 0 none, 1 Murch and Wilson, 2 Wilson, 3 Gupta; pressure relative to E', sliding speed in
+// m/s
 EXPORT(double, film_factor,
        (double shear, double beta, double viscosity, double conductivity, double starvation,
         double speed, double pressure, double sliding))
@@ -45,8 +46,8 @@ RacewayPhysics with_gap(const RacewayPhysics &p, const FilmScene &scene)
   return q;
 }
 
-// A contact at rest in the normal direction, so that the normal force is the load. Returns whether
-// it is open.
+// Sets a contact whose surfaces do not approach each other, so that the normal force is the load.
+// Returns whether the contact is open.
 template <class T, class Mask = decltype(T() < T())>
 Mask squeeze(const RacewayPhysics &p, const T &overlap, const T &speed, double sliding,
              ContactStateT<T> &c, T &slope)
@@ -88,7 +89,8 @@ EXPORT(double, film_stored,
   return FullLaw<>::energy(q, c);
 }
 
-// Number of values whose bits differ between four contacts together and each contact alone.
+// Number of values whose bits differ between four contacts evaluated together and each contact
+// alone.
 EXPORT(int, film_lanes,
        (const RacewayPhysics *p, const FilmScene *scene, const double overlap[4],
         const double speed[4]))

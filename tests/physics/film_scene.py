@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A contact of a 6208 with its film, computed by a run's code, by the package and in 40 digits."""
+"""A contact of a 6208 with its film, computed by the code of a run, by the Python package and in 40
+digits."""
 
 import pytest
 from raceway import film_factors, film_gap
@@ -37,7 +38,7 @@ class Gap:
         assert exact["stiffness"] == pytest.approx(self.stiffness, rel=1e-13)
 
     def cpp(self, overlap, speed, share=1.0, starvation=1.0, **changes):
-        """(whether the contact is open, its numbers) by the code of a run."""
+        """(whether the contact is open, numbers of the contact) from the code of a run."""
         return self.call(
             "film_contact",
             p=self.raceway._handle,
@@ -47,7 +48,7 @@ class Gap:
         )
 
     def stored(self, overlap, speed, **changes):
-        """Stored energy, J."""
+        """Energy stored in the contact, J."""
         return self.call(
             "film_stored",
             p=self.raceway._handle,
@@ -63,13 +64,14 @@ class Gap:
         return reference.all_regimes(*OIL, self.modulus, self.r_x, self.r_y, speed, factor)
 
     def heated(self, law, speed, sliding, cut):
-        """`law` with Gupta's factor."""
+        """`law` with Gupta's factor for inlet shear."""
         loading = 0.047 * OIL[0] * speed**2 / 0.134
         peak = self.raceway.radial().p * self.stiffness ** (-1 / 3) / self.modulus
         return reference.heated(law, loading, peak, sliding / speed, cut)
 
     def python(self, law, speed, share=1.0, factor=1.0, overlap=0.0):
-        """`film_gap.Squeeze` by the package; `law` has the changes that `cpp` takes."""
+        """`film_gap.Squeeze` from the Python package; `law` contains the changes that `cpp`
+        takes."""
         contact = (*OIL, self.modulus, self.r_x)
         if law.get("regimes"):
             film = film_gap.all_regimes(*contact, self.r_y, speed, factor=factor)

@@ -8,8 +8,9 @@ using namespace raceway;
 
 RECORD(Collision, double normal, along, spin, lost, time;)
 
-// A sphere of mass m and radius R hits a plane wall at rest. Velocities before: `normal` towards
-// the wall, `along` it, and the spin that moves its surface in the direction of `along`.
+// A sphere of mass m and radius R hits a plane wall at rest. Before the collision it has the
+// velocity `normal` towards the wall, the velocity `along` it, and a spin that moves its surface in
+// the direction of `along`.
 FORMULA(Collision, grain_collision,
         (double stiffness, double restitution, double friction, double m, double R, double normal,
          double along, double spin, double dt))

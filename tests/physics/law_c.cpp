@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Every possible contact law behind a C interface, for test_physics_laws.py: slopes by duals and by
-// differences; values one by one and four at a time, part by part and as a whole.
+// Every possible contact law behind a C interface, for test_physics_laws.py: slopes from duals and
+// from differences; values of contacts one by one and four at a time, and of laws part by part and
+// as a whole.
 #include "../../src-package/core/interface/exports.h"
 #include "../../src-package/core/numbers/instruction_set.h"
 
@@ -17,8 +18,8 @@ template <class T> const T *force_of(const ContactStateT<T> &c, int i)
   return forces[i];
 }
 
-// Local forces after the k-th motion has changed by `step` times its natural size; quantities that
-// are held fixed do not change.
+// Changes of the local forces if the k-th motion changes by `step` times its natural size.
+// Quantities that the law holds fixed do not change.
 template <class L>
 void shifted_forces(const L &law, const Scene &s, const ContactState &c, int k, double step,
                     double *change, double &size)
@@ -56,7 +57,7 @@ int slopes_of(const L &law, const Scene &s, double *dual, double *difference, do
     for (int k = 0; k < n; ++k) dual[n * i + k] = slopes.of[i][k];
   }
   const double step = 1e-5;
-  for (int k = 0; k < n; ++k) {    // of fourth order
+  for (int k = 0; k < n; ++k) {    // differences of fourth order
     double change[n], size;
     for (int i = 0; i < n; ++i) difference[n * i + k] = 0.0;
     for (int far : {-2, -1, 1, 2}) {
@@ -73,7 +74,7 @@ template <class T> RACEWAY_INLINE Vec3T<T> spread(const Vec3 &v)
   return {T() + v.x, T() + v.y, T() + v.z};
 }
 
-// Number of doubles with different bits in two equal structs of numbers.
+// Number of doubles with different bits in two structs that consist of numbers only.
 template <class A> int different_numbers(const A &a, const A &b)
 {
   const double *const x = reinterpret_cast<const double *>(&a),
@@ -102,7 +103,7 @@ template <class L> Found<L::motions> found_by(const L &law, const Scene &s, bool
   return f;
 }
 
-// Result of an evaluation of four identical contacts at once; returns one lane.
+// Evaluates four identical contacts at once; returns the result of one lane.
 template <class L> Found<L::motions> found_in_lanes(const L &law, const Scene &s, bool with_slopes)
 {
   ContactStateT<Lane> four;
@@ -134,7 +135,7 @@ template <class L> Found<L::motions> found_in_lanes(const L &law, const Scene &s
   return f;
 }
 
-// Number of differing values: doubles, lanes, duals of doubles, duals of lanes.
+// Number of values that differ between doubles, lanes, duals of doubles and duals of lanes.
 template <class L> int bit_differences(const L &law, const Scene &s)
 {
   const auto one = found_by(law, s, false), dual = found_by(law, s, true);
@@ -157,7 +158,8 @@ template <class L> int bit_differences(const L &law, const Scene &s)
   return different;
 }
 
-// Number of values that differ between a law compiled as a whole and its parts one by one.
+// Number of values that differ between a law compiled as a whole and its parts evaluated one by
+// one.
 template <class L> int fused_differences(const Scene &s)
 {
   const PartsLaw<L::motions> law = {L::parts};
@@ -173,8 +175,8 @@ template <class L> int fused_differences(const Scene &s)
   return different;
 }
 
-// Number of values whose bits differ between four contacts of one raceway at once and one by one;
-// the last contact may be open.
+// Number of values whose bits differ between four contacts of one raceway evaluated at once and one
+// by one; the last contact may be open.
 int lane_differences(unsigned parts, int n)
 {
   const bool decides = law_facts(parts).decides;
@@ -246,7 +248,7 @@ EXPORT(const char *, law_name, (int law))
 }
 EXPORT(int, law_explicit, (int law)) { return law_facts(laws_of_parts()[law]).explicit_step; }
 
-// n x n slopes by duals and by differences, n forces; returns n
+// n x n slopes from duals and from differences, n forces; returns n
 EXPORT(int, law_slopes,
        (int law, int sample, double dual[36], double difference[36], double forces[6]))
 {
@@ -282,7 +284,7 @@ EXPORT(int, law_fused, (int law, int sample))
 }
 
 // The reason why keywords cannot form this set of parts; "" if they can. Parts are given one after
-// another.
+// the other.
 EXPORT(const char *, law_contradiction, (const char *names))
 {
   static std::string text;
@@ -295,7 +297,7 @@ EXPORT(const char *, law_contradiction, (const char *names))
   return text.c_str();
 }
 
-// Instruction sets of the processor and of the code for contacts.
+// Instruction sets of the processor and of the code that evaluates contacts.
 EXPORT(int, has_avx2, ())
 {
 #ifdef __x86_64__

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// All contact laws, loaded contacts of a 6208 to try them on, and numbers with a small
+// All contact laws, loaded contacts of a 6208 on which to try them, and numbers with a small
 // perturbation.
 #ifndef RACEWAY_TESTS_LAW_SCENES_H
 #define RACEWAY_TESTS_LAW_SCENES_H
@@ -12,8 +12,9 @@
 
 namespace raceway {
 
-// A number, and the same number after a small change of the motions. held() returns the first
-// number: what a law holds fixed in its derivative must not change in the difference either.
+// A number, and the number that it becomes after a small change of the motions. held() returns the
+// unperturbed number: what a law holds fixed in its derivative must not change in the difference
+// either.
 struct Shifted {
   double value = 0.0, moved = 0.0;
   Shifted() = default;
@@ -44,7 +45,7 @@ inline Shifted operator/(const Shifted &a, const Shifted &b)
   return {a.value / b.value, a.moved / b.moved};
 }
 inline Shifted operator-(const Shifted &a) { return {-a.value, -a.moved}; }
-// takes the branch of the unperturbed number: a law is differentiated within its branches
+// takes the branch of the unperturbed number, because a law is differentiated within its branches
 inline bool operator<(const Shifted &a, double b) { return a.value < b; }
 inline bool operator>(const Shifted &a, double b) { return a.value > b; }
 inline bool operator>(const Shifted &a, const Shifted &b) { return a.value > b.value; }
@@ -91,8 +92,8 @@ struct Scene {
   bool stage;
 };
 
-// Sets parameters of a part that are 0, so that each of its effects is present and a wrong slope is
-// detected.
+// Gives those parameters of a part that are 0 another value, so that each effect of the part is
+// present and a wrong slope is detected.
 template <class Part> void enliven(RacewayPhysics &p)
 {
   auto &own = p.of<Part>();
@@ -102,13 +103,13 @@ template <class Part> void enliven(RacewayPhysics &p)
       if (!parameter.number || parameter.open || parameter.least != 0.0) continue;
       double &value = parameter.number(p, own);
       const auto *const at = reinterpret_cast<const char *>(&value);
-      // unless the parameter belongs to another part or is live
+      // the parameter must belong to this part and be 0
       if (at < begin || at >= end || value != 0.0) continue;
       value = std::isfinite(parameter.most) ? 0.5 * parameter.most : 1.0;
     }
 }
 
-// The n-th loaded contact of a 6208, with some contact angle and some sliding.
+// The n-th loaded contact of a 6208, with a contact angle and a sliding speed that depend on n.
 Scene scene(unsigned parts, int n)
 {
   std::mt19937 random(n);

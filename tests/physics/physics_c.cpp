@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The physics headers behind a C interface, for the tests in this folder (called by name through
 // physics_c.py, see src-package/core/interface/exports.h). All numbers are doubles, even those that
-// make a choice.
+// select an option.
 #include "../../src-package/core/geometry/rail.h"
 #include "../../src-package/core/geometry/ring_body.h"
 #include "../../src-package/core/interface/exports.h"
@@ -16,7 +16,7 @@ using namespace raceway;
 
 EXPORTS
 
-// One raceway in the form that the tests use.
+// Data of one raceway, in the form that the tests use.
 RECORD(RacewayInput, double side, raceway_radius, groove_radius, ball_radius, ball_young,
        ball_poisson, ring_young, ring_poisson, ellipse, film, viscosity, pressure_viscosity,
        damper_full_axis, damper_rolling_radius, friction, mu, mu_boundary, mu_full, lambda_1,
@@ -121,7 +121,7 @@ static void put(const ContactState &c, State *out)
   out->friction_w = c.friction_w;
 }
 
-// One of the functions of exp_log.h, applied to n numbers, one by one and four at a time.
+// Applies one of the functions of exp_log.h to n numbers, one by one and four at a time.
 template <class T> static T elementary_of(int which, const T &x)
 {
   return which == 0   ? exponential(x)
@@ -321,7 +321,7 @@ EXPORT(void, raceway_radial, (const RacewayPhysics *p, Constants *out))
   put(p->law.radial(), out);
 }
 
-// Without contact (overlap <= 0) touch() leaves the frame unset; it is filled in here.
+// Without contact (overlap <= 0) touch() leaves the frame unset; it is set here.
 EXPORT(double, contact_touch,
        (const RacewayPhysics *p, const double d[3], const double e[3], State *state))
 {

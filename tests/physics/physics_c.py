@@ -13,7 +13,8 @@ FRICTIONLESS, CONSTANT, STRIBECK = 0, 1, 2  # Friction
 PITCH, BALL = 30.3e-3, 6.3e-3  # m, of a 6208
 BALL_MASS = 4 / 3 * np.pi * BALL**3 * 7800
 
-# Data of a raceway, RacewayInput of physics_c.cpp; the values are those of a dry 6208 inner ring.
+# Data of a raceway, the RacewayInput of physics_c.cpp; the values are those of a dry 6208 inner
+# ring.
 RACEWAY = dict(
     side=INNER,
     raceway_radius=24.0e-3,
@@ -53,11 +54,11 @@ ELEMENTARY = ("exponential", "logarithm", "rough_exponential", "rough_logarithm"
 
 
 class Physics(Library):
-    """The library; functions that are often called have a method."""
+    """The library of core functions; those that are often called have a method."""
 
     def __init__(self, path):
         super().__init__(path)
-        self.record("RacewayInput", RACEWAY)  # names in C++ and Python must be equal
+        self.record("RacewayInput", RACEWAY)  # the names in C++ and Python must be equal
 
     def elementary(self, name, x):
         """A function of `ELEMENTARY` applied to an array: (one by one, four at a time)."""
@@ -102,13 +103,13 @@ class Physics(Library):
         return Raceway(self, changes)
 
     def raceway_6208(self, side, clearance=0.0, **changes):
-        """Raceway of a 6208; the diametral clearance goes into the outer groove."""
+        """Raceway of a 6208; a diametral clearance (m) enlarges the outer groove."""
         radius = 24.0e-3 if side == INNER else 36.6e-3 + clearance / 2
         return Raceway(self, dict(side=side, raceway_radius=radius) | changes)
 
 
 class Raceway:
-    """A RacewayPhysics and its input `data`."""
+    """A RacewayPhysics and the input `data` from which it was made."""
 
     def __init__(self, physics, changes):
         assert not set(changes) - set(RACEWAY)
@@ -142,8 +143,8 @@ class Raceway:
         return bool(touching), state
 
     def contact(self, ball, ring, dt=0.0, xi=(0.0, 0.0)):
-        """State with forces of a ball (x, v, w) on a ring (x, v, w, e); `xi` after the step is in
-        the state."""
+        """State, with forces, of the contact between a ball (x, v, w) and a ring (x, v, w, e). The
+        state also contains `xi` after the step."""
         spring = np.array(xi, dtype=float)
         result, forces = self._physics.call(
             "contact",

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""capacitance.h compared with equations 8 and 10 to 12, their limits and CODATA."""
+"""capacitance.h, compared with equations 8 and 10 to 12, their limits and the CODATA value of
+epsilon_0."""
 
 import numpy as np
 import pytest
@@ -16,7 +17,7 @@ def test_clausius_mossotti_is_proportional_to_density(ambient, pressure):
     eps = laws.permittivity(ambient, pressure)
     density = (0.59e9 + 1.34 * pressure) / (0.59e9 + pressure)
     assert laws.density_ratio(pressure) == pytest.approx(density, rel=1e-15)
-    # inverse of the function tested; 1 - c >= 0.3 here, which magnifies roundings a few times
+    # inverse of the tested function; 1 - c >= 0.3 here, which magnifies rounding errors a few times
     assert (eps - 1) / (eps + 2) == pytest.approx(
         (ambient - 1) / (ambient + 2) * density, rel=1e-14, abs=1e-15
     )
@@ -24,14 +25,14 @@ def test_clausius_mossotti_is_proportional_to_density(ambient, pressure):
 
 def test_limits():
     assert laws.density_ratio(0.0) == 1
-    # the next term is 0.2e9/p
+    # the next term of the series is 0.2e9/p
     assert laws.density_ratio(1e20) == pytest.approx(1.34, rel=1e-10)
     assert laws.permittivity(2.15, 0.0) == pytest.approx(2.15, rel=1e-15)
     assert laws.permittivity(1.0, 3e9) == 1
 
 
 def test_parallel_plates():
-    # epsilon_0 of CODATA changes by 1e-10 from one edition to the next
+    # the CODATA value of epsilon_0 changes by 1e-10 from one edition to the next
     assert laws.contact_capacitance(2.15, 2e-3, 2.2e-4, 3e-7) == pytest.approx(
         epsilon_0 * 2.15 * np.pi * 2e-3 * 2.2e-4 / 3e-7, rel=1e-9
     )
@@ -45,7 +46,7 @@ def test_series():
 
 
 def test_what_has_no_value_keeps_none():
-    """An open contact has no pressure; its row is NaN."""
+    """An open contact has no pressure, so its row is NaN."""
     given = np.array([np.nan, 1e9])
     for law in (
         lambda x: capacitance.permittivity(2.2, x),

@@ -2,9 +2,10 @@
 """contact.h: one ball on one raceway, compared with moving rigid bodies in 40-digit arithmetic and
 with the conservation laws.
 
-Rounding: positions have errors of 1e-17 m (an ulp of 0.03 m), and the ball is s = 0.2 mm from its
-circle of groove centres, so directions are accurate to 1e-13 and speeds (at most 100 m/s here,
-cancelling) to 1e-12 of the largest speed; the overlap (10 um) has a relative accuracy of 1e-12.
+Rounding: positions have errors of 1e-17 m (an ulp of 0.03 m), and the ball is s = 0.2 mm away from
+the circle of groove centres. Directions are therefore accurate to 1e-13, and speeds (at most 100
+m/s here, and they cancel) to 1e-12 of the largest speed; the overlap (10 um) has a relative
+accuracy of 1e-12.
 """
 
 import mpmath
@@ -31,7 +32,8 @@ AXES = {
 
 
 def scene(side, axis="tilted", angle=0.4, overlap=1e-5, azimuth=0.7, ring_w=(20.0, -35.0, 150.0)):
-    """A ball at a contact angle with a given overlap, with all bodies in motion: (ball, ring)."""
+    """A ball with a given overlap at a contact angle (rad), with all bodies in motion: (ball,
+    ring)."""
     e = AXES[axis]
     first = unit(np.cross(e, [0.3, 1.0, 0.1]))
     u = np.cos(azimuth) * first + np.sin(azimuth) * np.cross(e, first)
@@ -80,7 +82,7 @@ def test_speeds_are_those_of_the_bodies(physics, side, axis, angle, azimuth, rin
 @SIDES
 @pytest.mark.parametrize("turning", [(0.0, 0.0, 200.0), (150.0, -40.0, 60.0)])
 def test_turning_the_whole_world_changes_no_speed(physics, side, turning):
-    # the same rigid rotation added to both bodies leaves overlap, slip and entrainment unchanged
+    # the same rigid rotation of both bodies leaves overlap, slip and entrainment unchanged
     ball, ring = scene(side)
     spin, about = np.array(turning), np.array([0.01, 0.02, -0.01])
     moved = [(x, v + np.cross(spin, x - about), w + spin, *rest) for x, v, w, *rest in (ball, ring)]
@@ -106,7 +108,7 @@ def test_a_moving_observer_sees_the_same(physics, side):
 
 @SIDES
 def test_overlap_rate_along_the_motion(physics, side):
-    # by finite differences of the header's overlap, with a tilting ring
+    # compared with finite differences of the header's overlap, for a tilting ring
     ball, ring = scene(side)
     ring_model = make(physics, side)
 
@@ -124,7 +126,8 @@ def test_overlap_rate_along_the_motion(physics, side):
 
 @SIDES
 def test_tilting_ring_alone_closes_the_contact(physics, side):
-    # ball at rest, ring rotating about a line across its axis: d(overlap)/dt = -n.(W x arm)
+    # ball at rest, ring rotating about a line perpendicular to its axis: d(overlap)/dt = -n.(W x
+    # arm)
     ball, ring = scene(side)
     ball, ring = (
         (ball[0], np.zeros(3), np.zeros(3)),
@@ -179,7 +182,7 @@ def test_load_and_stiffness(physics, side, angle):
     exact = raceway.exact(np.cos(angle)).K
     assert state.load == pytest.approx(exact * 1e-5**1.5, rel=1e-9)  # accuracy of the table
     assert state.root**2 == pytest.approx(state.overlap, rel=1e-15)
-    # stiffness = dQ/d(overlap): the ball is displaced along the normal, at one contact angle
+    # stiffness = dQ/d(overlap): the ball is displaced along the normal at a constant contact angle
     normal, h = state.nu * state.u + state.ne * ring[3], 2e-9
     loads = [raceway.contact((ball[0] + step * normal, *ball[1:]), ring).load for step in (h, -h)]
     # truncation (h/overlap)^2/24 of a 3/2 power, rounding 2e-17 m/h
@@ -195,8 +198,8 @@ def test_damping_is_the_slope_of_the_normal_force(physics, side):
     state = raceway.contact(ball, ring)
     normal, step = state.nu * state.u + state.ne * ring[3], 1e-3
     pushed = raceway.contact((ball[0], ball[1] + step * normal, ball[2]), ring)
-    # N is linear in the rate, and a motion along n changes only U_r; rounding is 1e-12 of forces
-    # of 1e3 N divided by C step
+    # N is linear in the rate, and a motion along n changes only U_r; the error is the rounding of
+    # forces of 1e3 N, 1e-12 of them, divided by C step
     found = (pushed.normal - state.normal) / step
     assert found == pytest.approx(state.damping, rel=1e-10 + 1e-9 / (state.damping * step))
     assert pushed.overlap_rate - state.overlap_rate == pytest.approx(step, abs=1e-12)
@@ -218,7 +221,7 @@ def test_damping_is_the_sum_of_both_laws(physics, side, angle):
         / np.sqrt(2)
         * (BALL / h_min) ** 1.5
     )
-    # the error is the accuracy of the table times ln U and ln Q
+    # the error is the accuracy of the table, multiplied by ln U and ln Q
     assert state.h_min == pytest.approx(h_min, rel=1e-8)
     assert state.lam == pytest.approx(h_min / 50e-9, rel=1e-8)
     assert state.damping == pytest.approx(1.5 * 0.08 * state.load + fluid, rel=3e-8)  # h^-1.5
@@ -248,7 +251,7 @@ def test_no_adhesion(physics, side):
     ball, ring = scene(side)
     state = make(physics, side).contact(ball, ring)
     normal = state.nu * state.u + state.ne * ring[3]
-    # N is zero if this speed is added to the separation speed
+    # N becomes zero if the separation speed grows by this speed
     critical = state.load / state.damping + state.overlap_rate
     for factor, sign in ((0.99, 1), (1.01, 0), (100.0, 0)):
         away = make(physics, side).contact(
@@ -256,7 +259,7 @@ def test_no_adhesion(physics, side):
         )
         assert np.sign(away.normal) == sign
         assert away.load > 0
-    # nor friction
+    # friction is zero, too
     assert away.force.tolist() == [0, 0, 0] and away.ball_torque.tolist() == [0, 0, 0]
 
 
@@ -366,15 +369,15 @@ def test_momentum_is_conserved(physics, side, axis, angle, azimuth):
             + state.ring_torque
             + np.cross(ring[0] - about, -state.force)
         )
-        # roundings of levers below 1 m
+        # rounding errors of lever arms below 1 m
         assert moment == pytest.approx(0, abs=1e-14 * np.linalg.norm(state.force))
 
 
 @SIDES
 @SCENES
 def test_power_is_that_of_the_contact(physics, side, axis, angle, azimuth):
-    # the power that both bodies receive equals the power of spring, damper and friction: this ties
-    # rates to forces
+    # the power that both bodies receive equals the power of spring, damper and friction; the test
+    # thus relates rates to forces
     ball, ring = scene(side, axis, angle, azimuth=azimuth)
     state = make(physics, side).contact(ball, ring, dt=1e-7)
     received = (
@@ -405,7 +408,7 @@ def test_direction_in_space_does_not_matter(physics, side):
         [turned(v) for v in ball], [turned(v) for v in ring], dt=1e-7
     )
     for name, lever in (("force", 1.0), ("ball_torque", BALL), ("ring_torque", PITCH)):
-        # the rotation moves the ball by an ulp of its position, 1e-12 of the overlap
+        # the rotation changes the ball's position by an ulp, which is 1e-12 of the overlap
         assert getattr(other, name) == pytest.approx(
             turned(getattr(one, name)), abs=1e-10 * np.linalg.norm(one.force) * lever
         )

@@ -26,16 +26,16 @@ def test_stiffness_is_the_slope_of_the_spring(physics):
 def test_growth_is_the_slope_of_the_force_of_a_closing_contact(physics):
     overlap, rate, h = 2e-6, 0.01, 1e-9
     up, down = (contact(physics, overlap + off, rate).force for off in (h, -h))
-    # truncation: of the powers 3/2 and 1/4 the latter has the larger error, (h/overlap)^2 7/32
+    # truncation: of the powers 3/2 and 1/4, the power 1/4 has the larger error, (h/overlap)^2 7/32
     bound = 7 / 32 * (h / overlap) ** 2 + 1e-15 * overlap / h
     assert contact(physics, overlap, rate).growth == pytest.approx((up - down) / (2 * h), rel=bound)
-    # an opening contact retains its spring
+    # an opening contact still has the force of its spring
     assert contact(physics, overlap, -rate).growth == contact(physics, overlap).stiffness
 
 
 def test_damping_is_critical(physics):
     c = contact(physics, 2e-6)
-    # m x'' + c x' + k x = 0 has a double root: no discriminant
+    # m x'' + c x' + k x = 0 has a double root: its discriminant is zero
     assert c.damping**2 == pytest.approx(4 * c.stiffness * MASS, rel=1e-15)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""damping.h compared with equations 4 and 5, the lower bound and the options of the errata."""
+"""damping.h, compared with equations 4 and 5, the lower bound and the options of the errata."""
 
 import numpy as np
 import pytest
@@ -14,14 +14,14 @@ def film_damping(viscosity, length, radius, h, floor=0.0, factor=1.0):
 
 def test_equation_5():
     expected = 3 * np.pi * 0.04 * 2e-3 / np.sqrt(2) * (BALL / 2e-7) ** 1.5
-    # some ten roundings
+    # some ten rounding errors
     assert film_damping(0.04, 2e-3, BALL, 2e-7) == pytest.approx(expected, rel=1e-14)
     assert package.film(0.04, 2e-3, BALL, 2e-7) == pytest.approx(expected, rel=1e-14)
 
 
 def test_numbers_of_the_6208():
-    """Damping equals the numbers in docs/theory, Normal damping: 0.8, 3.1, 8.7 kN s/m at 5 kN and
-    0.04 Pa s."""
+    """Damping equals the numbers in docs/theory, section Normal damping: 0.8, 3.1, 8.7 kN s/m at 5
+    kN and 0.04 Pa s."""
     found = [film_damping(0.04, 2.059e-3, BALL, h) for h in (500e-9, 200e-9, 100e-9)]
     assert found == pytest.approx([0.8e3, 3.1e3, 8.7e3], abs=50)
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Inlet shear and starvation thin the film: comparison with published numbers and 40 digits."""
+"""Inlet shear and starvation make the film thinner: comparison with published numbers and 40
+digits."""
 
 import pytest
 from film_scene import ROUNDING, SPEEDS, Gap
@@ -10,7 +11,7 @@ from references import film as reference
 SHEAR = {
     1: (film_factors.murch_wilson, reference.murch_wilson),
     2: (film_factors.wilson, reference.wilson),
-}  # 3 is Gupta's
+}  # 3 is Gupta's factor
 
 
 def factor(physics, shear, speed, starvation=1.0, pressure=0.0, sliding=0.0):
@@ -52,8 +53,8 @@ def test_gupta(physics, speed, sliding):
 
 
 def test_gupta_beyond_its_range(physics):
-    """Beyond the range Python raises an error; a run continues with a tenth of the value without
-    pressure."""
+    """Beyond the range of Gupta's formula Python raises an error; a run continues with a tenth of
+    the factor at zero pressure."""
     loading = film_factors.thermal_loading(0.047, 0.04, 90.0, 0.134)
     with pytest.raises(ValueError, match="range of Gupta"):
         film_factors.gupta(loading, 0.02)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The film in the gap by a power law, compared with published numbers, 40 digits and
+"""The film in the gap according to a power law, compared with published numbers, 40 digits and
 differences."""
 
 import itertools
@@ -40,7 +40,8 @@ def test_against_high_precision(gap, overlap, speed, share, starvation):
     assert open_ == (load == 0) == (package.load == 0)
     if open_:
         return
-    # near the edge the overlap cancels the film: its rounding comes from the exponents of the film
+    # near the edge, overlap and film cancel: the rounding error comes from the exponents of the
+    # film
     worst = ROUNDING * (1 + share * h_c / elastic)
     for compression, other in ((found.compression, found), (package.elastic, package)):
         assert compression == pytest.approx(elastic, rel=worst)
@@ -77,13 +78,14 @@ def test_slope_is_the_difference(gap):
             continue
         loads = [end[1].load for end in ends]
         if (loads[0] - 1) * (loads[1] - 1) < 0:
-            continue  # the kink where the film is cut
+            continue  # the kink where the film is cut off
         difference = (loads[1] - loads[0]) / (2 * step)
         assert found.slope == pytest.approx(difference, rel=1e-8)
 
 
 def test_continuous_through_loss_of_contact(gap):
-    """From a gap wider than the film to a load: neither load nor film thickness jumps."""
+    """Neither load nor film thickness jumps on the way from a gap wider than the film to a loaded
+    contact."""
     for speed in SPEEDS:
         edge = float(gap.law(speed)(1.0))
         opens, _ = gap.cpp(-edge * (1 + 1e-9), speed)
@@ -93,7 +95,7 @@ def test_continuous_through_loss_of_contact(gap):
         overlaps = np.linspace(-edge * (1 - 1e-9), 2 * edge, 2001)
         loads = np.array([gap.cpp(d, speed)[1].load for d in overlaps])
         assert np.all(np.diff(loads) > 0)
-        # the largest slope is at the end: a jump of the load would exceed it
+        # the slope is largest at the end: a jump of the load would exceed it
         steepest = gap.cpp(2 * edge, speed)[1].slope
         assert np.diff(loads).max() <= 1.01 * steepest * (overlaps[1] - overlaps[0])
 
@@ -107,7 +109,7 @@ def test_at_rest_it_is_hertz(gap):
 
 
 def test_a_film_beyond_the_reach_is_held_there(gap):
-    """At 1e9 m/s contacts begin at the reach, without load."""
+    """At 1e9 m/s the contact begins at the reach of the film, without load."""
     reach = gap.cpp(0.0, 1.0)[1].reach
     assert reach == pytest.approx(0.01 * 6.3e-3, rel=1e-14)
     assert gap.cpp(-reach * (1 + 1e-12), 1e9)[0]
@@ -116,7 +118,7 @@ def test_a_film_beyond_the_reach_is_held_there(gap):
 
 
 def test_energy_is_the_work(gap):
-    """The stored energy equals the work from the edge of the film to an overlap at constant
+    """The stored energy equals the work done from the edge of the film to an overlap at constant
     speed."""
     for speed in SPEEDS:
         edge = float(gap.law(speed)(1.0))

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Films whose thickness is the root of an equation: all regimes and Gupta's factor."""
+"""Film thicknesses that are the root of an equation: the formula for all regimes and Gupta's
+factor."""
 
 import itertools
 
@@ -9,7 +10,7 @@ from film_scene import OVERLAPS, SPEEDS, scene
 from references import film as reference
 from scipy.integrate import quad
 
-# films that are solved for by Newton's method
+# films that Newton's method solves for
 LAWS = {
     "power": {},
     "moes": {"regimes": True},
@@ -20,7 +21,7 @@ ROOTS = {name: law for name, law in LAWS.items() if law}
 
 
 def theory(gap, law, speed, share=1.0, starvation=1.0):
-    """The film by `law` in 40 digits."""
+    """The film according to `law`, in 40 digits."""
     base, cut = (gap.regimes, 0.0) if "regimes" in law else (gap.law, 1.0)
     film_law = base(speed, starvation)
     return gap.heated(film_law, speed, law["sliding"], cut) if "shear" in law else film_law
@@ -37,7 +38,7 @@ def test_roots_against_high_precision(gap, law, speed, share, starvation):
         open_, found = gap.cpp(overlap, speed, share, starvation, **law)
         package = gap.python(law, speed, share, starvation, overlap)
         assert (load == 0) == (package.load == 0)
-        # a run uses no film wider than its reach
+        # a run uses no film that is thicker than the reach
         within = share * h_c <= found.reach
         assert open_ == (load == 0) or not within
         worst = 1e-10 * (1 + share * h_c / elastic) if load > 0 else 0.0
@@ -53,13 +54,13 @@ def test_roots_against_high_precision(gap, law, speed, share, starvation):
 
 
 def test_digits_of_all_regimes(inner):
-    """The film has known digits at zero overlap and 9549 rpm if it is not cut off."""
+    """At zero overlap and 9549 rpm the film has known digits, as long as it is not cut off."""
     assert inner.cpp(0.0, 14.4946, regimes=True)[1].load == pytest.approx(81.56, abs=0.005)
 
 
 @pytest.mark.parametrize("law", ROOTS.values(), ids=ROOTS)
 def test_roots_everywhere(gap, law):
-    """delta_H = delta + zeta h holds, with h at most the reach, from the edge of the film to a
+    """delta_H = delta + zeta h holds, where h is at most the reach, from the edge of the film to a
     heavy load and from low to high speed."""
     reach = gap.cpp(0.0, 1.0)[1].reach
     for speed, share in itertools.product(np.geomspace(1e-6, 60, 15), (1e-3, 0.3, 1.0, 2.0)):
@@ -89,7 +90,7 @@ def test_roots_are_continuous_through_loss_of_contact(gap, law):
         slopes = np.array([gap.cpp(d, speed, **law)[1].slope for d in overlaps])
         rises = np.diff(loads)
         assert np.all(rises > 0)
-        # a jump of the load would exceed its slopes at both ends and the wall of the edge
+        # a jump of the load would exceed the slopes at both ends and the steep rise at the edge
         wall = 1.5 * gap.stiffness * np.sqrt(overlaps[1] - overlaps[0])
         steepest = np.maximum(np.maximum(slopes[1:], slopes[:-1]), 0) * 1.5
         within = rises <= np.maximum(steepest, wall) * (overlaps[1] - overlaps[0])
@@ -106,7 +107,7 @@ def test_slopes_of_roots_are_differences(gap, law):
             continue
         loads = [gap.cpp(overlap + s * step, speed, **law)[1].load for s in (-2, -1, 1, 2)]
         if (loads[0] - 1) * (loads[3] - 1) < 0:
-            continue  # the kink where a power law is cut
+            continue  # the kink where a power law is cut off
         difference = (loads[0] - 8 * loads[1] + 8 * loads[2] - loads[3]) / (12 * step)
         assert found.slope == pytest.approx(difference, rel=1e-6)
         checked += 1
@@ -116,7 +117,7 @@ def test_slopes_of_roots_are_differences(gap, law):
 @pytest.mark.parametrize("law", ROOTS.values(), ids=ROOTS)
 @pytest.mark.parametrize("speed", [0.0725, 14.4946])
 def test_energy_of_roots_is_the_work(gap, law, speed):
-    """The change in stored energy equals the work between two overlaps at constant speed."""
+    """The change in stored energy equals the work done between two overlaps at constant speed."""
     reach = gap.cpp(0.0, speed)[1].reach
     first = -0.3 * reach if "regimes" in law else -1e-8
     if gap.cpp(first, speed, **law)[0]:
@@ -133,8 +134,8 @@ def test_energy_of_roots_is_the_work(gap, law, speed):
 
 @pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
 def test_lanes_have_the_bits_of_a_double(gap, law):
-    """In lanes with contacts of all kinds, no contact takes another contact's number of
-    iterations."""
+    """Four contacts of all kinds in lanes give the same bits as each alone: the number of
+    iterations of one contact does not affect another."""
     random = np.random.default_rng(1)
     for _ in range(200):
         speed = np.exp(random.uniform(np.log(1e-3), np.log(30), 4))
@@ -161,7 +162,7 @@ def test_contact_at_rest_is_dry(gap, law, speed):
             assert open_ == (overlap < 0)
         if overlap <= 0:
             continue
-        thin = 1e-7 * overlap  # a power law leaves a film of 1e-13 m
+        thin = 1e-7 * overlap  # a power law leaves a film with a thickness of 1e-13 m
         assert found.compression == pytest.approx(overlap, abs=thin)
         load = gap.stiffness * overlap**1.5
         assert found.load == pytest.approx(load, rel=2e-7)

@@ -7,7 +7,7 @@ from scipy.integrate import solve_ivp
 
 K, M, R, V = 2.0e4, 2.26e-3, 6.0e-3, 0.7
 INERTIA = 0.4 * M * R**2
-TIME = np.pi * np.sqrt(M / K)  # of a collision without damping
+TIME = np.pi * np.sqrt(M / K)  # duration of a collision without damping
 STEP = TIME / 500
 
 
@@ -38,9 +38,9 @@ def test_a_bounce_without_damping(physics):
 
 @pytest.mark.parametrize("restitution", [0.2, 0.5, 0.9])
 def test_damping_against_the_equation_of_motion(physics, restitution):
-    """The rebound agrees with an independent integration of m x'' = max(0, k x - c x'), with c from
-    the decay of a free vibration over half a period, which `restitution` defines."""
-    decay = -np.log(restitution) / TIME  # to first order; the exact value is below
+    """The rebound agrees with an independent integration of m x'' = max(0, k x - c x').
+    `restitution` defines c: it is the decay of a free vibration over half a period."""
+    decay = -np.log(restitution) / TIME  # to first order; next line: exact
     decay = -np.log(restitution) * np.sqrt(K / M / (np.pi**2 + np.log(restitution) ** 2))
 
     def motion(_, y):
@@ -52,34 +52,35 @@ def test_damping_against_the_equation_of_motion(physics, restitution):
     apart.terminal, apart.direction = True, -1
     exact = solve_ivp(motion, (0, 1), (1e-14, V), events=apart, rtol=1e-10, atol=1e-16)
     after = collide(physics, restitution)
-    # the end is one step late, where the force is small; the error is of first order in the step
-    # because of the damper
+    # the end is one step late, when the force is small; because of the damper the error is of first
+    # order in the step
     assert after.normal == pytest.approx(-exact.y[1][-1], rel=4 * STEP / TIME)
-    # without attraction a body leaves slightly faster than in the free vibration
+    # without adhesion a body leaves slightly faster than in the free vibration
     assert restitution <= after.normal / V < restitution + 0.2 * (1 - restitution)
 
 
 @pytest.mark.parametrize("restitution", [0.3, 1.0])
 def test_a_sliding_collision_in_closed_form(physics, restitution):
-    """Friction stays at its limit: its impulse is mu times the normal impulse."""
+    """Friction stays at its limit, so its impulse is mu times the normal impulse."""
     mu, along = 0.2, 5 * V
     after = collide(physics, restitution, mu, along=along)
     impulse = M * (V + after.normal)
-    # friction is below the limit until the spring is stretched: for the fraction mu F / (kt v) of
-    # the time, and its square
+    # friction is below its limit until the spring is stretched, during the fraction mu F/(kt v) of
+    # the collision; the missing impulse is the square of this fraction
     assert after.along == pytest.approx(along - mu * impulse / M, rel=1e-3)
-    # the lever is the radius minus the overlap
+    # the lever arm is the radius minus the overlap
     overlap = V * np.sqrt(M / K)
     expected = -mu * impulse * R / INERTIA
     assert after.spin == pytest.approx(expected, rel=overlap / R + 1e-2)
 
 
 def test_a_rolling_collision_reverses_the_surface(physics):
-    """Normal and tangential vibration of a solid sphere have the same period at the ratio 2/7."""
+    """If the ratio of tangential to normal stiffness is 2/7, the normal and tangential vibrations
+    of a solid sphere have the same period."""
     along = 0.01 * V
     after = collide(physics, friction=100.0, along=along)
     surface = after.along + after.spin * R
-    # the lever is shorter by the overlap
+    # the overlap shortens the lever arm
     assert surface == pytest.approx(-along, rel=3 * V * np.sqrt(M / K) / R)
 
 
@@ -89,8 +90,8 @@ def test_the_loss_is_what_motion_has_lost(physics, restitution, friction):
     before = energy(V, 2 * V, 30.0)
     after = collide(physics, restitution, friction, along=2 * V, spin=30.0)
     left = energy(after.normal, after.along, after.spin)
-    # the lever changes by the overlap in a collision, and the loss uses its value at the end of a
-    # step
+    # the lever arm changes by the overlap during a collision, and the loss is computed with its
+    # value at the end of each step
     change = V * np.sqrt(M / K) / R
     assert after.lost == pytest.approx(before - left, abs=change * STEP / TIME * before)
     coarse = collide(physics, restitution, friction, along=2 * V, spin=30.0, dt=10 * STEP)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""groove.h: the position of a ball in a torus groove, compared with the surfaces themselves."""
+"""groove.h: the position of a ball in a torus groove, compared with the surfaces of both bodies."""
 
 import mpmath
 import numpy as np
@@ -26,7 +26,7 @@ def place(azimuth, radius, height, axis=TILTED):
 @pytest.mark.parametrize("side", [INNER, OUTER])
 def test_numbers_of_the_groove(physics, side):
     radius = 24.0e-3 if side == INNER else 36.6e-3
-    # lengths of 1e-2 m: a rounding is 1e-18 m
+    # lengths are 1e-2 m: a rounding error is 1e-18 m
     assert physics.call(
         "groove_circle", side=side, raceway_radius=radius, groove=6.552e-3, ball=BALL
     ) == pytest.approx(CIRCLE[side], abs=1e-17)
@@ -54,12 +54,12 @@ def test_against_high_precision(physics, side, azimuth, radius, height):
         )
         expected, distance = reference.vectors(), float(reference.frame()["s"])
     g = physics.locate(d, TILTED, CIRCLE[side])
-    assert g.s == pytest.approx(distance, abs=3e-17)  # a few roundings of 0.03 m
+    assert g.s == pytest.approx(distance, abs=3e-17)  # a few rounding errors of 0.03 m
     assert np.concatenate([g.u, g.t]) == pytest.approx(
         np.concatenate([expected["u"], expected["t"]]), abs=1e-15
     )
     normal = g.nu * g.u + g.ne * TILTED
-    assert normal == pytest.approx(expected["n"], abs=5e-13)  # those roundings over s = 0.2 mm
+    assert normal == pytest.approx(expected["n"], abs=5e-13)  # these errors over s = 0.2 mm
     assert g.r * g.u + g.z * TILTED == pytest.approx(d, abs=2e-17)
 
 
@@ -70,7 +70,7 @@ def test_against_high_precision(physics, side, azimuth, radius, height):
 def test_overlap_is_the_depth_of_the_ball_in_the_ring(physics, side, azimuth, radius, height):
     d = place(azimuth, radius, height)
 
-    def depth(angles):  # depth of a point of the ball behind the groove, m
+    def depth(angles):  # distance that a point of the ball lies behind the groove, m
         theta, phi = angles
         point = d + BALL * np.array(
             [np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)]
@@ -93,13 +93,14 @@ def test_overlap_is_the_depth_of_the_ball_in_the_ring(physics, side, azimuth, ra
         method="Nelder-Mead",
         options=dict(xatol=1e-8, fatol=1e-13, maxiter=2000),
     )
-    # at the top of a smooth hill the error is the angular error (1e-7) squared times 30 mm
+    # at the top of a smooth hill the error is the square of the angular error (1e-7) times 30 mm
     assert -1e-3 * found.fun == pytest.approx(state.overlap, abs=1e-14)
     assert touching == (state.overlap > 0)
 
 
 def test_free_contact_angle_and_endplay(physics):
-    # eqs A.2-A.4: the inner ring at its axial stop, the ball on the line of the groove centres
+    # eqs A.2-A.4: the inner ring is at its axial stop, the ball on the line through the groove
+    # centres
     clearance = 20e-6
     bearing = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     angle, endplay = free_contact_angle(bearing, clearance), free_endplay(bearing, clearance)
@@ -109,7 +110,7 @@ def test_free_contact_angle_and_endplay(physics):
         for side, ring, height in ((INNER, inner, endplay / 2), (OUTER, outer, 0.0))
     }
     line = centres[INNER] - centres[OUTER]
-    # roundings of 0.03 m relative to a distance of 0.5 mm
+    # rounding errors of 0.03 m, relative to a distance of 0.5 mm
     assert np.linalg.norm(line) == pytest.approx(groove_distance(bearing), abs=3e-17)
     ball = (centres[INNER] + centres[OUTER]) / 2
     for ring, centre, sign in ((inner, endplay / 2, -1), (outer, 0.0, 1)):
@@ -118,6 +119,6 @@ def test_free_contact_angle_and_endplay(physics):
         assert [state.nu, state.ne] == pytest.approx(
             [sign * np.cos(angle), sign * np.sin(angle)], abs=1e-12
         )
-    # slightly further away the ball is compressed
+    # if the ball is slightly further away, it is compressed
     _, state = inner.touch(ball - [0, 0, endplay / 2 + 1e-7], [0.0, 0.0, 1.0])
     assert state.overlap > 0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""hertz.h compared with 40-digit arithmetic, the sphere, Hertz's equations and the errata."""
+"""hertz.h, compared with 40-digit arithmetic, the sphere, Hertz's equations and the errata."""
 
 import numpy as np
 import pytest
@@ -10,7 +10,7 @@ from references import hertz as reference
 from scipy.integrate import quad
 
 STEEL = 210e9 / (1 - 0.09)
-# Errors are some tens of roundings of 1e-16 and the rounding of a root.
+# The error is some tens of rounding errors of 1e-16, plus the rounding error of a root.
 ROUNDING = 1e-13
 
 
@@ -25,9 +25,9 @@ def test_ellipse_against_high_precision(physics, alpha):
 def approach_and_curvatures(a, b, pressure, modulus):
     """Displacement and curvatures of two elastic half-spaces under p sqrt(1 - x^2/a^2 - y^2/b^2).
 
-    Hertz's potential integrals (Johnson 3.39, 4.19) by quadrature, without elliptic integrals:
-    the displacement is (p a b/E*)/2 int (1 - x^2/(a^2 + s) - y^2/(b^2 + s)) ds/sqrt((a^2 +
-    s)(b^2 + s)s), E* = E'/2.
+    Hertz's potential integrals (Johnson 3.39, 4.19) are evaluated by quadrature, without elliptic
+    integrals: the displacement is (p a b/E*)/2 int (1 - x^2/(a^2 + s) - y^2/(b^2 + s)) ds/sqrt((a^2
+    + s)(b^2 + s)s), E* = E'/2.
     """
 
     def moment(power_a, power_b):  # s = b^2 t^2 removes the root at 0
@@ -63,8 +63,8 @@ def test_circle_is_the_sphere(physics, form):
     # two spheres have R_x = R_y = R* = r1 r2/(r1 + r2)
     h, r1, r2 = physics.hertz(2e-3, 2e-3, STEEL, form), 6e-3, 3e-3
     sphere = 4 / 3 * (STEEL / 2) * np.sqrt(2e-3)
-    # the exact root is bracketed to 1e-12 in ln kappa; K is stationary there, but the semi-axes are
-    # not
+    # the exact root is bracketed to 1e-12 in ln kappa; K is stationary there, whereas the semi-axes
+    # are not
     assert h.K == pytest.approx(sphere, rel=ROUNDING)
     assert laws.sphere_stiffness(r1, r2, STEEL) == pytest.approx(sphere, rel=1e-15)
     # a = sqrt(R overlap)
@@ -158,9 +158,9 @@ def test_like_bodies_have_the_plane_strain_modulus():
 @pytest.mark.parametrize("angle", [0.0, 0.5, 1.4, np.pi / 2])
 def test_effective_radii_are_the_curvatures_of_the_surfaces(physics, side, sign, angle):
     r_x, r_y = physics.radii(side, np.cos(angle))
-    # along rolling, a raceway's normal curvature follows from its parallel by Meusnier:
-    # cos(angle)/radius of the contact point, convex inside and concave outside; the contact point
-    # is R_b cos(angle) from the pitch circle
+    # along rolling, the normal curvature of a raceway follows from its parallel by Meusnier's
+    # theorem: cos(angle)/radius of the contact point, convex on the inner and concave on the outer
+    # raceway; the contact point is R_b cos(angle) away from the pitch circle
     contact = PITCH + sign * BALL * np.cos(angle)
     curvature = 1 / BALL - sign * np.cos(angle) / contact
     assert [1 / r_x, 1 / r_y] == pytest.approx([curvature, 1 / BALL - 1 / 6.552e-3], rel=1e-13)
@@ -174,7 +174,7 @@ def test_mindlin_of_like_bodies(nu):
 
 
 def test_mindlin_of_unlike_bodies_adds_compliances():
-    # compliances of each body times a: tangential (2 - nu)/(8 G), normal (1 - nu^2)/(2 E)
+    # compliance of each body times a: (2 - nu)/(8 G) tangentially, (1 - nu^2)/(2 E) normally
     bodies = ((210e9, 0.3), (3.3e9, 0.41))
     tangential = sum((2 - nu) * 2 * (1 + nu) / (8 * young) for young, nu in bodies)
     normal = sum((1 - nu**2) / (2 * young) for young, nu in bodies)

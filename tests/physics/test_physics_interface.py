@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The C interface by name (exports.h, exports.py): names matter, order does not."""
+"""The C interface by name (exports.h, exports.py): names matter, their order does not."""
 
 import subprocess
 from pathlib import Path

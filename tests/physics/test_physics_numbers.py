@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Numbers to reproduce in docs/theory and Table 3 of the paper, from the constants of the headers:
-static theory of a 6208 at 5 kN."""
+"""The static theory of a 6208 at 5 kN, from the constants in the headers, gives the numbers of
+docs/theory, section Numbers to reproduce, and of Table 3 of the paper."""
 
 import numpy as np
 import pytest
@@ -8,7 +8,7 @@ from physics_c import BALL_MASS, EXACT, INNER, OUTER, PITCH, PRINTED
 from scipy.optimize import brentq
 
 STEEL = 210e9 / (1 - 0.09)
-PSI = 2 * np.pi * np.arange(9) / 9  # a ball on the load line
+PSI = 2 * np.pi * np.arange(9) / 9  # one ball is on the load line
 
 
 def stiffness(physics, form=EXACT):
@@ -46,7 +46,7 @@ def test_5_kn(physics):
 )
 def test_ellipse_and_pressure(physics, side, a, b, p):
     h = physics.hertz(*physics.radii(side), STEEL)
-    root = (2436.2 / h.K) ** (1 / 3)  # of the overlap
+    root = (2436.2 / h.K) ** (1 / 3)  # cube root of the overlap ratio
     assert h.a * root * 1e3 == pytest.approx(a, abs=5e-4)
     assert h.b * root * 1e3 == pytest.approx(b, abs=5e-5)
     assert h.p * root / 1e6 == pytest.approx(p, abs=0.5)
@@ -104,9 +104,9 @@ def test_errata_of_table_3(physics):
 
 
 def test_the_contacts_themselves_balance_the_load(physics):
-    # with geometry: each ball settles on its radius between the grooves, and the inner ring remains
-    # a circle, which the theory neglects off the load line (0.4 % for a ball at 80 degrees,
-    # raceway.static)
+    # with full geometry: each ball takes its radial position between the grooves, and the inner
+    # ring remains a circle, which the theory neglects off the load line (0.4 % for a ball at 80
+    # degrees, raceway.static)
     shift, loads = equilibrium(physics, 5000.0)
     inner, outer = physics.raceway_6208(INNER), physics.raceway_6208(OUTER)
     axis, still = np.array([0.0, 0.0, 1.0]), np.zeros(3)

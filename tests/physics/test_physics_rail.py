@@ -15,15 +15,15 @@ def seat(physics, gap=0.0, sign=1.0, tube=TUBE):
 
 
 def clearance(rail, radius, height):
-    """Distance between the surfaces of ball and tube (m); the ball's centre is at (radius,
+    """Distance between the surfaces of the ball and the tube (m); the ball's centre is at (radius,
     height)."""
     return np.hypot(radius - rail.circle, height - rail.offset) - BALL - rail.tube
 
 
 @pytest.mark.parametrize("margin", [0.0, 1e-9])
 def test_a_ball_that_touches_is_never_left_out(physics, margin):
-    """A ball with an overlap from a few ulps to a few per cent of the distance, anywhere around the
-    tube, counts as touching."""
+    """A ball counts as touching if its overlap is between a few ulps and a few per cent of the
+    distance, anywhere around the tube."""
     rail = seat(physics)
     reach = BALL + TUBE + margin
     for angle in np.linspace(0.1, 6.2, 50):
@@ -41,14 +41,14 @@ def test_a_ball_that_touches_is_never_left_out(physics, margin):
 def test_a_centred_ball_is_a_gap_away(physics, gap, sign):
     rail = seat(physics, gap, sign)
     assert clearance(rail, PITCH, 0.0) == pytest.approx(gap, abs=2e-17)  # ulps of 0.03 m
-    # seats are outside the pitch circle, at 45 degrees, on the side of the sign
+    # the rails are outside the pitch circle, at 45 degrees from it, on the side of the sign
     assert rail.circle - PITCH == pytest.approx(sign * rail.offset, rel=1e-14)
     assert rail.circle > PITCH and np.sign(rail.offset) == sign and rail.tube == TUBE
 
 
 def test_the_pair_of_rails_is_a_stable_seat(physics):
-    # energy of the springs of both rails for any displacement outwards or sideways, and the
-    # neutral inward direction
+    # energy of the springs of both rails for a displacement outwards or sideways; a displacement
+    # inwards costs no energy
     rails = [seat(physics, 0.0, sign) for sign in (1.0, -1.0)]
 
     def squeeze(dr, dz):
@@ -56,20 +56,21 @@ def test_the_pair_of_rails_is_a_stable_seat(physics):
 
     step = 1e-6
     outwards = squeeze(step, 0.0)
-    # 45 degrees: a displacement p closes each rail by p/sqrt(2), less p^2 over twice the distance
+    # 45 degrees: a displacement p closes the gap of each rail by p/sqrt(2), less p^2 over twice the
+    # distance
     assert outwards == pytest.approx([step / np.sqrt(2)] * 2, abs=step**2 / (BALL + TUBE))
     for sign in (1, -1):
         up = squeeze(0.0, sign * step)
         assert up[::sign] == pytest.approx([step / np.sqrt(2), 0.0], abs=step**2 / (BALL + TUBE))
-    # if a cage ball moves inwards it leaves the rails, and the balls push it back
+    # a cage ball that moves inwards leaves the rails, and the bearing balls push it back
     assert squeeze(-step, 0.0).tolist() == [0, 0]
 
 
 def curvature_along(rail, angle):
-    """Curvature, by differences, of the tube's surface about the ring axis at a point seen at
-    `angle` from the seat.
+    """Curvature, from differences, of the tube's surface in the direction around the ring axis, at
+    a point seen at `angle` (rad) from the ball's seat.
 
-    It is found from the gap between the torus and the tangent plane at the point nearest to the
+    It is found from the gap between the torus and its tangent plane at the point nearest to the
     ball, in the direction of the parallel.
     """
     direction = np.array([np.cos(angle), np.sin(angle)])  # from ball to rail in (r, z)
@@ -87,22 +88,22 @@ def curvature_along(rail, angle):
 
     y = 2e-5
     # height = c y^2/2 with a relative error of y^2/(4 r tube), 7e-6 for the thinnest tube; the
-    # rounding of 1e-17/y^2 is smaller
+    # rounding error of 1e-17/y^2 is smaller
     return 2 * height(y) / y**2
 
 
 @pytest.mark.parametrize("tube", [0.5e-3, 1.0e-3, 3.0e-3])
 def test_stiffness_is_hertz_of_the_true_curvatures(physics, tube):
     rail = seat(physics, tube=tube)
-    # positive heights along the normal mean that the surface curves away from the ball, negative
-    # heights that it curves towards the ball
+    # a positive height along the normal means that the surface curves away from the ball, a
+    # negative height that it curves towards the ball
     along = 1 / BALL + curvature_along(rail, np.pi / 4)
     across = 1 / BALL + 1 / tube
     expected = package.stiffness(package.exact(1 / along, 1 / across), MODULUS)
     assert 1 / BALL - along == pytest.approx(
         np.cos(np.pi / 4) / (PITCH + BALL * np.cos(np.pi / 4)), rel=2e-5
     )
-    # the curvature's 7e-6 is relative to a tenth of `along`
+    # the error of 7e-6 is relative to the curvature, which is a tenth of `along`
     assert physics.call(
         "rail_spring", rail=rail, ball=BALL, pitch=PITCH, Eprime=MODULUS
     ) == pytest.approx(expected, rel=1e-5)
@@ -110,7 +111,7 @@ def test_stiffness_is_hertz_of_the_true_curvatures(physics, tube):
 
 def test_a_rail_straight_overhead_and_one_at_the_side(physics):
     for rail, curvature in (
-        # concave, by its full curvature
+        # concave, with its full curvature
         (
             dict(circle=PITCH + BALL + TUBE, tube=TUBE, offset=0.0),
             1 / BALL - 1 / (PITCH + BALL),
@@ -127,7 +128,7 @@ def test_a_rail_straight_overhead_and_one_at_the_side(physics):
 
 
 def test_a_thin_ball_far_out_meets_a_straight_cylinder(physics):
-    # ring radius to infinity: crossed cylinder and sphere, to order BALL/pitch
+    # if the ring radius tends to infinity: cylinder and sphere, to order BALL/pitch
     pitch = 1e6 * BALL
     rail = physics.call("rail_seat", pitch=pitch, ball=BALL, tube=TUBE, gap=0.0, sign=1.0)
     expected = package.stiffness(package.exact(BALL, 1 / (1 / BALL + 1 / TUBE)), MODULUS)

@@ -20,8 +20,8 @@ def drift(physics, L, e, h, steps=1):
 
 
 def precessed(physics, L, e, time):
-    """Closed form of a free symmetric top: the axis precesses about L at |L|/I_t (Goldstein
-    5.6)."""
+    """Closed form of a free symmetric top: its axis precesses about L at the rate |L|/I_t
+    (Goldstein 5.6)."""
     return physics.rotate(e, L * time / TRANSVERSE)
 
 
@@ -47,7 +47,7 @@ def test_free_precession_is_of_second_order(physics):
     errors = [
         np.linalg.norm(drift(physics, L, AXIS, time / n, n) - expected) for n in (200, 400, 800)
     ]
-    # ratios of 4 up to terms of higher order, (w h)^2 = 1e-4
+    # the ratio is 4 except for terms of higher order, (w h)^2 = 1e-4
     assert errors[0] / errors[1] == pytest.approx(4, rel=0.02)
     assert errors[1] / errors[2] == pytest.approx(4, rel=0.01)
     assert errors[2] > 0
@@ -59,14 +59,15 @@ def test_one_step_misses_by_the_third_power(physics):
         np.linalg.norm(drift(physics, L, AXIS, h) - precessed(physics, L, AXIS, h))
         for h in (2e-5, 1e-5)
     ]
-    assert errors[0] / errors[1] == pytest.approx(8, rel=0.05)  # next order: w h = 1e-2
+    assert errors[0] / errors[1] == pytest.approx(8, rel=0.05)  # terms of next order: w h = 1e-2
 
 
 def test_the_axis_stays_a_unit_vector_and_keeps_its_angle_to_the_momentum(physics):
     L, steps = momentum(physics), 5000
     e = drift(physics, L, AXIS, 1e-5, steps)
-    assert np.linalg.norm(e) == pytest.approx(1, abs=steps * 4e-16)  # one rounding per step
-    # nutation: L.e is constant in the closed form; it oscillates to second order, without drift
+    assert np.linalg.norm(e) == pytest.approx(1, abs=steps * 4e-16)  # one rounding error per step
+    # nutation: L.e is constant in the closed form; here it oscillates by an error of second order,
+    # without drift
     assert L @ e / np.linalg.norm(L) == pytest.approx(L @ AXIS / np.linalg.norm(L), abs=2e-5)
 
 
@@ -81,5 +82,5 @@ def test_drift_can_be_undone_to_third_order(physics):
 def test_a_sphere_turns_about_its_momentum(physics):
     L = np.array([1.0, 2.0, 3.0]) * 1e-2
     found = physics.call("ring_drift", axial=2e-4, transverse=2e-4, L=L, e=AXIS, h=1e-3)
-    # exact when I_a = I_t
+    # exact if I_a = I_t
     assert found == pytest.approx(physics.rotate(AXIS, L * 1e-3 / 2e-4), abs=2e-15)

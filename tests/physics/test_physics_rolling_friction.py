@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Slip, spin, rolling resistance, mixed friction and drag, compared with integrals over the
-contact, 40-digit arithmetic and published numbers."""
+contact, with 40-digit arithmetic and with published numbers."""
 
 import numpy as np
 import pytest
@@ -57,7 +57,7 @@ def radii(side, cos_angle=1.0):
 
 
 def turning(side=INNER, speed=0.724764, **changes):
-    """A contact that rolls at `speed` (m/s)."""
+    """A contact that rolls at the entrainment speed `speed` (m/s)."""
     at = REST | dict(side=side, entrainment=abs(speed)) | changes
     return at | dict(roll_w=speed / radii(side, at["cos_angle"])[0])
 
@@ -67,7 +67,7 @@ def of(physics, kind, contact, before=NONE):
 
 
 def slip_arguments(found, side=INNER, speed=0.724764, cos_angle=1.0):
-    """Arguments (load, friction, speed, a, R_d, R_x) of functions in theory.sliding."""
+    """Arguments (load, friction, speed, a, R_d, R_x) of the functions in theory.sliding."""
     r_d = sliding.deformed_radius(GROOVE, BALL)
     return found.load, FRICTION, speed, found.a, r_d, radii(side, cos_angle)[0]
 
@@ -87,7 +87,7 @@ def test_closed_form():
         assert found.couple == pytest.approx(couple, abs=1e-12)
         assert sliding.heathcote(slip, **unit) == pytest.approx((force, couple, power), abs=1e-12)
         assert sliding.secant(slip, **unit) == pytest.approx(found.secant, rel=1e-12)
-        # near s_e the root follows from the deficit of F, so its rounding is 1e-8
+        # near s_e the root follows from the small deficit of F, so its rounding error is 1e-8
         root = laws.slip_root_of_force(found.force)
         assert root == pytest.approx(found.root, abs=1e-12 if slip < 0.9 else 1e-7)
     found = laws.differential_slip(0.0)
@@ -102,7 +102,7 @@ def test_closed_form():
 )
 def test_free_rolling_loses_its_power(physics, side, edge, power):
     """At 2436.2 N and mu = 0.05, F is 0 at a slip of 0.120615 s_e, and the couple dissipates the
-    power."""
+    power of free rolling."""
     r_x = radii(side)[0]
     k = hertz.exact(*radii(side))
     stiffness = physics.raceway_6208(side).radial().K
@@ -122,8 +122,8 @@ def test_free_rolling_loses_its_power(physics, side, edge, power):
 @pytest.mark.parametrize("speed", [0.0724764, 0.724764, -0.724764, 14.4946])
 @pytest.mark.parametrize("part", [-0.5, 0.0, 0.1, 0.120615, 0.5, 1.3])
 def test_slip_law_after_a_long_time(physics, side, speed, part):
-    """With dt >> tau, force, couple and power agree with theory.sliding; they are mirrored for a
-    ball that rolls backwards."""
+    """With dt >> tau, force, couple and power agree with theory.sliding. They are mirrored if the
+    ball rolls backwards."""
     contact = turning(side, speed)
     arguments = slip_arguments(of(physics, "slip_of", contact), side, abs(speed))
     edge = sliding.edge_slip(abs(speed), *arguments[3:])
@@ -133,7 +133,7 @@ def test_slip_law_after_a_long_time(physics, side, speed, part):
     theory = sliding.heathcote(slip, *arguments)
     limit = FRICTION * found.load
     assert back * found.friction_t == pytest.approx(theory.force, abs=1e-11 * limit)
-    # +C acts on the ball; couple_w acts against it
+    # +C acts on the ball; couple_w has the opposite sign
     assert back * found.couple_w == pytest.approx(
         -theory.couple, abs=1e-11 * limit * found.a**2 / 0.0128
     )
@@ -142,7 +142,7 @@ def test_slip_law_after_a_long_time(physics, side, speed, part):
 
 
 def test_friction_has_one_circle(physics):
-    """Gross sliding at any angle causes a force mu Q opposite to the sliding velocity."""
+    """Gross sliding at any angle causes a force mu Q in the direction opposite to sliding."""
     for angle in np.linspace(0, 2 * np.pi, 13):
         along, across = 50 * np.cos(angle), 50 * np.sin(angle)
         found = of(physics, "slip_of", turning(sliding_t=along, sliding_w=across))
@@ -151,7 +151,7 @@ def test_friction_has_one_circle(physics):
         np.testing.assert_allclose(
             force / np.hypot(*force), [np.cos(angle), np.sin(angle)], atol=2e-3
         )
-    # sliding across rolling has the slope of free rolling
+    # for sliding across the rolling direction, the slope is that of free rolling
     found = of(physics, "slip_of", turning())
     arguments = slip_arguments(found)
     free = sliding.free_slip(*arguments[2:])
@@ -161,7 +161,8 @@ def test_friction_has_one_circle(physics):
 
 @pytest.mark.parametrize("step", [1e-9, 1e-6, 5e-5, 1e-2])
 def test_spring_in_series(physics, step):
-    """Force and couple agree with `sliding.in_series`, starting from a given force."""
+    """Force and couple agree with `sliding.in_series`, for a given force at the start of the
+    step."""
     contact = turning(sliding_t=0.009, dt=step)
     before = np.array([15.0, 0.0])
     found = of(physics, "slip_of", contact, before)
@@ -171,7 +172,8 @@ def test_spring_in_series(physics, step):
     force, _ = sliding.in_series(15.0, distance, secant, found.kt, step)
     assert found.friction_t == pytest.approx(force, rel=1e-11)
     assert list(found.states) == [found.friction_t, found.friction_w]
-    # the couple is that at the slip that remains beside the spring's slip; both have one force
+    # the couple belongs to the part of the slip that the spring does not take; spring and slip have
+    # one force
     edge = sliding.edge_slip(*arguments[2:])
     slip = brentq(
         lambda slip: sliding.heathcote(slip, *arguments).force - force, 0, edge, xtol=1e-16
@@ -187,17 +189,18 @@ def test_no_time_changes_nothing(physics):
 
 
 def test_spring_sticks_at_rest(physics):
-    """Without rolling, a contact under a force below mu Q creeps, at 1e-4/3.80 m/s per mu Q."""
+    """Without rolling, a contact under a force below mu Q creeps, at 1e-4/3.80 m/s for a force of
+    mu Q."""
     found = of(physics, "slip_of", REST | dict(sliding_t=1e-3, dt=1e-6))
-    assert found.friction_t == pytest.approx(found.kt * 1e-3 * 1e-6, rel=1e-3)  # a spring
+    assert found.friction_t == pytest.approx(found.kt * 1e-3 * 1e-6, rel=1e-3)  # acts as a spring
     assert found.couple_w == 0
     found = of(physics, "slip_of", REST | dict(sliding_t=1e-9, dt=1e3))
     assert found.friction_t == pytest.approx(FRICTION * found.load * 1e-9 * 3.80 / 1e-4, rel=2e-3)
 
 
 def test_force_falls_with_the_load(physics):
-    """If the ball unloads, a spring force above mu Q is limited to mu Q; the force vanishes with
-    the load."""
+    """While the ball unloads, a spring force above mu Q is limited to mu Q; the force vanishes
+    together with the load."""
     for overlap in (18e-6, 1e-6, 1e-8, 1e-12):
         found = of(physics, "slip_of", turning(overlap=overlap, dt=1e-7), [120.0, -50.0])
         assert np.hypot(found.friction_t, found.friction_w) <= FRICTION * found.load * (1 + 1e-14)
@@ -238,8 +241,8 @@ def test_mixed_friction(physics):
 
 @pytest.mark.parametrize("oil", [(0.04, 22e-9), (0.005, 15e-9), (0.1, 25e-9)])
 def test_film_coefficient(oil):
-    """The coefficient equals its eight Gauss points in 40 digits; the integral itself differs by
-    less than 1 %."""
+    """The coefficient equals the sum over its eight Gauss points, in 40 digits; the integral itself
+    differs by less than 1 %."""
     lowest = []
     for pressure in (1e7, 1e9, 2.5e9, 4e9):
         for rate in np.geomspace(1e-3, 1e9, 13):
@@ -253,8 +256,8 @@ def test_film_coefficient(oil):
 
 
 def test_inverse_sinh_has_no_seam():
-    """With so low a stress in the film that the coefficient is asinh alone, it has no seam at
-    x = 1e-3 and 1."""
+    """The stress in the film is so low that the coefficient is asinh alone. It is then continuous
+    at x = 1e-3 and 1, where the formula changes."""
     for x in (1e-6, 0.999e-3, 1.001e-3, 0.5, 30.0):
         found = traction.coefficient(1.0, 1e-30, 1e9, x, 1.0, 1.0)
         assert found == pytest.approx(1.5e-9 * np.arcsinh(x), rel=1e-12)
@@ -262,8 +265,8 @@ def test_inverse_sinh_has_no_seam():
 
 
 def test_mixed_friction_with_a_film_after_eyring(physics):
-    """The film's coefficient is taken at the sliding speed of free rolling plus additional
-    sliding."""
+    """The film's friction coefficient is evaluated at the sliding speed of free rolling combined
+    with the additional sliding."""
     r_d = sliding.deformed_radius(GROOVE, BALL)
     found = []
     for speed, along, across in (
@@ -347,7 +350,8 @@ def test_pure_spin(physics, side, cos_angle):
 
 
 def test_slow_spin_at_rest_has_the_least_width_of_slip(physics):
-    """Without rolling the couple is proportional to a slow spin, by S_LEAST of heathcote."""
+    """Without rolling the couple is proportional to the spin, if it is slow, through S_LEAST of
+    heathcote."""
     couples = [
         of(physics, "dry_of", REST | dict(spin_n=1e-3, least=least)).couple_n
         for least in (1e-4, 2e-4, 1e-2)
@@ -358,8 +362,8 @@ def test_slow_spin_at_rest_has_the_least_width_of_slip(physics):
 
 @pytest.mark.parametrize("part", [0.1, 0.3, 0.5, 0.7, 1.0, 2.0, 5.0])
 def test_spin_beside_differential_slip(physics, part):
-    """Moment and power agree with Gauss points over the ellipse, for omega a = part s_e without
-    force."""
+    """Moment and power agree with Gauss points over the ellipse, at the slip without force and a
+    spin omega a = part s_e."""
     free = of(physics, "dry_of", turning())
     r_d = sliding.deformed_radius(GROOVE, BALL)
     edge = sliding.edge_slip(0.724764, free.a, r_d, radii(INNER)[0])
@@ -386,7 +390,7 @@ def test_drag_of_a_ball(physics):
     for reynolds in (1e-3, 0.1, 0.5, 1, 33, 1e3, 4e4, 1e5, 3e6):
         expected = reference.drag_coefficient(reynolds)
         assert drag.coefficient(reynolds) == pytest.approx(expected, rel=1e-13)
-    # without sliding the ball's centre moves at -R_b roll_w
+    # without sliding the centre of the ball moves at -R_b roll_w
     for speed in (-7.0, -0.3, 1e-6, 0.3, 7.0):
         contact = REST | dict(side=OUTER, roll_w=-speed / BALL)
         found = of(physics, "all_of", contact)
@@ -404,8 +408,8 @@ def test_drag_of_a_ball(physics):
 
 # ---- energy --------------------------------------------------------------------------------------
 def test_losses_are_the_work_on_the_motions(physics):
-    """The loss equals all forces and couples times their motions, except for the Hertzian
-    spring."""
+    """The loss equals the sum of all forces and couples times their motions, except for the
+    Hertzian spring."""
     contact = turning(
         OUTER, 2.9, sliding_t=0.01, sliding_w=-0.02, spin_n=20.0, overlap_rate=0.003, cos_angle=0.9
     )

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""settling_rest.h: the remainder of a decay, estimated from means over ball passes."""
+"""settling_rest.h: the remaining change of a decay, estimated from means over ball passes."""
 
 import numpy as np
 import pytest
 
-S = 1e-2  # of `settled`
+S = 1e-2  # accuracy required by `settled`
 
 
 def rest(physics, passes, **series):
-    """Remainders after ball passes with the means `series`; means not given are 1, and the pitch is
-    0."""
+    """Remaining changes after `passes` ball passes, whose means are `series`. Means that are not
+    given are 1, except for the pitch, which is 0."""
     given = dict(
         torque=np.ones(passes),
         load=np.ones((passes, 2)),
@@ -31,8 +31,8 @@ def decay(passes, ratio, start=0.2):
 @pytest.mark.parametrize("ratio", [0.2, 0.5, 0.9, 0.97])
 @pytest.mark.parametrize("passes", [3, 4, 7, 12, 19])
 def test_a_decay_has_its_rest(physics, ratio, passes):
-    """The estimate is at least the true remainder, and at most the remainder one span before or the
-    change in a ball pass, averaged over three spans."""
+    """The estimate is at least the true remaining change. It is at most the remaining change one
+    span earlier, or the change per ball pass, averaged over three spans."""
     means = decay(passes, ratio)
     found, left = of_torque(physics, means) * means[-1], means[-1] - 1
     span = max(1, passes // 4)
@@ -58,24 +58,25 @@ def test_each_figure_has_its_own(physics):
 
 
 def test_a_drift_that_does_not_decay(physics):
-    """The remainder of a drift equals the remainder of the slowest mode that can be distinguished,
-    and grows further only if the drift grows."""
+    """The remaining change of a steady drift is that of the slowest mode that can be distinguished;
+    it is larger only if the drift grows."""
     steady = of_torque(physics, 1 + 1e-3 * np.arange(4))
     assert steady == pytest.approx(0.049, rel=1e-2)
     assert of_torque(physics, 1 + 1e-3 * np.cumsum(1.2 ** np.arange(4))) > 0.049
 
 
 def test_a_small_change_in_the_middle_of_a_decay(physics):
-    """One ball pass that repeats the one before does not end a drift."""
+    """A drift is not taken to end because one ball pass repeats the previous one."""
     means = decay(8, 0.9)
     means[-1] = means[-2]
     assert of_torque(physics, means) > 3 * S
 
 
 def test_noise_ends_as_early_as_the_change_of_a_pass(physics):
-    """Without a drift the remainder is the change per ball pass over the longest span, apart from
-    chance: the median number of ball passes is as with the change alone as the criterion, for a
-    noise of a third of the limit, once and three times the limit."""
+    """Without a drift the remaining change is the change per ball pass over the longest span, apart
+    from chance. The median number of ball passes is therefore about the same as with the change
+    alone as the criterion. The noise is a third of the limit, equal to the limit and three times
+    the limit."""
     draw = np.random.default_rng(3)
     for noise in (S / 3, S, 3 * S):
         ends, changes = [], []
@@ -95,8 +96,8 @@ def test_noise_ends_as_early_as_the_change_of_a_pass(physics):
 
 
 def test_a_slow_mode_shows_in_noise(physics):
-    """A change of 1 % per ball pass with a time constant of 50 ball passes shows in a noise of
-    0.1 %: with the change alone as the criterion, settling would end at once, with 40 % left."""
+    """A change of 1 % per ball pass with a time constant of 50 ball passes is detected in noise of
+    0.1 %. If the change alone were the criterion, settling would end at once, with 40 % left."""
     draw = np.random.default_rng(4)
     left = []
     for _ in range(100):
@@ -112,7 +113,7 @@ def test_one_pass_has_no_rest(physics):
 
 
 def test_pocket_forces_fall(physics):
-    """The fall of pocket forces over a span counts, not their rise."""
+    """A fall of the pocket forces over a span counts, a rise does not."""
     force = np.array([100.0, 100.0, 40.0, 20.0])
     assert rest(physics, 4, pocket_force=force).pocket_fall == pytest.approx(0.5)
     assert rest(physics, 4, pocket_force=force[::-1].copy()).pocket_fall == 0.0

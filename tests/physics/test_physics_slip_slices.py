@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Slip and spin in slices of the ellipse, compared with fine Gauss points over it (references/spin)
-and with the closed forms at their limits; states of the part over a time step."""
+"""Slip and spin in slices of the ellipse, compared with fine Gauss points over the ellipse
+(references/spin) and with closed forms in the limits; states of the part over a time step."""
 
 import itertools
 
@@ -22,7 +22,8 @@ def sums(**motion):
 
 
 def fine(along, across, turned, aspect=1 / 8):
-    """Reference values, divided by mu Q and the semi-axis across the groove."""
+    """Reference values; forces are divided by mu Q, moments also by the semi-axis across the
+    groove."""
     return reference.with_slip(
         1.0, 1.0, 1.0, aspect, along, across, -turned, curve=1.0, width=1e-4, points=120
     )
@@ -57,7 +58,8 @@ def test_pure_spin(kappa, expected, bound):
 
 
 def test_free_rolling():
-    """Free rolling agrees with Heathcote's solution: no force at 0.120615 s_e, and a loss of
+    """Free rolling agrees with Heathcote's solution: the force is zero at a slip of 0.120615 s_e,
+    and the loss is 0.161142 mu Q s_e.
     0.161142 mu Q s_e."""
     found = sums(along=sliding.FREE**2)
     assert found.along == pytest.approx(0, abs=2e-3)
@@ -69,14 +71,15 @@ def test_free_rolling():
 
 
 def test_forces_have_no_steps():
-    """At every slip from 0 to s_e the sliding reverses at some point of the ellipse."""
+    """At every slip from 0 to s_e the sliding velocity is zero at some points of the ellipse; the
+    force does not jump."""
     slips = np.linspace(0, 1.2, 1201)
     forces = np.array([sums(along=slip, spin=0.2).along for slip in slips])
     assert 0 < np.diff(forces).min() and np.diff(forces).max() < 0.025
 
 
 def test_mirrored():
-    """Reversed spin reverses the moment, reversed rolling reverses the couple."""
+    """If the spin is reversed, so is the moment; if rolling is reversed, so is the couple."""
     one = sums(along=0.3, across=0.1, spin=0.5)
     other = sums(along=0.3, across=0.1, spin=-0.5)
     assert (other.along, other.across) == pytest.approx((one.along, one.across), rel=1e-12)
@@ -87,8 +90,8 @@ def test_mirrored():
 
 # ---- the part ------------------------------------------------------------------------------------
 def steady(physics, part, **changes):
-    """A contact after a second of constant motion, with a spin omega a of `part` s_e, and reference
-    values for the slip without force."""
+    """A contact after a second of constant motion with a spin of omega a = `part` s_e, and
+    reference values at the slip without force."""
     free = of(physics, "slices_of", turning(), np.zeros(4))
     r_d = sliding.deformed_radius(6.552e-3, 6.3e-3)
     edge = sliding.edge_slip(0.724764, free.a, r_d, radii(0)[0])
@@ -102,8 +105,8 @@ def steady(physics, part, **changes):
 
 @pytest.mark.parametrize("part", [0.0, 0.2, 0.7, 2.0, 10.0])
 def test_free_rolling_with_spin(physics, part):
-    """The moment of a freely rolling contact agrees within 1 % of mu Q a and its power within 1 %;
-    the closed forms deviate by up to 5 %."""
+    """The moment of a freely rolling contact agrees within 1 % of mu Q a, and its power within 1 %;
+    the closed forms differ by up to 5 %."""
     free, edge, contact, gauss = steady(physics, part)
     lo, hi = 0.0, edge
     for _ in range(40):
@@ -119,7 +122,8 @@ def test_free_rolling_with_spin(physics, part):
 
 
 def test_a_spring_for_short_times(physics):
-    """A rolling contact that begins to slide first deflects with the stiffness k_t, then slips."""
+    """A rolling contact that begins to slide first deflects elastically, with the stiffness k_t,
+    and then slips."""
     contact = turning(spin_n=5.0)
     free = of(physics, "slices_of", contact, np.zeros(4))
     r_d = sliding.deformed_radius(6.552e-3, 6.3e-3)

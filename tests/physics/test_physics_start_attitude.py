@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The balls' initial rotation (start_rotation.h), compared with its definition: the motion that
-rolls on both raceways with the least potential of the spin couples, by vectors in 40 digits and a
-search for the minimum; contact angles and loads follow from the equilibrium of a ball under
-thrust."""
+"""The balls' initial rotation (start_rotation.h), compared with its definition. By definition a
+ball rolls on both raceways with the least potential of the spin couples; the test uses vectors in
+40 digits and searches for the minimum. Contact angles and loads follow from the equilibrium of a
+ball under thrust."""
 
 from types import SimpleNamespace
 
@@ -31,7 +31,7 @@ def contact(side, cosine, load):
 
 
 def under_thrust(thrust, centrifugal, clearance):
-    """Contact angles (rad), contacts and radius of the path (m) of a ball."""
+    """Contact angles (rad), contacts, and radius (m) of the path of a ball."""
     slack = GROOVE - BALL
 
     def at(angle):
@@ -50,12 +50,13 @@ def under_thrust(thrust, centrifugal, clearance):
 
 
 def least(angles, contacts, path, speeds, orbit):
-    """(radial, axial, orbit) in rad/s of the motion with the least potential, by golden section."""
+    """(radial, axial, orbit) in rad/s of the motion with the least potential, found by golden
+    section."""
     normals = [(-mpmath.cos(angles[0]), -mpmath.sin(angles[0]))]
     normals.append((mpmath.cos(angles[1]), mpmath.sin(angles[1])))
 
     def motion(radial):
-        # surface speeds of ball and ring along rolling are equal, linear in (axial, orbit)
+        # ball and ring have equal surface speeds along rolling, which are linear in (axial, orbit)
         rows, right = [], []
         for (u, e), speed in zip(normals, speeds):
             # BALL (axial - orbit) u - BALL radial e = (speed - orbit) (path + BALL u)
@@ -109,7 +110,7 @@ def test_least_loss_under_thrust(physics, thrust, speeds, clearance):
         centrifugal = BALL_MASS * PITCH * orbit**2
         angles, contacts, path = under_thrust(thrust, centrifugal, clearance)
         radial, axial, turns = least(angles, contacts, path, speeds, orbit)
-    for sense in (1, -1):  # of the thrust
+    for sense in (1, -1):  # direction of the thrust
         found = start(physics, clearance, thrust=sense * thrust, **given)
         np.testing.assert_allclose(
             [found.radial, found.axial, found.orbit], [sense * radial, axial, turns], rtol=1e-8
@@ -118,8 +119,8 @@ def test_least_loss_under_thrust(physics, thrust, speeds, clearance):
 
 
 def test_without_contact_angle_about_the_axis(physics):
-    """Without a contact angle the balls rotate about the axis, also under a thrust beyond the
-    capacity of the grooves."""
+    """Without a contact angle the balls rotate about the bearing axis, even if the thrust exceeds
+    the capacity of the grooves."""
     rolling = laws.pure_rolling(BALL, PITCH, 90.0, -20.0)
     for thrust in (0.0, 1e12):
         found = start(

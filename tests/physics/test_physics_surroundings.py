@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""film_capacitor.h, gap_integral.h, groove_shoulder.h: the surroundings of a contact, compared with
-exact integrals and limits."""
+"""film_capacitor.h, gap_integral.h, groove_shoulder.h: the capacitance of the surroundings of a
+contact, compared with exact integrals and limits."""
 
 import numpy as np
 import pytest
@@ -25,7 +25,7 @@ MODEL = dict(
     surroundings=ALL,
     outlet=1.0,
     inner_shoulder=52.6e-3,
-    outer_shoulder=68.6e-3,  # 2.3 mm deep, like the inner groove
+    outer_shoulder=68.6e-3,  # groove 2.3 mm deep, like the inner groove
     gap=0.0,
 )
 SMALL = dict(
@@ -36,8 +36,8 @@ TINY = dict(
 )
 LARGE = dict(side=OUTER, raceway_radius=36.6e-3)
 
-# Integrals of the exact Hertz gap outside the ellipse, parabola in y to +-S: raceway, load in N, S
-# in m, integrals in mm.
+# Integrals of the exact Hertz gap outside the ellipse, with a parabola in y to +-S: raceway, load
+# in N, S in m, integrals in mm.
 EXACT = [
     ({}, 8, 4.2e-3, [1914.2, 1628.5, 1247.5, 991.6]),
     ({}, 120, 4.2e-3, [2477.3, 1999.7, 1412.0, 1066.1]),
@@ -50,7 +50,8 @@ EXACT = [
 
 
 def integral(physics, raceway, load, height, reach, cos_angle=1.0, play=None):
-    """Integral outside a contact, m. Without load the play is `height` unless it is given."""
+    """Integral outside a contact, m. If the load is 0, the play is `height` unless `play` is
+    given."""
     return physics.call(
         "outside_integral",
         p=raceway._handle,
@@ -74,8 +75,8 @@ def reach(physics, raceway, depth, angle=0.0, semi_axis=0.0):
 
 
 def capacitors(physics, raceway, overlap, speed=1.5, cage_speed=62.0, cos_angle=1.0, **changes):
-    """h_c, capacitance, separation and capacitance outside, for each overlap; checks that contacts
-    evaluated one by one and four at a time are equal."""
+    """h_c, capacitance, separation and capacitance outside the contact, for each overlap. Checks
+    that contacts evaluated one by one and four at a time give equal results."""
     columns = np.broadcast_arrays(np.asarray(overlap, float), cos_angle, speed, cage_speed)
     n = columns[0].size
     padded = [np.pad(np.ravel(c), (0, -n % 4), mode="edge") for c in columns]
@@ -102,14 +103,14 @@ def test_t1_exact_integral(physics, changes, load, edge, exact):
 
 
 def quadrature(n):
-    """Nodes and weights on the interval from 0 to 1."""
+    """Nodes and weights for the interval from 0 to 1."""
     x, w = np.polynomial.legendre.leggauss(n)
     return (x + 1) / 2, w / 2
 
 
 def exact_integral(a, b, overlap, load, modulus, r_x, r_y, h, edge):
-    """I outside the ellipse in the exact Hertz gap (Carlson's integrals), m, to +-edge across the
-    groove and to infinity along rolling. More nodes change it by 3e-8."""
+    """Integral I (m) over the exact Hertz gap (Carlson's integrals) outside the ellipse, to +-edge
+    across the groove and to infinity along rolling. More nodes change it by 3e-8."""
     x, w = quadrature(16)
     beside = a * np.sin(x * np.pi / 2), b * np.cos(x * np.pi / 2), w * np.pi / 2 * a
     beside = beside[0], beside[1], beside[2] * np.cos(x * np.pi / 2)
@@ -139,8 +140,9 @@ def exact_integral(a, b, overlap, load, modulus, r_x, r_y, h, edge):
 @pytest.mark.parametrize("side", [INNER, OUTER])
 @pytest.mark.parametrize("conformity", [0.505, 0.52, 0.54])
 def test_total_over_the_range_of_the_closed_form(physics, size, side, conformity):
-    """From 20 nm to 2 um, and up to 3 kN on a ball of 12.6 mm and equal pressure on smaller balls,
-    the total of plates and surroundings is accurate within 1.5 %."""
+    """The total capacitance of plates and surroundings is accurate within 1.5 % for films of 20 nm
+    to 2 um, with loads up to 3 kN on a ball of 12.6 mm and up to the same pressure on smaller
+    balls."""
     ball = size.get("ball_radius", BALL)
     raceway = physics.raceway(**(size | dict(side=side, groove_radius=2 * conformity * ball)))
     derived = raceway.radial()
@@ -165,8 +167,8 @@ def test_total_over_the_range_of_the_closed_form(physics, size, side, conformity
     ],
 )
 def test_t2_groove_as_an_arc(physics, side, edge, exact, closed):
-    """The closed form agrees with the arc integral of a loaded 6208, and with values of the closed
-    form from elsewhere."""
+    """The closed form agrees with the integral over the arc of a loaded 6208, and with values of
+    the closed form computed elsewhere."""
     raceway = physics.raceway_6208(side)
     near, far = reach(physics, raceway, 2.3e-3)
     assert near == far == pytest.approx(edge, abs=5e-7)
@@ -188,7 +190,7 @@ def test_t3_rigid_surfaces(physics, side, exact):
 @pytest.mark.parametrize("size", [{}, SMALL, TINY], ids=["12.6 mm", "7.9 mm", "4.0 mm"])
 @pytest.mark.parametrize("side", [INNER, OUTER])
 def test_closed_forms_in_40_digits(physics, size, side):
-    """Closed forms are accurate for rigid surfaces, at plays below, at and above the play of
+    """Closed forms are accurate for rigid surfaces, with a play below, at and above that of
     concentric circles, and for loaded contacts with thin to thick films."""
     ball = size.get("ball_radius", BALL)
     raceway = physics.raceway(**(size | dict(side=side, groove_radius=1.01 * ball)))
@@ -212,8 +214,8 @@ def test_closed_forms_in_40_digits(physics, size, side):
 
 @pytest.mark.parametrize("side", [INNER, OUTER])
 def test_rigid_form_is_that_of_two_parabolas(physics, side):
-    """Two parabolas give 4 pi sqrt(R_x R_y) asinh(S/sqrt(2 R_y g)); the radius across the groove is
-    within 1 % of R_y."""
+    """Two parabolas give 4 pi sqrt(R_x R_y) asinh(S/sqrt(2 R_y g)); the radius across the groove
+    differs from R_y by less than 1 %."""
     raceway = physics.raceway_6208(side)
     gap, edge = 5e-6, 5e-3
     r_x, r_y = physics.radii(side)
@@ -227,8 +229,8 @@ def test_rigid_form_is_that_of_two_parabolas(physics, side):
     + [(1e3, 0.097902), (1e-9, 3.5501e3), (1e9, np.pi * 10**-4.5)],
 )
 def test_t4_beside_the_ellipse(h, exact):
-    """The form agrees with values by quadrature and with the limits 3.5501 H^(-1/3) and
-    pi H^(-1/2)."""
+    """The form agrees with values from quadrature and with the limits 3.5501 H^(-1/3) and pi
+    H^(-1/2)."""
     assert capacitance_outside.beside(h) == pytest.approx(exact, rel=0.002 if h > 1e-8 else 0.006)
 
 
@@ -280,8 +282,8 @@ def test_t5_what_fills_the_gap(physics):
 @pytest.mark.parametrize("gap", [0.0, 0.5, 1.0, 1.5])
 @pytest.mark.parametrize("cage_speed", [0.0, 62.0, 250.0])
 def test_t7_through_loss_of_contact(physics, gap, cage_speed):
-    """Nothing jumps in steps of 1 nm, and of 1e-12 m where contacts begin; also with film in the
-    gap."""
+    """Nothing jumps in steps of 1 nm, or of 1e-12 m near the overlap at which contact begins, with
+    and without film in the gap."""
     raceway = physics.raceway(**OIL)
     overlap = np.arange(-1e-6, 1e-6, 1e-9)
     named = dict(cage_speed=cage_speed, gap=gap)
@@ -294,12 +296,13 @@ def test_t7_through_loss_of_contact(physics, gap, cage_speed):
     assert fine_plates[0] == 0 < fine_plates[-1]
     total = fine_plates + fine_outside
     assert np.abs(np.diff(fine_h)).max() < 1e-10
-    # film in the gap begins with the plates at an overlap of h/1000: Q^(2/3) under a film
+    # film in the gap begins together with the plates at an overlap of h/1000: Q^(2/3) under a film
     assert np.abs(np.diff(total)).max() < 2e-4 * total.mean()
 
 
 def test_the_separation(physics):
-    """The separation is h_c of max(Q, Q_u), or the gap if it is larger."""
+    """The separation is the film thickness h_c at the load max(Q, Q_u), or the gap if it is
+    larger."""
     raceway = physics.raceway(**OIL)
     derived = raceway.radial()
     cage_speed = 200.0
@@ -338,8 +341,8 @@ def test_mean_permittivity(ambient, pressure):
 
 @pytest.mark.parametrize("at, eps", [(0, 2.654), (1, 2.578), (2, 2.593)])
 def test_where_the_permittivity_is_taken(physics, at, eps):
-    """A relative permittivity of 2.2 at ambient pressure grows under 1.5 GPa, depending on where it
-    is taken."""
+    """A relative permittivity of 2.2 at ambient pressure grows at 1.5 GPa. The growth depends on
+    where in the contact the pressure is taken."""
     raceway = physics.raceway(**OIL)
     derived = raceway.radial()
     overlap = (1.5e9 / derived.p) ** 2
@@ -356,14 +359,14 @@ def test_t12_rough_films(physics):
     assert laws.rough_film_factor(1 / 0.3) == pytest.approx(25 / 21)
     raceway = physics.raceway(**OIL)
     smooth, rough = (capacitors(physics, raceway, [1e-5], rough=r) for r in (0, 1))
-    film_parameter = smooth[0] / 50e-9  # 40 nm and 30 nm
+    film_parameter = smooth[0] / 50e-9  # films of 40 nm and 30 nm
     assert rough[1] / smooth[1] == pytest.approx(1 / (1 - film_parameter**-2), rel=1e-12)
 
 
 @pytest.mark.parametrize("side", [INNER, OUTER])
 def test_reach_of_a_groove(physics, side):
-    """With a contact angle the two sides differ: the reach is 4 tan of a quarter of the angle to
-    each shoulder."""
+    """With a contact angle the two sides differ: the reach is 4 tan of a quarter of the angle
+    between contact and shoulder."""
     raceway = physics.raceway_6208(side)
     gamma = 0.09 * (BALL / PITCH) * (1 if side == INNER else -1)
     cosine = 1 - 2.3e-3 / 6.552e-3
@@ -380,7 +383,7 @@ def test_reach_of_a_groove(physics, side):
 @pytest.mark.parametrize("angle", [0.0, 0.3])
 def test_reach_around_an_ellipse(physics, side, angle):
     """The reach agrees with Python: narrow ellipses do not change it, wide ellipses reduce it by
-    the arc within."""
+    the arc within the ellipse."""
     raceway = physics.raceway_6208(side)
     bearing = Bearing(9, 2 * BALL, 24e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     plain = reach(physics, raceway, 2.3e-3, angle)
@@ -400,7 +403,7 @@ def test_reach_around_an_ellipse(physics, side, angle):
 def test_t6_a_ball_of_a_6208(physics, load, plates, flooded, cavitated):
     speed = 1500 * 2 * np.pi / 60
     gamma = BALL / PITCH
-    u = 0.5 * PITCH * (1 - gamma**2) * speed  # of both contacts, kinematic
+    u = 0.5 * PITCH * (1 - gamma**2) * speed  # kinematic, equal at both contacts
     cage_speed = 0.5 * speed * (1 - gamma)
     oil = dict(viscosity=0.03, pressure_viscosity=1.8e-8)
     q_u = 0.96

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Expected results of runs, from kinematics and the static solver (written independently of the
-C++)."""
+"""Expected results of runs, from kinematics and from the static solver, which is written
+independently of the C++ code."""
 
 import numpy as np
 from raceway import hertz, kinematics, static
@@ -8,7 +8,7 @@ from raceway.theory.bearing import INNER, OUTER, Bearing
 
 
 def bearing_of(settings):
-    """The bearing of a run."""
+    """The bearing of a run with these settings."""
     return Bearing(
         int(settings["balls"]),
         settings["ball_diameter_m"],
@@ -28,7 +28,7 @@ def shaft_speed(settings):
 
 def equilibrium(run, sample, film=None):
     """Static equilibrium with the balls at their positions in a sample of the run. `film`, a
-    `FilmInGap`, is the film in the gap."""
+    `FilmInGap`, adds the film in the gap."""
     settings, balls = run.settings, run.balls
     now = balls[(balls["sample"] == sample) & (balls["type"] == 1)].sort_values("id")
     orbit = kinematics.frequencies(bearing_of(settings)).cage * shaft_speed(settings)
@@ -50,7 +50,7 @@ def _all(run):
 
 
 def static_shift(run, _):
-    """Mean shift of the inner ring along the load, m."""
+    """Mean displacement of the inner ring along the load, m."""
     azimuth = run.settings["load_azimuth_rad"]
     return np.mean(
         [state.shift[0] * np.cos(azimuth) + state.shift[1] * np.sin(azimuth) for state in _all(run)]
@@ -58,7 +58,7 @@ def static_shift(run, _):
 
 
 def static_largest_load(run, _):
-    """Largest contact load over the pass, N."""
+    """Largest contact load over the ball pass, N."""
     return max(state.inner.load.max() for state in _all(run))
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/circuit: agreement with the Python package, given the record of the same run; events;
-refused input."""
+"""fix bearing/circuit: agreement with the Python package, which uses the record of the same run;
+events; input that is refused."""
 
 import shutil
 
@@ -68,7 +68,7 @@ CASES = {
     ),
 }
 WHOLE = dict(cap="surroundings cavitated 1", clearance=2e-5)
-WITHIN = 4  # samples per step in the case with instants
+WITHIN = 4  # samples per step in the case with instants within steps
 
 
 FAST = "x free y free spin speed 150 force 0 -800 0 ramp 3.0e-3"
@@ -77,7 +77,7 @@ RECORD = "fix rec all bearing/record 1 {}\n"
 
 
 def run_with(folder, words, more="", samples=SAMPLES, record=RECORD, cap="", **options):
-    """Run in.case in `folder` with a record and a circuit according to `words`; return its
+    """Run in.case in `folder` with a record and a circuit with the keywords `words`; return the
     `Outcome`."""
     folder.mkdir(exist_ok=True)
     (folder / "table.txt").write_text("# s V\n0 0\n2e-3 40\n5e-3 -25 # the end\n")
@@ -96,7 +96,7 @@ def run_with(folder, words, more="", samples=SAMPLES, record=RECORD, cap="", **o
 
 @pytest.fixture(scope="module", params=CASES)
 def pair(request, tmp_path_factory):
-    """(rows of the fix by name, rows of its events, the `Result` of Python) for one run."""
+    """(rows of the fix by name, rows of its events, the `Result` from Python) for one run."""
     words, outer, breakdown, leak, points = CASES[request.param]
     folder = tmp_path_factory.mktemp("circuit")
     if breakdown:
@@ -123,7 +123,7 @@ def pair(request, tmp_path_factory):
 
 
 def test_the_fix_gives_the_numbers_of_python(pair):
-    """The numbers agree at every sample after the first, which LIGGGHTS does not print."""
+    """The numbers agree at every sample except the first, which LIGGGHTS does not print."""
     rows, _, (data, events), points = pair
     on_films = float(np.abs(data.film_capacitance * data.film_voltage).max())
     step = float(data.time.diff("time").min())
@@ -137,16 +137,16 @@ def test_the_fix_gives_the_numbers_of_python(pair):
             ours = np.searchsorted(events.time, data.time, "right")
         else:
             ours = data[name].to_numpy() if name in data else np.zeros(data.sizes["time"])
-            ours = np.where(np.isinf(ours), 0.0, ours)  # no film can fail
+            ours = np.where(np.isinf(ours), 0.0, ours)  # infinite if no film can fail
         scale = 1e-9 * np.abs(ours).max()
-        if name == "current":  # charges of films cancel, but the ring's charge remains
+        if name == "current":  # the films' charges cancel, but the ring's charge remains
             scale = max(scale, 1e-13 * on_films / step)
         np.testing.assert_allclose(rows[name], ours, rtol=1e-9, atol=scale, err_msg=name)
 
 
 def test_metal(tmp_path):
-    """Films with asperity contact conduct, in the fix as in Python; an asperity share of 0.1
-    separates them from other films."""
+    """Films with asperity contact conduct, both in the fix and in Python. An asperity share of 0.1
+    distinguishes them from other films."""
     here = tmp_path / "here"
     shutil.copytree(ROOT / "tests/implicit", here, ignore=shutil.ignore_patterns("__pycache__"))
     contact = here / "contact.film"
@@ -193,8 +193,8 @@ def test_the_events_are_those_of_python(pair):
 
 
 def test_current_of_a_failure(pair):
-    """The peak current flows through the arc, its duration follows from the charge, and its density
-    is relative to the total Hertz area."""
+    """The peak current flows through the arc, the duration follows from the charge, and the current
+    density refers to the total Hertz area."""
     _, rows, (_, events), _ = pair
     if "current" not in rows:
         return

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """fix bearing/capacitance with resistivity, frequency and strength: leakage, impedance, threshold,
-energy and Hertz area equal what the Python package finds from the record of the same run (T11)."""
+energy and Hertz area equal the values that the Python package finds from the record of the same run
+(T11)."""
 
 import numpy as np
 import pytest
@@ -19,7 +20,7 @@ ASK = Ask(strength=STRENGTH, frequency=HERTZ, resistivity=RHO)
 
 
 def measured(folder, words, record=True, samples=60):
-    """(columns of the fix's file by name, the run or None)."""
+    """(columns of the fix's file by name, the run, or None without a record)."""
     folder.mkdir()
     (folder / "more").write_text(
         f"fix cap balls bearing/capacitance 1 permittivity {EPS} {words} file {folder}/totals.txt\n"
@@ -58,8 +59,8 @@ def test_the_fix_gives_the_numbers_of_python(pair):
 
 
 def test_impedance_is_that_of_the_whole(pair):
-    """Far above the corner frequency only the capacitance matters, far below it only the
-    leakage."""
+    """Far above the corner frequency only the capacitance matters; far below it only the leakage
+    matters."""
     _, of = pair
     whole = whole_capacitance.over_time(of)
     z = film_figures.spectrum(whole, np.array([1e-4, 1e8]), RHO)
@@ -70,7 +71,8 @@ def test_impedance_is_that_of_the_whole(pair):
 
 
 def test_one_fill_relaxes_with_its_resistivity(tmp_path):
-    """In an unloaded and flooded bearing R C = rho eps_0 eps. The ring is not included yet."""
+    """At the first sample nothing is in contact yet and the bearing is flooded, so that
+    R C = rho eps_0 eps."""
     rows, _ = measured(tmp_path / "run", f"surroundings flooded {ASKED}", False, 1)
     none = rows["capacitance"] == 0
     assert none[0] and rows["hertz_area"][0] == 0
@@ -79,8 +81,8 @@ def test_one_fill_relaxes_with_its_resistivity(tmp_path):
 
 
 def test_plates_alone_and_a_background(tmp_path):
-    """Without surroundings a ball without contact is an open circuit; the background is in parallel
-    with the films."""
+    """Without surroundings a ball without contact is an open circuit. The background capacitance is
+    in parallel with the films."""
     rows, of = measured(tmp_path / "run", f"background {BESIDE} {ASKED}")
     whole = of.contacts
     area = np.pi * (whole["a"] * whole["b"]).fillna(0.0).sum(("raceway", "ball"))
@@ -99,7 +101,7 @@ def test_plates_alone_and_a_background(tmp_path):
 
 
 def test_instants_have_them(tmp_path):
-    """The last instant of a step equals a sample at its end."""
+    """The last instant of a step equals a sample at the end of the step."""
     words = f"surroundings dry {ASKED}"
     one, _ = measured(tmp_path / "one", words, False, 6)
     many, _ = measured(tmp_path / "many", f"within 5 {words}", False, 6)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs with the models `film`: agreement with statics with the film in the gap (written
+"""Runs with the models `film`: agreement with statics that include the film in the gap (written
 independently in Python), light load, both integrators, the longest explicit step."""
 
 import re
@@ -14,8 +14,8 @@ from raceway.theory.bearing import INNER
 
 from scenarios import closed_forms
 
-# bounds of the differences between the quasi-static run and statics, in means over balls and
-# samples: relative to the effect, or to the total
+# bounds of the differences between the quasi-static run and statics, as means over balls and
+# samples: relative to the effect of the film, or to the total value
 OF_THE_EFFECT, OF_THE_WHOLE = 0.1, 3e-4
 
 
@@ -26,8 +26,8 @@ def film_of(tables):
 
 @pytest.mark.parametrize("rpm, every", [(48, 8), (477.5, 40), (1910, 40), (9549, 40)])
 def test_displacement_and_loads(tmp_path, rpm, every):
-    """The mean radial displacement and the means over samples of the largest and of the third load
-    agree with statics."""
+    """The mean radial displacement agrees with statics, as do the means over samples of the largest
+    and of the third largest load."""
     succeed("inputs/in.6208", out=tmp_path, rpm=rpm, models="film", tolerance=1e-8, passes=2)
     tables = RunTables(tmp_path)
     film = film_of(tables)
@@ -52,7 +52,7 @@ def test_displacement_and_loads(tmp_path, rpm, every):
 
 @pytest.mark.parametrize("gap_film", ["power", "moes"])
 def test_light_load_rolls(tmp_path, gap_film):
-    """Under 50 N at 9549 rpm the centrifugal load lifts the balls off the inner raceway, and the
+    """Under 50 N at 9549 rpm the centrifugal force lifts the balls off the inner raceway, and the
     film in the gap drives them."""
     case = {"load": 50, "rpm": 9549, "models": "film", "gap_film": gap_film}
     succeed("inputs/in.6208", out=tmp_path, settle=4, passes=3, **case)
@@ -64,8 +64,8 @@ def test_light_load_rolls(tmp_path, gap_film):
 
 def test_both_integrators(tmp_path):
     """With the film branch and the film in the gap, velocity Verlet and the implicit step give the
-    same mean displacement and largest load. Their friction laws differ: a spring, or smoothed
-    Coulomb friction."""
+    same mean displacement and the same largest load. Their friction laws differ: one has a
+    tangential spring, the other smoothed Coulomb friction."""
     figures = []
     for integrator in ("verlet", "implicit"):
         case = {"integrator": integrator, "rpm": 5000, "passes": 1, "models": "film"}
@@ -115,8 +115,8 @@ FULL = (
 
 @pytest.fixture
 def fixed_step(tmp_path):
-    """Function that returns rows (step number, largest load, limit of the step, power of friction)
-    of a run."""
+    """A function that returns the exit code of a run and its rows (step number, largest load, limit
+    of the step, friction power)."""
     deck = tmp_path / "in.longest"
     deck.write_text(LONGEST)
 
@@ -132,8 +132,8 @@ def fixed_step(tmp_path):
 
 @pytest.mark.parametrize("rpm", [48, 477.5, 1910])
 def test_longest_explicit_step(fixed_step, rpm):
-    """At 98 % of the limit of fix bearing/timestep the loads stay bounded, at 125 % they do not.
-    The ring is held so that a ball carries about 2.4 kN; friction and other dampers are off."""
+    """At 98 % of the limit of fix bearing/timestep the loads stay bounded; at 125 % they do not.
+    The ring is held such that a ball carries about 2.4 kN; friction and other dampers are off."""
     _, rows = fixed_step(1e-7, rpm)
     limit = rows[:, 2].min()
     assert limit > 4e-6  # with the film damper of eq 5 the limit is 0.02 to 0.9 us
@@ -145,10 +145,10 @@ def test_longest_explicit_step(fixed_step, rpm):
 
 @pytest.mark.parametrize("rpm, within", [(48, 5e-3), (477.5, 1e-3), (1910, 1e-3)])
 def test_longest_explicit_step_with_all_parts(fixed_step, rpm, within):
-    """At the limit of fix bearing/timestep the friction loss is the same as with a step of 1 us; at
+    """At the limit of fix bearing/timestep the friction loss is the same as with a step of 1 us. At
     125 % of the limit the tangential springs oscillate until they slide. At 48 rpm the initial
-    oscillation lasts some milliseconds, and is larger with a longer step: in the second 2 ms it is
-    2e-3 with 4 us and 4e-3 at the limit."""
+    oscillation lasts some milliseconds and is larger with a longer step: in the second 2 ms the
+    difference is 2e-3 with a step of 4 us and 4e-3 at the limit."""
 
     def power(step):
         code, rows = fixed_step(step, rpm, FULL, int(4e-3 / step))

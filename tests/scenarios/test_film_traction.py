@@ -12,12 +12,12 @@ from raceway.runs.tables import RunTables
 from raceway.theory import skidding, steady_heat
 
 OIL = {"rpm": 9549, "lubricant": "vg46", "temperature": 94.5}
-# parts that drive balls which would otherwise roll freely
+# options that leave out the parts that keep balls from rolling freely
 PUSHED = {"without": "drag+rolling+rolling_hysteresis", "cage": "no"}
 
 
 def of_statics(models, rotation=skidding.rotation):
-    """Slip loss in W: (mean, half the spread) over the positions of the balls."""
+    """Slip loss in W: (mean, half the range) over the positions of the balls."""
     scene = steady_heat.Case("6208", "vg46", load=5000.0, rpm=9549.0, models=models).scene()
     passing = []
     for phase in np.arange(4) * np.pi / 18:
@@ -30,7 +30,8 @@ def of_statics(models, rotation=skidding.rotation):
 
 @pytest.fixture(scope="module")
 def found(tmp_path_factory):
-    """Slip loss of runs in W, by models; with `free`, no other part drives the balls."""
+    """Slip loss of runs in W, by models; in runs with `free` in the name, only traction drives the
+    balls."""
     result = {}
     for models in ("full", "eyring"):
         for name, words in ((models, {}), (f"free {models}", PUSHED)):
@@ -43,7 +44,7 @@ def found(tmp_path_factory):
 @pytest.mark.parametrize("models", ["full", "eyring"])
 def test_sliding_is_that_of_statics(found, models):
     """At 9549 rpm without drag, rolling resistance and cage, the sliding loss agrees with statics
-    within the spread over the positions of the balls; with all parts it agrees within 5 %."""
+    within its range over the positions of the balls; with all parts it agrees within 5 %."""
     statics, places = of_statics(models, lambda slowing, rate, time: 1.0)
     within = places if models == "eyring" else 1e-2 * statics
     assert found[f"free {models}"] == pytest.approx(statics, rel=0, abs=within)
@@ -55,8 +56,8 @@ def test_coulomb_slides_more(found):
 
 
 def test_dry_and_oil_without_the_numbers(tmp_path):
-    """For dry contacts `eyring` equals `full`. An oil without an Eyring stress has the default
-    one."""
+    """For dry contacts `eyring` equals `full`. An oil without an Eyring stress gets the default
+    value."""
     short = {"passes": 1, "samples": 20, "rpm": 9549}
     succeed("inputs/in.dry", out=tmp_path / "dry", models="eyring", **short)
     oil = (ROOT / "inputs/lubricants/vg46").read_text()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A ball that moves over flaws of an outer raceway: its path is compared with the path of a rigid
-ball, and energy is balanced."""
+"""A ball moves over flaws of an outer raceway: its path is compared with the path of a rigid ball,
+and its energy balance closes."""
 
 import re
 
@@ -13,12 +13,12 @@ RACEWAY, BALL, ORBIT = 36.6e-3, 6.3e-3, 30.3e-3  # m
 ROLLING = BALL * (1 + BALL / ORBIT)  # m, effective radius along rolling
 BOTTOM = -np.pi / 2
 MASS = 7800 * 4 / 3 * np.pi * BALL**3  # kg
-EDGE = 5e-6  # edge radius, m; small because the closed forms assume sharp edges
+EDGE = 5e-6  # edge radius, m; it is small because the closed forms assume sharp edges
 MOVERS = {
     "verlet": {},
     "implicit": {"mover": "all bearing/implicit tolerance 1.0e-11"},
 }
-# slow, and damped by its steel: the ball moves as if ball and raceway were rigid
+# slow, and damped by the steel: the ball moves as if ball and raceway were rigid
 SLOW = dict(speed=0.03, field=200, damping="hysteresis 0.3", azimuth=BOTTOM - 0.03, sink=2.46e-7)
 QUICK = {
     "verlet": dict(step=1e-6, steps=40000, every=20),
@@ -31,8 +31,8 @@ def notch(length, depth, width="full", edge=EDGE, azimuth=BOTTOM):
 
 
 def rolled(folder, flaw, by="verlet", **variables):
-    """Columns of ball.dat: time, path (m, of the contact along the raceway, from the bottom), drop
-    (m), radial velocity, and energies (J)."""
+    """Columns of ball.dat: time (s), path of the contact along the raceway (m, from the bottom),
+    drop (m), radial velocity (m/s), and energies (J)."""
     folder.mkdir(exist_ok=True)
     given = {**MOVERS[by], **variables}
     succeed(DECK, out=folder, flaw=flaw, **given)
@@ -53,14 +53,14 @@ def rolled(folder, flaw, by="verlet", **variables):
 @pytest.mark.parametrize("mover", MOVERS)
 @pytest.mark.parametrize("length", [0.7e-3, 1e-3])
 def test_narrow_notch(tmp_path, mover, length):
-    """The ball does not reach the bottom: it falls by w^2/(8 R_x) in the middle, where the centre's
-    speed jumps by v w/R_x, half a length after the fall began."""
+    """The ball does not reach the bottom of the notch. It falls by w^2/(8 R_x) in the middle, half
+    a length after the fall began; there the speed of its centre jumps by v w/R_x."""
     b = rolled(tmp_path, notch(length, 1e-3), mover, **SLOW, **QUICK[mover])
     assert b["drop"].max() == pytest.approx(length**2 / (8 * ROLLING), rel=0.02)
     speed = np.gradient(b["path"], b["t"])
     turn = np.argmax(b["drop"])
     assert abs(b["path"][turn]) < 0.02 * length / 2
-    # from the parabolas of both flanks
+    # from parabolas fitted to both flanks
     half = length / 2
     jump = 0.0
     for side in (-1, 1):
@@ -72,7 +72,8 @@ def test_narrow_notch(tmp_path, mover, length):
 
 @pytest.mark.parametrize("mover", MOVERS)
 def test_bottom(tmp_path, mover):
-    """A ball reaches the bottom of a long notch at sqrt(2 R_x d) from the edge and rolls on it."""
+    """A ball reaches the bottom of a long notch at a distance of sqrt(2 R_x d) from the edge and
+    then rolls on the bottom."""
     length, depth = 1.5e-3, 5e-6
     b = rolled(tmp_path, notch(length, depth), mover, **SLOW, **QUICK[mover])
     flat = np.abs(b["path"]) < 0.3e-3
@@ -88,7 +89,7 @@ def test_deeper_than_the_ball_reaches_changes_nothing(tmp_path):
 
 
 def test_converges_with_the_step(tmp_path):
-    """Velocity Verlet converges with second order until the ball bounces off the far flank."""
+    """Until the ball bounces off the far flank, velocity Verlet converges with second order."""
     last = []
     for k, step in enumerate((4e-7, 2e-7, 1e-7, 1e-8)):
         b = rolled(
@@ -116,8 +117,8 @@ def test_converges_with_the_step(tmp_path):
 )
 @pytest.mark.parametrize("mover", MOVERS)
 def test_energy(tmp_path, mover, flaw):
-    """Without friction a ball gains or loses no energy over a flaw, to 1e-6 of its kinetic
-    energy."""
+    """Without friction the energy of a ball that moves over a flaw is constant, to 1e-6 of its
+    kinetic energy."""
     steps = {
         "verlet": dict(step=1e-7, steps=90000, every=300),
         "implicit": dict(
@@ -130,9 +131,9 @@ def test_energy(tmp_path, mover, flaw):
 
 
 def test_energy_of_a_ball_that_turns_over_its_own_flaws(tmp_path):
-    """The ball has a pit narrower than the ellipse and off its middle, a wave and a table, all off
-    the equator. The spin supplies the energy of the motion. Both integrators follow the same
-    path."""
+    """The ball has a pit narrower than the ellipse and off its middle, a wave and a tabulated
+    profile, all off the equator. The spin supplies the energy of the motion. Both integrators give
+    the same path."""
     azimuth = np.arange(4000) * 2 * np.pi / 4000
     np.savetxt(tmp_path / "table.txt", np.c_[azimuth, 2e-7 * np.sin(7 * azimuth)])
     steps = {
@@ -164,7 +165,8 @@ def test_energy_of_a_ball_that_turns_over_its_own_flaws(tmp_path):
 
 @pytest.mark.parametrize("mover", ["moving nve/sphere", "all bearing/implicit"])
 def test_orientation_of_a_ball(tmp_path, mover):
-    """Columns of compute bearing/ball for a ball that keeps its spin agree with the closed form."""
+    """For a ball with constant spin, the columns of compute bearing/ball agree with the closed
+    form."""
     deck, spin, step = tmp_path / "in.turn", np.array([300.0, 0.0, 400.0]), 1e-6
     names = "turn_w turn_x turn_y turn_z"
     deck.write_text(
@@ -200,8 +202,8 @@ def test_orientation_needs_a_profile_of_balls(tmp_path):
 
 @pytest.mark.parametrize("latitude, share", [(0.0, 1.0), (0.5, 0.0)])
 def test_pit_of_a_ball(tmp_path, latitude, share):
-    """A ball that slowly rotates in place falls by w^2/(8 R_x) when the pit passes the contact. If
-    the pit misses the contact, the ball does not fall, but vibrates by less than 0.1 um."""
+    """A ball that rotates slowly in place falls by w^2/(8 R_x) when the pit passes the contact. If
+    the pit misses the contact, the ball does not fall, and vibrates by less than 0.1 um."""
     length = 0.7e-3
     b = rolled(
         tmp_path,
@@ -216,7 +218,7 @@ def test_pit_of_a_ball(tmp_path, latitude, share):
 
 
 def test_flaw_turns_with_its_ring(tmp_path):
-    """A ball rests at the bottom without friction, and a flaw passes it at 10 rad/s."""
+    """A ball rests at the bottom without friction, and a flaw of the ring passes it at 10 rad/s."""
     b = rolled(
         tmp_path,
         notch(1e-3, 1e-3, azimuth=BOTTOM - 0.03),
@@ -233,7 +235,7 @@ def test_flaw_turns_with_its_ring(tmp_path):
 
 
 def test_table(tmp_path):
-    """A measured table gives the points of a wave, and of a slot that the ball bridges."""
+    """Tables of measured points describe a wave, and a slot that the ball bridges."""
     azimuth = np.arange(20000) * 2 * np.pi / 20000
     tables = {
         "wave": 1e-7 * np.cos(31 * azimuth),
@@ -257,7 +259,7 @@ def test_table(tmp_path):
 
 
 def test_table_of_a_ball(tmp_path):
-    """A table gives the points of a wave on a ball that rotates in place."""
+    """A table of points describes a wave on a ball that rotates in place."""
     azimuth = np.arange(4000) * 2 * np.pi / 4000
     np.savetxt(tmp_path / "wave.txt", np.c_[azimuth, 3e-7 * np.cos(12 * azimuth)])
     wave, table = (

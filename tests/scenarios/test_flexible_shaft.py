@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/shaft flexible: a flexible shaft on two 6208s agrees with a beam with all its nodes.
+"""fix bearing/shaft flexible: a flexible shaft on two 6208s agrees with a beam that keeps all its
+nodes.
 
-The shaft lies along z from 0 to 0.3 m, its bearings at 0 and 0.2 m.
+The shaft extends along z from 0 to 0.3 m; its bearings are at 0 and 0.2 m.
 """
 
 from typing import NamedTuple
@@ -29,7 +30,7 @@ from shaft_runs import (
 
 SECTIONS = [Section(0.2, 0.02), Section(0.1, 0.016)]
 DISC = Disc(0.12, 3.0, 0.01, 0.006)
-PLACES = (0.0, 0.12, 0.2, 0.3)  # m, positions of bearings, disc and overhung load
+PLACES = (0.0, 0.12, 0.2, 0.3)  # m, positions of bearing, disc, bearing and overhung load
 KEPT = (0.0, 0.2, 0.3)
 PRELOAD = -20e-6  # m, diametral clearance
 
@@ -70,7 +71,7 @@ def damped(tmp_path_factory):
 
 # ---- compared with the beam
 def on_bearings(z, whole, stiffness):
-    """(5 N, 5 N) springs at both bearings."""
+    """Springs (5 N, 5 N) that represent both bearings."""
     springs = np.zeros_like(whole.stiffness)
     for place in (0.0, 0.2):
         at = 5 * node(z, place) + np.arange(5)
@@ -79,7 +80,8 @@ def on_bearings(z, whole, stiffness):
 
 
 def stiffness_of(clearance):
-    """(5, 5) stiffness of a bearing with preload only; the shaft does not slide in it."""
+    """Stiffness (5, 5) of a bearing under preload alone; the shaft does not slide in the
+    bearing."""
     held = dict.fromkeys(static.FREEDOMS, 0.0)
     # a ring tilted by t moves the centre of its groove inwards by R t^2/2, against the preload
     state = static.equilibrium(B6208, held=held, clearance=clearance, finite_shift=True)
@@ -89,9 +91,9 @@ def stiffness_of(clearance):
 
 
 def test_bending_pairs(tmp_path, file):
-    """Free vibration on preloaded bearings: the first pair of frequencies agrees within 1e-3 with
-    the beam on springs with the stiffness of the bearings, the second pair within 5e-3. The spin
-    splits both pairs."""
+    """Free vibration on preloaded bearings: the first pair of frequencies agrees within 1e-3 with a
+    beam on springs with the stiffness of the bearings, the second pair within 5e-3. The spin splits
+    both pairs."""
     spin, clearance = 2000.0, 2 * PRELOAD
     data, _ = swing(
         tmp_path,
@@ -108,10 +110,10 @@ def test_bending_pairs(tmp_path, file):
     signals = [data["x"] + 1j * data["y"], 0.1 * (data["ry"] - 1j * data["rx"])]
     signals += [data[f"x{ring}"] + 1j * data[f"y{ring}"] for ring in (1, 2)]
     found = frequencies_of(np.array(signals), data["time"][1] - data["time"][0], 12)
-    # the disc turns first backward, then forward
+    # the disc whirls first backward, then forward
     for k, (sign, error) in enumerate([(-1, 1e-3), (1, 1e-3), (-1, 5e-3), (1, 5e-3)]):
         assert np.abs(sign * found / exact[k] - 1).min() < error
-    assert exact[1] / exact[0] > 1.05 and exact[3] / exact[2] > 1.5  # far enough apart
+    assert exact[1] / exact[0] > 1.05 and exact[3] / exact[2] > 1.5  # the frequencies differ enough
 
 
 STEADY = [shaft.Load(0.12, (0.0, -800.0, 0.0)), shaft.Load(0.3, (100.0, -200.0, 0.0))]
@@ -119,15 +121,15 @@ STEADY = [shaft.Load(0.12, (0.0, -800.0, 0.0)), shaft.Load(0.3, (100.0, -200.0, 
 
 @pytest.fixture(scope="module")
 def resting(tmp_path_factory, damped):
-    """The shaft at rest under loads at the disc and the overhang: backward Euler with long
-    steps."""
+    """The shaft at rest under loads at the disc and at the overhung end, found by backward Euler
+    with long steps."""
     loads = " ".join(f"load {one.at} {one.force[0]} {one.force[1]} 0" for one in STEADY)
     data, _ = swing(
         tmp_path_factory.mktemp("resting"),
         clearance=PRELOAD,
         words=f"flexible {damped} {loads}",
         control="order 1 tolerance 1e-6",
-        cage=1,  # without the cage and friction the balls leave the load zone
+        cage=1,  # without cage and friction the balls would leave the load zone
         law="friction constant 0.1",
         freedoms=f"{TILTING} 0 z free",
         step=5e-4,
@@ -138,8 +140,8 @@ def resting(tmp_path_factory, damped):
 
 
 def test_steady_loads(resting):
-    """Positions of the bearings and forces on them agree with a beam on bearings computed by
-    statics."""
+    """Positions of the bearings and forces on them agree with those of a beam on bearings computed
+    by statics."""
     seats = [shaft.Seat(at, B6208, clearance=PRELOAD, phase=-np.pi / 2) for at in (0.0, 0.2)]
     rest = shaft.rest(shaft.Shaft(SECTIONS), seats, STEADY)
     for n, one in enumerate(rest.bearings, 1):
@@ -151,7 +153,7 @@ def test_steady_loads(resting):
 
 
 def test_deflection_is_that_of_the_beam(resting):
-    """Tilts of both rings follow from their displacements, moments and loads."""
+    """The tilts of both rings follow from their displacements, moments and loads."""
     z, whole = beam_of()
     force, held = np.zeros(5 * len(z)), np.zeros(5 * len(z))
     place = np.zeros_like(force)
@@ -162,17 +164,17 @@ def test_deflection_is_that_of_the_beam(resting):
         force[at + 3 : at + 5] += resting[f"m{ring}x"], resting[f"m{ring}y"]
         place[at : at + 2] = resting[f"x{ring}"], resting[f"y{ring}"]
         held[at : at + 2] = 1e14
-    held[2] = 1e14  # along the shaft
+    held[2] = 1e14  # stiff along the shaft
     found = np.linalg.solve(whole.stiffness + np.diag(held), force + held * place)
     for ring, at in ((1, 5 * node(z, 0.0)), (2, 5 * node(z, 0.2))):
         tilts = resting[f"rx{ring}"], resting[f"ry{ring}"]
         assert tilts == pytest.approx(found[at + 3 : at + 5], rel=1e-4)
-    assert abs(resting["rx1"] - resting["rx2"]) > 1e-4  # it bends
+    assert abs(resting["rx1"] - resting["rx2"]) > 1e-4  # the shaft bends
 
 
 # ---- compared with the equations of a free shaft
 class Support(NamedTuple):
-    """Motion of the centre of mass, the same in both planes."""
+    """Support at the centre of mass, equal in both planes."""
 
     stiffness: float = 0.0  # N/m
     damping: float = 0.0  # N s/m
@@ -180,14 +182,15 @@ class Support(NamedTuple):
     tilt_damping: float = 0.0  # N m s/rad
 
     def words(self, *names):
-        """The motion in a deck's words; `names` has names of two displacements and two tilts."""
+        """The support in the words of a deck; `names` are the names of two displacements and two
+        tilts."""
         pairs = [self[:2], self[:2], self[2:], self[2:]]
         return " ".join(f"support {name} {k} {c}" for name, (k, c) in zip(names, pairs))
 
 
 def in_the_air(found, time, spin, support):
-    """(2 (2 + n),) coordinates of the shaft and their rates, under loads for `time` s from rest:
-    position, slope and modes in the plane of y, then in the plane of z."""
+    """Coordinates of the shaft, (2 (2 + n),), and their rates, after loads have acted for `time` s
+    from rest: position, slope and modes in the plane of y, then in the plane of z."""
     from scipy.integrate import solve_ivp
 
     body, n = found.body, len(found.mass) + 2
@@ -195,7 +198,7 @@ def in_the_air(found, time, spin, support):
     stiffness = np.tile([0.0, 0.0, *found.stiffness], 2)
     damping = np.tile([0.0, 0.0, *found.damping], 2)
 
-    def at(place):  # displacement and slope there, in one plane
+    def at(place):  # displacement and slope at this place, in one plane
         k = node(found.z, place)
         moved = np.array([1.0, found.z[k] - body.centre, *found.shape[:, k, 0]])
         return moved, np.array([0.0, 1.0, *found.shape[:, k, 1]])
@@ -212,7 +215,7 @@ def in_the_air(found, time, spin, support):
     gyroscopic[1:n, n + 1 :], gyroscopic[n + 1 :, 1:n] = found.gyroscopic, -found.gyroscopic
 
     def held(q, v):
-        """Force of the support on all coordinates."""
+        """Forces of the support on all coordinates."""
         moved, tilted = at(body.centre)
         return np.concatenate(
             [
@@ -234,7 +237,7 @@ def in_the_air(found, time, spin, support):
 
 @pytest.mark.parametrize("support", [Support(), Support(4e6, 60.0, 3e4, 2.0)])
 def test_in_the_air(tmp_path, damped, support):
-    """Loads, a moment, a rotating force and an unbalance act on the modes of a shaft along x,
+    """Loads, a moment, a rotating force and an unbalance act on the modes of a shaft along x, both
     without supports and with supports at its centre."""
     spin, time = 2000.0, 2e-3
     wanted = ["2", "3", "7", "8", "27"] + [str(k) for k in range(28, 34)]
@@ -265,7 +268,7 @@ def test_in_the_air(tmp_path, damped, support):
     assert modes[1] == pytest.approx(other[2:5], rel=0, abs=2e-3 * np.abs(other[2]))
     want = 0.5 * found.stiffness @ (one[2:] ** 2 + other[2:] ** 2)
     assert strain == pytest.approx(want, rel=2e-3)
-    # a ring moves with the rigid shaft and with its bending
+    # the motion of a ring combines that of the rigid shaft and that of bending
     ring_y, ring_z, ring_tilt_y, ring_tilt_z, bend_y, bend_z, bend_tilt_y, bend_tilt_z = ring
     lever = 0.2 - found.body.centre
     assert ring_y == pytest.approx(y + lever * tilt_z + bend_y, rel=1e-6)
@@ -278,7 +281,8 @@ def test_in_the_air(tmp_path, damped, support):
 
 
 def test_held_in_the_middle(tmp_path):
-    """Stiff supports hold a thin shaft at its middle, so each half vibrates like a cantilever."""
+    """Stiff supports hold a thin shaft at its middle, so that each half vibrates like a
+    cantilever."""
     thin, end = Section(0.2, 0.006), 0.1
     z, pieces = beam.divided([thin], np.linspace(0.0, 0.2, 21))
     kept = [0, 10, 20]
@@ -299,7 +303,7 @@ def test_held_in_the_middle(tmp_path):
     bending = beam.STEEL.young * beam.second_moment(thin)
     line = beam.STEEL.density * beam.area(thin)
     exact = 1.875104**2 * np.sqrt(bending / line) / end**2
-    assert found == pytest.approx(exact, rel=5e-3)  # thin: shear contributes 2e-3
+    assert found == pytest.approx(exact, rel=5e-3)  # the shaft is thin: shear contributes 2e-3
     phase = found * step * np.arange(len(y))
     parts = np.column_stack([np.ones_like(y), np.cos(phase), np.sin(phase)])
     rest = np.linalg.lstsq(parts, y)[0][0]  # equilibrium position
@@ -342,7 +346,7 @@ def test_stiff_is_rigid(tmp_path):
 
 # ---- balances
 def test_energy(tmp_path, damped):
-    """The work of the loads equals heat plus the energy in motion, springs, supports and
+    """The work of the loads equals the heat plus the energy of motion, springs, supports and
     bending."""
     _, energy = swing(
         tmp_path,
@@ -355,7 +359,8 @@ def test_energy(tmp_path, damped):
 
 
 def test_within_a_step(tmp_path, damped):
-    """In samples inside long steps, accelerations of rings are derivatives of their velocities."""
+    """In samples within long steps, the accelerations of rings are the derivatives of their
+    velocities."""
     swing(tmp_path, **WITHIN, words=f"flexible {damped} {LOADED} {ACROSS}", clearance=PRELOAD)
     rings_follow(tmp_path)
 
@@ -385,7 +390,7 @@ def test_same_bits(whole, host, ranks, tmp_path):
 
 @pytest.fixture(scope="module")
 def half(whole, tmp_path_factory):
-    """Restart file from the middle of the run."""
+    """Restart file written in the middle of the run."""
     folder = tmp_path_factory.mktemp("half")
     succeed(DECK, out=folder, **whole[1], steps=30, keep=30)
     return folder / "restart.30"

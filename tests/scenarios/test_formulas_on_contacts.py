@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film, damping and capacitance of every recorded contact follow from the formulas at that
-contact's own load and speed."""
+"""Film, damping and capacitance of every recorded contact follow from the formulas at the load and
+speed of that contact."""
 
 import numpy as np
 import pytest
@@ -14,8 +14,8 @@ from scenarios import closed_forms
 
 @pytest.fixture(scope="module", params=["radial", "printed", "preload", "play"])
 def run(request, tmp_path_factory):
-    """The main deck for one ball pass; also with the central film as printed in the paper, with
-    preload and with play."""
+    """The main deck for one ball pass, also with the central film as printed in the paper, with
+    preload and with clearance."""
     folder = tmp_path_factory.mktemp("main")
     deck = "inputs/in.6208"
     if request.param == "printed":
@@ -41,7 +41,7 @@ def test_contacts(run, side):
     rows = run.contacts
     rows = rows[(rows["raceway"] == side) & (rows["load"] > 0)]
     assert len(rows) > 200
-    # a radial load: the formulas below are at contact angle 0
+    # the load is radial, so the formulas below apply at contact angle 0
     assert np.all(np.abs(rows["angle"]) < 1e-6)
     modulus = bearing.effective_modulus
     r_x, r_y = bearing.effective_radii(side, 0.0, settings["clearance_m"])
@@ -82,7 +82,7 @@ def test_contacts(run, side):
 
 
 def test_bearing_total(run):
-    """The record's capacitance of the bearing is eq 12 evaluated on its contacts."""
+    """The capacitance of the bearing in the record is eq 12 evaluated for its contacts."""
     rows = run.contacts.pivot_table(
         index=["sample", "ball"], columns="raceway", values="capacitance"
     ).dropna()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Four-point contact, with two grooves per ring, compared with statics. docs/decks/in.four_point
-reverses a thrust; tests put other loads into a copy of this deck."""
+reverses a thrust; tests apply other loads in a copy of this deck."""
 
 import numpy as np
 import pytest
@@ -21,7 +21,7 @@ B6208 = bearing.Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 FOUR = B6208.four_point(np.radians(35))
 STRAIGHT = dict.fromkeys(("x", "y", "rx", "ry"), 0.0)
 LIMIT = 400.0  # N, largest thrust
-SETTLED = 0.012  # time after which the starting transient has decayed, s
+SETTLED = 0.012  # s, time after which the initial transient has decayed
 VERLET = {
     "fix move all bearing/implicit": "fix move balls nve/sphere",
     "timestep 2.5e-5": "timestep 1.0e-6",
@@ -33,7 +33,7 @@ MOVERS = {"implicit": {}, "verlet": VERLET}
 
 
 def turned(folder, changes):
-    """Run the deck with replaced words in `folder`."""
+    """Run the deck with these changes to its words in `folder`."""
     text = DECK.read_text()
     for old, new in changes.items():
         assert text.count(old) == 1, old
@@ -64,7 +64,7 @@ def rests(force):
 
 
 def test_path_of_statics(path):
-    """The displacement as a function of the force agrees over the whole cycle."""
+    """The displacement as a function of the force agrees with statics over the whole cycle."""
     time, place, force, _ = path
     some = np.flatnonzero(time > SETTLED)[::4]
     want = np.array([rest.shift[2] for rest in rests(force[some])])
@@ -73,7 +73,7 @@ def test_path_of_statics(path):
 
 
 def test_grooves_of_statics(path):
-    """The loads of each groove agree."""
+    """The loads of each groove agree with statics."""
     time, _, force, loads = path
     some = np.flatnonzero(time > SETTLED)[::16]
     for rest, load in zip(rests(force[some]), loads[some]):
@@ -82,14 +82,15 @@ def test_grooves_of_statics(path):
 
 
 def test_balls_change_grooves_without_a_jump(path):
-    """At +400 N one pair of grooves is unloaded, at -400 N the other pair. In between each load
-    changes little from sample to sample, and no more than usual when a contact opens or closes."""
+    """At +400 N one pair of grooves is unloaded, at -400 N the other pair. In between, each load
+    changes little from sample to sample, and the change is no larger when a contact opens or
+    closes."""
     time, _, force, loads = path
     late = time > SETTLED
     loads, force = loads[late], force[late]
-    mean = loads.mean(axis=-1)  # over the balls, which are equivalent
+    mean = loads.mean(axis=-1)  # mean over the balls, which are equivalent
     ends = [np.argmin(force), np.argmax(force)]
-    for end, free in zip(ends, (0, 1)):  # the inner ring is pushed to +z, to -z
+    for end, free in zip(ends, (0, 1)):  # the inner ring is pushed to +z, then to -z
         assert (mean[end, 0, free], mean[end, 1, 1 - free]) == (0.0, 0.0)
         assert mean[end, 0, 1 - free] > 70 and mean[end, 1, free] > 70
     between = np.abs(force) < 0.5 * LIMIT
@@ -105,8 +106,8 @@ def test_balls_change_grooves_without_a_jump(path):
 
 
 def tilted(folder, changes):
-    """(x, y, z, rx, ry) in m and rad of a ring that is free except for its spin, under a radial
-    load, a thrust and a moment."""
+    """Displacements x, y, z (m) and tilts rx, ry (rad) of a ring that is free except for its spin,
+    under a radial load, a thrust and a moment."""
     folder.mkdir()
     damped = "support x 1.0 3.0e3 support y 1.0 3.0e3 support rx 1.0e-3 3 support ry 1.0e-3 3"
     loads = {
@@ -125,7 +126,8 @@ def tilted(folder, changes):
 
 
 def test_tilted_ring_of_statics(tmp_path):
-    """Friction keeps the balls at their azimuths; smoothed friction lets the ring come to rest."""
+    """Friction keeps the balls at their azimuths; because it is smoothed, the ring can come to
+    rest."""
     rough = {"pair_style bearing/hertz": "pair_style bearing/hertz friction constant 0.1"}
     found = tilted(tmp_path / "rough", rough)
     rest = static.equilibrium(FOUR, 300, 200, moment=(1, 0.5), clearance=-4e-6)
@@ -134,14 +136,14 @@ def test_tilted_ring_of_statics(tmp_path):
 
 
 def test_tilted_ring_with_both_integrators(tmp_path):
-    """Without friction the balls leave the load zone, in the same way with both integrators."""
+    """Without friction the balls leave the load zone, in the same way with either integrator."""
     one = tilted(tmp_path / "implicit", {})
     other = tilted(tmp_path / "verlet", VERLET)
     assert np.abs(one - other).max() < 1e-3 * np.abs(one).max()
 
 
 def seated(folder, way, extra):
-    """Positions (x, y, z) in m at which create_bearing puts ball 1 and the inner ring."""
+    """Positions (x, y, z) in m to which create_bearing puts ball 1 and the inner ring."""
     folder.mkdir()
     dump = "dump all all custom 1 ${out}/all.dump id x y z"
     dump += '\ndump_modify all format "%d %.15g %.15g %.15g"'
@@ -159,7 +161,7 @@ def seated(folder, way, extra):
 @pytest.mark.parametrize("way, sign", [("plus", 1), ("minus", -1)])
 def test_seat_is_where_the_smallest_thrust_puts_it(tmp_path, way, sign):
     ball, ring = seated(tmp_path / "clearance", way, "+5.0e-6")
-    side = int(sign < 0)  # the loaded groove of the outer ring
+    side = int(sign < 0)  # loaded groove of the outer ring
     found = []
     for thrust in (1.0, 0.125):
         rest = static.equilibrium(FOUR, axial_load=sign * thrust, held=STRAIGHT, clearance=10e-6)
@@ -217,7 +219,8 @@ def last(path):
 
 @pytest.fixture(scope="module")
 def outputs(tmp_path_factory):
-    """(folder, last loads (raceway, groove, ball) in N) of a lubricated run with all outputs."""
+    """(folder, last loads (raceway, groove, ball) in N) of a lubricated run with all kinds of
+    output."""
     folder = tmp_path_factory.mktemp("outputs")
     turned(folder, WET)
     loads = np.zeros((2, 2, 9))
@@ -254,7 +257,7 @@ def test_sums(outputs):
 
 
 def test_record(outputs):
-    """The record distinguishes grooves; its sums equal the sums of the computes."""
+    """The record distinguishes grooves; sums over its rows equal the sums of the computes."""
     folder, loads = outputs
     run = raceway.open(folder)
     assert run.contacts.raceway.values.tolist() == ["inner 0", "inner 1", "outer 0", "outer 1"]
@@ -278,8 +281,8 @@ PARTS = ("a", "b", "h_c", "capacitance")
 
 
 def test_grooves_of_a_ring_are_parallel_films(outputs):
-    """Film figures of the fix follow from the contacts of the record: capacitances and conductances
-    of the two grooves of a ring add up, and the thinner film fails."""
+    """Film figures of the fix follow from the contacts in the record: capacitances and conductances
+    of the two grooves of a ring add up, and the thinner film breaks down."""
     folder, loads = outputs
     assert ((loads > 0).sum(axis=1) == 2).any()
     with open(folder / "figures.dat") as file:
@@ -328,7 +331,7 @@ def test_what_needs_one_groove_says_so(outputs):
 
 
 def test_main_deck(tmp_path):
-    """The main deck turns a deep groove ball bearing into a four-point contact bearing with the
+    """The main deck can turn a deep groove ball bearing into a four-point contact bearing with the
     same clearance."""
     variables = {"four_point": 35, "axial": 1000, "clearance": 2e-6, "passes": 1}
     variables["surroundings"] = "flooded"
@@ -336,7 +339,7 @@ def test_main_deck(tmp_path):
     recorded = raceway.open(tmp_path)
     assert recorded.settings["clearance_m"] == pytest.approx(2e-6, abs=1e-12)
     want, sums = recorded.contacts.load(), recorded.tables.totals
-    # the whole gap next to both grooves of a ring, including unloaded ones
+    # the whole gap at both grooves of a ring, including unloaded grooves
     whole = want["capacitance_total"].to_numpy()
     assert (whole > 0).all() and (want["load"].to_numpy() == 0).any()
     inner, outer = whole.reshape(len(whole), 2, 2, -1).sum(axis=2).transpose(1, 0, 2)
@@ -344,7 +347,7 @@ def test_main_deck(tmp_path):
     assert sums["capacitance_total"].to_numpy() == pytest.approx(series, rel=1e-12)
     read = whole_capacitance.over_time(recorded)
     assert read["bearing"].to_numpy() == pytest.approx(series, rel=1e-12)
-    # statics at the positions that the balls pass
+    # statics at the positions through which the balls pass
     points = [
         electric_point.solve(
             "6208",

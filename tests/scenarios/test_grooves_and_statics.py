@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Runs with the models `full` agree with statics in positions, loads, losses, stiffness and steady
-temperature, for one groove per ring, four points and two rows, with and without unloaded balls.
-Runs and statics use slices for spin."""
+temperature, for one groove per ring, four-point contact and two rows, with and without unloaded
+balls. Runs and statics compute spin with slices."""
 
 import numpy as np
 import pytest
@@ -16,13 +16,13 @@ from raceway.theory.operating_point import figures
 LAWS = {"spin_law": "slices"}
 OIL = {"lubricant": "vg46", "rpm": 1910}
 HELD = {"rx": 0.0, "ry": 0.0}
-# loads in N and clearance in m: two contacts per ball, four contacts, four contacts under a thrust
+# loads in N and clearances in m: two contacts per ball, four contacts, four contacts under a thrust
 CASES = {"thrust": (2000.0, 0.0), "preload": (200.0, -20e-6), "both": (1500.0, -20e-6)}
 PHASES = np.arange(4) * np.pi / 18  # positions of the balls over a ball pass
 
 
 def over_a_pass(lubricant, **point):
-    """Torque and losses from statics, as means over a ball pass."""
+    """Torque and losses from statics, averaged over a ball pass."""
     found = [
         figures("6208", lubricant, ROOT / "inputs", models="full", phase=phase, **point)
         for phase in PHASES
@@ -57,7 +57,7 @@ def test_four_points(tmp_path, name):
 
 @pytest.mark.parametrize("rpm", [477.5, 1910.0])
 def test_unloaded_balls(tmp_path, rpm):
-    """Unloaded balls skid: if they rolled, the rolling loss would be some 5 % higher."""
+    """Unloaded balls skid: if they rolled, the rolling loss would be about 5 % higher."""
     point = {"load": 5000.0, "rpm": rpm, "lubricant": "mineral"}
     succeed("inputs/in.6208", out=tmp_path, models="full", passes=1, **point)
     run, (torque, parts) = summary(RunTables(tmp_path)), over_a_pass(**point)
@@ -79,7 +79,7 @@ def test_unloaded_balls_of_four_points(tmp_path):
 
 @pytest.mark.parametrize("name", ["thrust", "preload"])
 def test_stiffness_of_four_points(tmp_path, name):
-    """The displacement changes from one thrust to the next as in statics."""
+    """The displacement changes from one thrust to the next as it does in statics."""
     axial, clearance = CASES[name]
     step = 40.0
     ends = [
@@ -93,7 +93,7 @@ def test_stiffness_of_four_points(tmp_path, name):
 
 
 def test_heat_of_four_points(tmp_path):
-    """At the steady temperature a run generates the heat that the cooling removes."""
+    """At the steady temperature from statics, a run generates the heat that the cooling removes."""
     cooling = {"conductance": 0.6, "ambient": 20.0}
     point = {"axial": 2000.0, "rpm": 1910.0}
     steady = steady_heat.figures(
@@ -114,7 +114,7 @@ LOADS = {"across": 400.0, "thrust": 300.0, "moment": 4.0}
 
 def double_row(folder, fluid, **changes):
     """((y in m, z in m, tilt in rad), {part: loss in W}) as means over the last 30 ms of the deck
-    with the models `full` and other loads."""
+    with the models `full` and changed loads."""
     folder.mkdir(exist_ok=True)
     loads = LOADS | changes
     film = f"{fluid.temperature_viscosity} {fluid.conductivity}"
@@ -152,7 +152,7 @@ def double_row(folder, fluid, **changes):
 
 
 def of_statics(fluid):
-    """The values of `double_row` from statics as means over a ball pass, and the stiffness along
+    """The values of `double_row` from statics, as means over a ball pass, and the stiffness along
     z."""
     path = catalogue.find("bearings", "7208")
     bearing = inputs.bearing(path, double_row=ROWS)
@@ -188,7 +188,7 @@ def test_double_row(tmp_path):
 
 
 def test_heat_of_a_double_row(tmp_path):
-    """At the steady temperature a run generates the heat that the cooling removes."""
+    """At the steady temperature from statics, a run generates the heat that the cooling removes."""
     cooling = {"conductance": 0.2, "ambient": 20.0}
     point = {"load": 400.0, "axial": 300.0, "rpm": 600.0, "double_row": ROWS}
     steady = steady_heat.figures("7208", "vg46", ROOT / "inputs", **point, **cooling, **LAWS)

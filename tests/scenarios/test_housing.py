@@ -9,7 +9,7 @@ from host import ROOT, liggghts, succeed
 from scipy.linalg import expm
 
 DECK = "tests/scenarios/in.housing"
-RING, HOUSING = (0.5, 2.5e-4), (2.0, 2.5e-3)  # kg, kg m^2
+RING, HOUSING = (0.5, 2.5e-4), (2.0, 2.5e-3)  # ring, housing: kg, kg m^2
 # {direction: (load, (stiffness, damping) of the ring's and of the housing's support)}
 DIRECTIONS = {
     "x": (200.0, (1e8, 2000.0), (2e8, 4000.0)),
@@ -22,8 +22,8 @@ MOVERS = {"implicit": {}, "verlet": {"mover": "moving nve/sphere", "show": "time
 
 
 def swing(t, load, inertia, held, ground):
-    """Displacements of ring and housing at evenly spaced times t (s), which start one step after a
-    load is applied to the ring at rest."""
+    """Displacements of ring and housing at evenly spaced times t (s), the first of them one step
+    after a load is applied to the ring at rest."""
     masses = np.array(inertia)
     stiff, damp = (np.array([[a, -a], [-a, a + b]]) for a, b in zip(held, ground))
     system = np.zeros((5, 5))  # displacements, velocities, 1
@@ -61,8 +61,8 @@ def test_free_decay(run):
 
 
 def test_momentum(run):
-    """The support between ring and housing acts equally on both, so the remaining force on the
-    housing comes from its own support."""
+    """The support between ring and housing acts equally on both, so the other forces on the housing
+    come from its own support."""
     assert RING[0] * run["ax"] == pytest.approx(run["fx"] + 200, abs=1e-6)
     assert HOUSING[0] * run["hax"] == pytest.approx(run["hfx"], abs=1e-6)
     t = run["step"] * 1e-6
@@ -74,8 +74,8 @@ def test_momentum(run):
 
 
 def frequencies(t, x, y):
-    """The four roots (1/s) of two coupled oscillators, from displacements at evenly spaced times by
-    linear prediction of both from the two samples before."""
+    """The four roots (1/s) of two coupled oscillators, from displacements at evenly spaced times:
+    both displacements are predicted linearly from the two samples before."""
     step = 2
     late = np.c_[x, y][2 * step :]
     early = np.c_[x, y, np.ones_like(x)]
@@ -88,7 +88,7 @@ def frequencies(t, x, y):
 
 @pytest.mark.parametrize("name", DIRECTIONS)
 def test_frequencies_and_damping(run, name):
-    """Both natural frequencies and both decay rates, read from the motion, agree within 1e-3."""
+    """Both natural frequencies and both decay rates, found from the motion, agree within 1e-3."""
     _, held, ground = DIRECTIONS[name]
     which = 0 if len(name) == 1 else 1
     masses = np.array([RING[which], HOUSING[which]])
@@ -101,7 +101,8 @@ def test_frequencies_and_damping(run, name):
 
 @pytest.mark.parametrize("mover", MOVERS)
 def test_ranks(tmp_path, mover):
-    """Two ranks, one with the housing and one with the ring, give the same bits as one rank."""
+    """With one rank that owns the housing and another that owns the ring, the bits are those of a
+    single rank."""
     words = dict(MOVERS[mover], steps=300)
     succeed(DECK, out=tmp_path / "one", **words)
     succeed(DECK, out=tmp_path / "two", ranks=2, **words)
@@ -110,7 +111,8 @@ def test_ranks(tmp_path, mover):
 
 
 def test_a_driven_housing_carries_the_ring(tmp_path):
-    """A housing moved by 1 um moves the ring; the work of its drive is in the energy balance."""
+    """A housing that is moved by 1 um moves the ring; the energy balance includes the work of its
+    drive."""
     base = "x position v_shake y fixed z fixed rx fixed ry fixed"
     deck = tmp_path / "in.driven"
     text = (ROOT / DECK).read_text().replace("force 200 1000 -400", "force 0 0 0")
@@ -119,7 +121,7 @@ def test_a_driven_housing_carries_the_ring(tmp_path):
     done = succeed(deck, out=tmp_path / "out").text
     data = columns(tmp_path / "out")
     t, free = data["step"] * 1e-6, np.sqrt(2e8)
-    # bound without damping: the transient is as large as the response
+    # bound without damping: the transient may be as large as the response
     assert 0.5e-6 < np.abs(data["x"]).max() < 1e-6 * (1 + 1e4 / free) / (1 - 1e8 / free**2)
     assert data["hx"] == pytest.approx(1e-6 * np.sin(1e4 * t), abs=1e-15)
     work, lost, stored, rest = map(float, re.findall(r"^ *3000 +(.*)$", done, re.M)[-1].split())
@@ -156,7 +158,8 @@ def test_order_and_need(tmp_path):
 
 
 def test_energy(tmp_path):
-    """The work of the load equals the heat in the dampers plus the energy of motion and springs."""
+    """The work of the load equals the heat in the dampers plus the energy of motion and of the
+    springs."""
     text = succeed(DECK, out=tmp_path).text
     work, lost, stored, rest = map(float, re.findall(r"^ *3000 +(.*)$", text, re.M)[-1].split())
     assert work == pytest.approx(lost + stored, abs=1e-6 * work)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cage speeds of runs agree with statics; spectral lines reveal the hidden clearances of runs and
+"""Cage speeds of runs agree with statics. Spectral lines reveal the hidden clearances of runs and
 the mounting of a published motor bearing."""
 
 import numpy as np
@@ -19,7 +19,7 @@ TRIED = (
     "outer 7 mil at 6 o'clock",
     "outer 7 mil at 3 o'clock",
 )
-THRUST = 30.0  # N, the same for all
+THRUST = 30.0  # N, the same in all cases
 
 
 def readings(found, unknown, oil="vg68", models="full", **known):
@@ -45,8 +45,8 @@ def cage(folder, **variables):
 )
 def test_speeds_of_cage_and_balls(tmp_path, models, within, rpm, load, axial, clearance):
     """Differential slip alone contributes 2e-4 to 1e-3 to the cage speed and 1e-3 to the ball
-    speed; the spin axis of the balls contributes 1e-4 to 3e-4. With models paper, the spin axis
-    stays as it starts."""
+    speed; the direction of the balls' spin axes contributes 1e-4 to 3e-4. With the models `paper`,
+    the spin axes keep their initial directions."""
     case = {"rpm": rpm, "load": load, "axial": axial, "clearance": clearance}
     cage(tmp_path, models=models, **case, record="all")
     motion = raceway.open(tmp_path).motion
@@ -62,7 +62,7 @@ def test_speeds_of_cage_and_balls(tmp_path, models, within, rpm, load, axial, cl
 
 
 def test_hidden_clearance_of_a_run(tmp_path):
-    """With the thrust known, the clearance is found; with neither known, a curve through the true
+    """If the thrust is known, the clearance is found. If neither is known, a curve through the true
     thrust and clearance is found."""
     clearance, axial = 6e-6, 60.0
     run = cage(tmp_path, models="full", rpm=1797, load=10, axial=axial, clearance=clearance)
@@ -79,9 +79,9 @@ def test_hidden_clearance_of_a_run(tmp_path):
 
 
 def test_two_states_with_the_same_lines(tmp_path):
-    """The four lines of this run also belong to a bearing with twice the clearance under a
-    twentieth of the thrust: both states are given, and the intervals contain the state of the run.
-    Lines with errors of 2e-4 leave the clearance a standard deviation of 1.8 um."""
+    """The four lines of this run also fit a bearing with twice the clearance under a twentieth of
+    the thrust. Both states are given, and the intervals contain the state of the run. Lines with
+    errors of 2e-4 leave the clearance with a standard deviation of 1.8 um."""
     true = {"clearance": 13.4e-6, "axial": 148.0}
     known = {"load": 21.0, "temperature": 82.0}
     cage(tmp_path, models="full", rpm=1797, record="all", **true, **known)
@@ -104,8 +104,8 @@ def test_two_states_with_the_same_lines(tmp_path):
 
 @pytest.mark.parametrize("name", TRIED)
 def test_a_motor_bearing(tmp_path, name):
-    """One clearance, from the line at one speed, predicts the lines at the other speeds and the
-    line of a run; with a single thrust it is within class CN."""
+    """A single clearance, found from the line at one speed, predicts the lines at the other speeds
+    and the line of a run; with a single thrust the clearance is within class CN."""
     line, orders = CWRU[name].line, list(CWRU[name].orders.values())
     rows = [Reading(line, at, 2e-4, Point(rpm)) for rpm, at in CWRU[name].orders.items()]
     found = identify.identify(readings(rows[:1], {"clearance": (-5e-6, 20e-6)}))
@@ -118,8 +118,8 @@ def test_a_motor_bearing(tmp_path, name):
 
 
 def test_cooling_from_a_temperature():
-    """The conductance of `raceway heat` is recovered from the steady temperature that it
-    computes."""
+    """The conductance given to `raceway heat` is recovered from the steady temperature that this
+    command computes."""
     case = {"load": 1500.0, "rpm": 3000.0, "clearance": 5e-6}
     steady = steady_heat.figures("6205", "vg68", ROOT / "inputs", conductance=0.8, **case)
     at = [Reading("temperature", steady["temperature_C"], 0.5, Point(case["rpm"]))]
@@ -130,8 +130,8 @@ def test_cooling_from_a_temperature():
 
 
 def test_a_capacitance_parts_clearance_and_thrust():
-    """From readings computed by statics with random errors, the true values are found within the
-    intervals."""
+    """From readings computed by statics with random errors, the true clearance and thrust are found
+    within the intervals."""
     true = {"clearance": 6e-6, "axial": 120.0, "load": 20.0, "temperature": 40.0}
     unknown = {"clearance": (0.0, 15e-6), "axial": (20.0, 400.0)}
     points = Point(1797.0), Point(3000.0)
@@ -150,7 +150,7 @@ def test_a_capacitance_parts_clearance_and_thrust():
 
 def test_play_of_the_pockets_counts_where_balls_are_idle():
     """The range of slip contains the published 0.1 to 0.6 % and the slip of a cage that hangs
-    towards the load; with all balls loaded there is no slip."""
+    towards the load; if all balls are loaded, there is no slip."""
     body = inputs.bearing(ROOT / "inputs/bearings/6205")
     idle = raceway.static.equilibrium(body, 400.0, clearance=10e-6)
     low, high = cage_speed.lags(body, idle)

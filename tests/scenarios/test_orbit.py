@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`settle orbit` of run_bearing finds the state in which a ball pass repeats the one before."""
+"""`settle orbit` of run_bearing finds the state in which a ball pass repeats the previous one."""
 
 import pytest
 import raceway
@@ -55,7 +55,7 @@ def test_scenes_without_an_orbit_settle_until_ball_passes_agree(words, why, tmp_
     assert found["rest_torque"] <= 1e-2
 
 
-# the same scene with dry contacts; two of five ball passes have chosen speeds
+# the same scene with dry contacts; two of five ball passes begin with chosen speeds
 SHORT = {**TURNS, "settle": "orbit", "more": "limit 5"}
 
 
@@ -74,8 +74,8 @@ def test_ranks(whole, tmp_path):
 
 @pytest.mark.parametrize("at", [2, 3, 4])
 def test_stopped_on_the_way(at, whole, tmp_path):
-    """A run that was stopped gives the same bits, even if chosen speeds pass through a restart
-    file."""
+    """A run that was stopped and continued gives the same bits, even if chosen speeds are passed on
+    through a restart file."""
     stop(tmp_path, SHORT, at)
     succeed(run_deck, out=tmp_path, resume="yes", **SHORT)
     assert differ(whole, tmp_path) == []

@@ -9,7 +9,7 @@ from raceway.paper import statements
 from raceway.paper.figures import FIGURES
 from raceway.paper.tables import TABLES
 
-# factors for the columns of a table on the page, from SI units to the units shown; None for words
+# factors from SI units to the units shown, for the columns of a table on the page; None for words
 FACTORS = {
     "table_2": (None, None, 1e3, 1e9, 1, 1e6),
     "table_3": (1e6, 1, 1, 1, 1, 1),
@@ -20,7 +20,7 @@ FACTORS = {
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory):
-    """The folder with all output of the command."""
+    """The folder with all the output of the command."""
     out = tmp_path_factory.mktemp("paper")
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(ROOT)
@@ -39,7 +39,7 @@ def test_everything_is_there(made):
 
 
 def test_verdicts(made):
-    """Verdicts equal the verdicts in statements.yaml, which docs/paper.rst shows."""
+    """Verdicts equal those in statements.yaml, which docs/paper.rst shows."""
     judged = pd.read_csv(made / "statements.csv", keep_default_na=False)
     columns = [judged[name] for name in ("corrected", "printed", "whole")]
     assert list(zip(*columns)) == [one.found for one in statements.read()]
@@ -49,7 +49,7 @@ def test_verdicts(made):
 def test_tables_of_the_page(made, name):
     table = pd.read_csv(made / f"{name}.csv")
     if "by" in table:
-        # runs with other oils follow the theory shown
+        # runs with other oils follow the same theory
         same = ["oil", "property", "value"]
         runs, theory = (table[table["by"] == by].set_index(same) for by in ("simulation", "theory"))
         for column in ("inner_film_m", "ball_capacitance_F", "bearing_capacitance_F"):
@@ -67,8 +67,8 @@ def test_tables_of_the_page(made, name):
 
 def test_static_theory(made):
     numbers = pd.read_csv(made / "quantities.csv").set_index(["formulas", "quantity"])["value"]
-    # within 0.1 %: C varies as U^-0.7, and the speed of the runs differs by 0.1 % from the speed
-    # with undeformed radii
+    # within 0.1 %: C varies as U^-0.7, and the speed in the runs differs by 0.1 % from the speed
+    # for undeformed radii
     assert numbers["corrected", "theory_ball"] < 1e-3
     assert numbers["corrected", "theory_bearing"] < 1e-3
 

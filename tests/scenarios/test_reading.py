@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures found from runs of the main deck: kinematic frequencies, the power balance,
-MDAnalysis."""
+"""Figures that are found from runs of the main deck: kinematic frequencies, the power balance,
+reading with MDAnalysis."""
 
 import numpy as np
 import pytest
@@ -12,8 +12,8 @@ from raceway.cli import main
 
 @pytest.fixture(scope="module")
 def long(tmp_path_factory):
-    """A run over 40 ball passes, which are 4.4 turns of the cage. The tolerance is 0.1 nm, because
-    the ripple of the force along the load, fy, is no larger than its error with a tolerance of 1 nm
+    """A run over 40 ball passes, which are 4.4 turns of the cage. The tolerance is 0.1 nm: with 1
+    nm the error of fy, the force along the load, would be as large as its ripple
     (docs/output.rst)."""
     folder = tmp_path_factory.mktemp("long") / "run"
     succeed("inputs/in.6208", out=folder, passes=40, tolerance=1e-10)
@@ -22,9 +22,9 @@ def long(tmp_path_factory):
 
 @pytest.mark.parametrize("signal", ["x", "y", "shift", "fx", "fy", "mz", "capacitance"])
 def test_ball_pass_frequency_and_harmonics(long, signal):
-    """Stiffness varies as balls pass the load. Frequencies agree with kinematics within 0.2 %: slip
-    makes the cage slower by 4e-4, and noise in the weakest signal (fx, from the implicit step)
-    moves a peak by 2e-4."""
+    """The stiffness varies as balls pass the load. Frequencies agree with kinematics within 0.2 %:
+    slip makes the cage slower by 4e-4, and noise in the weakest signal (fx, from the implicit step)
+    shifts a peak by 2e-4."""
     found = {
         (line.name, line.harmonic): line
         for line in spectrum.lines(long, spectrum.of_run(long, signal))
@@ -35,8 +35,8 @@ def test_ball_pass_frequency_and_harmonics(long, signal):
 
 
 def test_displacement_shows_the_slip_of_the_cage(long):
-    """The line follows the balls: BPFO is Z times their mean orbital speed, to 1e-3 of a bin, which
-    is 1/40 of the frequency of ball passes."""
+    """The spectral line follows the balls: BPFO is Z times the mean orbital speed of the balls, to
+    1e-3 of a bin; a bin is 1/40 of the ball pass frequency."""
     (line,) = (
         line for line in spectrum.lines(long, spectrum.of_run(long, "x"), 1) if line.name == "BPFO"
     )
@@ -58,7 +58,7 @@ def test_command(long, capsys):
 
 
 def test_datasets_agree_with_each_other(long):
-    """Rings, contacts and balls are recorded at the same moments."""
+    """Rings, contacts and balls are recorded at the same times."""
     both = long.rings["capacitance"] - long.bearing["capacitance"]  # xarray aligns the times
     assert both.sizes["time"] == 8001
     # the dump is written at the end of the step
@@ -76,8 +76,8 @@ def test_universe(long):
 
 
 def test_smoothed_friction_takes_force_times_sliding(long):
-    """Friction opposes sliding, so its power is the product of the magnitudes (the dump has 12
-    digits)."""
+    """Friction is opposite to sliding, so its power is the product of their magnitudes (the dump
+    has 12 digits)."""
     contacts = long.contacts
     np.testing.assert_allclose(
         contacts["friction_power"],
@@ -89,9 +89,9 @@ def test_smoothed_friction_takes_force_times_sliding(long):
 
 
 def test_shaft_pays_what_the_contacts_lose(tmp_path):
-    """The input power equals the losses with velocity Verlet. It varies by 40 mW about a mean of
+    """With velocity Verlet the input power equals the losses. It varies by 40 mW about a mean of
     1.4 mW as springs load and unload. Because of slip, 4e-4 of each of the 20 passes is not
-    covered: 40 mW * 4e-4 is 1.2 % of the mean. The tolerance is three times as large.
+    covered: 40 mW * 4e-4 is 1.2 % of the mean. The tolerance is three times this value.
     """
     succeed("inputs/in.6208", out=tmp_path / "run", passes=20, settle=4, integrator="verlet")
     mean = losses.losses(raceway.open(tmp_path / "run")).mean()

@@ -8,8 +8,7 @@ from host import BOX, succeed
 MASS, AXIAL, ACROSS = 0.2, 1.2e-4, 6.5e-5  # kg, kg m^2
 BALL_MASS = 4 / 3 * np.pi * 6.3e-3**3 * 7800
 
-# A radial play of 0.2 mm keeps balls and rings apart: nothing touches unless the clearance is
-# changed.
+# A radial play of 0.2 mm keeps balls and rings apart: nothing touches unless the play is changed.
 DECK = (
     BOX
     + """
@@ -61,11 +60,12 @@ def test_constant_force_on_a_free_ring(tmp_path):
 
 
 def test_moment_on_a_spinning_ring(tmp_path):
-    """A moment M about x acts on a ring with spin W and free tilts. In linear theory, with n =
-    I_a W/I_t, the tilt about x is M/(I_t n^2) (1 - cos n t) and the tilt about y is -M/(I_t n^2)
-    (n t - sin n t): the gyroscope yields sideways. Sign: dL/dt = M along +x turns the axis e
-    (L = I_a W e) towards +x, which is a positive tilt about y. Nonlinear terms are of the order of
-    the tilt squared, 1e-5 relative; errors of the step are of the order of (n h)^2/12 = 3e-7.
+    """A moment M about x acts on a ring that has the spin W and is free to tilt. In linear theory,
+    with n = I_a W/I_t, the tilt about x is M/(I_t n^2) (1 - cos n t) and the tilt about y is
+    -M/(I_t n^2) (n t - sin n t): a gyroscope yields sideways. Sign: dL/dt = M along +x turns the
+    axis e (L = I_a W e) towards +x, which is a positive tilt about y. Nonlinear terms are of the
+    order of the square of the tilt, 1e-5 relative; errors of the step are of the order of (n
+    h)^2/12 = 3e-7.
     """
     spin, moment = 1000.0, 0.05
     t, *_, rx, ry, rate, angle = motion(
@@ -85,7 +85,7 @@ def test_moment_on_a_spinning_ring(tmp_path):
 
 
 def test_one_free_tilt_has_no_gyroscope(tmp_path):
-    """With the other tilt held, the free tilt is M t^2/(2 I_t)."""
+    """If the other tilt is fixed, the free tilt is M t^2/(2 I_t)."""
     t, *_, rx, ry, _, _ = motion(
         tmp_path,
         f"fix inner inner bearing/ring inertia {AXIAL} {ACROSS} rx free spin speed 1000 moment 0.05"
@@ -97,7 +97,8 @@ def test_one_free_tilt_has_no_gyroscope(tmp_path):
 
 
 def test_driven_degrees_of_freedom(tmp_path):
-    """Displacements and tilts follow their variables exactly; so does the integral of a speed."""
+    """Displacements and tilts follow their variables exactly; so does the integral of an imposed
+    speed."""
     t, x, y, z, vz, rx, ry, spin, _ = motion(
         tmp_path,
         "variable wx equal 1.0e-5*sin(2000*v_t)\nvariable wr equal 1.0e-3*sin(1000*v_t)\nvariable"
@@ -123,7 +124,7 @@ def test_load_ramp(tmp_path):
         1000,
     )
     s = t / 1e-3
-    # Verlet integrates the impulse by the trapezoidal rule, plus half a step at the start: the
+    # Verlet integrates the impulse by the trapezoidal rule, plus half a step at the start; the
     # error h^2/12 F'(end) is below 1e-6 of the impulse
     np.testing.assert_allclose(
         rows[4], 5.0 / MASS * 1e-3 * (s**3 - s**4 / 2), rtol=0, atol=1e-5 * 5.0 / MASS * 1e-3
@@ -131,8 +132,8 @@ def test_load_ramp(tmp_path):
 
 
 def test_free_bearing_keeps_its_momentum(tmp_path):
-    """Linear momentum and angular momentum about any axis of two free rings and nine compressed,
-    sliding balls are conserved.
+    """Two free rings and nine compressed, sliding balls conserve linear momentum and angular
+    momentum about any axis.
 
     Every contact exerts opposite forces on both bodies at one point, so both momenta are conserved
     to rounding: about 1e5 additions of 1e-16 relative to the largest single momenta."""
@@ -140,7 +141,7 @@ def test_free_bearing_keeps_its_momentum(tmp_path):
     deck = tmp_path / "in.free"
     deck.write_text(
         DECK
-        # balls are at rest, so they slip
+        # the balls are at rest, so they slip
         + "fix inner inner bearing/ring spin speed 300\nrun 0\nunfix inner\nfix inner inner"
         f" bearing/ring {free}\nfix outer outer bearing/ring {free}\nvelocity inner set 0.01 0.02"
         " 0.005\ndump all all custom 500 ${out} id type x y z vx vy vz omegax omegay"
@@ -161,7 +162,7 @@ def test_free_bearing_keeps_its_momentum(tmp_path):
     # I omega
     np.testing.assert_allclose(np.array(angular)[:, 2], angular[0][2], rtol=0, atol=1e-9 * largest)
     spins = [frame[9, 10] for frame in frames]
-    assert spins[-1] < 0.999 * spins[0]  # friction did act
+    assert spins[-1] < 0.999 * spins[0]  # friction was present
 
 
 def _momenta(frame):

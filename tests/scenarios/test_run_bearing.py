@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""run_bearing gives the same bits as the host's commands, however it is stopped, on any number of
+"""run_bearing gives the same bits as the host's commands, wherever it is stopped, on any number of
 ranks."""
 
 import math
@@ -20,8 +20,8 @@ VERLET = {"move": "nve/sphere", "movers": "parts", "rpm": 5000}
 
 
 def ball_pass(rpm=1500.0, outer_rpm=0.0, angle=0.0, clearance=0.0):
-    """Duration (s) for balls that roll without slip (Harris): their centres move at the mean speed
-    of both surfaces."""
+    """Duration (s) of a ball pass with balls that roll without slip (Harris): their centres move at
+    the mean speed of the two surfaces."""
     pitch = INNER + OUTER + 0.5 * clearance
     share = BALL * math.cos(angle) / pitch
     cage = 0.5 * (rpm * (1 - share) + outer_rpm * (1 + share)) * 2 * math.pi / 60
@@ -29,7 +29,7 @@ def ball_pass(rpm=1500.0, outer_rpm=0.0, angle=0.0, clearance=0.0):
 
 
 def values(folder):
-    """All variables and numeric notes of a record."""
+    """All variables and all numeric attributes of a record."""
     with netcdf_file(folder / "record.nc", mmap=False) as file:
         return (
             {name: variable.data.tobytes() for name, variable in file.variables.items()},
@@ -38,7 +38,7 @@ def values(folder):
 
 
 def differ(one, other):
-    """Names of the variables whose bits differ."""
+    """Names of the variables with different bits."""
     one, other = values(one)[0], values(other)[0]
     assert one.keys() == other.keys()
     return [name for name in one if one[name] != other[name]]
@@ -54,8 +54,7 @@ def written(value):
     ids=["implicit", "damping", "step"],
 )
 def test_same_bits_as_commands_of_the_host(scene, within, tmp_path):
-    """`settle N` is one run with the load ramp and N ball passes; the measurement is a second
-    run."""
+    """`settle N` is a run over the load ramp and N ball passes; the measurement is a second run."""
     settle, passes, samples = 2, 1, 200
     once = written(ball_pass())
     largest = written(once / samples * within)
@@ -90,8 +89,8 @@ def test_same_bits_as_commands_of_the_host(scene, within, tmp_path):
     ids=["inner", "both rings", "seated", "angle given"],
 )
 def test_ball_pass(scene, closed, tmp_path):
-    """200 samples cover the ball pass of the closed form, for each integrator and several ring
-    speeds."""
+    """200 samples cover a ball pass with the duration of the closed form, for each integrator and
+    several ring speeds."""
     succeed(DECK, out=tmp_path, samples=200, settle=0, **scene)
     notes = values(tmp_path)[1]
     assert notes["samples_per_pass"] == 200
@@ -100,7 +99,7 @@ def test_ball_pass(scene, closed, tmp_path):
 
 @pytest.mark.parametrize("rate", [48000, 192000])
 def test_rate(rate, tmp_path):
-    """With samples per second instead of samples per ball pass, passes end at the nearest
+    """If samples per second are given instead of samples per ball pass, passes end at the nearest
     sample."""
     succeed(DECK, out=tmp_path, more=f"rate {rate}", passes=3, **DAMPING)
     data, notes = values(tmp_path)
@@ -110,7 +109,7 @@ def test_rate(rate, tmp_path):
 
 @pytest.mark.parametrize("scene", [IMPLICIT, DAMPING, VERLET], ids=["all", "damping", "verlet"])
 def test_more_passes(scene, tmp_path):
-    """A pass that is continued by another pass equals a run of two passes."""
+    """A run of one pass that is continued for another pass equals a run of two passes."""
     succeed(DECK, out=tmp_path / "two", passes=2, **scene)
     for passes in (1, 2):
         succeed(DECK, out=tmp_path / "one", passes=passes, resume="yes", **scene)
@@ -136,7 +135,7 @@ def test_ranks(scene, tmp_path):
         assert differ(tmp_path / "1", tmp_path / ranks) == []
 
 
-# a thrust too small for the speed: balls slip and their spin axes tilt
+# the thrust is too small for the speed: balls slip and their spin axes tilt
 TURNS = {
     **IMPLICIT,
     "models": "friction mixed 0.12 0.05 heathcote 1.0e-4 spin 1",
@@ -164,9 +163,9 @@ def evaluations(folder):
 
 
 def test_auto_settles(tmp_path):
-    """After one ball pass the loss is 70 % off; after six, at a turning point, it equals the loss
-    of a long run, but then changes by 3 % once more. `auto` continues past this point, with a
-    fraction of the evaluations of the long run."""
+    """After one ball pass the loss is 70 % off. After six, at a turning point, it equals the loss
+    of a long run, but then it changes by 3 % once more. `auto` continues past this point and needs
+    a fraction of the evaluations of the long run."""
     for settle in (1, "auto", 60):
         succeed(DECK, out=tmp_path / str(settle), settle=settle, **TURNS)
     want = power(tmp_path / "60")
@@ -180,8 +179,8 @@ def test_auto_settles(tmp_path):
 
 
 def test_last_passes_have_the_steps_of_the_deck(tmp_path):
-    """Steps during settling are coarse and do not depend on the tolerance; at least one ball pass
-    with the deck's tolerance precedes the measurement."""
+    """Steps during settling are coarse and do not depend on the tolerance. At least one ball pass
+    with the tolerance of the deck precedes the measurement."""
     for tolerance in ("1.0e-9", "1.0e-10"):
         scene = {**TURNS, "move": f"bearing/implicit tolerance {tolerance}"}
         done = succeed(DECK, out=tmp_path / tolerance, settle="auto", **scene)
@@ -194,7 +193,7 @@ def test_last_passes_have_the_steps_of_the_deck(tmp_path):
 
 
 def test_auto_asks_for_more(tmp_path):
-    """With a tenth of the allowed remainder, settling takes more ball passes, and meets the
+    """If a tenth of the remaining change is allowed, settling takes more ball passes and meets the
     limit."""
     passes = []
     for settled in (1e-2, 1e-3):
@@ -215,7 +214,7 @@ def test_auto_ends_at_its_limit(tmp_path):
 
 
 def stop(out, scene, share, deck=DECK):
-    """Stop a run when settling has reached a share (%) or a ball pass."""
+    """Stop a run when settling has reached `share`, in per cent or as a number of ball passes."""
     command = [HOSTS["liggghts"][0], "-in", deck, "-log", "none", "-var", "out", out]
     for name, value in scene.items():
         command += ["-var", name, str(value)]
@@ -253,8 +252,8 @@ def stop(out, scene, share, deck=DECK):
     ids=["implicit", "verlet", "ramp, auto", "coarse, auto", "last, auto", "verlet, auto"],
 )
 def test_stopped_while_it_settles(scene, at, tmp_path):
-    """A run continues, also with adaptive steps, after it was stopped while the loads are applied
-    in coarse steps, in a ball pass with coarse steps, or in the last ball pass."""
+    """A run that was stopped continues, also with adaptive steps. It is stopped while the loads are
+    applied in coarse steps, in a ball pass with coarse steps, or in the last ball pass."""
     stop(tmp_path / "stopped", scene, at)
     assert not (tmp_path / "stopped" / "record.nc").exists()
     succeed(DECK, out=tmp_path / "whole", **scene)
@@ -266,8 +265,8 @@ def test_stopped_while_it_settles(scene, at, tmp_path):
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
 @pytest.mark.parametrize("settle", [1, "auto"])
 def test_stopped_after_the_last_step_of_settling(settle, host, tmp_path):
-    """A run continues from a restart file that was written when settling had ended and the
-    measurement had not begun."""
+    """A run continues from a restart file that was written after the end of settling and before the
+    start of the measurement."""
     scene = {**IMPLICIT, "settle": settle, "samples": 20}  # 20 steps per ball pass
     whole = succeed(DECK, host=host, out=tmp_path / "whole", **scene)
     *settling, measuring = (int(n) for n in re.findall(r"for (\d+) steps", whole.text))

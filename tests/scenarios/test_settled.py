@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Runs with the deck's default settling, or with one ball pass of settling, compared with runs that
-settled for 100 ball passes and with their own estimate. Balls that start with their spin about the
-bearing's axis lose 14 % more in the first scene and 17 % more in the second."""
+settled for 100 ball passes and with the error that they estimate themselves. If the balls start
+with their spin about the bearing axis, the loss is 14 % higher in the first scene and 17 % higher
+in the second."""
 
 import re
 
@@ -24,7 +25,7 @@ OIL = dict(models="full", lubricant="vg46", temperature=70)
 @pytest.fixture(scope="module", params=SCENES)
 def runs(request, tmp_path_factory):
     """Scene, summaries of a run with one ball pass of settling and of a settled run, and the folder
-    of the latter."""
+    of the settled run."""
     found = []
     for settle in (1, 100):
         folder = tmp_path_factory.mktemp(request.param)
@@ -34,8 +35,8 @@ def runs(request, tmp_path_factory):
 
 
 def test_torque(runs):
-    """Torque under thrust agrees within 1 %; the summary of a run with a tilted ring shows that it
-    is not settled."""
+    """Under thrust, the torques agree within 1 %; if a ring is tilted, the summary shows that the
+    run has not settled."""
     name, first, settled, _ = runs
     off = abs(first["friction_torque_N_m"] / settled["friction_torque_N_m"] - 1)
     if name == "tilted":
@@ -54,7 +55,7 @@ def test_a_settled_run_says_so(runs):
 
 def test_check_covers_the_rest(runs, tmp_path, monkeypatch):
     """With the deck's default settling, the torque of a run is within 1 % of the torque of the
-    settled run, and the error that `raceway check` finds is as large as the difference."""
+    settled run, and the error that `raceway check` finds is at least as large as the difference."""
     name, _, settled, _ = runs
     words = dict(settle=None, **SCENES[name], **OIL)
     succeed("inputs/in.6208", out=tmp_path, **words)
@@ -69,8 +70,9 @@ def test_check_covers_the_rest(runs, tmp_path, monkeypatch):
 
 def test_waits_while_pocket_forces_of_a_cage_ring_fall(tmp_path):
     """Two balls in the loaded arc pinch the cage at the start. With a `settled` of 1 all other
-    criteria are met, so only the pocket forces delay the measurement: after half a turn of the
-    cage, by more than two ball passes, in each of which they fall to less than half."""
+    criteria are met, so only the pocket forces delay the measurement. After half a turn of the cage
+    they delay it by more than two further ball passes, in each of which they fall to less than
+    half."""
     scene = dict(cage="ring", load=6000, rpm=500, lubricant="vg46", models="full", samples=100)
     done = succeed("inputs/in.6208", out=tmp_path, settle="auto", settled=1, passes=1, **scene)
     falls = {
@@ -85,7 +87,7 @@ def test_waits_while_pocket_forces_of_a_cage_ring_fall(tmp_path):
 
 
 def test_of_the_record(runs):
-    """The figures equal figures recomputed from the last two ball passes of the record."""
+    """The figures equal those recomputed from the last two ball passes in the record."""
     _, _, figures, folder = runs
     with xarray.open_dataset(folder / "record.nc") as data:
         speed = abs(data["bearing_cage_speed"].isel(bearing=0)).to_numpy()

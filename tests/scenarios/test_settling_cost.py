@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Force evaluations of whole runs, including settling, compared with commit a7b5052, in which runs
-settled for one ball pass regardless of the remaining change."""
+"""Force evaluations of whole runs, including settling, compared with those of commit a7b5052, in
+which runs settled for one ball pass regardless of the remaining change."""
 
 import pytest
 import raceway
@@ -10,7 +10,7 @@ from raceway.sweeps.scene_parts import REFERENCE
 MOST = 1.3
 HEAD = ("load", "axial", "rpm", "clearance", "lubricant", "temperature", "before")
 # the scenes that tests/bench/needs.py draws, including those that it refuses, and the evaluations
-# of a7b5052 with the reference settings of `raceway needs`
+# needed by a7b5052 with the reference settings of `raceway needs`
 SCENES = """
 1.1e+03 0 256 -4.9e-06 vg68 37 14100
 682 0 1.59e+03 1.9e-05 pao8 42 26461
@@ -60,8 +60,8 @@ def evaluations(number, folder, **changes):
 
 
 def test_of_the_reference(tmp_path):
-    """Most scenes need a tenth to a half of the evaluations of a7b5052; slow or lightly loaded
-    scenes with many evaluations while loads are applied need more."""
+    """Most scenes need a tenth to a half of the evaluations of a7b5052. Slow or lightly loaded
+    scenes, which need many evaluations while loads are applied, need a larger share."""
     shares = []
     for number in range(len(SCENES)):
         now, before = evaluations(number, tmp_path / str(number))

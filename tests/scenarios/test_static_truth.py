@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The simulation agrees with statics: ball loads at every azimuth of a ball pass, free contact
+"""The simulation agrees with statics in ball loads at every azimuth of a ball pass, free contact
 angle and endplay."""
 
 import re
@@ -15,9 +15,9 @@ from scenarios import closed_forms
 
 
 def test_ball_loads_at_every_azimuth(tmp_path):
-    """Dry, at 100 rpm and 5 kN, loads agree within 0.1 % of the ball's load, or within 0.1 % of the
-    largest load for balls that carry less than 1.25 % of it (they are about to leave the load zone,
-    where friction of 1e-4 of the largest load counts).
+    """In a dry bearing at 100 rpm and 5 kN, loads agree within 0.1 % of the load of the ball. Balls
+    that carry less than 1.25 % of the largest load agree within 0.1 % of the largest load: they are
+    about to leave the load zone, where friction of 1e-4 of the largest load matters.
     """
     succeed("inputs/in.dry", out=tmp_path)
     run = RunTables(tmp_path)
@@ -43,8 +43,9 @@ def test_ball_loads_at_every_azimuth(tmp_path):
 
 def test_ball_loads_with_clearance(tmp_path):
     """At 30 rpm loads agree within 0.1 % of the largest load. A ball that enters the load zone
-    excites the dry, hardly damped ring, more strongly at higher speed (5e-4 of the largest load at
-    30 rpm, 2e-3 at 100 rpm, 5e-3 at 300 rpm), and statics has no vibration."""
+    excites the dry ring, which is hardly damped. The vibration is stronger at higher speed (5e-4 of
+    the largest load at 30 rpm, 2e-3 at 100 rpm, 5e-3 at 300 rpm), and statics does not include
+    it."""
     succeed("inputs/in.dry", out=tmp_path, clearance=44.1e-6, rpm=30)
     run = RunTables(tmp_path)
     contacts = run.contacts

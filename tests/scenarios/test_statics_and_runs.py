@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Statics and settled runs give the same equilibrium with the same settings, in random scenes.
+"""Statics and settled runs with the same settings give the same equilibrium in random scenes.
 
-The balls of statics are at the azimuths of the run's last sample and orbit at its cage speed.
-Friction, which statics neglects, hinders balls that move across their grooves as they orbit: in a
-7205B under 1 kN, 500 N of thrust and 2 N m it changes loads by 4 % of the largest load. So friction
-is reduced to a hundredth here if rings tilt.
+In statics the balls are at the azimuths of the run's last sample and orbit at the cage speed of the
+run. Friction, which statics neglects, hinders balls that move across their grooves as they orbit:
+in a 7205B under 1 kN, 500 N of thrust and 2 N m it changes loads by 4 % of the largest load. If
+rings tilt, friction is therefore reduced to a hundredth here.
 """
 
 import numpy as np
@@ -23,7 +23,7 @@ FLUID = inputs.fluid(ROOT / "inputs/lubricants/vg46")
 
 
 def scenes(seed=29):
-    """Each bearing without and with thrust; every second scene also has a moment."""
+    """Each bearing with and without thrust; every second scene also has a moment."""
     draw = np.random.default_rng(seed)
     for thrust in (0.0, 1.0):
         for k, name in enumerate(BEARINGS):
@@ -35,7 +35,7 @@ def scenes(seed=29):
 
 
 def little_friction(folder, models, moment):
-    """`models`, or the paper's models with little friction if there is a `moment`."""
+    """`models` or, if there is a `moment`, the paper's models with little friction."""
     if not moment:
         return models
     own = folder / "slippery"
@@ -45,8 +45,8 @@ def little_friction(folder, models, moment):
 
 @pytest.mark.parametrize(("name", "load", "axial", "moment", "rpm", "models"), list(scenes()))
 def test_loads_and_place(tmp_path, name, load, axial, moment, rpm, models):
-    """Loads of all balls and the ring's force agree within 1 % of the largest load, and the ring's
-    displacement agrees within 1 %."""
+    """The loads of all balls and the force on the ring agree within 1 % of the largest load, and
+    the displacement of the ring agrees within 1 %."""
     words = dict(zip(("moment_x", "moment_y"), moment or ()))
     words |= dict(bearing=name, load=load, axial=axial, rpm=rpm, models=models, lubricant="vg46")
     words |= dict(load_azimuth=0, settle=30, passes=1, samples=20, overwrite="yes")
@@ -77,8 +77,8 @@ def test_loads_and_place(tmp_path, name, load, axial, moment, rpm, models):
 
 
 def test_a_run_whose_ring_is_held_along_its_axis(tmp_path):
-    """The summary names the force that holds the ring of a 7205B; if it is applied as a load of the
-    run, no force holds the ring."""
+    """The summary states the force that holds the ring of a 7205B along its axis. If this force is
+    applied as a load of the run, no force holds the ring."""
     words = dict(bearing="7205B", load=1000, rpm=3000, lubricant="vg46", settle=5, passes=1)
 
     def warnings(axial):
@@ -97,8 +97,8 @@ def test_a_run_whose_ring_is_held_along_its_axis(tmp_path):
     [("6208", 4304, 4087, 376), ("6210", 1671, 1067, 2800), ("7205B", 0.1, 300, 8000)],
 )
 def test_torque(tmp_path, name, load, axial, rpm):
-    """The friction torque of settled runs with the models full agrees within 1 %, also with spin,
-    and with the starvation of a bearing whose file has diameters but no series."""
+    """The friction torque of settled runs with the models `full` agrees within 1 %, also with spin,
+    and with the starvation of a bearing whose file states diameters but no series."""
     words = dict(bearing=name, load=load, axial=axial, rpm=rpm, models="full", lubricant="vg46")
     succeed("inputs/in.6208", out=tmp_path, settle=60, passes=1, samples=20, **words)
     with xarray.open_dataset(tmp_path / "record.nc") as data:
@@ -120,9 +120,9 @@ def losses(name, load, axial, rpm, temperature=40.0):
 
 def test_balls_that_slide_under_their_gyroscopic_moment(tmp_path):
     """In a 7208B in hot oil the balls slide across their grooves with 0.9 of the available
-    friction, which loses 13 times as much as differential slip and spin. Loads of statics are 5 %
-    higher, because friction does not enter the balance of forces, and the orbital speed is 3 %
-    lower."""
+    friction, which loses 13 times as much power as differential slip and spin. The loads from
+    statics are 5 % higher, because the balance of forces does not include friction, and the orbital
+    speed is 3 % lower."""
     scene = dict(axial=1100, rpm=10000)
     words = dict(bearing="7208B", load=0.1, models="full", lubricant="vg46", temperature=107)
     succeed("inputs/in.6208", out=tmp_path, settle=60, passes=1, samples=20, **words, **scene)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of statics beside the figures of a run: their operating point, the deviation of runs, and
-cases without figures of statics."""
+"""Figures from statics beside the figures of a run: their operating point, how far runs deviate,
+and cases for which statics gives no figures."""
 
 import json
 import math
@@ -28,8 +28,8 @@ def beside(folder, bearing=None):
 
 @pytest.mark.parametrize("azimuth", [-math.pi / 2, 0.7])
 def test_the_point_of_the_run(tmp_path, capsys, azimuth):
-    """`raceway static` gives the same figures at the same point, whatever the direction of the
-    load; moment and tilt turn with the load."""
+    """`raceway static` gives the same figures at the same operating point for any direction of the
+    load; moment and tilt rotate with the load."""
     moment = 12.0
     words = dict(moment_x=-moment * math.sin(azimuth), moment_y=moment * math.cos(azimuth))
     out = tmp_path / "run"
@@ -71,10 +71,10 @@ CASES = {
 
 @pytest.mark.parametrize("case", CASES)
 def test_runs_are_near(tmp_path, case):
-    """Loads, films and cage speed of settled runs agree within 1 %; four positions of the balls
+    """Loads, films and cage speed of settled runs agree within 1 %. Four positions of the balls
     give the largest load to 0.7 % and the mean capacitance to 0.5 %. If a ring is held along its
-    axis, contact angles differ around it, and so do the speeds of the balls; statics takes their
-    mean, 1.2 % above the cage speed of the run."""
+    axis, contact angles differ around the ring, and so do the speeds of the balls; statics uses the
+    mean of these speeds, 1.2 % above the cage speed of the run."""
     words = {"models": "full", **OIL, **CASES[case]}
     settle = 2 if case == "four points" else 20
     succeed("inputs/in.6208", out=tmp_path, settle=settle, passes=1, samples=40, **words)
@@ -90,8 +90,8 @@ def test_runs_are_near(tmp_path, case):
 
 
 def test_two_bearings_on_a_shaft(tmp_path):
-    """Each of two named bearings has its own data and oil; statics holds its ring at the measured
-    position, even if the ring slides along the axis."""
+    """Each of two named bearings has its own data and oil. Statics holds each ring at the position
+    measured in the run, even if the ring slides along the axis."""
     done = run("docs/decks/in.two_bearings", out=tmp_path, models=None, settle=None)
     assert done.code == 0, done.error
     names = []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A ring on supports, under gravity, compared with the closed form of damped oscillators."""
+"""A ring on supports under gravity, compared with the closed form of damped oscillators."""
 
 import re
 
@@ -22,7 +22,7 @@ MOVERS = {"implicit": {}, "verlet": {"mover": "moving nve/sphere", "show": "time
 
 
 def swing(t, load, inertia, stiffness, damping):
-    """Displacement and its second derivative at t (s) after a load is applied at rest."""
+    """Displacement and its second derivative at the times t (s) after a load is applied at rest."""
     free = np.sqrt(stiffness / inertia)
     ratio = damping / (2 * np.sqrt(stiffness * inertia))
     root = -ratio * free + 1j * free * np.sqrt(1 - ratio**2)
@@ -42,13 +42,14 @@ def test_free_decay(tmp_path, mover, fall):
         want, bend = swing(t, load + weight.get(name, 0.0), *law)
         assert np.abs(data[name] - want).max() < 1e-3 * np.abs(want).max(), name
         if name in "xy":
-            # the undamped phase lags by h^2 w^3 t/24 in velocity Verlet: 5e-4 in the displacement
+            # in velocity Verlet the undamped phase lags by h^2 w^3 t/24, which is 5e-4 of the
+            # displacement
             assert np.abs(data["a" + name] - bend).max() < 2e-3 * np.abs(bend).max(), name
 
 
 @pytest.mark.parametrize("name", DIRECTIONS)
 def test_frequency_and_damping(name, swings):
-    """Fitted decay rates and frequencies agree with the springs and dampers."""
+    """Fitted decay rates and frequencies agree with those of the springs and dampers."""
     load, inertia, stiffness, damping = DIRECTIONS[name]
     free, decay = np.sqrt(stiffness / inertia), damping / (2 * inertia)
     for data in swings:
@@ -78,8 +79,8 @@ def swings(tmp_path_factory):
 
 @pytest.mark.parametrize("fall", [0, 9.81])
 def test_energy(tmp_path, fall):
-    """The work of load and gravity equals the heat in the dampers plus the energy of motion and
-    springs."""
+    """The work of load and gravity equals the heat in the dampers plus the energy of motion and of
+    the springs."""
     text = succeed(DECK, out=tmp_path, fall=fall).text
     work, lost, stored, rest = map(float, re.findall(r"^ *4000 +(.*)$", text, re.M)[-1].split())
     assert work == pytest.approx(lost + stored, abs=1e-6 * work)
@@ -88,7 +89,7 @@ def test_energy(tmp_path, fall):
 
 
 def test_momentum(tmp_path):
-    """Forces of supports, load and weight give the acceleration at every sample, within the ten
+    """The forces of supports, load and weight give the acceleration at every sample, to the ten
     digits that the host prints: 1e-6 N of 2 kN."""
     succeed(DECK, out=tmp_path, fall=9.81)
     x, y, fx, fy, ax, ay = np.loadtxt(tmp_path / "ring.dat").T[[1, 2, 6, 7, 8, 9]]

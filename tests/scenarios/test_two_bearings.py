@@ -19,7 +19,8 @@ def run(tmp_path_factory):
 
 
 def reaction(run, number):
-    """Mean force (N) of the balls on an inner ring, and their moment (N m) about its centre."""
+    """Mean force (N) of the balls on the inner ring of bearing `number`, and their moment (N m)
+    about the ring's centre."""
     mean = run.select(number).rings.isel(time=slice(1, None)).mean("time")
     return tuple(
         np.array([float(mean[name]) for name in names])
@@ -28,7 +29,7 @@ def reaction(run, number):
 
 
 def test_each_has_its_data(run):
-    """Pressure-viscosity coefficients of vg46 at 60 C and of grease110 differ, and so do the
+    """The pressure-viscosity coefficients of vg46 at 60 C and of grease110 differ, as do the
     balls."""
     one, other = (run.select(number).settings for number in run.bearing_numbers)
     assert (one["ball_diameter_m"], other["ball_diameter_m"]) == (12.6e-3, 12.3e-3)
@@ -38,8 +39,8 @@ def test_each_has_its_data(run):
 
 
 def test_forces_and_moments_balance(run):
-    """Averaged over whole ball passes the bearings balance the loads in force and moment; the
-    floating bearing carries no thrust."""
+    """Averaged over whole ball passes, the bearings balance the force and the moment of the loads;
+    the floating bearing carries no thrust."""
     force, moment = np.zeros(3), np.zeros(3)
     for number, z in AT.items():
         of, couple = reaction(run, number)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The main deck with integrator vibration: samples at the requested rate, a moving housing,
-and the lines of a spall in its envelope."""
+"""The main deck with the integrator `vibration`: samples at the requested rate, a moving housing,
+and the lines of a spall in the envelope of its signal."""
 
 import numpy as np
 import pytest
@@ -25,8 +25,8 @@ def length(request):
     "side, names", [("outer", ["BPFO"]), ("inner", ["BPFI", "BPFI+shaft", "BPFI-shaft"])]
 )
 def test_lines_of_a_spall(tmp_path, side, names, length):
-    """In the envelope, around the housing's resonance, of a sensor on the housing at 48 kHz, lines
-    agree within 0.2 % with kinematics at the cage speed of the run."""
+    """A sensor on the housing samples at 48 kHz. In its envelope around the resonance of the
+    housing, the lines agree within 0.2 % with kinematics at the cage speed of the run."""
     flaw = {f"flaw_{side}": SPALL.format(length)}
     succeed(DECK, out=tmp_path, passes=100, settle=2, **flaw, **QUICK)
     run = raceway.open(tmp_path)
@@ -39,7 +39,7 @@ def test_lines_of_a_spall(tmp_path, side, names, length):
     for line in wanted:
         assert line.note == "", line
         assert line.found == pytest.approx(line.by_cage, rel=2e-3), line
-    # a flaw of the other raceway would have no line here
+    # a flaw of the other raceway would have no line at these frequencies
     other = {"outer": "BPFI", "inner": "BPFO"}[side]
     assert all(line.note for line in lines if line.name == other)
 
@@ -65,7 +65,7 @@ def test_rate(perfect):
 
 
 def test_a_repeat_with_more_samples(perfect):
-    """In repeated runs of `raceway check` a finer tolerance comes with a finer step."""
+    """When `raceway check` repeats a run with a finer tolerance, it also uses a finer step."""
     more = check.repeats(RunTables(perfect))["sampling"]
     assert more["oversampling"] == "4" and more["samples"] == "200"
     assert more["sampling"] == "25600" and more["housing_frequency"] == "4000"
@@ -80,9 +80,9 @@ def test_the_housing_carries_the_load(perfect):
 
 @pytest.mark.parametrize("order, shift", [(8, -1), (10, 1)])
 def test_a_fine_wave_stands_out(tmp_path, order, shift):
-    """A wave of 0.01 um and order Z - 1 or Z + 1 on the inner raceway gives a line at BPFI - shaft
-    or BPFI + shaft, respectively, with a hundred times the amplitude of a perfect bearing, and no
-    line at the other frequency."""
+    """A wave with an amplitude of 0.01 um and the order Z - 1 or Z + 1 on the inner raceway gives a
+    line at BPFI - shaft or BPFI + shaft, respectively. The line has a hundred times the amplitude
+    that it has in a perfect bearing, and there is no line at the other frequency."""
     heard = {}
     for name, flaw in (("perfect", "none"), ("wave", f"wave {order} 1.0e-8 0")):
         folder = tmp_path / name
@@ -100,7 +100,8 @@ def test_a_fine_wave_stands_out(tmp_path, order, shift):
 
 
 def test_goes_on(perfect, tmp_path):
-    """A run that is continued from two passes to four gives the bytes of an undisturbed run."""
+    """A run that is continued from two passes to four writes the same bytes as an uninterrupted
+    run."""
     succeed(DECK, out=tmp_path, passes=2, sampling=25600, **QUICK)
     succeed(DECK, out=tmp_path, passes=4, sampling=25600, resume="yes", **QUICK)
     assert (tmp_path / "record.nc").read_bytes() == (perfect / "record.nc").read_bytes()

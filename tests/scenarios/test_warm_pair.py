@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""docs/decks/in.warm_pair: depending on its cooling, a preloaded pair of 7205Bs warms up or seizes,
-as predicted by the balance of heat and expansion of one bearing with a held inner ring."""
+"""docs/decks/in.warm_pair: depending on its cooling, a preloaded pair of 7205Bs warms up or seizes.
+The balance of heat and expansion of one bearing with a held inner ring predicts which."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ PARTS = ("inner", "balls", "outer")
 
 
 def rest(shaft):
-    """Steady figures of one bearing of the pair, whose outer ring is displaced by the spread."""
+    """Steady figures of one bearing of the pair, with its outer ring displaced by the spread."""
     path, oil = ROOT / "inputs/bearings/7205B", ROOT / "inputs/lubricants/vg32"
     held = STRAIGHT | {"z": inputs.held(path, 0.0, 0.0)["z"] + SPREAD}
     scene = steady_heat.Scene(
@@ -33,8 +33,8 @@ def jumps(folder):
 
 
 def energy(table, shaft):
-    """(heat of the losses, heat removed and stored) in J, from temperatures and losses in the rows
-    alone."""
+    """(heat from the losses, heat removed and stored) in J, from temperatures and losses in the
+    rows alone."""
     step = np.diff(table["thermal_time"])
 
     def mean(values):
@@ -49,7 +49,7 @@ def energy(table, shaft):
 
 
 def test_a_cooled_pair_is_steady(tmp_path):
-    """Temperatures agree with the balance in statics within 1.2 K: the losses of a run are 1 %
+    """Temperatures agree within 1.2 K with the balance in statics. The losses of a run are 1 %
     higher, because its balls orbit faster under their gyroscopic moment, and 2 % of 50 K is 1 K."""
     succeed("docs/decks/in.warm_pair", out=tmp_path)
     table = jumps(tmp_path)
@@ -68,8 +68,9 @@ def test_a_cooled_pair_is_steady(tmp_path):
 
 
 def test_without_cooling_of_the_shaft_it_seizes(tmp_path):
-    """Statics has no steady state below 200 C either. Inner rings become hotter than outer rings,
-    the clearance falls and the losses rise, whereas hotter oil alone would lower the losses."""
+    """Statics has no steady state below 200 C either. The inner rings become hotter than the outer
+    rings, so the clearance falls and the losses rise, whereas hotter oil alone would reduce the
+    losses."""
     with pytest.raises(NoEquilibrium, match="no steady temperature up to 200 C"):
         rest(0.0)
     done = run("docs/decks/in.warm_pair", out=tmp_path, shaft_cooling=0)

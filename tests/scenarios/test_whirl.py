@@ -17,7 +17,7 @@ KEYS = ("x", "y", "vx", "vy", "angle", "load_x", "load_y")
 
 
 def end(**variables):
-    """State of the ring that the deck prints at its end."""
+    """State of the ring that the deck prints at the end."""
     text = succeed(DECK, **variables).text
     numbers = [float(word) for word in re.search(r"^END (.*)$", text, re.M)[1].split()]
     ring = dict(zip(KEYS, numbers, strict=True))
@@ -61,8 +61,8 @@ def test_closed_form_verlet(words, speed):
     "words, speed", [("unbalance 1e-5 0.3", 100), ("rotating 0.05 -60 0.3", -60)]
 )
 def test_closed_form_implicit(words, speed):
-    """Internal steps follow the tolerance, so that host steps of a quarter of a turn are accurate
-    enough."""
+    """Internal steps follow the tolerance, so that even host steps of a quarter of a turn are
+    accurate enough."""
     force = 1e-5 * 100**2 if "unbalance" in words else 0.05
     exact = whirl(force, speed, 0.3, 0.1)
     found = [
@@ -71,7 +71,8 @@ def test_closed_form_implicit(words, speed):
     ]
     errors = [error(one, exact) for one in found]
     assert errors[1] < 1e-5 and errors[1] < 0.2 * errors[0]
-    # all work of the load is in the motion, because the balls are at rest
+    # all the work done by the load becomes kinetic energy of the ring, because the balls are at
+    # rest
     ring = found[1]
     kinetic = 0.5 * MASS * (exact["vx"] ** 2 + exact["vy"] ** 2)
     assert ring["stored"] == pytest.approx(kinetic, rel=1e-4)
@@ -98,7 +99,7 @@ def test_same_as_rotating_force(integrator):
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 def test_run_up(integrator):
-    """With w = b t, the ring loses the momentum of the eccentric mass, M E w (-sin, cos)."""
+    """If w = b t, the ring loses the momentum of the eccentric mass, M E w (-sin, cos)."""
     growth, time = 500.0, 0.1
     ring = end(integrator=integrator, spin=f"{growth}*time", words="unbalance 1e-5 0", step=1e-5)
     turned, speed = 0.5 * growth * time**2, growth * time
