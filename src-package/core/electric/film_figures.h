@@ -46,8 +46,8 @@ struct SampledBall {
 struct FilmFigures {
   double leak = 0.0;                      // ohm, direct current
   double impedance = 0.0, phase = 0.0;    // ohm, rad
-  double threshold = 0.0, local = 0.0;    // V, over thickness and local thickness
-  double energy = 0.0;                    // J, at the threshold over thickness
+  double threshold = 0.0, local = 0.0;    // V, breakdown by mean and by local film thickness
+  double energy = 0.0;                    // J, stored at the voltage `threshold`
 };
 
 // Area of a contact ellipse, m^2.
