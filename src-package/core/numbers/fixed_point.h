@@ -25,7 +25,7 @@ class FixedPoint {
   struct Settings {
     size_t memory = 5;      // number of starts that are kept
     double reach = 0.1;     // longest move from g_k, in the norm
-    double apart = 1e-2;    // fraction of a difference that later differences must not contain
+    double apart = 1e-2;    // least fraction of a difference independent of later differences
     double flat = 0.02;     // smallest difference, over the residual
   };
   struct Next {
