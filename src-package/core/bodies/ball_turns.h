@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Orientations of four balls, tracked if one of them has a profile: rotations from the ball's own
-// axes to the frame that turns with its azimuth (lane_frame.h). In that frame, the spin of the ball
-// relative to the frame is constant over a stage, as all components are, so the rotation is exact.
+// axes to the frame that turns with its azimuth (lane_frame.h). Like all components in that frame,
+// the spin of the ball relative to the frame is constant over a stage, so the rotation is exact.
 #ifndef RACEWAY_BALL_TURNS_H
 #define RACEWAY_BALL_TURNS_H
 
@@ -38,7 +38,7 @@ struct BallTurns {
   {
     return {w.x[lane], w.y[lane], w.z[lane] - v.y[lane] / f.r[lane]};
   }
-  // Directions n, t and w, given in the frame, in the ball's own axes.
+  // Converts the directions n, t and w from the frame to the ball's own axes.
   static BallView view(const Quaternion &ball, const Vec3 &n, const Vec3 &t, const Vec3 &w)
   {
     const Quaternion back = ball.back();

@@ -27,7 +27,7 @@ BearingBodies::BearingBodies(const BearingModel &of) : model(of)
   }
 }
 
-// Puts balls on the same raceways next to each other, and likewise cage balls on the same rails.
+// Places balls on the same raceways next to each other, and likewise cage balls on the same rails.
 void BearingBodies::place()
 {
   using Key = std::vector<std::pair<int, const void *>>;
@@ -49,7 +49,7 @@ void BearingBodies::place()
     const int first = static_cast<int>(groups.size());
     const int n = static_cast<int>(row.size()), padded = (n + lanes - 1) / lanes * lanes;
     for (int i = 0; i < padded; ++i) {
-      const int k = row[std::min(i, n - 1)];    // padding repeats the last body without forces
+      const int k = row[std::min(i, n - 1)];    // padding repeats the last body, without forces
       if (i % lanes == 0) {
         groups.emplace_back();
         groups.back().spins = model.bodies[k].spins;

@@ -19,21 +19,21 @@ struct alignas(32) RingBody {
   RingProgram program;
   RingPose from, base, now, first, end;
   double gained[RingProgram::N_DOF] = {};
-  // By degree of freedom, -1: none. Coordinates of the ring or of its rigid shaft, and columns
-  // (BearingBodies::columns), which equal the coordinates or, on a flexible shaft, belong to the
-  // ring alone.
+  // By degree of freedom; -1: none. `coordinate` belongs to the ring or to its rigid shaft.
+  // `column` (BearingBodies::columns) equals the coordinate, but on a flexible shaft it belongs to
+  // the ring alone.
   int coordinate[RingProgram::N_DOF], column[RingProgram::N_DOF];
   bool loose = false;      // at least one degree of freedom is free
   bool carried = false;    // sits on a shaft
   bool levered = false;    // sits on a rigid shaft, whose coordinates it shares
-  int holder = -1;         // ring at the other end of its supports, -1: ground
+  int holder = -1;         // ring at the other end of this ring's supports; -1: ground
   int bend = -1;           // flexible shaft: index in BearingBodies::bends
   bool holds = false;      // supports another ring
   bool empty = false;      // no raceway: a housing or a cage
-  double pockets = 0.0;    // m, radius of the circle of its pockets; 0: no cage
+  double pockets = 0.0;    // m, radius of the pocket circle; 0: not a cage
   double at = 0.0;         // m, position of a carried ring from the shaft's centre
-  double span = 0.0;       // m, shaft: distance from its centre to its farthest ring
-  double spring = 0.0;     // N/m, sum over contacts; with dampers_only
+  double span = 0.0;       // m, of a shaft: distance from its centre to its farthest ring
+  double spring = 0.0;     // N/m, sum over contacts; set only with dampers_only
   Vec3 force, moment;      // contact loads: sums over the lanes
 
   void start() { base = from; }
@@ -66,14 +66,14 @@ class BearingBodies {
     for (RingBody &r : rings) act(r);
     for (ShaftBend &b : bends) act(b);
   }
-  // Forces on the coordinates at the fraction s of the host's step, N or N m, except the moments
-  // that bending exerts on the tilts of its shaft.
+  // Forces on the coordinates at the fraction s of the host's step, N or N m, without the moments
+  // that the bending of a shaft exerts on the tilts of that shaft.
   void border_forces(double s, std::vector<double> &);
   void border_loads(double s, std::vector<double> &);    // forces of loads and weight alone
   // Power of contacts and supports on the driven degrees of freedom of a ring, W.
   double power_on_drives(const RingBody &) const;
-  // Pose on which the supports of a ring act: relative to its holder if it has one; for a flexible
-  // shaft, the pose of its centre.
+  // Pose on which the supports of a ring act: relative to the ring's holder, if any; for a flexible
+  // shaft, the pose of the shaft's centre.
   RingPose held(const RingBody &r) const
   {
     if (r.bend >= 0) return bends[r.bend].bent_centre(r.now);
@@ -81,8 +81,8 @@ class BearingBodies {
   }
   // Force on a ring at the fraction s of the host's step, N: contacts, loads, supports and weight.
   Vec3 force_on(const RingBody &, double s) const;
-  Vec3 moment_on(const RingBody &, double s) const;    // N m, of the same causes
-  // Adds force (N) and moment (N m) of the supports that hold other rings to this one.
+  Vec3 moment_on(const RingBody &, double s) const;    // N m, with the same contributions
+  // Adds the force (N) and moment (N m) of the supports that hold other rings to this ring.
   void add_held(const RingBody &, Vec3 *force, Vec3 *moment) const;
 
   // State variables of the contacts (part.h) in the order of the model's grooves, `states` values
@@ -112,8 +112,8 @@ class BearingBodies {
   std::vector<int> slot, body_at;    // by body; by slot (group 4 k + lane), -1: padding
   std::vector<BodyGroup> groups;
   std::vector<Track> tracks;
-  bool flawed = false;    // some raceway or ball has a profile
-  // By group of contacts, with rows of depths; empty if no ball has a profile.
+  bool flawed = false;    // at least one raceway or ball has a profile
+  // By group of contacts, with the rows of the depths; empty if no ball has a profile.
   struct BallProfiles {
     bool any = false;
     const BallProfile *of[lanes] = {};
@@ -127,10 +127,10 @@ class BearingBodies {
   int n_contacts = 0;             // groups of contacts: the sum over the tracks
   std::vector<int> contact_at;    // by groove of the model: lanes * group of contacts + lane
   std::vector<int> groove_at;     // inverse of contact_at, -1: none
-  std::vector<States> kept;       // by group of contacts, if the law has states
+  std::vector<States> kept;       // by group of contacts, if the law has state variables
   std::vector<KeptSlopes> kept_slopes;
-  // Entrainment speed (m/s) and contact angle, which together with the overlap determine the
-  // elastic energy of a contact; cos_angle < 0 without contact.
+  // Entrainment speed (m/s) and cosine of the contact angle, which together with the overlap
+  // determine the elastic energy of a contact; cos_angle < 0 without contact.
   struct EnergyBasis {
     Lane entrainment = {}, cos_angle = all_lanes(-1.0);
   };
@@ -140,12 +140,12 @@ class BearingBodies {
   std::vector<BalancedContact> balanced;    // by group of contacts, empty without a balance
   std::vector<RingBody> rings;              // rings of the model, then one per shaft
   std::vector<Carried> on_shafts;
-  // Free degrees of freedom of rings and rigid shafts, then of flexible shafts, then modes.
+  // Free degrees of freedom of rings and rigid shafts, then those of flexible shafts, then modes.
   std::vector<Coordinate> border;
   std::vector<Coupling> couplings;    // due to supports
   std::vector<ShaftBend> bends;
-  // Ring motions at the contacts: first the coordinates except those of flexible shafts, then all
-  // motions of each ring on such a shaft.
+  // Numbers of ring motions at the contacts. The first `straight` of them are the coordinates
+  // without those of flexible shafts; then come all motions of each ring on a flexible shaft.
   int columns = 0, straight = 0;
   // Columns that can be nonzero, by group: all columns or, with flexible shafts, the columns of the
   // group's own bearing; with flexible shafts also by column.

@@ -31,7 +31,7 @@ struct BearingModel {
     std::vector<RingValue> own;    // values set for this ring alone
     bool on_shaft = false;         // moves as one body with all rings of the same mover
     double at = 0.0;               // m, position along that shaft from its centre
-    Tag held_by = 0;               // ring to which its supports hold it, 0: ground
+    Tag held_by = 0;               // ring to which the supports hold this ring; 0: ground
     int holder = -1;               // held_by as an index into rings
   };
   struct Shaft {    // rings that move as one body
@@ -73,7 +73,7 @@ struct BearingModel {
 
 struct BodyPose {
   Vec3 x, v, w;
-  Quaternion turn;    // from the ball's own axes, if needed
+  Quaternion turn;    // rotation from the ball's own axes, if needed
 };
 
 }    // namespace raceway

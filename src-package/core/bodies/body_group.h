@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Four bodies of the implicit step: their motion and their part of the linear system.
+// Four bodies in the implicit step: their motion and their part of the linear system.
 #ifndef RACEWAY_BODY_GROUP_H
 #define RACEWAY_BODY_GROUP_H
 
@@ -17,10 +17,10 @@ struct alignas(32) BodyGroup {
   Lane turned = {};    // rad, from `from` to `base`
   // the linear system: block, right-hand side, columns of the links (bearing_system.h)
   Lane A[36], rhs[6], link[2][6];
-  Lane spring = {}, damper = {};    // N/m, N s/m, sums over contacts; with dampers_only
+  Lane spring = {}, damper = {};    // N/m, N s/m, sums over contacts; set only with dampers_only
   Lane stiffness = {};              // N/m, of the stiffest contact with a raceway
   bool spins;
-  bool coupled = false;    // is coupled to the border
+  bool coupled = false;    // has a coupling to the border
   bool linked = false;
 };
 

@@ -12,19 +12,20 @@ namespace raceway {
 
 // A free degree of freedom of a ring or shaft, or a mode of a flexible shaft.
 struct Coordinate {
-  const double *mass;    // kg, of a tilt or spin kg m^2
-  double *gained;        // m/s or rad/s, velocity since the base of the stage
-  // Velocity at the start of the step, at the base of the stage, after the first stage, and now.
+  const double *mass;    // kg; kg m^2 for a tilt or spin
+  double *gained;        // m/s or rad/s, change of velocity since the base of the stage
+  // Velocity at the start of the step, at the base of the stage, after the first stage and now.
   const double *from, *base, *first, *now;
   bool tilts = false;
   bool of_cage = false;    // its errors are treated like the errors of cage balls
-  // Displacement per unit, m or m/rad; for a tilt without the displacement of the balls, for a spin
-  // 0 except for a cage, whose pockets move along the pitch circle.
+  // Displacement per unit of the coordinate, 1 or m/rad. For a tilt it excludes the displacement
+  // of the balls. For a spin it is 0, except for a cage, whose pockets move along the pitch circle.
   double lever = 1.0;
   double spring = 0.0, damper = 0.0;    // N/m, N s/m, of a mode
   const double *place = nullptr;        // m, present amplitude of a mode
 
-  // Displacement per unit, including the displacement of balls at this distance (m) from the axis.
+  // Displacement per unit, including the displacement of balls at the distance `radius` (m) from
+  // the axis.
   double moves(double radius) const { return tilts ? radius + lever : lever; }
 };
 

@@ -2,7 +2,7 @@
 // Closed contacts between bodies (ball, cage ball, ball, ...) as scalar unknowns of a chain.
 //
 // Link i joins two bodies along the unit normal n_i with the stiffness a_i. Once the blocks A of
-// all bodies are condensed, the links' forces l solve
+// all bodies have been eliminated, the forces l of the links solve
 //   l_i/a_i + sum_j c_ij l_j = n_i . (x_first - x_second)
 // with c_ij = +-n_i . A^-1 n_j at a body that i and j share.
 // A link shares at most two bodies with others, so c is tridiagonal, with one corner entry if a
@@ -22,7 +22,7 @@ class LinkChain {
   struct End {
     int body;
     Vec3 n;         // the link's normal in the body's own frame
-    Vec3 answer;    // velocity of the body for a unit force along n: first three numbers of A^-1 n
+    Vec3 answer;    // body's velocity due to a unit force along n: first three numbers of A^-1 n
     int slot;       // 0 or 1: first or second link of the body
   };
   struct Link {
@@ -38,7 +38,7 @@ class LinkChain {
     links.clear();
   }
 
-  // False if a body would have a third link, so that the links form no chain.
+  // False if a body would have a third link; the links would then not form a chain.
   bool add(int first, int second, const Vec3 &n_first, const Vec3 &n_second, double a)
   {
     const int slot[2] = {of_body_[first].count, of_body_[second].count};
@@ -62,7 +62,7 @@ class LinkChain {
     exit_.clear();
     done_.assign(n, false);
     for (int pass = 0; pass < 2;
-         ++pass)    // open chains first, from their ends; all others are circles
+         ++pass)    // open chains first, from their ends; all remaining chains are circles
       for (int i = 0; i < n; ++i) {
         if (done_[i]) continue;
         const bool open_0 = neighbour(i, 0) < 0, open_1 = neighbour(i, 1) < 0;
@@ -125,7 +125,7 @@ class LinkChain {
     }
   }
 
-  // c_ij at the body of end `end` of link i.
+  // c_ij at the body at end `end` of link i.
   double coupling(int i, int end, int j) const
   {
     const End &e = links[i].end[end];

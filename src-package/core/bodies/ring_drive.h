@@ -40,7 +40,7 @@ inline void displace(const RingProgram &p, RingPlace &r, double h, double s)
   r.v = Vec3::from(v);
 }
 
-// Tilt rates (rad/s): the given rates if the tilt is free, otherwise zero or the driven rates.
+// Sets the tilt rates (rad/s): a free tilt keeps its rate; any other tilt has the driven rate or 0.
 inline void drive_rates(const RingProgram &p, const RingPlace &r, double *rate, double h, double s)
 {
   for (int k = 0; k < 2; ++k) {
@@ -61,7 +61,7 @@ inline void tilt_by(RingPlace &r, const double *rate, double h)
   r.e = rotate({0.0, 0.0, 1.0}, {r.tilt[0], r.tilt[1], 0.0});
 }
 
-// Spin (rad/s): the given one if it is free.
+// Spin (rad/s): `spin` if the spin is free, otherwise the driven spin or 0.
 inline double driven_spin(const RingProgram &p, double spin, double s)
 {
   switch (p.mode[RingProgram::SPIN]) {

@@ -35,9 +35,9 @@ inline RingPose displaced(const RingProgram &p, const RingPose &base, double h, 
   return r;
 }
 
-// Implicit Euler from `base` over h to the fraction s of the host's step: pose = base + h
-// (velocities at the end). Free degrees of freedom have the velocities of the base plus `gained`
-// (N_DOF values), all others the driven velocities.
+// Implicit Euler from `base` over h to the fraction s of the host's step: pose = base + h times
+// the velocities at the end. Free degrees of freedom have the velocities of the base plus `gained`
+// (N_DOF values); all others have the driven velocities.
 inline RingPose moved(const RingProgram &p, const RingPose &base, const double *gained, double h,
                       double s)
 {
@@ -49,8 +49,8 @@ inline RingPose moved(const RingProgram &p, const RingPose &base, const double *
   return r;
 }
 
-// Moves at constant velocity (driven velocities at the fraction s) over h seconds to the fraction s
-// of the host's step.
+// Moves a ring at constant velocity over h seconds to the fraction s of the host's step; driven
+// velocities are those at the fraction s.
 inline RingPose coasted(const RingProgram &p, const RingPose &base, double h, double s)
 {
   RingPose r = displaced(p, base, h, s);
@@ -79,8 +79,8 @@ inline RingPose beyond(const RingPose &from, const RingPose &to, double b)
   return r;
 }
 
-// Pose at the fraction s of a step of h seconds between two poses: positions from the cubic that
-// also matches the velocities at both ends, velocities from linear interpolation.
+// Pose at the fraction s of a step of h seconds between two poses. Positions follow the cubic that
+// also matches the velocities at both ends; velocities are interpolated linearly.
 inline RingPose between(const RingPose &from, const RingPose &to, double h, double s)
 {
   const Cubic at(s, h);

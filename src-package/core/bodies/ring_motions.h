@@ -19,7 +19,7 @@ RACEWAY_INLINE Vec3L rotation_of(int dof, const LaneFrame &f, const Vec3L &e)
   }
 }
 
-// Converts a lever from the ring's centre to one from the centre of the ring or its shaft.
+// Converts a lever from the ring's centre to a lever from the centre of the ring or its shaft.
 RACEWAY_INLINE Vec3L lever_of(const RingBody &ring, const Vec3L &e, const Vec3L &lever)
 {
   return ring.levered ? lever + e * ring.at : lever;

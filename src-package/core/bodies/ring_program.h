@@ -4,9 +4,9 @@
 // The bearing axis is the third axis. Degrees of freedom: x, y, z, tilt about x, tilt about y, spin
 // about the ring's own axis e.
 //
-// Both integrators share displacements, driven tilts, the spin and the loads; they differ in the
-// representation of the angular velocity. Velocity Verlet keeps the vector w of the host (RingAtom)
-// bit by bit (ring_verlet.h). The implicit step solves for rates (RingPose, ring_implicit.h).
+// Both integrators share displacements, driven tilts, the spin and the loads, but represent the
+// angular velocity differently. Velocity Verlet uses the vector w of the host (RingAtom) without a
+// change of bits (ring_verlet.h). The implicit step solves for rates (RingPose, ring_implicit.h).
 #ifndef RACEWAY_RING_PROGRAM_H
 #define RACEWAY_RING_PROGRAM_H
 
@@ -56,13 +56,13 @@ struct RingProgram {
   Vec3 force[2], moment[2];    // N, N m, at both ends, linear in between, before the ramp
   TurningForce turning;
   Unbalance unbalance;
-  // Shaft: first moments along its axis of loads and unbalances away from its centre.
+  // For a shaft: first moments along its axis of loads and unbalances away from its centre.
   Vec3 leverage[2];         // N m, at both ends, linear in between, before the ramp
   Unbalance couple;         // kg m^2
   bool apart = false;       // such loads or unbalances exist
   Support support[SPIN];    // supports of displacements and tilts
   bool supported = false;
-  // Load of grains (N, and N m about the centre), constant in the host's step, without the ramp
+  // Load of grains (N, and N m about the centre), constant over the host's step, without the ramp
   bool grains = false;
   Vec3 grain_force, grain_moment;
   double spin_growth = 0.0;    // rad/s^2, of a driven spin
@@ -97,7 +97,7 @@ struct RingProgram {
     const double x = age / ramp;
     return x * x * (3.0 - 2.0 * x);
   }
-  // Load of a ring turned by `angle`.
+  // Force of the loads on a ring turned by `angle` (rad), N.
   Vec3 force_at(double s, double angle) const
   {
     Vec3 total = force[0] + (force[1] - force[0]) * s;
@@ -107,7 +107,7 @@ struct RingProgram {
     if (grains) total += grain_force;
     return unbalance.moment == 0.0 ? total : total + unbalance_force(unbalance, s, angle);
   }
-  // Centrifugal force of the eccentric mass, and its inertia when the spin changes.
+  // Centrifugal force of the eccentric mass, and the force of its inertia when the spin changes.
   Vec3 unbalance_force(const Unbalance &of, double s, double angle) const
   {
     if (mode[SPIN] != Freedom::speed) return {};
@@ -115,9 +115,9 @@ struct RingProgram {
     const double w = target_at(SPIN, s);
     return (out * (w * w) - Vec3{-out.y, out.x, 0.0} * spin_growth) * of.moment;
   }
-  // Moment of the load about the centre of a ring that is at this place.
+  // Moment of the loads about the centre of a ring at this place, N m.
   Vec3 moment_at(double s, const RingPlace &) const;
-  // Force (N) and moment (N m) of the supports on the ring; the tilt rates are the W of its axis.
+  // Force (N) and moment (N m) of the supports on the ring; its tilt rates are W (ring_implicit.h).
   Vec3 support_force(const RingPlace &) const;
   Vec3 support_moment(const RingPlace &, double rate_1, double rate_2) const;
   double support_energy(const RingPlace &) const;    // J, of the springs
@@ -208,7 +208,7 @@ struct RingPose : RingPlace {
   }
 };
 
-// Pose of a ring relative to another ring, for the supports between them. The axis is unchanged.
+// Pose of a ring relative to another ring, for the supports between both. The axis is unchanged.
 inline RingPose seen_from(const RingPose &r, const RingPose &from)
 {
   RingPose s = r;

@@ -7,8 +7,8 @@
 
 namespace raceway {
 
-// Springs and dampers in velocity Verlet at the end of its step, with velocities that lag by `half`
-// a step (s; 0 if they do not lag). `push` (N) is the sum of all other forces. A damper is
+// Springs and dampers at the end of a step of velocity Verlet, with velocities that lag by half a
+// step, `half` (s; 0 if they do not lag). `push` (N) is the sum of all other forces. A damper is
 // implicit, so it does not limit the time step: v = v_half + half (push - K d - C v)/m.
 inline double verlet_support(const Support &on, double displacement, double behind, double push,
                              double inertia, double half)
@@ -27,8 +27,9 @@ struct SupportEnd {
   Support ground;
 };
 
-// As above for a support between two rings: its damper and the damper from the second ring to the
-// ground are implicit in the velocities of both rings. Returns the force on the first ring.
+// As above for a support between two rings: the support's damper and the damper from the second
+// ring to the ground are implicit in the velocities of both rings. Returns the force on the first
+// ring.
 inline double verlet_support(const Support &on, const SupportEnd &held, const SupportEnd &holder,
                              double half)
 {
@@ -55,7 +56,7 @@ inline RingAtom kicked(const RingProgram &p, const RingAtom &base, const Vec3 &f
     if (p.free(k)) gained[k] = h / p.mass * push[k];
   gain(p, r, gained);
   if (p.tilts_free()) {
-    // the momentum contains the gyroscopic coupling; an imposed spin takes its reaction
+    // the momentum includes the gyroscopic coupling; an imposed spin carries the reaction
     const double spin = dot(r.w, r.e);
     r.w = angular_velocity(p.inertia, angular_momentum(p.inertia, r.w, r.e) + moment * h, r.e);
     if (!p.free(RingProgram::SPIN)) r.w += r.e * (spin - dot(r.w, r.e));
@@ -68,7 +69,7 @@ inline RingAtom kicked(const RingProgram &p, const RingAtom &base, const Vec3 &f
   return r;
 }
 
-// Moves at constant velocity over h seconds to the end of the host's step.
+// Moves a ring at constant velocity over h seconds to the end of the host's step.
 inline RingAtom coasted(const RingProgram &p, const RingAtom &base, double h)
 {
   RingAtom r = base;

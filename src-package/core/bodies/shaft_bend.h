@@ -10,11 +10,11 @@ namespace raceway {
 
 // Modal loads over the host's step, like the loads of RingProgram on the rigid shaft.
 struct BendProgram {
-  std::vector<double> load[2];         // N, by mode of both planes, at both ends, without the ramp
+  std::vector<double> load[2];         // N, by mode of both planes, at both ends, before the ramp
   std::vector<Unbalance> unbalance;    // by mode of a plane
-  std::vector<double> centre;          // displacement of the centre by mode, for a turning force
+  std::vector<double> centre;          // displacement of the centre by mode, for a rotating force
 
-  // Modal forces at the fraction s of the host's step, N; `of` keeps its memory between calls.
+  // Modal forces (N) at the fraction s of the host's step, written to `of`, which is reused.
   void forces(const RingProgram &shaft, double s, double angle, std::vector<double> &of) const
   {
     const size_t n = unbalance.size();
@@ -52,13 +52,14 @@ struct ShaftBend {
   std::vector<double> contacts;    // N, by mode, from the bearings
 
   int size() const { return 2 * modes->size(); }    // number of unknowns
-  // Pose of the centre of mass with the deflection: supports act there.
+  // Pose of the centre of mass including the deflection; supports act there.
   RingPose bent_centre(const RingPose &shaft) const
   {
     return carried(shaft, 0.0, shaft.origin, Deflection(*centre, now));
   }
-  // Modal forces, N: of the loads alone, and of contacts, loads, supports, springs, dampers and the
-  // spin of the rigid shaft. They are valid until the next call, because memory is reused.
+  // Modal forces, N. loads() has those of the loads alone, forces() those of contacts, loads,
+  // supports, stiffness, damping and the spin of the rigid shaft. The results are valid until the
+  // next call, because their memory is reused.
   const std::vector<double> &loads(const RingProgram &, const RingPose &shaft, double s);
   const std::vector<double> &forces(const RingProgram &, const RingPose &shaft, double s);
   void start() { base = now = from; }
@@ -67,7 +68,7 @@ struct ShaftBend {
   void accept() { from = now; }
   void keep() { end = now; }
   void put_back() { now = end; }
-  // Sets `now`, at the fraction s of a step of h seconds that ends at `end`.
+  // Sets `now` to the state at the fraction s of a step of h seconds that ends at `end`.
   void between(double h, double s);
 
  private:

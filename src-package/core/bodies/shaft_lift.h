@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Map T from the unknowns of the border to the motions of rings at contacts: columns = T unknowns.
-// A ring on a flexible shaft moves with the rigid shaft and its modes. For all other rings T is the
-// identity.
+// A ring on a flexible shaft moves with the rigid shaft and with the shaft's modes. For all other
+// rings T is the identity.
 #ifndef RACEWAY_SHAFT_LIFT_H
 #define RACEWAY_SHAFT_LIFT_H
 
@@ -14,7 +14,7 @@ class BearingBodies;
 class ShaftLift {
  public:
   void find(const BearingBodies &);    // T at the present state
-  // unknowns += T^T columns T, both square and row by row
+  // unknowns += T^T columns T; both matrices are square and stored row by row
   void add_matrix(const std::vector<double> &columns, std::vector<double> &unknowns);
   // unknowns += T^T columns
   void add_forces(const std::vector<double> &columns, std::vector<double> &unknowns) const;

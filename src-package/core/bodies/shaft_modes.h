@@ -4,7 +4,7 @@
 // modes do not rotate with the shaft. They are mass-orthogonal to the rigid-body motion, and
 //   m a'' + c a' + k a + spin g b' = f_a,    m b'' + c b' + k b - spin g a' = f_b
 // with the coordinates a of the first plane and b of the second. The gyroscopic matrix g also
-// couples them to the slopes of the rigid shaft, its first row and column.
+// couples them to the slopes of the rigid shaft, which have its first row and column.
 #ifndef RACEWAY_SHAFT_MODES_H
 #define RACEWAY_SHAFT_MODES_H
 
@@ -18,15 +18,15 @@ namespace raceway {
 struct ShaftModes {
   struct Station {
     double at;                            // m, from the centre of mass
-    std::vector<double> moved, tilted;    // 1 and rad/m, by mode
+    std::vector<double> moved, tilted;    // deflection (1) and slope (rad/m), by mode
   };
   std::vector<double> mass, stiffness, damping;    // kg, N/m, N s/m
-  std::vector<double> gyroscopic;                  // row by row; the rigid slope first
+  std::vector<double> gyroscopic;                  // row by row, the slope of the rigid shaft first
   std::vector<Station> stations;                   // in order of position
 
   int size() const { return static_cast<int>(mass.size()); }    // modes of a plane
   double g(int i, int k) const { return gyroscopic[i * (size() + 1) + k]; }
-  const Station &station(double at) const    // the nearest
+  const Station &station(double at) const    // the station nearest to `at`
   {
     const Station *best = &stations.front();
     for (const Station &s : stations)
@@ -88,7 +88,7 @@ void turn_axis(Place &r, const Vec3 &e, const Vec3 &from, double rate_1, double 
   tilt_of(r.e, r.tilt);
 }
 
-// Ring on a flexible shaft.
+// Place of a ring on a flexible shaft.
 template <class Place>
 Place carried(const Place &shaft, double at, const Vec3 &origin, const Deflection &d)
 {
@@ -100,7 +100,7 @@ Place carried(const Place &shaft, double at, const Vec3 &origin, const Deflectio
   return ring;
 }
 
-// Rigid shaft of a ring on it.
+// Place of the rigid shaft, from the place of a ring on it.
 template <class Place> Place shaft_of(const Place &ring, double at, const Deflection &d)
 {
   Place straight = ring;
@@ -131,8 +131,8 @@ inline void add_supports(const ShaftModes::Station &s, const RingProgram &p, con
                p.support_moment(there, there.rate[0], there.rate[1]), of);
 }
 
-// Moment about the centre of the rigid shaft with axis e, from the force and moment on a ring with
-// the axis `own`. The moment about the ring's own axis acts about the shaft's axis.
+// Moment about the centre of the rigid shaft with the axis e, from the force and the moment on a
+// ring with the axis `own`. The moment about the ring's own axis acts about the shaft's axis.
 inline Vec3 moment_about_centre(const Vec3 &e, double at, const Vec3 &own, const Vec3 &force,
                                 const Vec3 &moment)
 {
@@ -141,7 +141,8 @@ inline Vec3 moment_about_centre(const Vec3 &e, double at, const Vec3 &own, const
   return moment_about_centre(e, at, force, across + e * (torque - dot(across, e)));
 }
 
-// Modal forces of springs, dampers and the spin on the modes of a shaft, N; `of` keeps its memory.
+// Modal forces (N) of stiffness, damping and gyroscopic coupling on the modes of a shaft, written
+// to `of`, which is reused without reallocation.
 inline void own_forces(const ShaftModes &m, const BendState &b, const RingPose &shaft,
                        std::vector<double> &of)
 {

@@ -12,7 +12,7 @@ namespace raceway {
 inline Vec3 turning(const RingPose &r) { return r.across(); }
 inline Vec3 turning(const RingAtom &r) { return r.w; }
 
-// Ring on its shaft. `origin` is the origin of the ring.
+// Place of a ring on its shaft. `origin` is the origin of the ring.
 template <class Place> Place carried(const Place &shaft, double at, const Vec3 &origin)
 {
   Place ring = shaft;
@@ -22,7 +22,7 @@ template <class Place> Place carried(const Place &shaft, double at, const Vec3 &
   return ring;
 }
 
-// Shaft of a ring. Its initial axis was the bearing axis.
+// Place of the shaft of a ring. The shaft's initial axis was the bearing axis.
 template <class Place> Place shaft_of(const Place &ring, double at)
 {
   Place shaft = ring;

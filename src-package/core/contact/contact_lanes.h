@@ -11,9 +11,9 @@ namespace raceway {
 
 // Contact position on a profile of the raceway or of the ball.
 struct FlawedPlace {
-  bool ring = false, ball = false;    // which of them has a profile
+  bool ring = false, ball = false;    // true for each that has a profile
   ProfiledContact on;
-  BallSlopes turned;    // of the ball's profile
+  BallSlopes turned;    // slopes of the ball's profile
 };
 
 // Contacts of up to four balls with one groove. A lane without a ball points to the ball of another
@@ -28,24 +28,25 @@ struct ContactLanes {
   RingState groove;
   double dt = 0.0;        // s, step of the law's state variables
   double *kept[lanes];    // state variables
-  bool gaps = false;      // also positions and motions of balls that do not touch
+  bool gaps = false;      // true: also find positions and motions of balls that do not touch
   ContactState *state[lanes];
   ContactForces *force[lanes];
-  const FlawedPlace *flaw[lanes] = {};    // null: both are smooth
-  bool flawed = false;                    // at least one is set
+  const FlawedPlace *flaw[lanes] = {};    // null: raceway and ball are smooth
+  bool flawed = false;                    // at least one element of `flaw` is set
   bool energies = false;                  // stored energies are requested
 
   bool live[lanes];        // result: in contact
   double energy[lanes];    // J, result: stored energy
 
-  // reused memory; values that the law does not set keep their old value
+  // reused memory; variables that the law does not set keep their old values
   ContactStateT<Lane> all;
 };
 
 // Finds the contacts that may touch.
 void find_places(const RacewayPhysics &, ContactLanes &);
-// Evaluates law and kinematics: contact states, forces and, with dt > 0, the state variables. The
-// results are valid only for contacts that touch. Contacts of a law without a reach must be near.
+// Evaluates law and kinematics: contact states, forces and, with dt > 0, state variables. The
+// results are valid only for contacts that touch. If the law has no reach, the contacts must be
+// near.
 void act_in_lanes(const RacewayPhysics &, ContactLanes &);
 // As above for any law, with each part as a separate function.
 void act_by_parts(const RacewayPhysics &, ContactLanes &);

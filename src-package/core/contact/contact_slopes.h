@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A contact law with its derivatives in the local motions of the contact, for the implicit step.
-// The law is evaluated once, in dual numbers (dual.h); this file is independent of the law.
+// A contact law and its derivatives with respect to the local motions of the contact, for the
+// implicit step. The law is evaluated once, in dual numbers (dual.h); this file is independent of
+// the law.
 //
 // Motions: approach of ball and raceway, sliding along t and w; if the law has couples, also the
-// relative rotation about n, t and w. Forces: N, f_t, f_w; couples about n, t, w. Over a time in
-// which positions follow velocities, the overlap follows the approach.
+// relative rotations about n, t and w. Forces: N, f_t, f_w and, if the law has couples, the couples
+// about n, t, w. The overlap follows the approach over the time in which positions follow
+// velocities.
 #ifndef RACEWAY_CONTACT_SLOPES_H
 #define RACEWAY_CONTACT_SLOPES_H
 
@@ -14,12 +16,13 @@
 namespace raceway {
 
 template <class T, int n> struct alignas(sizeof(Value<T>)) ContactSlopesT {
-  T of[n][n];                 // of[i][k]: derivative of force i in motion k
-  T state[most_states][n];    // derivatives of the contact's state variables in motion k
+  T of[n][n];                 // of[i][k]: derivative of force i with respect to motion k
+  T state[most_states][n];    // state[j][k]: derivative of state variable j
 };
 
-// Like law.act(); c keeps its values except those set by the law. `follows` (s): time over which
-// the overlap follows the approach, the length of an implicit stage; 0 if positions are given.
+// Like law.act(); only the values of c that the law sets are changed. `follows` (s): time over
+// which the overlap follows the approach, which is the length of an implicit stage, or 0 if
+// positions are given.
 template <class L, class B>
 RACEWAY_INLINE void act_with_slopes(const L &law, const RacewayPhysics &p,
                                     const LawStates<B> &memory, double follows, ContactStateT<B> &c,

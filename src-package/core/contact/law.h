@@ -41,7 +41,8 @@ template <class... P> struct PartList {
   {
     return ((detail::same_text(P::slot, slot) ? bit<P>() : 0u) | ...);
   }
-  // Largest number of state variables per contact in any set; parts of one slot exclude each other.
+  // Largest number of state variables per contact in any set of parts; parts with the same slot
+  // exclude each other.
   static constexpr int most_states()
   {
     const int states[] = {P::states...};
@@ -93,11 +94,11 @@ template <class All, class... P> struct LawOf {
   static constexpr int room = states > 0 ? states : 1;    // length of an array of states
   static constexpr bool couples = (P::couples || ...);
   static constexpr bool explicit_step = (P::explicit_step || ...);
-  static constexpr int motions = couples ? 6 : 3;    // number of motions that forces depend on
+  static constexpr int motions = couples ? 6 : 3;    // number of motions on which forces depend
   static constexpr bool decides = (detail::Decides<P>::value || ...);
   static constexpr bool takes_profiles = false;    // loops for smooth raceways only
 
-  // Evaluates all parts at the motions in c.
+  // Evaluates all parts for the motions in c.
   template <class T>
   static RACEWAY_INLINE void act(const RacewayPhysics &p, const RacewayConstantsT<Value<T>> &k,
                                  LawStates<T> m, ContactStateT<T> &c)
@@ -116,7 +117,7 @@ template <class All, class... P> struct LawOf {
     return some;
   }
 
-  // m, overlap beyond the onset of the load, from the part that defines the onset
+  // Overlap beyond the onset of the load, m, from the part that defines the onset.
   template <class T>
   static RACEWAY_INLINE T beyond(const RacewayPhysics &p, const ContactStateT<T> &c)
   {

@@ -13,7 +13,7 @@ namespace raceway {
 // Maximum number of loss columns; loss_table.cpp asserts that it suffices.
 constexpr int most_loss_columns = 16;
 
-// W, by column
+// Power lost in each loss column, W
 struct LossPowers {
   double of[most_loss_columns] = {};
 };
@@ -23,7 +23,7 @@ LossPowers loss_powers(const ContactState &c);
 
 struct LossEntry {
   LossColumn is;
-  unsigned parts;                                            // parts with this loss
+  unsigned parts;                                            // set of parts with this loss
   double (*value)(const Raceway &, const ContactState &);    // W, loss of a contact
   StateColumn column() const
   {

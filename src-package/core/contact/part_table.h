@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// All parts of the contact law as data, for readers of keywords, error messages and tables in the
-// docs. Generated from the declarations of the parts (part.h).
+// All parts of the contact law as data, from which keywords are read and error messages and the
+// tables of the docs are made. Generated from the declarations of the parts (part.h).
 #ifndef RACEWAY_PART_TABLE_H
 #define RACEWAY_PART_TABLE_H
 
@@ -24,7 +24,7 @@ struct ParameterEntry {
 struct KeywordEntry {
   std::string name, form;    // form "": none
   std::vector<ParameterEntry> parameters;
-  std::function<void(RacewayPhysics &, const double *)> set;    // also enables its part
+  std::function<void(RacewayPhysics &, const double *)> set;    // also enables the keyword's part
   const char *(*wrong)(const double *);                         // or null
   std::string note;
 };
@@ -33,7 +33,7 @@ struct PartEntry {
   std::string name, slot;
   When when;
   bool film;            // needs a lubricant
-  std::string needs;    // name of another part, or ""
+  std::string needs;    // name of another part that it needs, or ""
   int states;
   std::vector<KeywordEntry> keywords;
   std::vector<StateColumn> columns;
@@ -44,8 +44,8 @@ const std::vector<PartEntry> &part_table();
 // "hertz + hysteresis + normal_force", for messages
 std::string law_text(unsigned parts);
 
-// Reason why a contact cannot have these parts; "" if it can. A set made by keywords has at most
-// one part per slot.
+// Reason why a contact cannot have this set of parts; "" if it can. A set made by keywords has at
+// most one part per slot.
 std::string contradiction(unsigned parts);
 
 }    // namespace raceway

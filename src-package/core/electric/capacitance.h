@@ -16,22 +16,24 @@ template <class T> RACEWAY_INLINE T density_ratio(const T &p)
   return (0.59e9 + 1.34 * p) / (0.59e9 + p);
 }
 
-// Relative permittivity at pressure p from that at ambient pressure, eq 10 (Clausius-Mossotti):
-// (eps - 1)/(eps + 2) is proportional to the density. Pre-condition 1 <= eps_ambient.
+// Relative permittivity at the pressure p (Pa) from its value at ambient pressure, eq 10
+// (Clausius-Mossotti): (eps - 1)/(eps + 2) is proportional to the density. Pre-condition:
+// eps_ambient >= 1.
 template <class T> RACEWAY_INLINE T permittivity_at(double eps_ambient, const T &p)
 {
   const T c = (eps_ambient - 1.0) / (eps_ambient + 2.0) * density_ratio(p);
   return (1.0 + 2.0 * c) / (1.0 - c);
 }
 
-// Mean relative permittivity over a Hertz contact with the maximum pressure p. With q = pressure/p
-// the area above q is 1 - q^2, and by eqs 10 and 11 eps(q p) = eps_ambient + slope p q/(1 + r q).
+// Mean relative permittivity over a Hertz contact with the maximum pressure p (Pa). With
+// q = pressure/p, the fraction of the area at pressures above q p is 1 - q^2, and by eqs 10 and 11
+// eps(q p) = eps_ambient + slope p q/(1 + r q).
 template <class T> RACEWAY_INLINE T mean_permittivity(double eps_ambient, const T &p)
 {
   const double c = (eps_ambient - 1.0) / (eps_ambient + 2.0), reference = 0.59e9;
   const double slope = 1.02 * c / ((1.0 - c) * (1.0 - c) * reference);
   const T r = (1.0 - 1.34 * c) / ((1.0 - c) * reference) * p;
-  // the integral of 2 q^2/(1 + r q) from 0 to 1; a series if the difference would lose digits
+  // the integral of 2 q^2/(1 + r q) from 0 to 1, by a series where the difference would lose digits
   const auto small = magnitude(r) < 0.03;
   const T series =
       2.0 * (1.0 / 3 -
@@ -50,16 +52,17 @@ RACEWAY_INLINE T contact_capacitance(const T &eps_r, const T &a, const T &b, con
   return vacuum_permittivity * eps_r * 3.14159265358979323846 * a * b / h;
 }
 
-// Mean 1/gap of rough surfaces over 1/h, for a gap with a gamma distribution: Lambda^2/(Lambda^2 -
-// 1), Lambda = h/sigma. The argument is sigma/h. Below Lambda = 2.5 the factor is constant, because
-// closer surfaces count as contact instead of a gap.
+// Mean of 1/gap of rough surfaces over 1/h, for a gap with a gamma distribution:
+// Lambda^2/(Lambda^2 - 1), Lambda = h/sigma. The argument is sigma/h. Below Lambda = 2.5 the factor
+// is constant, because closer surfaces count as touching.
 template <class T> RACEWAY_INLINE T rough_film_factor(const T &sigma_over_h)
 {
   const T s = where(sigma_over_h > 0.4, 0.4, sigma_over_h);
   return 1.0 / (1.0 - s * s);
 }
 
-// Inner and outer contact of a ball in series, one term of eq 12; 0 if a side has no contact.
+// Capacitance of the inner and outer contact of a ball in series, F, one term of eq 12; 0 if a side
+// has no contact.
 inline double series_capacitance(double inner, double outer)
 {
   return inner > 0.0 && outer > 0.0 ? inner * outer / (inner + outer) : 0.0;

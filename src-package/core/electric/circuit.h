@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A bearing in its outer circuit, time step by time step, with its energy balance
+// A bearing in an outer circuit, advanced step by step, with the energy balance of the circuit
 // (docs/electric_circuit, Energy).
 #ifndef RACEWAY_CIRCUIT_H
 #define RACEWAY_CIRCUIT_H
@@ -9,8 +9,8 @@
 
 namespace raceway {
 
-// Totals since the start, J and C, and the current of the last step. All are plain doubles, stored
-// in restart files.
+// Totals since the start (J, C) and the current in the last step. All members are plain doubles,
+// because they are stored in restart files.
 struct CircuitAccount {
   double source_work = 0.0, mechanical_work = 0.0, leak_heat = 0.0, resistor_heat = 0.0;
   double discharge_energy = 0.0;
@@ -26,7 +26,7 @@ struct CircuitPoint {
   OuterPoint outer;
 };
 
-// State of a circuit at a point, after its discharge.
+// State of a circuit at a point in time, after the discharge at that point.
 struct CircuitState : CircuitPoint {
   NodeValues charge, voltage;
   CircuitAccount account;
@@ -62,8 +62,8 @@ inline double largest_film_charge(const CircuitState &s)
   return most * std::abs(s.voltage.ring);
 }
 
-// Accounts for the discharge at the present point of `s`; `before` is the stored energy before the
-// discharge, including all energy supplied since.
+// Makes the discharge at the present point of `s` and accounts for it. `before` is the stored
+// energy before the discharge, including all energy supplied since.
 template <class Failed> void settle(CircuitState &s, double before, Failed &&failed)
 {
   CircuitAccount &a = s.account;
@@ -102,8 +102,8 @@ double step_circuit(CircuitState &s, const CircuitPoint &to, double length, Fail
     moved.supplied = s.charge.ring - charge;
     for (double q : moved.inner) moved.supplied += q;
   }
-  // charge of every element times the mean of its voltages; for a capacitance, the remainder of the
-  // change of energy is the work of its plates
+  // charge through every element times the mean of the voltages at both ends of the step; for a
+  // capacitance, the remainder of the change of energy is the work done by its plates
   double plates = v0.ring * v1.ring * (outer.beside - s.outer.beside), leak = 0.0;
   for (size_t k = 0; k < films.size(); ++k) {
     const double in0 = v0.ring - v0.ball[k], in1 = v1.ring - v1.ball[k];
@@ -149,8 +149,8 @@ void begin_circuit(CircuitState &s, const CircuitPoint &at, double start, Failed
   circuit_detail::settle(s, stored_energy(films, outer, s.voltage), failed);
 }
 
-// The first ball with a charge but without any film, or -1: its voltage is unbounded. Rounding
-// residues of a charge do not count.
+// The first ball with a charge but without any film, whose voltage would be unbounded, or -1.
+// Rounding residues of a charge do not count.
 inline int charged_without_film(const CircuitState &s)
 {
   const double rounding = 1e-12 * s.account.film_charge;
@@ -161,9 +161,9 @@ inline int charged_without_film(const CircuitState &s)
   return -1;
 }
 
-// The next point, from the time `from` to `to` (s). The driving voltage is linear between the
-// `edges`, which are sorted by time, after `from` and up to `to`; films may fail at each of them.
-// `at(time)` is the CircuitPoint there.
+// The next point, from the time `from` to the time `to` (s). The driving voltage is linear between
+// the `edges`, which are sorted by time and lie after `from` and up to `to`. Films may fail at each
+// edge. `at(time)` gives the CircuitPoint at that time.
 template <class Edges, class At, class Failed>
 void advance_circuit(CircuitState &s, double from, double to, const Edges &edges, At &&at,
                      Failed &&failed)

@@ -7,11 +7,11 @@
 
 namespace raceway {
 
-// One film that failed.
+// A film that has failed.
 struct FilmFailure {
   size_t ball;
   bool at_outer;
-  int order;                                                // in its discharge, from 1
+  int order;                                                // position in its discharge, from 1
   double film_voltage, ring_voltage, ring_voltage_after;    // V
   double film_energy, energy;                               // J
 };
@@ -26,8 +26,9 @@ inline double local_thickness(double thickness, double less, double floor)
   return std::fmax(thickness - less, floor);
 }
 
-// Current of a failure through a resistance of `arc` (ohm), A, and the time (s) in which it falls
-// to 1/e. The capacitance C behind the film follows from energy = C film_voltage^2/2.
+// Current (A) of a failure through the resistance `arc` (ohm), and the time (s) in which the
+// current falls to 1/e. The capacitance C behind the film follows from
+// energy = C film_voltage^2/2.
 struct ArcCurrent {
   double peak, duration;
 
@@ -38,16 +39,17 @@ struct ArcCurrent {
   }
 };
 
-// Breakdown voltage of a film with this local thickness, V, with `strength` (V/m). Infinite without
-// a film.
+// Breakdown voltage (V) of a film: local_thickness() of the film times `strength` (V/m). Infinite
+// without a film.
 inline double film_limit(double thickness, double strength, double less, double floor)
 {
   if (!(thickness > 0.0)) return std::numeric_limits<double>::infinity();
   return strength * local_thickness(thickness, less, floor);
 }
 
-// Smallest voltage between the rings at which a film fails if the balls are uncharged, V; 0 if that
-// film is bridged, that is, if its limit is at most `bridged` (V), the limit at the film floor.
+// Smallest voltage (V) between the rings at which a film fails if the balls are uncharged; 0 if
+// this film is bridged, that is, if its limit is at most `bridged` (V), the limit at the film
+// floor.
 inline double threshold_voltage(const BearingFilms &films, double bridged)
 {
   double least = std::numeric_limits<double>::infinity();
@@ -79,7 +81,7 @@ struct Broken {
   bool inner = false, outer = false;
 };
 
-// Voltages with broken films as conductors, from the charges before the failure.
+// Voltages after a failure, from the charges before it, with broken films as conductors.
 inline void redistribute(const BearingFilms &films, const OuterPoint &outer,
                          const NodeValues &charge, const std::vector<Broken> &broken,
                          NodeValues &voltage)
@@ -91,10 +93,10 @@ inline void redistribute(const BearingFilms &films, const OuterPoint &outer,
     const double in = films[k].inner.capacitance, out = films[k].outer.capacitance;
     if (broken[k].inner && broken[k].outer) {
       grounded = true;
-    } else if (broken[k].inner) {    // one conductor with the ring
+    } else if (broken[k].inner) {    // one conductor with the inner ring
       on_ring += charge.ball[k];
       capacitance += out;
-    } else if (broken[k].outer) {    // on the frame
+    } else if (broken[k].outer) {    // connected to the frame
       capacitance += in;
     } else {
       const double share = in * inverse_or_zero(in + out);
@@ -112,9 +114,9 @@ inline void redistribute(const BearingFilms &films, const OuterPoint &outer,
   }
 }
 
-// The most overloaded film fails, as long as one exceeds its limit; `failed` is called for each.
-// Broken films conduct until the end and are whole again afterwards. Returns the work of the
-// driving voltage while charges move, J.
+// As long as a film exceeds its limit, the most overloaded film fails; `failed` is called for each
+// failure. Broken films conduct until the end of the discharge and are intact afterwards. Returns
+// the work (J) of the driving voltage while charges move.
 template <class Failed>
 double discharge(const BearingFilms &films, const OuterPoint &outer, NodeValues &charge,
                  NodeValues &voltage, Failed &&failed)

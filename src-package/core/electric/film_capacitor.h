@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Capacitor of a ball and a raceway: the contact ellipse as plates, and on request its
-// surroundings, also without contact (docs/fix_bearing_capacitance).
+// Capacitor of a ball and a raceway: the contact ellipse as plates and, on request, the
+// surroundings of the ellipse, also without contact (docs/fix_bearing_capacitance).
 #ifndef RACEWAY_FILM_CAPACITOR_H
 #define RACEWAY_FILM_CAPACITOR_H
 
@@ -18,12 +18,12 @@ enum class Surroundings { none, flooded, dry, cavitated };
 // Settings of the capacitor.
 struct CapacitorModel {
   double permittivity = 0.0;    // relative, of the lubricant at ambient pressure; 0: no capacitor
-  double film_floor = 1e-9;     // m; below it a capacitor of this model would be a short circuit
+  double film_floor = 1e-9;     // m, thickness below which a film would be a short circuit
   PermittivityAt at = PermittivityAt::maximum;
   bool rough = false;
   Surroundings surroundings = Surroundings::none;
   double permittivity_outlet = 1.0;    // relative, medium in the downstream half if cavitated
-  double inner_shoulder = 0.0, outer_shoulder = 0.0;    // m, diameters; 0: default depth
+  double inner_shoulder = 0.0, outer_shoulder = 0.0;    // m, diameters; 0: default groove depth
 
   bool surrounded() const { return surroundings != Surroundings::none; }
   // Relative permittivity of the gap outside the ellipse; both halves are equal.
@@ -50,8 +50,8 @@ struct CapacitorModel {
   bool operator!=(const CapacitorModel &m) const { return !(*this == m); }
 };
 
-// Central film thickness (eq 9) and capacitance of the ellipse; capacitance of its surroundings, 0
-// unless requested.
+// Central film thickness (eq 9) and capacitance of the ellipse; separation and capacitance of the
+// surroundings, 0 unless requested.
 template <class T> struct FilmCapacitorT {
   T h_c, capacitance;       // m, F; 0 without contact
   T separation, outside;    // m, F
@@ -67,7 +67,7 @@ RACEWAY_INLINE T film_permittivity(const CapacitorModel &m, const T &largest_pre
   return permittivity_at(m.permittivity, largest_pressure);
 }
 
-// Film thickness by the power law at any load; c has the sliding speed.
+// Film thickness by the power law at any load; c provides the sliding speed.
 template <class T>
 RACEWAY_INLINE T central_film(const RacewayPhysics &p, const RacewayConstantsT<T> &k,
                               const ContactStateT<T> &c, const FilmPointT<T> &at)
@@ -95,12 +95,12 @@ RACEWAY_INLINE FilmCapacitorT<T> film_capacitor(const RacewayPhysics &p, const C
 
 // A raceway and the surroundings of its contacts.
 //
-// The separation is the film thickness at a load of at least 0.1 N and at least Q_u, the load of a
-// ball guided by the outer raceway alone, m_b r_pitch omega_c^2, so it is defined where the contact
-// load vanishes. Without contact it is the gap, if that is larger. With film in the gap
-// (part_film_gap) contacts begin at a gap; the gap is then used once it exceeds the film, and the
-// play is counted from the onset of contact, so that capacitances do not jump there. If a film has
-// a thickness at any load, that thickness is the separation.
+// The separation is the film thickness at the contact load, but at no less than 0.1 N or Q_u, the
+// load of a ball guided by the outer raceway alone, m_b r_pitch omega_c^2. It is therefore defined
+// where the contact load vanishes. Without contact the separation is the gap, if the gap is larger.
+// With film in the gap (part_film_gap) contacts begin at a gap. The gap is then used once it
+// exceeds the film, and the play is measured from the onset of contact, so that capacitances do not
+// jump at the onset. If a film has a thickness at any load, that thickness is the separation.
 class SurroundedRaceway {
  public:
   static constexpr double least_load = 0.1;    // N
@@ -161,7 +161,7 @@ class SurroundedRaceway {
  private:
   template <class T> struct Films {
     RacewayConstantsT<T> law;
-    T h, apart, ln_apart;    // m, at the load; at the load limited from below, and its logarithm
+    T h, apart, ln_apart;    // m, film at the load; film at the limited load; logarithm of `apart`
     T ln_load;               // logarithm of the load on the film
     T begins;                // m, gap at the onset of contact
   };
@@ -194,7 +194,7 @@ class SurroundedRaceway {
     }
     f.begins = none;
     if (begins_ > 0.0) {
-      // film thickness at this load or above
+      // the film thickness is taken at a load of at least least_load_
       const auto cut = live & (Q <= least_load_);
       if (any(cut)) f.ln_load = where(cut, logarithm(c.load), f.ln_load);
       if (any(!live))
@@ -268,9 +268,9 @@ class SurroundedRaceway {
   GrooveShoulder shoulder_;
   GapShape radial_;
   GrooveReachT<double> upright_;    // reach at zero contact angle
-  double flatter_ = 0.0;            // 1/m, due to play
+  double flatter_ = 0.0;            // 1/m, flattening of the gap per unit of play
   double ln_floor_ = 0.0;
-  double begins_ = 0.0;    // share of the film at the onset of contact
+  double begins_ = 0.0;    // gap at the onset of contact over the film thickness
   double least_load_ = least_load;
   bool any_load_ = false;    // the film has a thickness at any load
 };

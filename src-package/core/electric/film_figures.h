@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Electrical figures of a bearing at one instant: leak, impedance, smallest voltage at which a film
-// fails, energy of that discharge (docs/electric, Breakdown and Impedance).
+// fails, energy of the resulting discharge (docs/electric, Breakdown and Impedance).
 #ifndef RACEWAY_FILM_FIGURES_H
 #define RACEWAY_FILM_FIGURES_H
 
@@ -19,12 +19,12 @@ struct FilmQuestions {
   bool any() const { return resistivity > 0.0 || frequency > 0.0 || strength > 0.0; }
 };
 
-// A film as sampled; it is open if it has no capacitance.
+// A film at a sample; a film without capacitance is open.
 struct SampledFilm {
   double capacitance = 0.0;    // F
   double thickness = 0.0;      // m
   double roughness = 0.0;      // m, composite
-  double paths = 0.0;          // m, resistivity of the oil over the film's resistance
+  double paths = 0.0;          // m, resistivity of the oil over the resistance of the film
 
   // Adds another film between the same ball and ring; the thinner one fails.
   void add(const SampledFilm &beside)
@@ -46,8 +46,8 @@ struct SampledBall {
 struct FilmFigures {
   double leak = 0.0;                      // ohm, direct current
   double impedance = 0.0, phase = 0.0;    // ohm, rad
-  double threshold = 0.0, local = 0.0;    // V, over thickness and local thickness
-  double energy = 0.0;                    // J, at the threshold over thickness
+  double threshold = 0.0, local = 0.0;    // V, breakdown by mean and by local film thickness
+  double energy = 0.0;                    // J, stored at the voltage `threshold`
 };
 
 // Area of a contact ellipse, m^2.
@@ -77,7 +77,8 @@ inline SampledFilm sampled_film(const CapacitorModel &m, const FilmCapacitorT<do
   return f;
 }
 
-// `beside` (F) is a capacitance between the rings, parallel to the films.
+// Figures of the films of all balls; `beside` (F) is a capacitance between the rings, parallel to
+// the films.
 inline FilmFigures film_figures(const FilmQuestions &ask, const std::vector<SampledBall> &balls,
                                 double beside)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The network of a bearing: balls that float between two films, the inner ring, and the outer ring
-// as frame (docs/electric_circuit, Network). Unknowns are charges; the cost of a point is O(balls).
+// as frame (docs/electric_circuit, Network). The unknowns are charges; the cost of a point in time
+// is O(balls).
 #ifndef RACEWAY_FILM_NETWORK_H
 #define RACEWAY_FILM_NETWORK_H
 
@@ -10,7 +11,8 @@
 
 namespace raceway {
 
-// One film at one point. With capacitance 0 it is open and passes no displacement current.
+// One film at one point in time. A film with capacitance 0 is open and passes no displacement
+// current.
 struct CircuitFilm {
   double capacitance = 0.0;                                  // F
   double conductance = 0.0;                                  // S
@@ -21,11 +23,11 @@ struct BallFilms {
 };
 using BearingFilms = std::vector<BallFilms>;    // by ball
 
-// Elements between the rings, at one point.
+// Elements between the rings at one point in time.
 struct OuterPoint {
   double beside = 0.0;         // F, from the inner ring to the frame
   double coupling = 0.0;       // F, from the inner ring to the driving voltage
-  double conductance = 0.0;    // S, as coupling; infinite: the ring has the driving voltage
+  double conductance = 0.0;    // S, parallel to `coupling`; infinite: ring at driving voltage
   double driving = 0.0;        // V
 
   bool stiff() const { return std::isinf(conductance); }
@@ -37,8 +39,8 @@ struct NodeValues {
   double ring = 0.0;
 };
 
-// Charges that pass the resistances in a step, C: through the films of each ball towards the outer
-// ring, and from the driving voltage.
+// Charges (C) that pass through resistances in a step: through the films of each ball towards the
+// outer ring, and from the driving voltage.
 struct StepCharges {
   std::vector<double> inner, outer;
   double supplied = 0.0;
@@ -46,7 +48,7 @@ struct StepCharges {
 
 inline double inverse_or_zero(double x) { return x != 0.0 ? 1.0 / x : 0.0; }
 
-// Voltages from `charge`, with conductances times `length` (s) parallel to the capacitances.
+// Voltages (V) from `charge`, where conductances times `length` (s) are added to the capacitances.
 inline void find_voltages(const BearingFilms &films, const OuterPoint &outer, double length,
                           const NodeValues &charge, NodeValues &voltage)
 {
@@ -100,7 +102,7 @@ inline bool has_resistance(const BearingFilms &films, const OuterPoint &outer)
   return false;
 }
 
-// Interpolates at the fraction `share` of the way; the result has no limits.
+// Films at the fraction `share` of the way between two points; the result has no breakdown limits.
 inline BallFilms between(const BallFilms &from, const BallFilms &to, double share)
 {
   const auto film = [share](const CircuitFilm &a, const CircuitFilm &b) {
@@ -127,8 +129,8 @@ inline OuterPoint between(const OuterPoint &from, const OuterPoint &to, double s
   return p;
 }
 
-// One step of `length` (s) to the films and the outer circuit at its end, by a two-stage SDIRK
-// method that is L-stable and of second order.
+// One step of `length` (s) to the films and the outer circuit at the end of the step, by a
+// two-stage SDIRK method that is L-stable and of second order.
 inline void network_step(const BearingFilms &from, const BearingFilms &to,
                          const OuterPoint &outer_from, const OuterPoint &outer_to, double length,
                          NodeValues &charge, NodeValues &voltage, StepCharges &moved)

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Integral of dA/gap over the area outside the contact ellipse, m. Multiplied by the permittivity
-// it is the capacitance there (docs/fix_bearing_capacitance, Surroundings).
+// it gives the capacitance of this area (docs/fix_bearing_capacitance, Surroundings).
 //
-// Loaded, with the film thickness h within the ellipse and the Hertz gap g outside:
+// Under load, with the film thickness h within the ellipse and the Hertz gap g outside:
 //   I = 4 kappa Ebar R {G + pi P sqrt(2 R_x g_s)/b},  g_s = overlap/Fbar,  H = h/g_s,
-// with G beside the ellipse (strips along rolling, each a line contact; universal in H) and P
-// beyond its ends along the groove's section, up to S. Both are fits to integrals, accurate to 1 %
-// of plates and surroundings together for conformity 0.505 to 0.54, h 20 nm to 2 um, and loads up
-// to 3 kN on a 6208.
+// with G beside the ellipse (strips along rolling, each a line contact; a function of H alone) and
+// P beyond the ends of the ellipse, along the groove's section up to S. Both are fits to integrals,
+// accurate to 1 % of the capacitance of plates and surroundings together for conformities from
+// 0.505 to 0.54, h from 20 nm to 2 um, and loads up to 3 kN on a 6208.
 //
-// Without load, at the gap g_0, it is the limit of zero load with h = g_0, so that both forms agree
-// at zero load:
+// Without load, at the gap g_0, the integral is the limit of the form above at zero load with
+// h = g_0, so that both forms agree:
 //   I = 4 pi sqrt(R_x R_y') asinh(S/sqrt(2 R_y' g_0)),  R_y' = Fbar a^2/(2 e overlap c),
-// e = ln(4 kappa) - 1. At c = 1 R_y' is the radius across the groove R_y within 1 %. c is
-// 1 - play/(r_c - R_b): with play, the centres of ball and groove are closer and the gap is
-// flatter. Beyond concentric circles c < 0, and asinh becomes asin.
+// e = ln(4 kappa) - 1. At c = 1, R_y' equals the radius R_y across the groove within 1 %. c is
+// 1 - play/(r_c - R_b): with play, the centres of ball and groove are closer together and the gap
+// is flatter. Beyond the position of concentric circles c < 0, and asinh becomes asin.
 //
 // 4 kappa Ebar R = 2 Fbar a b/overlap and sqrt(2 R_x g_s)/b do not depend on the load, and Fbar =
 // pi E' a/(3 K sqrt(overlap)), so everything follows from the constants of the contact law
@@ -59,7 +59,7 @@ RACEWAY_INLINE GapShapeT<T> gap_shape(const RacewayConstantsT<T> &k, double Epri
   return s;
 }
 
-// G is up/down at the sixth root X of H; within 0.2 % of the integral.
+// G is up/down, a function of the sixth root X of H, within 0.2 % of the integral.
 template <class T> struct GapBeside {
   T up, down;
 
@@ -71,8 +71,8 @@ template <class T> struct GapBeside {
   }
 };
 
-// P is ln(stretch)/sqrt(e); the end of the ellipse has the stretch 1/v, v = X^3 + sqrt(e) - 1/D,
-// which is down/D.
+// P is ln(stretch)/sqrt(e). At the end of the ellipse the stretch is 1/v, with
+// v = X^3 + sqrt(e) - 1/D, which is down/D.
 template <class T> struct GapEnd {
   T D, down;
 
@@ -85,8 +85,8 @@ template <class T> struct GapEnd {
   }
 };
 
-// The gap of a loaded contact from the root of its overlap (sqrt(m)), its load (N) and h (m), the
-// last two as logarithms, h also as a number.
+// The gap of a loaded contact, from the square root of the overlap (sqrt(m)), the logarithms of the
+// load (N) and of h (m), and h.
 template <class T> struct LoadedGapT {
   const GapShapeT<T> &shape;
   T root, H, end, G;
@@ -94,7 +94,7 @@ template <class T> struct LoadedGapT {
   RACEWAY_INLINE LoadedGapT(const GapShapeT<T> &s, const T &any_root, const T &ln_load, const T &h,
                             const T &ln_h) : shape(s)
   {
-    const auto pressed = any_root > 1e-8;    // below it the limit without load holds, to rounding
+    const auto pressed = any_root > 1e-8;    // otherwise the limit without load, to rounding
     root = where(pressed, any_root, 1e-8);
     T ln_X = (s.log_H + ln_h) * (1.0 / 6) - ln_load * (1.0 / 9);
     if (any(!pressed))
@@ -125,7 +125,7 @@ RACEWAY_INLINE Lane sine_stretch(const Lane &z)
   return Lane{sine_stretch(z[0]), sine_stretch(z[1]), sine_stretch(z[2]), sine_stretch(z[3])};
 }
 
-// The gap of surfaces without contact, at the width g (m), with their c; G is 0.
+// The gap of surfaces without contact, for the gap width g (m) and c; G is 0.
 template <class T> struct OpenGapT {
   T wider;    // 1/sqrt(c); for concentric circles its limit, to rounding
 
@@ -148,7 +148,7 @@ template <class T> struct OpenGapT {
   T c, over;
 };
 
-// I, m, with the stretches to both sides
+// The integral I, m, from the gap and the stretches on both sides
 template <class T>
 RACEWAY_INLINE T gap_integral(const GapShapeT<T> &s, const T &G, const T &near, const T &far)
 {

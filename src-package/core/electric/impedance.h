@@ -30,7 +30,7 @@ inline Complex admittance(const BearingFilms &films, double omega)
   return sum;
 }
 
-// Capacitance C (F) of a measured impedance (ohm), -sin(phi)/(omega |Z|), phi = arg Z.
+// Capacitance C (F) from a measured impedance (ohm): -sin(phi)/(omega |Z|), phi = arg Z.
 inline double capacitance_of(const Complex &z, double omega)
 {
   return -z.imag() / (omega * std::norm(z));

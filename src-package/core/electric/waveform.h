@@ -23,7 +23,7 @@ struct Waveform {
   double carrier = 0.0, modulation = 0.0;    // Hz; 0 to 1
   std::vector<double> times, voltages;       // s, in ascending order; V, linear in between
 
-  // Shortest period, s; infinite if it does not limit the step.
+  // Shortest period, s; infinite if the waveform does not limit the step.
   double shortest() const
   {
     if (kind == sine) return 1.0 / frequency;
@@ -41,8 +41,8 @@ struct Waveform {
     return kind == table ? between(t) : voltage;
   }
 
-  // Edges after `from` up to `to` (s), in order: each row of a table, each leg of an inverter that
-  // switches. Legs that switch at the same time do so one after the other.
+  // Edges after `from` up to `to` (s), in order: one for each row of a table and for each switching
+  // of an inverter's leg. Legs that switch at the same time do so one after another.
   std::vector<Edge> edges(double from, double to) const
   {
     std::vector<Edge> found;
@@ -73,8 +73,8 @@ struct Waveform {
  private:
   static constexpr double turn = 2.0 * 3.14159265358979323846;
 
-  // A leg is at plus half the link voltage while its sine is at or above a triangle that starts at
-  // +1, otherwise at minus half.
+  // A leg is at plus half the link voltage while its sine is at or above a triangle wave that
+  // starts at +1; otherwise it is at minus half the link voltage.
   bool up(int leg, double t) const
   {
     const double cycles = carrier * t;
@@ -95,7 +95,7 @@ struct Waveform {
     }
   }
 
-  // Constant before the first and after the last time.
+  // Interpolates the table, which is constant before the first and after the last time.
   double between(double t) const
   {
     const size_t k = std::upper_bound(times.begin(), times.end(), t) - times.begin();

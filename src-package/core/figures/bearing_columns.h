@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Columns for balls, for ring motion and for the constant data of a bearing, one line each, in
-// numerical order; sums and extremes are in bearing_figures.h. Independent of the host.
+// Columns for balls, for the motion of rings and for the constant data of a bearing, one line per
+// column, in numerical order; sums and extremes are in bearing_figures.h. Independent of the host.
 #ifndef BEARING_BEARING_COLUMNS_H
 #define BEARING_BEARING_COLUMNS_H
 
@@ -26,7 +26,7 @@ const Column list[N] = {
 inline bool needs_turn(int k) { return k >= TURN_W; }
 }    // namespace of_ball
 
-// ---- motion of a ring and loads on it
+// ---- motion of a ring, and loads on the ring
 namespace of_ring {
 enum {
   RING,

@@ -18,7 +18,7 @@ void BallFigures::contact(const ContactView &view)
   const int s = view.raceway.groove.side == Side::inner ? 0 : 1;
   contacts += 1.0;
   loaded[s] = 1.0;
-  const bool top = s == 0 && !(state.load < load[0]);    // for two grooves of the inner ring
+  const bool top = s == 0 && !(state.load < load[0]);    // an inner ring may have two grooves
   load[s] = std::max(load[s], state.load);
   pressure[s] = std::max(pressure[s], view.raceway.law.at(state.cos_angle).p * state.root);
   h_min = std::min(h_min, state.h_min);
@@ -101,7 +101,7 @@ const Figure cage_force = {
     0,
     true};
 
-// The parts with this property.
+// Set of the parts with this property.
 unsigned parts_with(bool raceway::LawFacts::*fact)
 {
   unsigned parts = 0;
@@ -110,8 +110,8 @@ unsigned parts_with(bool raceway::LawFacts::*fact)
   return parts;
 }
 
-// Adds the losses with the given `usual`. A law of rolling friction has all of them, with 0 if a
-// part is absent.
+// Adds the losses with the given `usual`. A law with rolling friction has all of these losses; the
+// loss of an absent part is 0.
 void add_losses(std::vector<Figure> &list, bool usual)
 {
   const unsigned couples = parts_with(&raceway::LawFacts::couples);

@@ -10,15 +10,15 @@
 
 namespace bearing {
 
-// Figures of the contacts of one ball. It has doubles only, for transfer between ranks. Arrays of
-// two belong to the inner and the outer raceway.
+// Figures of the contacts of one ball. The struct has doubles only, for transfer between ranks.
+// Arrays of two belong to the inner and the outer raceway.
 struct BallFigures {
   double balls = 0.0, contacts = 0.0, loaded[2] = {}, load[2] = {}, pressure[2] = {};
   double h_min = HUGE_VAL, lambda = HUGE_VAL;
   double orbit = 0.0;                              // rad/s
   double loss[raceway::most_loss_columns] = {};    // W
   double cage_loss = 0.0, cage_force = 0.0;        // W, N
-  double capacitance[2] = {}, whole[2] = {};       // F; with surroundings
+  double capacitance[2] = {}, whole[2] = {};       // F, without and with surroundings
   // values at the inner contact with the largest load
   double entrainment = 0.0, asperity_share = NAN;
   double film[3] = {NAN, NAN, NAN};    // h_min, lambda, h_c
@@ -26,9 +26,10 @@ struct BallFigures {
   static constexpr size_t numbers() { return sizeof(BallFigures) / sizeof(double); }
   void contact(const ContactView &);    // adds a loaded contact
   void gap(const ContactView &);        // surfaces without contact: adds only the surroundings
-  // A contact with a cage ball or another ball: its loss for this ball (W) and force (N).
+  // Adds a contact with a cage ball or another ball: this ball's share of the loss (W), force (N).
   void cage(double loss, double force);
-  // Combines both contacts of a ball: capacitances in series, and whether both raceways are loaded.
+  // Adds the combined figures of both contacts of a ball: capacitances in series, and whether both
+  // raceways are loaded.
   void take_pairs(const BallFigures &);
 };
 
@@ -51,14 +52,14 @@ struct Figure {
   raceway::Column is;
   double (*of)(const BearingFigures &, int);
   raceway::Needs needs = raceway::Needs::nothing;
-  unsigned parts = 0;      // at least one must be in the law; 0: any law
-  bool spheres = false;    // balls touch cage balls or one another
+  unsigned parts = 0;      // parts of which at least one must be in the law; 0: any law
+  bool spheres = false;    // only if balls touch cage balls or one another
   int loss = 0;            // second argument of `of`: a column of loss_table()
   const char *key = "";    // key of a loss in losses_W of `raceway summary`
 
   double value(const BearingFigures &f) const { return of(f, loss); }
-  // True for a run with these properties: film, capacitance, surroundings, law, contacts of
-  // spheres.
+  // True if the figure is available in a run with these properties: film, capacitance,
+  // surroundings, law, contacts of spheres.
   bool given(bool film, bool capacitance, bool surroundings, unsigned law, bool touches) const
   {
     using raceway::Needs;

@@ -23,7 +23,7 @@ void CapacitorTable::plan(const ContactTable &table, const CapacitorModel &model
   }
 }
 
-// Groups contacts that touch: four of a kind cost less than a mix.
+// Contacts that touch are grouped, because four of one kind cost less than a mix of both kinds.
 void CapacitorTable::fill(const ContactTable &table)
 {
   for (Batch &b : batches_) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Capacitors of the contact table with their surroundings: computed once per filled table, four
-// contacts of a raceway at a time.
+// Capacitors of the contacts in the contact table, with their surroundings. They are computed once
+// each time the table has been filled, four contacts of a raceway at a time.
 #ifndef BEARING_CAPACITOR_TABLE_H
 #define BEARING_CAPACITOR_TABLE_H
 

@@ -64,8 +64,8 @@ const PlaceColumn place_columns[] = {
      Needs::surroundings},
 };
 
-// Outputs keep the column order that they had before parts had columns; all other columns follow in
-// the order of the parts.
+// Outputs keep the column order of versions in which parts had no columns; all other columns follow
+// in the order of the parts.
 const char *const first[] = {
     "ball",       "ring",           "raceway",       "azimuth", "angle",    "overlap",
     "load",       "normal",         "stiffness",     "damping", "a",        "b",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// All columns of a contact: columns of its motions and of the parts of the law, and columns that
-// depend on its position in the run. Independent of the host.
+// All columns of a contact: columns of its motions, columns of the parts of the law, and columns
+// that need more than the contact's state (ContactView). Independent of the host.
 #ifndef BEARING_CONTACT_COLUMNS_H
 #define BEARING_CONTACT_COLUMNS_H
 
@@ -21,8 +21,8 @@ struct ContactView {
   raceway::FilmCapacitorT<double> capacitor;    // 0 if no column uses it
 };
 
-// Azimuth of a direction about the bearing axis, rad in (-pi, pi], from the next lab axis (x for
-// axis z).
+// Azimuth of a direction about the bearing axis, rad, in (-pi, pi], measured from the lab axis that
+// follows the bearing axis (x for axis z).
 double azimuth(const raceway::Vec3 &u, int axis);
 
 class ContactColumn {
@@ -50,7 +50,7 @@ class ContactColumn {
 
   raceway::Column is;
   raceway::Needs needs;
-  bool usual;                      // in records by default
+  bool usual;                      // included in records by default
   bool names_it = false;           // identifies the contact: the same in all samples
   bool of_many_grooves = false;    // not part of `all` if rings have one groove each
 

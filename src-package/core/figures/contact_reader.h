@@ -19,11 +19,11 @@ struct Offer {
   bool gives(const ContactColumn &) const;
 };
 
-// Adds `name`, or the available columns of `all` or `usual`. Error for an unknown name or for one
-// that needs a lubricant in a dry bearing.
+// Adds the column `name`, or the available columns of `all` or `usual`. Error for an unknown name,
+// or in a dry bearing for a column that needs a lubricant.
 void select_columns(const Arguments &, const std::string &name, const Offer &, ContactSelection &);
 
-// Input of the columns in addition to the contact.
+// Input for the columns in addition to the contact.
 struct ContactContext {
   int axis = 2;
   std::function<raceway::FilmCapacitorT<double>(const RacewayContact &)> capacitor;    // or none

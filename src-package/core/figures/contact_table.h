@@ -24,8 +24,8 @@ struct RacewayContact {
   double *kept = nullptr;                                // state variables of the law
   bool live = false;                                     // surfaces overlap
   raceway::ContactState state;    // at this step; if not live, only the frame is set
-  // rad/s, speed of the ball about the ring, if the pair style evaluates gaps; without contact the
-  // state then has frame, overlap and entrainment speed
+  // Speed of the ball about the ring, rad/s, if the pair style evaluates gaps. Without contact the
+  // state then has frame, overlap and entrainment speed.
   double orbit = 0.0;
 
   bool flawed() const { return profile || ball_profile; }
@@ -40,7 +40,7 @@ struct SphereContact {
   double K = 0.0;                                        // N/m^1.5
   double reach = 0.0;                                    // m, sum of the radii
   double mass = 0.0;                                     // kg, reduced
-  double stiffness = 0.0, damping = 0.0, force = 0.0;    // of this step
+  double stiffness = 0.0, damping = 0.0, force = 0.0;    // at this step: N/m, N s/m, N
   double loss = 0.0;                                     // W, to damping
 };
 
@@ -48,7 +48,7 @@ struct SphereContact {
 struct PocketRow {
   tag_t ball = 0, cage = 0;
   double mass = 0.0;                                     // kg, reduced
-  double stiffness = 0.0, damping = 0.0, force = 0.0;    // of this step
+  double stiffness = 0.0, damping = 0.0, force = 0.0;    // at this step: N/m, N s/m, N
   double loss = 0.0;                                     // W, in wall, friction and oil
 };
 
@@ -64,8 +64,8 @@ struct ContactTable {
     return n;
   }
 
-  // Rows of one ball and ring are consecutive, one per groove. The row with the largest load
-  // represents them if a single value is needed.
+  // True for the row that represents its ball and ring if a single value is needed: of the
+  // consecutive rows of one ball and ring, one per groove, the row with the largest load.
   bool leads(const RacewayContact &c) const
   {
     const RacewayContact *const first = raceway.data(), *const end = first + raceway.size();

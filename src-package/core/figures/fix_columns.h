@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Output of the fixes as f_ID[k], one line each, in numerical order. The size of a vector and the
-// table on its page are generated from here. Independent of the host.
+// Output of the fixes as f_ID[k], one line per value, in numerical order. The sizes of the vectors
+// and the tables on the pages are generated from this file. Independent of the host.
 #ifndef BEARING_FIX_COLUMNS_H
 #define BEARING_FIX_COLUMNS_H
 

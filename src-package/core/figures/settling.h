@@ -12,18 +12,19 @@
 
 namespace bearing {
 
-// One sample. It has doubles only, to send it or keep it in a restart file.
+// One sample. The struct has doubles only, for transfer and for restart files.
 struct SettlingSample {
   double torque = 0.0;          // friction torque, N m; at steady speed also the power lost, W
   double load[2] = {};          // N, largest on the inner and on the outer raceway
   double cage_speed = 0.0;      // rad/s
-  double pocket_force = 0.0;    // N, largest of a ball on its pocket in a one-piece cage
+  double pocket_force = 0.0;    // N, largest force of a ball on its pocket in a one-piece cage
   // sums over the balls: load, and load times the unit vector of the spin axis in the radial,
   // tangential and axial directions at the ball
   double weight = 0.0, axis[3] = {};
 
-  // Adds the spin axis of a ball: `load` on its raceways (N), place from the bearing's centre (m),
-  // spin (rad/s), unit vector of the bearing's axis. A ball without spin has no spin axis.
+  // Adds the spin axis of a ball from its load on the raceways (N), its position relative to the
+  // bearing's centre (m), its spin (rad/s) and the unit vector of the bearing's axis. A ball
+  // without spin has no spin axis.
   void ball(double load, const raceway::Vec3 &place, const raceway::Vec3 &spin,
             const raceway::Vec3 &bearing_axis)
   {
@@ -40,9 +41,9 @@ struct SettlingSample {
   }
 };
 
-// Relative changes; for the loads, the larger one of both raceways; for the spin axis, an angle
-// (rad).
-// Pocket forces are impacts, which scatter, so only a fall counts; the change is 0 if they rise.
+// Relative changes; for the loads, the larger change of both raceways; for the spin axis, an angle
+// (rad). Pocket forces are impacts, which scatter, so only a decrease counts; if they increase, the
+// change is 0.
 struct SettlingChanges {
   double torque = HUGE_VAL, load = HUGE_VAL, cage_speed = HUGE_VAL, spin_axis = HUGE_VAL,
          pocket_fall = HUGE_VAL;
@@ -54,7 +55,7 @@ struct SettlingChanges {
   }
 };
 
-// It has doubles only, like SettlingSample.
+// Settling of a bearing from its samples. The class has doubles only, like SettlingSample.
 class Settling {
  public:
   explicit Settling(int samples_of_a_half = 1) : wanted_(samples_of_a_half) {}
@@ -77,7 +78,7 @@ class Settling {
   // True at the end of each half except the first.
   bool known() const { return before_.count >= wanted_ && now_.count >= wanted_; }
 
-  // Changes from the last but one half to the last; infinite unless known().
+  // Changes from the last but one half to the last half; infinite unless known().
   SettlingChanges changes() const
   {
     if (!known()) return {};

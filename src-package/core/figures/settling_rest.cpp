@@ -4,7 +4,7 @@
 namespace bearing {
 
 using raceway::Vec3;
-using Series = std::vector<Vec3>;    // a figure by ball pass; a scalar has one component
+using Series = std::vector<Vec3>;    // a figure by ball pass; a scalar uses one component
 
 // Largest ratio of two steps one ball pass apart; a mode that decays more slowly cannot be
 // distinguished from a constant drift.
@@ -12,7 +12,7 @@ static constexpr double slowest = 0.98;
 
 static double length(const Vec3 &v) { return std::sqrt(dot(v, v)); }
 
-// Steps between the means of the last spans: at most three, in order.
+// Steps between the means over the last spans: at most three steps, in order.
 static Series steps_of(const Series &passes, size_t span)
 {
   const size_t spans = std::min<size_t>(4, passes.size() / span);
@@ -42,13 +42,13 @@ static bool scatters(const Series &steps)
   return steps.size() > 2 && squares / (static_cast<double>(steps.size()) - 1.0) >= dot(mean, mean);
 }
 
-// Change in a span without a drift: the mean step, at least a third of the last one.
+// Change per span if there is no drift: the mean step, at least a third of the last step.
 static double change(const Series &steps)
 {
   return std::max(length(mean_of(steps)), length(steps.back()) / static_cast<double>(steps.size()));
 }
 
-// Remaining change of a drift, 0 without a drift.
+// Remaining change due to a drift; 0 without a drift.
 static double rest_of_drift(const Series &steps, size_t span)
 {
   double products = 0.0, squares = 0.0;

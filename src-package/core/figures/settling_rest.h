@@ -2,11 +2,11 @@
 // The rest, that is, the remaining change of a settling bearing, estimated from the means of its
 // ball passes. Independent of the host.
 //
-// Means over spans of 1, 2, 4 ... ball passes, up to a quarter of all of them, are compared. Steps
-// that keep a direction are a drift: with the ratio r of successive steps, d r/(1 - r) remains
-// after a step d. Steps that scatter about their mean are noise, which leaves no rest. A rest is
-// at least the change per ball pass over the longest span; with noise, at least the change per ball
-// pass of the mean of its steps.
+// Means over spans of 1, 2, 4 ... ball passes, up to a quarter of all ball passes, are compared.
+// Steps between means that keep their direction are a drift: with the ratio r of successive steps,
+// d r/(1 - r) remains after a step d. Steps that scatter about their mean are noise, which leaves
+// no rest. A rest is at least the change per ball pass over the longest span; with noise, it is at
+// least the mean step per ball pass.
 #ifndef BEARING_SETTLING_REST_H
 #define BEARING_SETTLING_REST_H
 

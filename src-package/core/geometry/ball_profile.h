@@ -2,17 +2,18 @@
 // Departure of a ball from its sphere, in its own axes: pits, waviness and tables. A direction from
 // the ball's centre has an azimuth about the third axis and a latitude from the equator.
 //
-// The depth at a contact is the depth in the direction of its normal, as for a raceway at the
-// ball's azimuth (raceway_profile.h). The path over a pit is the same as on a raceway: it depends
-// on the effective radius along rolling. A wave is a spherical harmonic,
+// The depth at a contact is the depth in the direction of the contact normal, as for a raceway at
+// the ball's azimuth (raceway_profile.h). The path over a pit is the same as on a raceway: it
+// depends on the effective radius along rolling. A wave is a spherical harmonic,
 //   depth = A cos(n azimuth + phase) cos^n(latitude),
-// smooth everywhere, and A cos(n azimuth + phase) on the equator. A table is measured along the
-// equator and fades as cos^2(latitude), so its slope is zero at the poles; the path over it follows
-// the same rule as the path over a table of a raceway.
+// smooth everywhere and equal to A cos(n azimuth + phase) on the equator. A table gives the depth
+// along the equator, which fades as cos^2(latitude), so the slope is zero at the poles. The path
+// over a table follows the same rule as on a raceway.
 //
-// A pit narrower than the contact patch covers a strip of it from y1 to y2, measured from the
-// middle of the patch. Its share of the load is half the difference between the shares of two
-// central pits of half widths |y2| and |y1|, or half the sum if y1 and y2 lie on opposite sides.
+// A pit narrower than the contact patch covers a strip of the patch from y1 to y2, measured from
+// the middle of the patch. The strip's share of the load is half the difference between the shares
+// of two central pits of half widths |y2| and |y1|, or half their sum if y1 and y2 lie on opposite
+// sides.
 #ifndef RACEWAY_BALL_PROFILE_H
 #define RACEWAY_BALL_PROFILE_H
 
@@ -36,8 +37,8 @@ struct BallShape {
 template <class T> struct alignas(sizeof(T)) BallSlopesT {
   T along = T(), across = T();              // m/rad, derivatives of the depth
   T path_along = T(), path_across = T();    // derivatives of the azimuth in the ball's axes
-  T bend = T();                 // m, second derivative of waves and tables in the azimuth
-  T cross = T(), side = T();    // N, N m: stiffness between approach and azimuth, and in it
+  T bend = T();                 // m, second derivative of waves and tables, by azimuth
+  T cross = T(), side = T();    // N, N m: stiffness between approach and azimuth; in azimuth
 };
 using BallSlopes = BallSlopesT<double>;
 
@@ -63,8 +64,8 @@ class BallProfile {
     }
   }
 
-  // Overlap reduced by waves and tables, which are subtracted before a raceway's profile; pits are
-  // subtracted after it.
+  // Overlap (m) reduced by waves and tables. They are subtracted before a raceway's profile, pits
+  // after a raceway's profile.
   double all_round(double overlap, const BallView &view, BallSlopes &b) const
   {
     const Place at(view);
@@ -94,7 +95,7 @@ class BallProfile {
     return overlap;
   }
 
-  // Overlap reduced by pits; `energy` (J) and `follows` as in ProfiledContact.
+  // Overlap (m) reduced by pits; `energy` (J) and `follows` as in ProfiledContact.
   double pits(double d, const BallView &view, BallSlopes &b, double &energy, double &follows) const
   {
     if (pits_.empty()) return d;
@@ -129,7 +130,7 @@ class BallProfile {
     double latitude, width;    // rad, m
   };
 
-  // A direction in the ball's axes, and unit changes of azimuth and latitude along t and w.
+  // A direction in the ball's axes, and changes of azimuth and latitude per unit along t and w.
   struct Place {
     double sine, cosine, azimuth, latitude;
     double path_along, path_across, up_along, up_across;

@@ -4,7 +4,8 @@
 
 namespace raceway {
 
-// Oil film and, beyond the clearance, contact of the surfaces, along both axes of the land's plane.
+// Force along both axes of the land's plane: oil film and, beyond the clearance, contact of the
+// surfaces.
 template <class T>
 static LandForce<T> in_plane(const CageRing &c, const T &x, const T &y, const T &vx, const T &vy,
                              double sum, double mass, LandContact &keep)
@@ -33,7 +34,7 @@ LandContact land_contact(const CageRing &c, const CageMotion &cage, const CageMo
   l.axis[0] = carried_across(e, 1.0, 0.0);
   l.axis[1] = carried_across(e, 0.0, 1.0);
   const Vec3 dv = cage.v - ring.v - cross(ring.w, d);
-  // relative to the axes of the land, which do not spin with the ring
+  // velocity relative to the axes of the land, which do not spin with the ring
   const Vec3 seen = dv + cross(e, d) * dot(ring.w, e);
   const double speed[] = {dot(cage.w, e), dot(ring.w, e)};
   const double at[] = {dot(d, l.axis[0]), dot(d, l.axis[1])},
@@ -53,7 +54,7 @@ LandContact land_contact(const CageRing &c, const CageMotion &cage, const CageMo
   if (c.land.viscosity > 0.0)
     l.moment = e * (-land_couple(c.land, l.share) * (speed[0] - speed[1]));
   if (l.push > 0.0 && c.friction > 0.0) {
-    // an inner land touches the cage on the side away from its displacement
+    // an inner land touches the cage on the side opposite to the cage's displacement
     const Vec3 out = (l.axis[0] * at[0] + l.axis[1] * at[1]) * (1.0 / (l.share * c.land.clearance)),
                point = out * (c.guide == CageRing::by_inner ? -c.land.radius : c.land.radius);
     const Vec3 along = cross(e, out);

@@ -4,7 +4,7 @@
 //
 // A pocket is a slot along its radial axis p. Its half plays are c_t along the pitch circle and
 // c_z along the bearing's axis. A cylindrical pocket leaves the ball free along p; a spherical
-// one holds it there as well. The contact of ball and wall follows damped_hertz.h or, if the bars
+// pocket also holds it along p. The contact of ball and wall follows damped_hertz.h or, if the bars
 // of the cage deform more than the contact does, pocket_wall.h. Coulomb friction opposes the
 // sliding of the ball's surface on the wall, smoothed below `creep`; oil in the pocket is sheared
 // by the relative spin. Forces on ball and cage act through one point, so momentum and angular
@@ -20,8 +20,8 @@
 
 namespace raceway {
 
-// Estimates as fractions of the ball's diameter (docs/cage): play along the circle, height of the
-// band of oil in a pocket, extent of a cage beyond the pitch circle
+// Estimates as fractions of the ball's diameter (docs/cage): play along the pitch circle, height of
+// the oil band in a pocket, radial extent of a cage beyond the pitch circle
 constexpr double usual_play = 0.025, usual_band = 0.35, usual_reach = 0.3;
 
 struct CageRing {
@@ -31,7 +31,7 @@ struct CageRing {
   double pitch = 0.0, phase = 0.0;        // m, circle of the pockets; rad, of the first pocket
   double along = 0.0, across = 0.0;       // m, half plays along the circle and along the axis
   double stiffness = 0.0;                 // N/m^1.5, of ball on wall
-  double wall = 0.0;                      // N/m, of a pocket with flexible bars; 0: Hertz
+  double wall = 0.0;                      // N/m, wall of a pocket with flexible bars; 0: Hertz
   double mass = 0.0;                      // kg
   double friction = 0.0, creep = 1e-2;    // of ball on wall; m/s
   double shear = 0.0;                     // N m s, pocket_shear()
@@ -40,7 +40,7 @@ struct CageRing {
   double land_stiffness = 0.0;    // N/m^1.5, of cage on land
   double oil_share = 0.0, oil_density = 0.0, oil_viscosity = 0.0, outer_radius = 0.0;    // churning
 
-  // m, effective half play: the smaller one, at least a thousandth of the ball's radius
+  // Effective half play, m: the smaller half play, but at least a thousandth of the ball's radius
   double least_play(double ball_radius) const
   {
     return std::fmax(std::fmin(along, across), 1e-3 * ball_radius);
@@ -51,9 +51,9 @@ struct CageRing {
   }
 };
 
-// Stiffness of a ball in the bore of its pocket, N/m^1.5: with the play c to one side, the bore's
-// radius is R + c; along a cylinder's axis the wall is straight. A bore without play is treated as
-// if the play were a thousandth of the ball.
+// Stiffness of a ball in the bore of its pocket, N/m^1.5. With the play c to one side, the radius
+// of the bore is R + c; along the axis of a cylinder the wall is straight. A bore without play is
+// treated as if its play were a thousandth of the ball's radius.
 inline double pocket_stiffness(bool spherical, double ball_radius, double play, double Eprime)
 {
   const double R = ball_radius, bore = R + std::fmax(play, 1e-3 * R);
@@ -61,28 +61,28 @@ inline double pocket_stiffness(bool spherical, double ball_radius, double play, 
   return hertz_contact(spherical ? around : R, around, Eprime, Ellipse::exact).K;
 }
 
-// Stiffness of a cage that touches its land, N/m^1.5: along the circle the radii differ by the
-// play; across it the curvature of the land is assumed to equal the curvature of the circle.
+// Stiffness of a cage that touches its land, N/m^1.5. Along the circle of the land the radii differ
+// by the play; the curvature of the land across the circle is assumed to equal that of the circle.
 inline double land_stiffness(const LandGap &land, double Eprime)
 {
   const double r = land.radius;
   return hertz_contact(r * (r + land.clearance) / land.clearance, r, Eprime, Ellipse::exact).K;
 }
 
-// Position and motion of the cage; e is its axis, angle its rotation about e since the start.
+// Position and motion of the cage; e is its axis, angle its rotation (rad) about e since the start.
 struct CageMotion {
   Vec3 x, v, e, w;
   double angle = 0.0;
 };
 
-// A direction across the bearing's axis, carried along as that axis turns into e.
+// A direction normal to the bearing's axis, carried along as that axis turns into e.
 inline Vec3 carried_across(const Vec3 &e, double c, double s)
 {
   const double share = (e.x * c + e.y * s) / (1.0 + e.z);
   return {c - share * e.x, s - share * e.y, -share * (1.0 + e.z)};
 }
 
-// Pocket of a ball at d from the cage's centre.
+// Number of the pocket of a ball at d (m) from the cage's centre.
 inline int pocket_at(const CageRing &cage, const CageMotion &m, const Vec3 &d)
 {
   const double turn = 2.0 * 3.14159265358979323846;
@@ -102,13 +102,13 @@ inline Vec3 pocket_axis(const CageRing &cage, const CageMotion &m, int pocket)
 }
 
 struct PocketContact {
-  Vec3 offset;       // m, ball's centre from the pocket's, along circle, axis and radius
+  Vec3 offset;       // m, from the pocket's to the ball's centre, along circle, axis and radius
   double overlap;    // m, negative: gap
   Vec3 normal;       // from wall to ball
-  Vec3 lever;        // m, ball's centre from the cage's
+  Vec3 lever;        // m, from the cage's centre to the ball's centre
   DampedHertz h;
   double rate = 0.0;    // m/s, rate of the overlap
-  double bend = 0.0;    // N/m, from the rotation of the normal with the ball's position in the bore
+  double bend = 0.0;    // N/m, due to rotation of the normal with the ball's position in the bore
   Vec3 side, axis;      // across the normal in the pocket's section; axis of the pocket
   bool spherical = false;
   Vec3 slide;                 // direction of the ball's sliding times its fraction of full friction
@@ -123,8 +123,8 @@ struct PocketBall {
   double radius, mass;
 };
 
-// Up to a gap of `close` (m), derivatives are taken at an overlap `barely` (m), whereas the forces
-// are taken at the gap.
+// Contact of a ball and its pocket. Up to a gap of `close` (m) derivatives are taken at the overlap
+// `barely` (m), but forces at the gap.
 inline PocketContact pocket_contact(const CageRing &cage, const CageMotion &m, int pocket,
                                     const PocketBall &ball, double close = 0.0, double barely = 0.0)
 {
@@ -191,9 +191,9 @@ inline PocketContact pocket_contact(const CageRing &cage, const CageMotion &m, i
 // centre, and on the ring through the same point.
 struct LandContact {
   Vec3 force, moment;                               // on the cage, N and N m
-  Vec3 lever;                                       // m, cage's centre from the ring's
+  Vec3 lever;                                       // m, from the ring's to the cage's centre
   double displaced[2][2] = {}, moved[2][2] = {};    // -d force/d place, -d force/d velocity
-  Vec3 axis[2];                                     // axes of these, across the ring's axis
+  Vec3 axis[2];                                     // their axes, normal to the ring's axis
   double loss = 0.0, energy = 0.0;                  // W, J
   double share = 0.0;                               // eccentricity over clearance
   double push = 0.0, stiffness = 0.0;               // N and N/m, of the touching surfaces

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A raceway of a four-point contact bearing: two grooves with centres off the middle plane, both in
-// contact at an angle with a ball in the middle plane. The ball has the same position as in a
-// single groove in the middle plane.
+// A raceway of a four-point contact bearing: two grooves with centres off the middle plane. A ball
+// in the middle plane touches both at an angle; it has the same position as in a single groove in
+// the middle plane.
 #ifndef RACEWAY_GOTHIC_ARCH_H
 #define RACEWAY_GOTHIC_ARCH_H
 
@@ -14,7 +14,7 @@ struct GothicArch {
   double angle;    // rad
 
   double offset() const { return slack * std::sin(angle); }    // m, of the groove centres
-  // Distance of the groove bottoms beyond the bottom of that single groove, m.
+  // Distance of the bottoms of the grooves beyond the bottom of the single groove, m.
   double depth() const { return slack * (1.0 - std::cos(angle)); }
 };
 

@@ -24,7 +24,7 @@ struct Groove {
   double raceway_radius = 0.0;    // m, R_i or R_e: bottom of the groove
   double groove_radius = 0.0;     // m, r_c: radius of the cross-section
   double ball_radius = 0.0;       // m, R_b
-  double offset = 0.0;            // m, of its centres from the ring's middle plane, along the axis
+  double offset = 0.0;            // m, along the axis, from the ring's middle plane to the centres
 
   // Radius of the circle of groove centres, m.
   double centre_circle() const
@@ -34,7 +34,7 @@ struct Groove {
   // Distance of the ball centre from that circle at which the surfaces touch, m.
   double slack() const { return groove_radius - ball_radius; }
   // For a ball in the ring's middle plane in contact with an offset groove: cosine of the contact
-  // angle, and the bottom radius of an equivalent groove in that plane (m).
+  // angle, and bottom radius (m) of an equivalent groove in the middle plane.
   double middle_cosine() const
   {
     const double sine = offset / slack();
@@ -58,7 +58,7 @@ template <class T> struct GroovePositionT {
 };
 using GroovePosition = GroovePositionT<double>;
 
-// Frame of a ball from r, z, the radial vector and s.
+// Sets the frame of a ball from r, z, the radial vector and s.
 template <class T>
 RACEWAY_INLINE void set_frame(const Vec3T<T> &radial, const Vec3T<T> &e, double centre_circle,
                               const T &s2, GroovePositionT<T> &p)
@@ -72,8 +72,8 @@ RACEWAY_INLINE void set_frame(const Vec3T<T> &radial, const Vec3T<T> &e, double 
 }
 
 // Locates a ball centre at d from the ring centre; e is the unit axis of the ring. False, with only
-// r and z set, if it is no farther than `slack` from the circle of groove centres (no contact);
-// slack < 0 always locates. True for NaN: it must not count as a gap.
+// r and z set, if the ball centre is no farther than `slack` from the circle of groove centres (no
+// contact); with slack < 0 the position is always set. True for NaN, which must not count as a gap.
 inline bool locate_beyond(const Vec3 &d, const Vec3 &e, double centre_circle, double slack,
                           GroovePosition &p)
 {
@@ -86,7 +86,7 @@ inline bool locate_beyond(const Vec3 &d, const Vec3 &e, double centre_circle, do
   return true;
 }
 
-// As above without a branch, for every position.
+// As above, but without a branch and for every position.
 template <class T>
 RACEWAY_INLINE void locate(const Vec3T<T> &d, const Vec3T<T> &e, double centre_circle,
                            GroovePositionT<T> &p)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Reach of a groove of finite depth around a ball, for the gap outside the contact
-// (docs/fix_bearing_capacitance).
+// Reach of a groove of finite depth around a ball, for the capacitance of the gap outside the
+// contact (docs/fix_bearing_capacitance).
 //
 // The shoulder of a groove of depth t lies at the angle theta_b from the bottom, seen from the
 // ball's centre:
@@ -8,16 +8,17 @@
 // Along y across the groove the gap's parabola ends at
 //   S = R_b [4 tan((theta_b -+ alpha)/4) +- 0.09 gamma],  +0.09 inner, -0.09 outer,
 // on the two sides of a contact at the contact angle alpha; gamma = R_b cos(alpha)/r_pitch. Within
-// the contact ellipse the groove already is that parabola, so the excess of the arc there is
-// subtracted: 4 R_b q_a - a from the first term and (q_a/q)^2 from the second, where q is the
-// tangent in S, q_a = tan(a/(4 R_b)), and a the semi-axis across the groove.
+// the contact ellipse the groove already has the shape of that parabola, so the excess of the arc
+// within the ellipse is subtracted: 4 R_b q_a - a from the first term and the fraction (q_a/q)^2
+// of the second, where q is the tangent in S, q_a = tan(a/(4 R_b)), and a the semi-axis across the
+// groove.
 //
-// With two grooves per ring, each ends at the other groove, in the ring's middle plane. Seen from a
-// ball in that plane the shoulder of a groove is at
+// If a ring has two grooves, each ends at the other groove, in the ring's middle plane. Seen from a
+// ball in that plane, the shoulder of a groove is at
 //   tan theta_b = (r_c sin theta - G)/(R_b - t + (r_c - R_b)(1 - cos alpha_0)),
-// with the distance G of the groove's centres from the plane and the contact angle alpha_0 there.
-// The groove's other end is at the angle 0, so S = 4 R_b tan(alpha/4) on that side. The term with
-// 0.09 applies to sides twice as long that begin at the bottom, and is omitted.
+// with the distance G of the groove's centres from the plane and the contact angle alpha_0 of the
+// ball. The groove's other end is at the angle 0, so S = 4 R_b tan(alpha/4) on that side. The term
+// with 0.09 is omitted, because it applies to sides that are twice as long and begin at the bottom.
 #ifndef RACEWAY_GROOVE_SHOULDER_H
 #define RACEWAY_GROOVE_SHOULDER_H
 
@@ -25,7 +26,7 @@
 
 namespace raceway {
 
-// Default depth of a groove over the ball diameter, without shoulder data.
+// Default depth of a groove over the ball diameter, used without shoulder data.
 constexpr double usual_groove_depth = 0.18;
 
 // Tangent of half an angle from its sine and cosine; 0 <= angle < pi.
@@ -41,7 +42,7 @@ template <class T> RACEWAY_INLINE T half_tangent(const T &tangent)
 
 template <class T> struct GrooveSideT {
   T reach;        // m
-  T cotangent;    // cotangent of a quarter of the angle from the contact to the shoulder
+  T cotangent;    // of a quarter of the angle from the contact to the shoulder
 };
 template <class T> struct GrooveReachT {
   GrooveSideT<T> near, far;    // the side towards which the contact leans, and the other side
@@ -50,7 +51,7 @@ template <class T> struct GrooveReachT {
 class GrooveShoulder {
  public:
   GrooveShoulder() = default;
-  // depth (m) at the shoulder; pre-condition 0 < depth < ball radius
+  // depth: of the groove at the shoulder (m); pre-condition: 0 < depth < ball radius
   GrooveShoulder(const Groove &g, double depth, double pitch_radius) :
       radius_(g.ball_radius),
       curved_((g.side == Side::inner ? 0.09 : -0.09) * g.ball_radius / pitch_radius),
@@ -67,8 +68,9 @@ class GrooveShoulder {
     quarter_ = half_tangent(across / (down + std::hypot(across, down)));
   }
 
-  // Reach for the sine and cosine (0 or more) of the contact angle; negative for a shoulder that
-  // the contact has passed. With two grooves per ring the far side ends at the other groove.
+  // Reach for the sine and cosine (both 0 or more) of the contact angle; negative towards a
+  // shoulder that the contact has passed. With two grooves per ring the far side ends at the other
+  // groove.
   template <class T> RACEWAY_INLINE GrooveReachT<T> reach(const T &sine, const T &cosine) const
   {
     const T lean = half_tangent(half_tangent(sine, cosine)), both = quarter_ * lean,
@@ -84,7 +86,7 @@ class GrooveShoulder {
   RACEWAY_INLINE T around(const GrooveSideT<T> &side, const T &cosine, const T &a) const
   {
     const T curved = curved_ * cosine, u = a * (0.25 / radius_), u2 = u * u;
-    // the tangent, with a relative error of 3e-7 for an ellipse one radius wide
+    // the tangent q_a, with a relative error of 3e-7 for an ellipse one radius wide
     const T within = u * (1.0 + u2 * (1.0 / 3 + u2 * (2.0 / 15 + u2 * (17.0 / 315))));
     const T ratio = within * side.cotangent;
     const T part = where((side.cotangent > 0.0) & (ratio < 1.0), ratio, 1.0);

@@ -2,11 +2,12 @@
 // Departure of a raceway from its torus: notches and pits, waviness and measured tables. Depths are
 // measured from the torus into the ring, azimuths in the ring's own frame.
 //
-// A ball follows a flaw only as far as its size allows (docs/theory, Flaws of a raceway). With R_x
-// the effective radius along rolling and edges of radius E, its path over a notch of length w is
+// A ball follows a flaw only as far as the ball's size allows (docs/theory, Flaws of a raceway).
+// With the effective radius R_x along rolling and edges of radius E, the path of the ball over a
+// notch of length w is
 //   depth = (w/2 - |s|)^2/(2 (R_x + E)),
-// at most the notch's depth, with s along the raceway from the notch's middle. The bend of the
-// path, in the middle or at the bottom, is spread over +-E.
+// but no more than the depth of the notch; s is measured along the raceway from the middle of the
+// notch. The bend of the path, in the middle or at the bottom, is spread over +-E.
 #ifndef RACEWAY_RACEWAY_PROFILE_H
 #define RACEWAY_RACEWAY_PROFILE_H
 
@@ -21,7 +22,7 @@ namespace raceway {
 struct NotchShape {
   double azimuth = 0.0;                             // rad, of the notch's middle
   double length = 0.0, width = 0.0, depth = 0.0;    // m; width HUGE_VAL: across the whole groove
-  double edge = 0.0;                                // m
+  double edge = 0.0;                                // m, radius of the edges
 };
 
 struct Wave {
@@ -35,7 +36,7 @@ struct ProfileShape {
   std::vector<PeriodicCurve> tables;    // depth, m
 };
 
-// The path of a kind of ball over a notch.
+// The path of balls of one kind over a notch.
 class NotchPath {
  public:
   NotchPath(const NotchShape &n, double raceway_radius, double rolling_radius) :
@@ -51,11 +52,11 @@ class NotchPath {
   const NotchShape &shape() const { return shape_; }
   double half_angle() const { return half_ / raceway_; }    // rad
   double deepest() const { return deepest_; }               // m, largest depth reached by the ball
-  // The path has a slope before its bend.
+  // True if the path has a slope before its bend.
   bool falls() const { return half_ > turns_; }
 
-  // Largest step (rad) from an azimuth in the direction of `rate`: up to the edge, and inside the
-  // notch a fifth of the edge radius.
+  // Largest step (rad) from an azimuth in the direction of `rate`: up to the edge of the notch, or
+  // inside the notch a fifth of the edge radius.
   double longest_turn(double azimuth, double rate) const
   {
     const double fine = 0.2 * shape_.edge / raceway_;
@@ -64,13 +65,13 @@ class NotchPath {
     return std::fmax((x < 0.0 ? -x : 2.0 * M_PI - x) - half_angle(), fine);
   }
 
-  // rad from the middle, -pi to pi
+  // Azimuth relative to the middle of the notch, rad, -pi to pi
   double from_middle(double azimuth) const
   {
     return std::remainder(azimuth - shape_.azimuth, 2.0 * M_PI);
   }
 
-  // Depth and its derivatives in the azimuth.
+  // Depth, and its derivatives with respect to the azimuth.
   CurveAt at(double from_middle) const
   {
     const double s = raceway_ * from_middle, a = std::fabs(s);
@@ -91,7 +92,8 @@ class NotchPath {
   double turned_, turns_, steepest_, deepest_;    // m, m, 1, m; the path bends from turns_ inwards
 };
 
-// The path of a ball over a surface given by a table: the part of it within reach of the ball.
+// The path of a ball over a surface given by a table: the part of the surface that the ball can
+// touch.
 inline PeriodicCurve rolled(const PeriodicCurve &surface, double raceway_radius,
                             double rolling_radius)
 {
@@ -129,7 +131,7 @@ class RacewayProfile {
   const std::vector<NotchPath> &notches() const { return notches_; }
   double ellipse() const { return ellipse_; }    // sqrt(m), semi-axis across over sqrt(overlap)
 
-  // Sum of the profiles across the whole groove.
+  // Sum of the profiles that extend across the whole groove.
   CurveAt across(double azimuth) const
   {
     CurveAt sum;

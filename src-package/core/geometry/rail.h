@@ -3,9 +3,9 @@
 //
 // The rail is a torus with a centre-circle radius, a tube radius and an axial offset of that circle
 // along the ring axis. A ball touches it if the ball's centre is nearer to the centre circle than
-// ball radius + tube radius. The Hertz constants apply to the seat: the ball touches the tube from
-// the side of the axis at the seat angle (0 = radially outside the ball), so that the surface is
-// concave along the rail.
+// ball radius + tube radius. The Hertz constants apply to the seat: the ball touches the tube at
+// the seat angle (0 = radially outside the ball) from the side of the ring axis, so that the
+// surface is concave along the rail.
 #ifndef RACEWAY_RAIL_H
 #define RACEWAY_RAIL_H
 
@@ -23,8 +23,8 @@ struct Rail {
 
 // Two rails outside the pitch circle, one on each side, touching a cage ball of radius R that is
 // centred on the pitch circle (gap = 0). A cage ball squeezed between two balls is pushed outwards,
-// because the chord of the balls lies inside the pitch circle. Outer rails at +-45 degrees form a V
-// that seats it and holds it axially. See docs/theory, "Cage".
+// because the chord between the balls lies inside the pitch circle. Outer rails at +-45 degrees
+// form a V that seats the cage ball and holds it axially. See docs/theory, "Cage".
 inline Rail seat_rail(double pitch, double ball_radius, double tube, double gap, double sign)
 {
   const double reach = (ball_radius + tube + gap) * 0.70710678118654752440;
@@ -45,10 +45,10 @@ inline double rail_stiffness(const Rail &rail, double ball_radius, double pitch,
 }
 
 // One cage ball on one rail in the meridional plane of the ring: ball centre at radius r and height
-// z, velocities vr, ve relative to the ring. Branch-free, so that a loop over many balls
-// vectorises; without contact the force is 0.
+// z (m), velocities vr, ve (m/s) relative to the ring. The code has no branches, so that a loop
+// over many balls vectorises; without contact the force is 0.
 template <class T> struct RailContactT {
-  T nr, ne;     // rail -> ball
+  T nr, ne;     // normal from rail to ball, radial and axial
   T overlap;    // m
   DampedHertzT<T> h;
 };

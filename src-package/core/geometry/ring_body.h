@@ -23,8 +23,8 @@ inline Vec3 angular_velocity(const RingInertia &I, const Vec3 &L, const Vec3 &e)
   return L * (1.0 / I.transverse) + e * ((1.0 / I.axial - 1.0 / I.transverse) * dot(L, e));
 }
 
-// The axis e after the time h. The integrators differ in how they treat the angular velocity within
-// the step.
+// The functions below give the axis e after the time h. The integrators treat the angular velocity
+// within the step in different ways.
 
 // Velocity Verlet: the moments act in the half kicks before and after the drift, so the angular
 // momentum L is constant in the drift. The midpoint rule is of second order and keeps |e| to
@@ -35,9 +35,9 @@ inline Vec3 drift_axis(const RingInertia &I, const Vec3 &L, const Vec3 &e, doubl
   return rotate(e, angular_velocity(I, L, half) * h);
 }
 
-// An implicit stage: e_new = e + h W x e_new with the angular velocity at its end, like every other
-// coordinate of the stage. `across` gives W (normal to the axis) for an axis; e.z > 0. The
-// iteration is a contraction by h |W|.
+// An implicit stage: e_new = e + h W x e_new with the angular velocity at the end of the stage, as
+// for every other coordinate of the stage. `across` gives W (normal to the axis) for an axis;
+// e.z > 0. The iteration contracts by the factor h |W|.
 template <class Across> Vec3 implicit_axis(const Vec3 &e, Across across, double h)
 {
   Vec3 end = e;
@@ -50,7 +50,7 @@ template <class Across> Vec3 implicit_axis(const Vec3 &e, Across across, double 
   return end;
 }
 
-// A drift with constant angular velocity W normal to the axis, which is exact.
+// A drift with constant angular velocity W normal to the axis; the result is exact.
 inline Vec3 turned_axis(const Vec3 &e, const Vec3 &W, double h) { return rotate(e, W * h); }
 
 }    // namespace raceway

@@ -21,11 +21,11 @@ struct WallTouch {
 struct TurningWall {
   bool drum = true;
   int blades = 0;               // number of radial blades, the first at the shaft's angle
-  double r1 = 0.0, r2 = 0.0;    // m: radii of the blades' edges; r2 is also the drum's
-  double z1 = 0.0, z2 = 0.0;    // m, along the axis: both ends
+  double r1 = 0.0, r2 = 0.0;    // m, radii of the blades' edges; r2 is also the drum's radius
+  double z1 = 0.0, z2 = 0.0;    // m, positions of both ends along the axis
   int parts() const { return drum ? 3 : blades; }
 
-  // False if a sphere of radius R at p is apart from every part.
+  // False only if a sphere of radius R at p cannot touch any part of the wall.
   bool near(const Vec3 &p, double R) const
   {
     const double r2_at = p.x * p.x + p.y * p.y, outer = r2 - R, inner = r1 - R;
@@ -33,8 +33,9 @@ struct TurningWall {
     return !(inner > 0.0 && r2_at < inner * inner);
   }
 
-  // Contact of a part of the wall with a sphere of radius R at p; the axis is the third axis, and
-  // `angle` (rad) the wall's rotation about it. Parts of a drum: shell, first and second end.
+  // Contact of a part of the wall with a sphere of radius R at p. The axis is the third axis;
+  // `angle` (rad) is the rotation of the wall about it. Parts of a drum: shell, first end, second
+  // end.
   WallTouch touch(int part, const Vec3 &p, double R, double angle) const
   {
     if (drum) {
@@ -53,7 +54,7 @@ struct TurningWall {
     if (!(far > 0.0)) return {};
     return {R - far, d * (1.0 / far)};
   }
-  // True for a centre beyond the drum's walls.
+  // True for a sphere with its centre p beyond the drum's walls.
   bool lost(const Vec3 &p) const
   {
     return drum && (p.x * p.x + p.y * p.y > r2 * r2 || p.z < z1 || p.z > z2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A bearing from its usual data; radii as in raceway.inputs. SI units.
+// A bearing from its usual data; radii are computed as in raceway.inputs. SI units.
 //
 // The pitch diameter is the diameter of the circle of ball centres in contact with both raceways at
 // the contact angle, so a contact angle above 0 determines the clearance.
@@ -14,7 +14,7 @@ struct UsualData {
   double balls, ball_diameter, pitch_diameter;
   double contact_angle;    // rad
 
-  // Radius of a raceway at the bottom of a groove of radius `groove`.
+  // Radius of a raceway at the bottom of a groove of radius `groove`, m.
   double inner_radius(double groove) const { return 0.5 * pitch_diameter - groove + reach(groove); }
   double outer_radius(double groove) const { return 0.5 * pitch_diameter + groove - reach(groove); }
   // Diameter of cage balls that leave each ball the clearance `play` along the pitch circle.
@@ -43,7 +43,7 @@ struct RingCylinder {
   {
     return density * M_PI * (outer_radius * outer_radius - bore2()) * width;
   }
-  // moments of inertia about its axis and about a diameter, for a mass
+  // Moments of inertia about its axis and about a diameter (kg m^2), for a mass (kg)
   double inertia(double mass) const { return 0.5 * mass * (outer_radius * outer_radius + bore2()); }
   double inertia_t(double mass) const { return 0.5 * inertia(mass) + mass * width * width / 12.0; }
 

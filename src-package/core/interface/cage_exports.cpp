@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A one-piece cage: its estimated data, and couples of its oil (cage_drag.h).
+// A one-piece cage: estimated data, and couples of the oil on the cage (cage_drag.h).
 #include "../geometry/cage_ring.h"
 #include "exports.h"
 
@@ -14,7 +14,7 @@ FORMULA(double, pocket_shear, (double viscosity, double ball_radius, double play
                                filled);
 }
 
-// width: m, of both lands together; centred
+// width: of both lands together, m; the cage is centred
 FORMULA(double, land_couple,
         (double viscosity, double radius, double clearance, double width, double filled))
 {

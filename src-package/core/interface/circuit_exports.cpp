@@ -7,7 +7,7 @@
 
 using namespace raceway;
 
-// Point and ball at which a charged ball has no film, or -1.
+// Point at which a charged ball has no film, and that ball; -1 if there is none.
 RECORD(CircuitEnd, double point, ball;)
 
 namespace {
@@ -47,13 +47,14 @@ void put(const FilmFailure &f, double time, double discharge, double *row)
 }
 }    // namespace
 
-// Films are by point, side, ball; they fail by film_limit(thickness, strength, less, floor), never
-// with a strength of 0. The outer circuit has a parallel capacitance, also as a factor of the
-// bearing's own capacitance, a coupling and a conductance; the driving voltage is given by point,
-// with rows of its edges in order (time, voltage before and after). Films and voltage are linear in
-// between. Rows of failures, at most `most`, have time, discharge, order, side, ball, film voltage,
-// bearing voltage, bearing voltage after, film energy, energy. The circuit ends at a point where a
-// charged ball has no film. Returns the number of failures.
+// Films are by point, side, ball. A film fails at film_limit(thickness, strength, less, floor);
+// with a strength of 0 it never fails. The outer circuit has a parallel capacitance (`beside` plus
+// `factor` times the bearing's own capacitance), a coupling and a conductance. The driving voltage
+// is given by point, and its edges as rows in order (time, voltage before and after). Films and
+// voltage are linear between points. Each row of failures (at most `most` rows) holds time,
+// discharge, order, side, ball, film voltage, bearing voltage, bearing voltage after, film energy,
+// energy. The circuit ends at a point where a charged ball has no film. Returns the number of
+// failures.
 EXPORT(int, bearing_circuit,
        (int points, int balls, const double *time, const double *capacitance,
         const double *conductance, const double *thickness, double strength, double less,
@@ -67,7 +68,7 @@ EXPORT(int, bearing_circuit,
   CircuitState s;
   int count = 0, next = 0;
   *out = {-1.0, -1.0};
-  // a fraction `back` of a step before the point p
+  // the circuit a fraction `back` of a step before the point p
   const auto point = [&](int p, double back, double volts) {
     const auto film = [&](int k) {
       const auto mix = [&](const double *values) {
@@ -124,7 +125,8 @@ EXPORT(int, bearing_circuit,
   return count;
 }
 
-// The discharge of a single point, in place, and its failures as above. Returns their number.
+// Computes the discharge at a single point, in place, and its failures as above. Returns the number
+// of failures.
 EXPORT(int, film_discharge,
        (int balls, const double *capacitance, const double *limit, double beside, double coupling,
         double driving, double *ball_charge, double *ring_charge, double *ball, double *ring,
@@ -176,8 +178,8 @@ FORMULA(double, local_thickness, (double thickness, double less, double floor))
   return local_thickness(thickness, less, floor);
 }
 
-// Rows of time, voltage before and voltage after for each switching of an inverter's leg between
-// the two times, in order of time; at most `most` rows. Returns their number.
+// Rows of time, voltage before and voltage after, one for each switching of an inverter's leg
+// between the two times, in order of time; at most `most` rows. Returns the number of rows.
 EXPORT(int, inverter_edges,
        (int points, const double *time, double voltage, double frequency, double carrier,
         double modulation, int most, double *out))

@@ -126,6 +126,6 @@ static std::string table_text()
 
 extern "C" const char *columns_json()
 {
-  static const std::string text = table_text();    // once, whatever the number of threads
+  static const std::string text = table_text();    // made once, whatever the number of threads
   return text.c_str();
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// C interface of a library with a description for Python (raceway/core/exports.py), generated from
-// its own source: parameters of every EXPORT and FORMULA by name, fields of every RECORD by name
-// and size. Arguments are passed by name, never by a position known to one side only.
+// C interface of a library, with a description for Python (raceway/core/exports.py) that is
+// generated from the source of the library: parameters of every EXPORT and FORMULA by name, fields
+// of every RECORD by name and size. Python passes arguments by name, so positions are never stated
+// on one side only.
 #ifndef RACEWAY_EXPORTS_H
 #define RACEWAY_EXPORTS_H
 #include <cstring>
@@ -9,7 +10,7 @@
 #include <type_traits>
 #include <utility>
 
-// hidden, so that each of two libraries in a process keeps its own text
+// hidden, so that two libraries in one process have separate texts
 __attribute__((visibility("hidden"))) inline std::string &exported_text()
 {
   static std::string text;
@@ -20,7 +21,7 @@ struct ExportedLine {
   explicit ExportedLine(const std::string &line) { exported_text() += line + "\n"; }
 };
 
-// A C function. Arrays state their size, `double out[3]`, if it does not depend on the call.
+// A C function. The size of an array, `double out[3]`, is stated if it does not depend on the call.
 #define EXPORT(result, name, parameters)                                                    \
   extern "C" result name parameters;                                                        \
   static const ExportedLine exported_##name("function|" #result "|" #name "|" #parameters); \
@@ -58,7 +59,7 @@ void formula_at(Result (*one)(Numbers...), long n, long i, const double *in, dou
   for (long j = 0; j < outputs; ++j) out[j * n + i] = numbers[j];
 }
 
-// Parameter k of call i is in[k n + i]; value j of its result is out[j n + i].
+// Parameter k of call i is in[k n + i]; value j of the result of call i is out[j n + i].
 template <class Result, class... Numbers>
 void formula_over_arrays(Result (*one)(Numbers...), long n, const double *in, double *out)
 {

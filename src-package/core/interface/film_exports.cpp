@@ -16,12 +16,12 @@ RECORD(GuptaParts, double unpressed, lost;)
 RECORD(MaxwellBranch, double stiffness, rate;)
 RECORD(BranchStep, double left, slope;)
 
-// Thickness over R_x from U, G, W; model: 0 Masjedi and Khonsari, 1 the same as printed, 2 Hamrock
-// and Dowson
+// Film thickness over R_x from U, G, W; model: 0 Masjedi and Khonsari, 1 Masjedi and Khonsari as
+// printed, 2 Hamrock and Dowson
 FORMULA(FilmThickness, film_thickness,
         (int model, double speed, double material, double load, double kappa))
 {
-  // usually constant along an array, and more expensive than all other operations
+  // values that are usually constant along an array, and cost more than all other operations
   thread_local double known[3] = {-1.0, 0.0, 0.0};
   thread_local FilmPair laws;
   const double asked[3] = {double(model), material, kappa};
@@ -33,7 +33,7 @@ FORMULA(FilmThickness, film_thickness,
   return {film_thickness(laws.min, at), film_thickness(laws.central, at)};
 }
 
-// Exponents of the central thickness
+// Exponents of the central film thickness
 FORMULA(FilmExponents, film_exponents, (int model, double kappa))
 {
   const FilmLaw law = film_laws(FilmModel(model), kappa, {1.0, 1.0}, 1.0, 1.0).central;
@@ -45,7 +45,7 @@ FORMULA(double, composite_roughness, (double one, double other))
   return composite_roughness(one, other);
 }
 
-// Thickness over sqrt(U_s) R_x from Moes' M, L and lambda = R_x/R_y
+// Film thickness over sqrt(U_s) R_x from Moes's M, L and lambda = R_x/R_y
 FORMULA(double, film_all_regimes, (double load, double material, double ratio))
 {
   MoesRaceway raceway;
@@ -60,7 +60,7 @@ FORMULA(double, thermal_loading,
   return thermal_loading(temperature_viscosity, viscosity, speed, conductivity);
 }
 
-// Factor from the thermal loading; law: 1 Murch and Wilson, 2 Wilson
+// Film factor from the thermal loading; law: 1 Murch and Wilson, 2 Wilson
 FORMULA(double, inlet_shear, (int law, double loading))
 {
   FilmFactors f;
@@ -69,7 +69,7 @@ FORMULA(double, inlet_shear, (int law, double loading))
   return f.of(0.0);
 }
 
-// The factor without pressure, and its unlimited reduction by pressure
+// Gupta's factor without pressure, and the reduction by pressure before it is limited
 FORMULA(GuptaParts, gupta_parts, (double loading, double pressure, double slide_roll))
 {
   FilmFactors f;

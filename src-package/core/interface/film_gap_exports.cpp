@@ -10,8 +10,8 @@ RECORD(FilmInGap, double load, h_c, elastic, slope;)
 
 namespace {
 // One film as a function of the load. `shape` is R_y (m) with the law of all regimes, otherwise
-// kappa. A thermal loading adds Gupta's factor, with `peak` as p_max/E' at 1 N. Below the load
-// `cut` (N) the thickness by a power law is constant, and so is Gupta's factor of any film.
+// kappa. A thermal loading adds Gupta's factor; `peak` is p_max/E' at 1 N. Below the load `cut` (N)
+// the film thickness of a power law is constant, and so is Gupta's factor for any film.
 struct FilmOverLoad {
   bool all;
   double viscosity, pressure_viscosity, modulus, r_x, shape, speed, factor, loading, peak,

@@ -9,7 +9,8 @@ using raceway::FixedPoint;
 
 RECORD(FixedPointNext, double residual, distance, contraction;)
 
-// The next start and norms after `starts` values of a map of n numbers, in the order of the starts.
+// The next start and the norms after `starts` starts of a map of n numbers and their values, in
+// order.
 EXPORT(void, fixed_point,
        (int starts, int n, double reach, const double *x, const double *g, const double *weights,
         double *next, FixedPointNext *out))
@@ -21,7 +22,7 @@ EXPORT(void, fixed_point,
     const long at = static_cast<long>(k) * n;
     map.add({x + at, x + at + n}, {g + at, g + at + n});
   }
-  FixedPoint copy;    // as after a restart
+  FixedPoint copy;    // unpacked as after a restart
   copy.unpack(map.packed());
   const FixedPoint::Next to = map.next();
   std::copy(to.start.begin(), to.start.end(), next);

@@ -93,8 +93,8 @@ FORMULA(double, edge_slip, (double speed, double a, double r_d, double r_x))
   return edge_slip(speed, a, r_d, r_x);
 }
 
-// Values over mu Q and, for the couple, over mu Q a^2/(2 R_d); `off` is the slip relative to free
-// rolling, over s_e.
+// Forces over mu Q and the couple over mu Q a^2/(2 R_d); `off` is the slip relative to free rolling
+// over s_e.
 RECORD(SlipLaw, double root, secant, force, couple;)
 FORMULA(SlipLaw, differential_slip, (double off))
 {
@@ -106,8 +106,8 @@ FORMULA(SlipLaw, differential_slip, (double off))
 FORMULA(double, slip_root_of_force, (double force)) { return force_root(force); }
 
 // ---- spin
-// Factors on the couples of pure spin and of differential slip when both act: speed omega a,
-// width s_e and sliding speed in m/s
+// Factors on the couples of pure spin and of differential slip if both act, from the speed omega a,
+// the width s_e and the sliding speed (m/s)
 RECORD(SpinShares, double spin, slip;)
 FORMULA(SpinShares, spin_shares, (double speed, double width, double slide))
 {
@@ -130,8 +130,9 @@ FORMULA(SlidingForces, slip_slices,
           f.slope_along, f.slope_across, f.slope_moment, f.slope_couple};
 }
 
-// Motion of a ball that rolls on both raceways: angles in rad, inner ring at `ring` rad/s, `ball`
-// and `pitch` radius in m, radial part of its rotation in rad/s; all results in rad/s
+// Motion of a ball that rolls on both raceways, from angles (rad), the speed `ring` of the inner
+// ring (rad/s), the radii `ball` and `pitch` (m) and the radial part of the ball's rotation
+// (rad/s); all results in rad/s
 RECORD(RollingBall, double orbit, axial, spin_inner, spin_outer;)
 FORMULA(RollingBall, rolling_on_both,
         (double inner, double outer, double ring, double ball, double pitch, double radial))
@@ -148,7 +149,8 @@ FORMULA(double, rolling_force,
   return rolling_force(rolling_shape(k, r_x), logarithm(std::fabs(speed)), load, std::cbrt(load));
 }
 
-// The share by quadrature, which is exact, and by the interpolation that contacts use
+// The share of the flooded resistance by quadrature, which is exact, and by the interpolation that
+// contacts use
 FORMULA(double, inlet_share, (double length, double thickness))
 {
   return inlet_share(length, thickness);
@@ -156,7 +158,7 @@ FORMULA(double, inlet_share, (double length, double thickness))
 
 FORMULA(double, rolling_inlet, (double length, double h_c, double b, double r_x))
 {
-  thread_local RollingInlet of;    // is prepared again for another length
+  thread_local RollingInlet of;    // prepared again if the length changes
   thread_local double prepared = -1.0;
   if (length != prepared) of.prepare(prepared = length);
   return of.short_inlet ? of.share(h_c, b, r_x) : 1.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Heat of a bearing (heat.h), its network of nodes (heat_network.h) and the jumps of its
+// Heat of a bearing (heat.h), the network of its nodes (heat_network.h) and the jumps of their
 // temperatures (heat_jumps.h).
 #include "../geometry/ring_capacity.h"
 #include "../laws/heat_jumps.h"
@@ -54,7 +54,8 @@ FORMULA(double, iso_15312_conductance, (double bore, double outside, double widt
   return iso_15312_conductance(bore, outside, width);
 }
 
-// J/K of a ring, from radii of raceway and groove and diameters of seat and shoulder (m)
+// Heat capacity of a ring, J/K, from the radii of raceway and groove, the diameters of seat and
+// shoulder, and the width (m)
 FORMULA(double, ring_capacity,
         (bool inner, double raceway_radius, double groove_radius, double seat, double shoulder,
          double width))
@@ -73,7 +74,7 @@ FORMULA(double, clearance_change,
   return clearance_change(inner_radius, outer_radius, ball_radius, inner, balls, outer);
 }
 
-// W/(m^2 K), of flowing oil
+// Heat transfer coefficient of flowing oil, W/(m^2 K)
 FORMULA(double, oil_convection,
         (double conductivity, double heat_capacity, double density, double viscosity, double orbit,
          double pitch_diameter))
@@ -88,15 +89,15 @@ FORMULA(WettedSurfacesOf, wetted_surfaces,
   return {of.inner, of.balls, of.outer};
 }
 
-// Temperature (C) of the oil that leaves, with `heat` (W) generated in it and surfaces at these
-// temperatures (C)
+// Outlet temperature (C) of the oil, with the heat `heat` (W) generated in the oil and surfaces at
+// the temperatures `surface` (C)
 EXPORT(double, oil_outlet, (const HeatNetworkOf *net, const double surface[3], double heat))
 {
   return network(*net).oil.outlet(surface, heat);
 }
 
-// Temperatures (C) after `time` seconds with heat (W) into each node and the oil that varies
-// linearly from `heat` to `end`; returns the heat (J) carried away.
+// Temperatures (C) after `time` seconds; the heat (W) into each node and into the oil varies
+// linearly from `heat` to `end`. Returns the heat (J) carried away.
 EXPORT(double, heat_advance,
        (const HeatNetworkOf *net, const double heat[5], const double end[5], const double from[4],
         double time, double to[4]))
@@ -112,7 +113,7 @@ EXPORT(double, heat_steady, (const HeatNetworkOf *net, const double heat[5], dou
   return flow.slowest();
 }
 
-// Takes the mean losses (W) of a ball pass in the nodes and the oil, the conductances of the
+// Takes the mean losses (W) in the nodes and the oil during a ball pass, the conductances of the
 // contacts (W/K) and the heat transfer coefficient of the oil (W/(m^2 K)), and starts the next
 // jump.
 EXPORT(void, heat_jump,

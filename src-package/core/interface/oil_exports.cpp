@@ -13,7 +13,7 @@ RECORD(OilState, double viscosity, pressure_viscosity, temperature_viscosity, de
        permittivity;)
 RECORD(RollingSpeeds, double orbit, spin;)
 
-// nu in mm^2/s and -d(ln nu)/dT
+// nu in mm^2/s and -d(ln nu)/dT in 1/K
 FORMULA(NuAndSlope, walther, (double nu_40, double nu_100, double temperature))
 {
   const KinematicViscosity nu = walther(nu_40, nu_100, temperature);

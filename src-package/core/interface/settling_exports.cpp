@@ -12,8 +12,8 @@ using raceway::Vec3;
 RECORD(SettlingOfRun, double torque, load, cage_speed, spin_axis;)
 
 // Changes between the last two halves of `half` samples each. By sample: friction torque, largest
-// load on both raceways, cage speed; by sample and ball: load, position from the bearing's centre
-// and spin, with z along the bearing's axis. Without two halves the changes are infinite.
+// load on each raceway, cage speed. By sample and ball: load, position relative to the bearing's
+// centre and spin, with z along the bearing's axis. Without two halves the changes are infinite.
 EXPORT(void, settling,
        (int samples, int balls, int half, const double *torque, const double *load,
         const double *cage_speed, const double *ball_load, const double *place, const double *spin,

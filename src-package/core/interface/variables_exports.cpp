@@ -21,11 +21,11 @@ static std::string variables_text()
 
 extern "C" const char *variables_json()
 {
-  static const std::string text = variables_text();    // once, whatever the number of threads
+  static const std::string text = variables_text();    // made once, whatever the number of threads
   return text.c_str();
 }
 
-// `names` are separated by blanks; the message is valid until the thread's next call.
+// `names` are separated by blanks; the message is valid until the next call by this thread.
 extern "C" const char *mistyped_name(const char *names)
 {
   static thread_local std::string message;

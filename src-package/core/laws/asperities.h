@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Share of the contact load carried by asperities, L_a = exp(-B Lambda^C) (Zhou and Hoeprich 1991,
 // in Schwarz et al., Lubricants 2023, 11, 369; found with roller bearings) or 1 - erf(Lambda)
-// (Clarke et al. 2016), and the friction coefficient mu = L_a mu_b + (1 - L_a) mu_film
+// (Clarke et al. 2016), and the resulting friction coefficient mu = L_a mu_b + (1 - L_a) mu_film
 // (docs/theory, Mixed friction).
 #ifndef RACEWAY_ASPERITIES_H
 #define RACEWAY_ASPERITIES_H

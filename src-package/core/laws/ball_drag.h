@@ -11,7 +11,7 @@ namespace raceway {
 
 struct DragTable {
   static constexpr int size = 7;
-  double x[size], bend[size], first;    // ln Re; change of slope there; first ln C_D
+  double x[size], bend[size], first;    // ln Re; change of slope at ln Re; first ln C_D
 };
 
 inline const DragTable &drag_table()

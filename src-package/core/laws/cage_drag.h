@@ -10,10 +10,10 @@
 
 namespace raceway {
 
-// Couple of a ball that spins in its pocket, N m per rad/s of relative spin across the axis of the
-// pocket: Couette flow over a band of height H (m) in the gap c (m), filled to the share X. It is
-// the integral of (eta w R |cos|/c) R |cos| over the band; the couple about the pocket's axis is
-// twice as large.
+// Couple of a ball that spins in its pocket, N m per rad/s of relative spin normal to the axis of
+// the pocket: Couette flow over a band of height H (m) in the gap c (m), filled to the share X. The
+// couple is the integral of (eta w R |cos|/c) R |cos| over the band; the couple about the pocket's
+// axis is twice as large.
 inline double pocket_shear(double viscosity, double ball_radius, double height, double gap,
                            double filled)
 {
@@ -24,7 +24,7 @@ inline double pocket_shear(double viscosity, double ball_radius, double height, 
 // The gap between a cage and the land of a ring that guides it.
 struct LandGap {
   double radius = 0.0, clearance = 0.0;    // m, radius of the land; radial play
-  double width = 0.0;                      // m, width of each land
+  double width = 0.0;                      // m, width of one land
   int lands = 2;                           // number of lands
   double viscosity = 0.0, filled = 1.0;    // Pa s, share of the gap with oil
 };
@@ -32,8 +32,8 @@ struct LandGap {
 // Largest eccentricity in the film law; beyond it the surfaces touch.
 constexpr double most_eccentric = 0.99;
 
-// Petroff's couple in an eccentric gap, N m per rad/s of relative speed; e is the eccentricity over
-// the clearance.
+// Petroff's couple in an eccentric gap, N m per rad/s of relative speed; e is the ratio of
+// eccentricity to clearance.
 inline double land_couple(const LandGap &g, double e)
 {
   const double pi = 3.14159265358979323846, r = g.radius;
@@ -47,9 +47,10 @@ template <class T> struct LandForce {
   T x, y;
 };
 
-// Force of the half film of a short bearing. x, y (m) and vx, vy (m/s): cage relative to land; sum:
-// sum of both speeds, rad/s. The film resists approach and is dragged round at half the sum of the
-// speeds, so it does not support a cage that whirls at that speed.
+// Force of the half film of a short bearing. x, y (m) and vx, vy (m/s): position and velocity of
+// the cage relative to the land; sum: sum of the speeds of cage and land, rad/s. The film resists
+// approach and is dragged round at half that sum, so it does not support a cage that whirls at half
+// the sum.
 template <class T>
 LandForce<T> land_film(const LandGap &g, const T &x, const T &y, const T &vx, const T &vy,
                        double sum)

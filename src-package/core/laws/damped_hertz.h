@@ -16,7 +16,7 @@ template <class T> struct DampedHertzT {
 };
 using DampedHertz = DampedHertzT<double>;
 
-// Force K overlap^1.5 with the critical damping 2 sqrt(k m) of the reduced mass m at the present
+// Force K overlap^1.5 plus critical damping 2 sqrt(k m), with the reduced mass m and the present
 // stiffness k. Pre-conditions: overlap >= 0 (m), K >= 0 (N/m^1.5), m > 0 (kg); overlap_rate in m/s,
 // > 0 when closing.
 template <class T>

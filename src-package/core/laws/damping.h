@@ -6,7 +6,7 @@
 //   C_fluid = 3 pi eta/sqrt(2) l (R/h)^1.5                     (Walford & Stone 1983)
 // As printed, l is the semi-axis a and R the ball radius; squeezing of a half film per unit length
 // would use l = 2a and R = R_x (errata, eq 5). Both are available.
-// h has a lower limit, because a film alone does not carry a contact at rest.
+// h has a lower limit, because the film of a contact at rest is zero.
 #ifndef RACEWAY_DAMPING_H
 #define RACEWAY_DAMPING_H
 

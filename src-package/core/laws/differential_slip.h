@@ -7,8 +7,8 @@
 //   s(z) = s - Omega z^2/(2 R_d),  s_e = |Omega| a^2/(2 R_d) from the centre to the edge z = a.
 // With slip s at the centre, along rolling, and t0 = sqrt(s/s_e) in [0, 1]:
 //   F/(mu Q) = 3 t0 - t0^3 - 1,  C/(mu Q a^2/(2 R_d)) = t0^3 - 3/5 t0^5 - 1/5,
-// with the values at 0 and 1 beyond that range. The contact loses the power F s - C |Omega|.
-// Without slip Omega is u/R_x, with the entrainment speed u.
+// with the values at t0 = 0 and 1 beyond that range. The power lost in the contact is
+// F s - C |Omega|. Without slip Omega is u/R_x, with the entrainment speed u.
 #ifndef RACEWAY_DIFFERENTIAL_SLIP_H
 #define RACEWAY_DIFFERENTIAL_SLIP_H
 
@@ -41,7 +41,7 @@ template <class T> RACEWAY_INLINE T slip_root(const T &off)
   return square_root(T(where(q > 0.0, where(q < 1.0, q, 1.0), 0.0)));
 }
 
-// F/(mu Q) over that slip, which is the secant.
+// Secant of the slip law: F/(mu Q) over the slip `off`.
 template <class T> RACEWAY_INLINE T slip_secant(const T &off)
 {
   const T q = free_part + off, t = slip_root(off);
@@ -50,19 +50,19 @@ template <class T> RACEWAY_INLINE T slip_secant(const T &off)
   return where(q < 0.0, beyond, where(q > 1.0, beyond, inside));
 }
 
-// F/(mu Q); 1 and -1 beyond the range.
+// F/(mu Q) at the slip `off`; 1 or -1 beyond the range of t0.
 template <class T> RACEWAY_INLINE T slip_force(const T &off)
 {
   const T q = free_part + off;
   return where(q < 0.0, -1.0, where(q > 1.0, 1.0, slip_secant(off) * off));
 }
 
-// t0 of a force, in units of mu Q: 1 - t0 is the root x of x^2 (3 - x) = 1 - F. A polynomial in
-// sqrt(1 - F) is within 1e-3; one step with four terms of the inverted Taylor series is then exact
-// to rounding.
+// t0 of a force F in units of mu Q: 1 - t0 is the root x of x^2 (3 - x) = 1 - F. A polynomial in
+// sqrt(1 - F) is within 1e-3 of the root; one step with four terms of the inverted Taylor series
+// then makes it exact to rounding.
 template <class T> RACEWAY_INLINE T force_root(const T &force)
 {
-  constexpr double least = 1e-24;    // lower limit of 1 - F, where x is a divisor
+  constexpr double least = 1e-24;    // lower limit of 1 - F, because x is a divisor
   const T rest = 1.0 - force, r = where(rest > least, where(rest < 2.0, rest, 2.0), least);
   const T q = square_root(r);
   const T x = q * (0.57692098 + q * (0.06107723 + q * (-0.00171489 + q * 0.01645284)));

@@ -3,8 +3,8 @@
 //
 // All laws here have the form h/R_x = c U^p G^g W^m (1 - k1 exp(-k2 kappa)) with
 //   U = eta u/(E' R_x),  G = xi E',  W = Q/(E' R_x^2),
-// and kappa constant per raceway and contact angle. So ln h = lnA + p ln u + m ln Q: the constants
-// are computed once, and a contact costs two logarithms and one exponential.
+// and kappa constant per raceway and contact angle. So ln h = lnA + p ln u + m ln Q. The constants
+// are computed once; each contact then costs two logarithms and one exponential.
 //   u entrainment speed, m/s;  Q elastic contact load, N;  h in m.
 // Sources: Masjedi & Khonsari 2015 (smooth part, point contact); Hamrock & Dowson 1977.
 #ifndef RACEWAY_FILM_H
@@ -69,7 +69,7 @@ inline FilmPair film_laws(FilmModel model, double kappa, const Lubricant &oil, d
   return f;
 }
 
-// Input of both film thicknesses of a contact.
+// Input for both film thicknesses of a contact, minimum and central.
 template <class T> struct FilmPointT {
   T ln_speed, ln_load;
 };

@@ -5,9 +5,9 @@
 //   Murch and Wilson 1975   3.94/(3.94 + L^0.62)
 //   Wilson 1979             1/(1 + 0.1 L^0.64)
 //   Gupta et al. 1992       (1 - 13.2 P L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64)
-// with P = p_max/E', S = s/u and the sliding speed s, valid for L below about 10. 13.2 P L^0.42 is
-// limited to 0.9. Starvation is a factor given by the user. Derivatives of a law keep the factor
-// fixed.
+// with P = p_max/E', S = s/u and the sliding speed s, valid for L below about 10. The term
+// 13.2 P L^0.42 is limited to 0.9. Starvation is a factor given by the user. Derivatives of a law
+// keep the factors fixed.
 #ifndef RACEWAY_FILM_FACTORS_H
 #define RACEWAY_FILM_FACTORS_H
 
@@ -17,7 +17,7 @@ namespace raceway {
 
 enum class InletShear { none, murch, wilson, gupta };
 
-// Thermal loading L from the entrainment speed (m/s), which is half the sum of both speeds
+// Thermal loading L from the entrainment speed (m/s), which is half the sum of the surface speeds
 inline double thermal_loading(double temperature_viscosity, double viscosity, double speed,
                               double conductivity)
 {
@@ -52,7 +52,7 @@ struct FilmFactors {
   // derived by prepare()
   double ln_loading = 0.0;    // ln(L/u^2)
   bool any = false;
-  bool by_pressure = false;    // Gupta's factor is used, which of() does not include
+  bool by_pressure = false;    // true: Gupta's factor is used, which of() does not include
 
   void prepare(double viscosity)
   {
@@ -62,7 +62,7 @@ struct FilmFactors {
       ln_loading = std::log(thermal_loading(temperature_viscosity, viscosity, 1.0, conductivity));
   }
 
-  // Factor from the logarithm of the entrainment speed (m/s).
+  // Product of the factors other than Gupta's, from the logarithm of the entrainment speed (m/s).
   template <class T> RACEWAY_INLINE T of(const T &ln_speed) const
   {
     const T all = T() + starvation;

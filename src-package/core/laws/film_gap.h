@@ -3,15 +3,16 @@
 // gap).
 //
 //   x = d + z h(Q),  Q = K x^1.5,  h = e (Q/Q_0)^-m,  h = e below Q_0
-//   x the elastic approach of the bodies, m;  d the overlap of the rigid surfaces, m, < 0: a gap
-//   e the film thickness at the load Q_0, m;  z the share of it that adds to the overlap
+//   x elastic approach of the bodies, m;  d overlap of the rigid surfaces, m (< 0 for a gap)
+//   e film thickness at the load Q_0, m;  z share of the film thickness that adds to the overlap
 //
 // With r = x/x_0, x_0 = (Q_0/K)^(2/3), n = 1.5 m this is r - H r^-n = D for r > 1, r - H = D below:
 // the left side increases with r and is concave, so there is one root, between 1 and D + H. A step
 // from r to r (1 + e) uses four terms of the inverted Taylor series in Newton's relative step s.
-// All derivatives follow from r^-n. The first step, from D + H with a rough r^-n, is within 1e-3 of
-// the root for films up to 16 x_0. One more with the exact r^-n is then exact to rounding; other
-// films need more steps. Each lane stops independently, so its bits do not depend on the others.
+// All derivatives follow from r^-n. The first step, from D + H with a rough r^-n, ends within 1e-3
+// of the root for films up to 16 x_0. One more step with the exact r^-n is then exact to rounding;
+// thicker films need more steps. Each lane stops independently, so its bits do not depend on other
+// lanes.
 #ifndef RACEWAY_FILM_GAP_H
 #define RACEWAY_FILM_GAP_H
 
@@ -19,7 +20,7 @@
 
 namespace raceway {
 
-constexpr double power_law_cut = 1.0;    // N, below which the power law's thickness is constant
+constexpr double power_law_cut = 1.0;    // N, load below which a power law's thickness is constant
 
 template <class T> struct FilmGapT {
   T compression;    // x, m
@@ -45,14 +46,14 @@ RACEWAY_INLINE GapStepT<T> gap_step(const T &r, const T &h, const T &D, const T 
 }
 }    // namespace detail
 
-// zero: x_0; film: z e, m; load_exponent: m. Pre-condition: overlap + film > 0.
+// zero: x_0, m; film: z e, m; load_exponent: exponent m. Pre-condition: overlap + film > 0.
 template <class T>
 RACEWAY_INLINE FilmGapT<T> compress(const T &overlap, const T &film, const T &zero,
                                     const T &load_exponent)
 {
   constexpr int most = 30;
-  constexpr double small = 1e-3;       // its fifth power is below rounding
-  constexpr double long_step = 0.1;    // beyond it the series may diverge: Newton's step alone
+  constexpr double small = 1e-3;       // step whose fifth power is below rounding
+  constexpr double long_step = 0.1;    // longer steps, whose series may diverge, are Newton's alone
   const T n = 1.5 * load_exponent, per = 1.0 / zero, D = overlap * per, H = film * per, all = D + H;
   const auto thinned = all > 1.0;
   const T from = where(thinned, all, 1.0);
@@ -91,9 +92,9 @@ RACEWAY_INLINE T thinning_work(double share, const T &load_exponent, const T &lo
          where(load > cut, T(h * load - edge * cut), 0.0);
 }
 
-// For any film law with thickness and fall over ln x: solves ln(x + gap) = ln(z h + squeezed),
-// which is nearly linear in ln x on both sides, by Newton iteration from `start`. Law::at(ln x)
-// gives thickness and fall.
+// For any film law: solves ln(x + gap) = ln(z h + squeezed), both sides of which are nearly linear
+// in ln x, by Newton iteration from `start`. Law::at(ln x) gives the film thickness and its fall
+// with ln x.
 template <class T> struct FilmRootT {
   T compression, thickness, slope;    // m, m, dx/dd
 };

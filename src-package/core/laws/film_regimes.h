@@ -6,7 +6,7 @@
 // With U = 2 eta u/(E' R_x), M = Q/(E' R_x^2) U^(-3/4), L = xi E' U^(1/4), lambda = R_x/R_y:
 //   h = R_x sqrt(U) {[RI^1.5 + (EI^-4 + H_0^-4)^(-3/8)]^(2s/3) + (RP^-8 + EP^-8)^(-s/8)}^(1/s),
 //   s = 1.5 (1 + e^(-1.2 EI/EP)).
-// Everything is in logarithms, because the asymptotes are straight lines in ln M.
+// The code works with logarithms, because the asymptotes are straight lines in ln M.
 #ifndef RACEWAY_FILM_REGIMES_H
 #define RACEWAY_FILM_REGIMES_H
 
@@ -43,7 +43,7 @@ RACEWAY_INLINE MoesShapeT<T> moes_shape(const T &rolling_radius, double ln_trans
           std::log(1.8) - l};
 }
 
-// Constants of a run.
+// Constants of a raceway during a run.
 struct MoesRaceway {
   double ln_speed = 0.0, ln_material = 0.0;        // ln of 2 eta/E' and xi E'
   double ln_modulus = 0.0, ln_transverse = 0.0;    // ln of E' and R_y
@@ -57,7 +57,7 @@ struct MoesRaceway {
   {
   }
 
-  // Geometry factors at a contact angle, exact at zero contact angle like a raceway's constants.
+  // Geometry factors at a contact angle. Like a raceway's constants they are exact at zero angle.
   template <class T>
   RACEWAY_INLINE MoesShapeT<T> shape(const T &cos_angle, const T &rolling_radius,
                                      double radial_radius) const

@@ -2,9 +2,9 @@
 // Friction coefficient of a sliding film in a Hertz contact (docs/tribology, Traction):
 //   tau(p) = min(tau_0 asinh(eta(p) s/(h tau_0)), Lambda_L p),  eta(p) after Roelands,
 //   mu Q = integral of tau over the ellipse = 3 Q/p_max integral of tau(t p_max) t dt, t in 0 to 1,
-// by eight Gauss points in t = sqrt(1 - r^2), r the radius in units of the semi-axes. The error is
-// at most 0.9 % (with six points 2.8 %), mostly from the kink of tau. s is one speed for the whole
-// ellipse.
+// by eight Gauss points in t = sqrt(1 - r^2), with the radius r in units of the semi-axes. The
+// error is at most 0.9 % (with six points 2.8 %), mostly from the kink of tau. The sliding speed s
+// is the same over the whole ellipse.
 #ifndef RACEWAY_FILM_TRACTION_H
 #define RACEWAY_FILM_TRACTION_H
 
@@ -58,12 +58,12 @@ struct FilmTraction {
     ln_rate = std::log(oil.viscosity / stress);
   }
 
-  // Friction coefficient from the largest pressure (Pa) and the logarithm of the shear rate s/h
-  // (1/s). The points are evaluated in lanes, in a function compiled once rather than inlined into
-  // every law.
+  // Friction coefficient from the maximum pressure (Pa) and the logarithm of the shear rate s/h
+  // (1/s). The Gauss points are evaluated in lanes, in a function that is compiled once rather than
+  // inlined into every law.
   __attribute__((noinline)) double coefficient(double pressure, double ln_shear) const
   {
-    // Gauss-Legendre on 0 to 1
+    // Gauss-Legendre nodes on 0 to 1
     constexpr Lane node[2] = {
         {0.019855071751231912, 0.10166676129318664, 0.2372337950418355, 0.40828267875217511},
         {0.59171732124782483, 0.7627662049581645, 0.89833323870681336, 0.98014492824876809}};
@@ -87,7 +87,7 @@ struct FilmTraction {
   }
 
  private:
-  static constexpr double most = 300.0;    // its asinh is far beyond any limit
+  static constexpr double most = 300.0;    // limit of ln x, at which tau is far above Lambda_L p
 };
 
 }    // namespace raceway

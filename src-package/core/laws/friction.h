@@ -2,10 +2,10 @@
 // Friction coefficient (docs/theory, Friction; Farah 2020 fig. 5), the tangential spring with a
 // Coulomb cap, and Coulomb's law smoothed over a creep speed.
 //
-// mu is a constant, or depends on the lambda ratio Lambda: its boundary value below Lambda_1, its
-// full-film value above Lambda_2, and between them the cubic 3s^2 - 2s^3, s = (Lambda - Lambda_1)/
-// (Lambda_2 - Lambda_1), so that mu and dmu/dLambda are continuous (the curve of fig. 5 is
-// schematic; the cubic is our choice).
+// mu is a constant or depends on the lambda ratio Lambda. It has its boundary value below Lambda_1
+// and its full-film value above Lambda_2. In between it follows the cubic 3s^2 - 2s^3,
+// s = (Lambda - Lambda_1)/(Lambda_2 - Lambda_1), so that mu and dmu/dLambda are continuous (the
+// curve of fig. 5 is schematic; the cubic is our choice).
 #ifndef RACEWAY_FRICTION_H
 #define RACEWAY_FRICTION_H
 
@@ -32,9 +32,9 @@ inline int regime(const StribeckCurve &c, double lambda)
 }
 
 // Tangential spring-dashpot in the two directions t and w of the contact frame, capped at mu N. xi
-// is the elongation of the spring (m); it is reset if the contact slides, so that spring force
-// plus dashpot equals the cap. The contact frame turns with the ball's azimuth, so xi needs no
-// transport. Returns the force of the raceway on the ball along -t, -w through ft, fw.
+// is the elongation of the spring (m); if the contact slides, it is reset so that spring force plus
+// dashpot force equals the cap. The contact frame turns with the ball's azimuth, so xi needs no
+// transformation. ft and fw receive the force of the raceway on the ball along -t and -w.
 template <class T> struct TangentialSpringT {
   T k = T();    // N/m
   T c = T();    // N s/m
@@ -58,10 +58,10 @@ RACEWAY_INLINE void tangential_force(const TangentialSpringT<T> &s, const T &cap
 }
 
 // Coulomb's law smoothed over a sliding speed v_0:  f = mu N s/sqrt(|s|^2 + v_0^2).
-// It has no memory, is odd and monotone in s, tends to mu N for |s| >> v_0 and is a dashpot mu
-// N/v_0 at small s: a loaded contact creeps slightly when the spring would stick. In a rolling
-// contact it acts as a traction curve: with v_0 = c u (u entrainment speed) f depends only on the
-// slide-roll ratio s/u, with its knee at s/u = c. Returns f/s, N s/m; cap = mu N.
+// The law has no history, is odd and monotone in s, tends to mu N for |s| >> v_0 and is a dashpot
+// mu N/v_0 at small s: a loaded contact creeps slightly where a spring would stick. In a rolling
+// contact the law acts as a traction curve: with v_0 = c u (u entrainment speed) f depends only on
+// the slide-roll ratio s/u, with a knee at s/u = c. Returns f/s, N s/m; cap = mu N.
 template <class T, class S>
 RACEWAY_INLINE T smoothed_friction(const T &cap, const S &slip_t, const S &slip_w, const S &v_0)
 {

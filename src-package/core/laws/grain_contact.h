@@ -13,25 +13,25 @@ namespace raceway {
 struct GrainContact {
   Vec3 spring;            // m, tangential
   Vec3 force;             // N
-  Vec3 couple;            // N, normal times force: the moment on a body over its lever
+  Vec3 couple;            // N, normal x force: moment on a body divided by the body's lever
   Vec3 moment;            // N m, of the force about the centre of a turning wall
   double energy = 0.0;    // J, energy of both springs
 };
 
-// Two bodies in a step: the second is a grain or a wall, which turns about its centre.
+// Two bodies during a step: a grain, and a second grain or a wall that turns about its centre.
 struct GrainMeeting {
   double mass;       // kg, reduced
   double overlap;    // m
   Vec3 n;            // unit normal towards the first body
   Vec3 v;            // m/s, velocity of the first body's centre relative to the second's
-  Vec3 turn;         // m/s, sum of angular velocity times lever of the grains
+  Vec3 turn;         // m/s, sum of angular velocity times lever over the grains
   Vec3 arm, spin;    // of a wall: contact relative to its centre, m; angular velocity, rad/s
 };
 
 // Advances a contact by dt (s) and returns the energy lost in it (J): the work of the bodies on the
-// contact minus the energy stored in the springs. Velocities are taken at the half step. With the
-// mean of forces and moments at both ends, this is the loss in velocity Verlet, apart from the
-// change of the grains' levers in a step.
+// contact minus the energy stored in the springs. Velocities are taken at the half step, forces and
+// moments as the mean of both ends of the step. This equals the loss in velocity Verlet, except for
+// the change of the grains' levers within a step.
 inline double advance(GrainContact &c, const GrainLaw &law, const GrainMeeting &m, double dt)
 {
   const GrainContact before = c;
@@ -43,7 +43,7 @@ inline double advance(GrainContact &c, const GrainLaw &law, const GrainMeeting &
                  normal = push > 0.0 ? push : 0.0;    // no attraction
     const double kt = GrainLaw::tangential * law.stiffness;
     const Vec3 slide = v + m.n * closing;
-    // the spring turns with the contact's plane and keeps its length
+    // the spring turns with the tangent plane of the contact without a change of length
     Vec3 s = before.spring - m.n * dot(before.spring, m.n);
     const double length = norm(before.spring), left = norm(s);
     if (left > 0.0) s = s * (length / left);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Parameters of a contact of grains: linear spring and dashpot, and friction (grain_contact.h).
+// Parameters of a contact between grains: linear spring and dashpot, and friction
+// (grain_contact.h).
 #ifndef RACEWAY_GRAIN_LAW_H
 #define RACEWAY_GRAIN_LAW_H
 
@@ -16,7 +17,7 @@ struct GrainLaw {
   double restitution = 1.0;    // restitution of a slow collision without friction
   double friction = 0.0;
 
-  // N s/m, for the reduced mass m (kg)
+  // Dashpot constant for the reduced mass m (kg), N s/m
   double damping(double m) const
   {
     const double a = std::log(restitution);

@@ -14,10 +14,11 @@ constexpr double steel_density = 7850.0;       // kg/m^3
 constexpr double steel_heat = 460.0;           // J/(kg K)
 constexpr double steel_expansion = 12e-6;      // 1/K
 
-// Conductance (W/K) of a contact ellipse whose surfaces both move through it at the speed u (m/s):
-// each point conducts into two half-spaces for 2b sqrt(1 - z^2)/u, z the position across over a.
-// The prefactor is the integral of (1 - z^2)^(1/4) over z from 0 to 1, sqrt(pi) G(5/4)/(2 G(7/4)).
-// Derived for the package; valid for u b rho c/(2 k) > 5, which holds in every rotating bearing.
+// Conductance (W/K) of a contact ellipse through which both surfaces move at the speed u (m/s).
+// Each point conducts into two half-spaces for the time 2b sqrt(1 - z^2)/u, where z is the position
+// across rolling over a. The prefactor is the integral of (1 - z^2)^(1/4) over z from 0 to 1,
+// sqrt(pi) G(5/4)/(2 G(7/4)). Derived for the package; valid for u b rho c/(2 k) > 5, which holds
+// in every rotating bearing.
 inline double contact_conductance(double a, double b, double u)
 {
   constexpr double integral = 0.8740191847640399;
@@ -25,16 +26,16 @@ inline double contact_conductance(double a, double b, double u)
   return integral * 2.0 * a * std::sqrt(2.0 * property * b * u / 3.14159265358979323846);
 }
 
-// Conductance of seats and housing of a radial bearing of these sizes (m), W/K, per kelvin above
-// ambient at the reference conditions of ISO 15312: W_s = q_r pi B (D + d)/50 K, q_r = 0.016
-// W/mm^2 (from memory, unchecked).
+// Conductance (W/K) of seats and housing of a radial bearing of this size (m), at the reference
+// conditions of ISO 15312: W_s = q_r pi B (D + d)/50 K, q_r = 0.016 W/mm^2 (from memory,
+// unchecked).
 inline double iso_15312_conductance(double bore, double outside, double width)
 {
   return 0.016e6 * 3.14159265358979323846 * width * (outside + bore) / 50.0;
 }
 
-// Change of the diametral clearance (m) of raceways and balls of these radii (m) for temperature
-// rises (K) of inner ring, balls and outer ring.
+// Change of the diametral clearance (m) due to temperature rises (K) of inner ring, balls and outer
+// ring, for raceways and balls of these radii (m).
 inline double clearance_change(double inner_radius, double outer_radius, double ball_radius,
                                double inner, double balls, double outer)
 {

@@ -4,9 +4,9 @@
 //
 //   ambient -shaft- inner ring -inner- balls -outer- outer ring -seat- housing -housing- ambient
 //
-// Without a housing of its own (capacity 0) the outer ring is cooled through seat and housing in
-// series. Oil that flows links inner ring, balls and outer ring with each other and with its inlet;
-// its own mass is negligible.
+// If the housing is not a node (capacity 0), the outer ring is cooled through seat and housing in
+// series. Flowing oil links inner ring, balls and outer ring with one another and with the oil
+// inlet; the mass of the oil is negligible.
 #ifndef RACEWAY_HEAT_NETWORK_H
 #define RACEWAY_HEAT_NETWORK_H
 
@@ -19,7 +19,7 @@
 namespace raceway {
 
 constexpr int heat_nodes = 4;                  // inner ring, balls, outer ring, housing
-constexpr int heat_inputs = heat_nodes + 1;    // W, into the nodes and into oil that flows
+constexpr int heat_inputs = heat_nodes + 1;    // W, into the nodes and into flowing oil
 
 struct HeatNetwork {
   double capacity[heat_nodes] = {};    // J/K; housing: 0 if there is none
@@ -38,8 +38,8 @@ struct HeatNetwork {
   }
 };
 
-// The network in its modes, for constant heat (W, heat_inputs), or heat that varies linearly to
-// `end` in `over` seconds.
+// The network in terms of its modes, for heat (W, heat_inputs) that is constant or varies linearly
+// to `end` within `over` seconds.
 class HeatFlow {
  public:
   HeatFlow(const HeatNetwork &of, const double *heat, const double *end, double over) :
@@ -101,7 +101,7 @@ class HeatFlow {
   // carried away by the oil.
   double advance(const double *from, double time, double *to) const
   {
-    double now[heat_nodes], sum[heat_nodes];    // rises over ambient times root_, and integral
+    double now[heat_nodes], sum[heat_nodes];    // rises over ambient times root_; their integrals
     double rise[heat_nodes] = {}, spent[heat_nodes] = {};
     for (int m = 0; m < n_; ++m) {
       double begin = 0.0;
@@ -160,15 +160,15 @@ class HeatFlow {
   }
 
   // Temperature rises over ambient in equilibrium with the conductances `g`. The elimination keeps
-  // what each part passes to ambient apart from its links, and so subtracts no similar numbers
-  // (Grassmann, Taksar, Heyman, Oper. Res. 33, 1985).
+  // the conductance of each part to ambient apart from the links between parts, so it never
+  // subtracts nearly equal numbers (Grassmann, Taksar, Heyman, Oper. Res. 33, 1985).
   void find_steady(const double g[heat_nodes][heat_nodes], const double *heat)
   {
     double link[heat_nodes][heat_nodes] = {}, out[heat_nodes], drive[heat_nodes], own[heat_nodes];
     for (int i = 0; i < n_; ++i) {
       for (int j = 0; j < n_; ++j)
         if (i != j) link[i][j] = -g[i][j];
-      out[i] = to_ambient_[i];    // also through the parts before
+      out[i] = to_ambient_[i];    // conductance to ambient, also through parts eliminated so far
       drive[i] = heat[i];
     }
     for (int k = 0; k < n_; ++k) {
@@ -228,8 +228,8 @@ class HeatFlow {
 
   HeatNetwork net_;
   int n_;
-  double root_[heat_nodes] = {}, to_ambient_[heat_nodes] = {};    // of the capacities; W/K
-  // W, carried away by the oil apart from what the rises of the parts over ambient add
+  double root_[heat_nodes] = {}, to_ambient_[heat_nodes] = {};    // root of the capacities; W/K
+  // W, carried away by the oil without the heat due to the parts' temperature rises over ambient
   double to_outlet_ = 0.0;
   double rate_[heat_nodes] = {}, steady_[heat_nodes] = {};    // by mode
   double growth_[heat_nodes] = {};                            // of steady_, by mode, 1/s

@@ -27,7 +27,7 @@ struct ContactEllipse {
   double Fbar = 0.0;     // elliptic integral of the first kind
 };
 
-// Axis ratio from the ratio of effective radii by bisection and Newton in ln(kappa).
+// Axis ratio from the ratio of effective radii, by bisection and the secant method in ln(kappa).
 // R_minor/R_major = (1/R_y)/(1/R_x) = m1 D(m)/(K(m) - D(m)), m1 = 1/kappa^2.
 inline ContactEllipse exact_ellipse_major(double alpha)    // alpha = R_y/R_x >= 1
 {
@@ -70,9 +70,9 @@ inline ContactEllipse fitted_ellipse_major(double alpha, Ellipse form)
   return c;
 }
 
-// Ellipse for R_y/R_x above or below 1, with F and E of the modulus^2 1 - 1/kappa^2. Below 1 the
-// axes are swapped: with kappa' = 1/kappa, F(1 - 1/kappa^2) = kappa' F(1 - 1/kappa'^2) and
-// E(1 - 1/kappa^2) = E(1 - 1/kappa'^2)/kappa'.
+// Ellipse for R_y/R_x above or below 1, with F and E as functions of the squared modulus
+// 1 - 1/kappa^2. Below 1 the axes are swapped: with kappa' = 1/kappa,
+// F(1 - 1/kappa^2) = kappa' F(1 - 1/kappa'^2) and E(1 - 1/kappa^2) = E(1 - 1/kappa'^2)/kappa'.
 inline ContactEllipse contact_ellipse(double Rx, double Ry, Ellipse form)
 {
   const bool swapped = Ry < Rx;
@@ -85,7 +85,7 @@ inline ContactEllipse contact_ellipse(double Rx, double Ry, Ellipse form)
 
 inline double hertz_radius(double Rx, double Ry) { return 1.0 / (1.0 / Rx + 1.0 / Ry); }
 
-// N/m^1.5
+// Stiffness K of the contact, N/m^1.5
 inline double hertz_stiffness(const ContactEllipse &c, double R, double Eprime)
 {
   const double pi = 3.14159265358979323846;
@@ -106,7 +106,7 @@ inline double hertz_pressure(double load, double a, double b)
   return 1.5 * load / (pi * a * b);
 }
 
-// N
+// Load Q at an overlap (m), N
 inline double hertz_load(double stiffness, double overlap)
 {
   return overlap <= 0.0 ? 0.0 : stiffness * overlap * std::sqrt(overlap);
@@ -179,8 +179,8 @@ inline double tangential_ratio(double E1, double nu1, double E2, double nu2)
 }
 
 // Smallest overlap (m) at which the semi-axis across the groove, a sqrt(overlap), reaches the
-// groove radius: the half-space assumption of Hertz no longer holds. `raceway static` has the same
-// rule.
+// groove radius, so that the half-space assumption of Hertz no longer holds. `raceway static`
+// applies the same rule.
 inline double widest_overlap(double a, double groove_radius)
 {
   const double ratio = groove_radius / a;

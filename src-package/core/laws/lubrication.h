@@ -12,14 +12,14 @@ enum class LubricationKind { bath, jet, mist, grease, minimal };
 constexpr const char *lubrication_kinds = "bath jet mist grease minimal";
 
 struct Lubrication {
-  double inlet = 0.0;            // inlet length in semi-axes b; 0: flooded, 1: the shortest
+  double inlet = 0.0;            // inlet length in semi-axes b; 0: flooded, 1: shortest inlet
   double replenishment = 0.0;    // K_rs; 0: no starvation
   double share = 0.0;            // X, volume fraction of oil
 };
 
-// Mean share of the balls' volume below the level of an oil bath at rest, over their path. The
-// level is counted from the lowest raceway, in ball diameters; `pitch` is the pitch radius in ball
-// radii.
+// Share of the balls' volume below the level of an oil bath at rest, averaged over the orbit. The
+// level is measured from the lowest point of the raceway, in ball diameters; `pitch` is the pitch
+// radius in ball radii.
 inline double immersed_share(double level, double pitch)
 {
   constexpr int points = 720;
@@ -34,10 +34,10 @@ inline double immersed_share(double level, double pitch)
   return sum / points;
 }
 
-// `density` of the oil, kg/m^3
+// Values for a kind of lubrication; `level` and `pitch` as above, `density` of the oil in kg/m^3
 inline Lubrication lubrication(LubricationKind kind, double level, double pitch, double density)
 {
-  constexpr double groove = 3.0;    // an inlet in a bearing's groove (Balan et al. 2015)
+  constexpr double groove = 3.0;    // inlet length in a bearing's groove (Balan et al. 2015)
   constexpr double oil = 3e-8, grease = 6e-8;          // K_rs, SKF
   const double air = std::fmin(1.2 / density, 1.0);    // density of air over density of oil
   switch (kind) {

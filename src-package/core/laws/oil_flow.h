@@ -8,8 +8,8 @@
 
 namespace raceway {
 
-// Heat transfer coefficient (W/(m^2 K)) between flowing oil and the surfaces of a bearing, as at
-// the distance x from the leading edge of a plate in laminar flow of the speed u:
+// Heat transfer coefficient (W/(m^2 K)) between flowing oil and the surfaces of a bearing, equal to
+// the coefficient at the distance x from the leading edge of a plate in laminar flow at speed u:
 // h = 0.332 k Pr^(1/3) sqrt(u/(nu x)), Pr = eta c_p/k (Pohlhausen). Here x is the pitch diameter
 // (m) and u a third of the speed of the balls on the pitch circle (Harris, Rolling Bearing
 // Analysis, after Eckert; from memory, unchecked). `orbit` (rad/s) is the speed of the balls around
@@ -23,8 +23,8 @@ inline double oil_convection(double conductivity, double heat_capacity, double d
          std::sqrt(speed * density / (viscosity * pitch_diameter));
 }
 
-// Surfaces (m^2) that oil wets: the balls, and cylinders of the raceways' radii and the bearing's
-// width (m).
+// Surfaces (m^2) that oil wets: the balls, and cylinders with the radii of the raceways and the
+// width of the bearing (m).
 struct WettedSurfaces {
   double inner, balls, outer;
 };
@@ -36,10 +36,10 @@ inline WettedSurfaces wetted_surfaces(double inner_radius, double outer_radius, 
           2.0 * pi * outer_radius * width};
 }
 
-// The oil between inlet and outlet, at one temperature: it mixes, and its mass is negligible.
+// The oil between inlet and outlet: it is mixed to one temperature, and its mass is negligible.
 struct OilFlow {
   static constexpr int surfaces = 3;    // inner ring, balls, outer ring
-  double flow = 0.0;                    // W/K, mass flow times heat capacity; 0: the oil stays
+  double flow = 0.0;                    // W/K, mass flow times heat capacity; 0: no flow
   double inlet = 20.0;                  // C
   double wetted[surfaces] = {};         // m^2
   double convection = 0.0;              // W/(m^2 K)
@@ -50,7 +50,8 @@ struct OilFlow {
   {
     return flow + convection * (wetted[0] + wetted[1] + wetted[2]);
   }
-  // C, of the oil between surfaces at these temperatures, with `heat` (W) generated in it
+  // Temperature (C) of the oil between surfaces at the temperatures `surface` (C), with the heat
+  // `heat` (W) generated in the oil
   double outlet(const double *surface, double heat) const
   {
     double sum = flow * inlet + heat;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Load of a ball over a pit that is narrower than the contact patch (docs/theory, Flaws of a
-// raceway). The strip of the patch over the pit, which carries the share chi of the load, has an
-// overlap reduced by the depth D; the remainder does not:
+// raceway). The strip of the patch over the pit, with the share chi of the load, has an overlap
+// reduced by the depth D; the remainder of the patch has the full overlap:
 //   Q/K = chi max(0, d - D)^1.5 + (1 - chi) d^1.5,    chi = 1.5 x - 0.5 x^3, x = sqrt(e/d)
 // for d > e, and chi = 1 below. d is the overlap without the pit, e the overlap at which the patch
-// is as wide as the pit. Stored energy, gradient and second derivatives in d and D are in closed
-// form.
+// is as wide as the pit. The stored energy and its first and second derivatives with respect to d
+// and D have closed forms.
 #ifndef RACEWAY_PIT_LOAD_H
 #define RACEWAY_PIT_LOAD_H
 
@@ -14,10 +14,10 @@
 namespace raceway {
 
 struct PitLoad {
-  double energy;        // m^2.5, over K
-  double load, side;    // m^1.5, over K: derivatives of the energy in d and in -D
-  double dd, dD, DD;    // m^0.5, second derivatives of the energy
-  double wide;          // m^2, minus the derivative of the energy in sqrt(e)
+  double energy;        // m^2.5, stored energy over K
+  double load, side;    // m^1.5, derivatives of `energy` with respect to d and to -D
+  double dd, dD, DD;    // m^0.5, second derivatives of `energy`
+  double wide;          // m^2, minus the derivative of `energy` with respect to sqrt(e)
 };
 
 namespace detail {
@@ -36,7 +36,7 @@ struct PitIntegrals {
 };
 }    // namespace detail
 
-// d > 0, D >= 0, e > 0
+// Load over a pit. Pre-conditions: d > 0, D >= 0, e > 0.
 inline PitLoad pit_load(double d, double D, double e)
 {
   const double over = std::fmax(0.0, d - D), rest = std::sqrt(over);

@@ -14,9 +14,9 @@ namespace raceway {
 // Overlap at which the damper is fully active, as a fraction of the pocket's half play.
 constexpr double full_damping = 0.02;
 
-// Force k overlap + c overlap/whole overlap_rate, never attractive. c is the critical damping
-// 2 sqrt(k m), fully active above the overlap `whole` (m). k: N/m, m: reduced mass, kg;
-// overlap >= 0.
+// Force k overlap + (c overlap/whole) overlap_rate, never attractive. The damping c is critical,
+// 2 sqrt(k m), and fully active above the overlap `whole` (m). k: stiffness, N/m; m: reduced mass,
+// kg; overlap >= 0.
 inline DampedHertz damped_wall(double k, double whole, double overlap, double overlap_rate,
                                double m)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Kinematics of pure rolling at zero contact angle, the initial state of a rotating bearing.
+// Kinematics of pure rolling at zero contact angle, which is the initial state of a rotating
+// bearing.
 #ifndef RACEWAY_ROLLING_H
 #define RACEWAY_ROLLING_H
 
@@ -11,7 +12,8 @@ struct Rolling {
       0.0;    // rad/s, ball about its own axis parallel to the bearing axis, in the inertial frame
 };
 
-// Ball radius R, pitch radius r, ring speeds (rad/s). No slip at r - R (inner) and r + R (outer).
+// Ball radius R (m), pitch radius r (m), ring speeds (rad/s). There is no slip at the radii r - R
+// (inner raceway) and r + R (outer raceway).
 inline Rolling pure_rolling(double R, double r, double inner_speed, double outer_speed)
 {
   Rolling k;

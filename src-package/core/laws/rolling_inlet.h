@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Share of the flooded rolling resistance that a short inlet leaves (docs/tribology, Rolling
-// resistance). The resisting force of the inlet, from Reynolds's equation for a line contact with
-// the central thickness h_c and Hertz's gap in front of it, up to a meniscus at m b:
+// Share of the flooded rolling resistance that remains with a short inlet (docs/tribology, Rolling
+// resistance). The resisting force of the inlet follows from Reynolds's equation for a line contact
+// with the central thickness h_c and Hertz's gap in front of the contact, up to a meniscus at m b:
 //   f ~ integral from 1 to m of (h - h_c)/h^2 dX,  h = h_c + b^2 g(X)/(2 R_x),
 //   g = X sqrt(X^2 - 1) - arcosh X,  X = x/b.
-// Its share of the flooded resistance depends on m and H = 2 R_x h_c/b^2. The shortest inlet that
-// still feeds the full film, m = 1 + 3.06 (H/2)^0.58 (Hamrock and Dowson), leaves a share of 0.50
-// to 0.57 for H from 0.007 to 18. The share is therefore at least 1/2.
+// The share of the flooded resistance depends on m and H = 2 R_x h_c/b^2. The shortest inlet that
+// still feeds the full film, m = 1 + 3.06 (H/2)^0.58 (Hamrock and Dowson), gives a share of 0.50
+// to 0.57 for H from 0.007 to 18. The share is therefore limited to at least 1/2.
 #ifndef RACEWAY_ROLLING_INLET_H
 #define RACEWAY_ROLLING_INLET_H
 
@@ -17,7 +17,7 @@
 namespace raceway {
 
 namespace detail {
-// Integral up to the meniscus at m, over s = ln(X - 1) by Simpson's rule
+// Integral up to the meniscus at X = m, by Simpson's rule in s = ln(X - 1)
 inline double inlet_integral(double m, double H)
 {
   const double low = -14.0, high = std::log(m - 1.0);
@@ -27,7 +27,7 @@ inline double inlet_integral(double m, double H)
   for (int k = 0; k <= steps; ++k) {
     const double over = std::exp(low + k * width), X = 1.0 + over;
     const double root = std::sqrt(over * (over + 2.0));
-    // arcosh X - X sqrt(X^2 - 1) suffers from cancellation near 1, so its first term is used there
+    // g suffers from cancellation near X = 1, so the first term of its series is used there
     const double g = over < 1e-4 ? 4.0 / 3.0 * std::sqrt(2.0) * over * std::sqrt(over)
                                  : X * root - std::log(X + root);
     const double weight = k == 0 || k == steps ? 1.0 : k % 2 ? 4.0 : 2.0;
@@ -37,8 +37,8 @@ inline double inlet_integral(double m, double H)
 }
 }    // namespace detail
 
-// Share of the flooded resistance that an inlet of the length m leaves at H, by quadrature; m, in
-// semi-axes b along rolling, is above 1
+// Share of the flooded resistance with the inlet length m at H, by quadrature. m, in semi-axes b
+// along rolling, is above 1.
 inline double inlet_share(double m, double H)
 {
   constexpr double far = 1e4;    // beyond it the integrand is 1/X^2
@@ -46,15 +46,15 @@ inline double inlet_share(double m, double H)
   return (m < far ? detail::inlet_integral(m, H) : all) / all;
 }
 
-// The share as contacts use it: ln((1 - share)/share) by interpolation in ln H at five Chebyshev
-// points, within 0.007 for H from 0.001 to 20, and limited to at least 1/2.
+// The share used by contacts: ln((1 - share)/share) is interpolated in ln H between five Chebyshev
+// points; the share is within 0.007 for H from 0.001 to 20, and limited to at least 1/2.
 struct RollingInlet {
   static constexpr int nodes = 5;
-  static constexpr double low = -6.9, high = 3.0;    // ln H
-  double node[nodes] = {}, slope[nodes] = {};        // Newton's form
+  static constexpr double low = -6.9, high = 3.0;    // range of ln H
+  double node[nodes] = {}, slope[nodes] = {};        // Newton's form of the polynomial
   bool short_inlet = false;
 
-  // `length` in semi-axes b; 0: flooded, 1: the shortest
+  // length: inlet length in semi-axes b; 0: flooded, 1: shortest inlet
   void prepare(double length)
   {
     short_inlet = length > 0.0;
@@ -70,7 +70,7 @@ struct RollingInlet {
         slope[k] = (slope[k] - slope[k - 1]) / (node[k] - node[k - order]);
   }
 
-  // h_c and b in m, R_x in m
+  // Share for the film thickness h_c, the semi-axis b and the rolling radius R_x, all in m
   template <class T> RACEWAY_INLINE T share(const T &h_c, const T &b, const T &rolling_radius) const
   {
     const T H = 2.0 * rolling_radius * h_c / (b * b);

@@ -16,7 +16,7 @@
 
 namespace raceway {
 
-// Logarithms of the constants of a run.
+// Logarithms of constants.
 struct RollingConstants {
   double speed = 0.0, modulus = 0.0, transverse = 0.0;    // ln of eta/E', E' and R_y
 
@@ -27,7 +27,7 @@ struct RollingConstants {
   }
 };
 
-// Geometry factors of the law, SI: with v = u^(1/12)
+// Geometry factors (SI units) of the law in the form, with v = u^(1/12),
 //   f = rigid Q^(1/3) v^8 ((1 - elastic v) v^9/(v^9 + mean Q) + elastic v).
 template <class T> struct RollingShapeT {
   T rigid, elastic, mean;
@@ -42,7 +42,7 @@ RACEWAY_INLINE RollingShapeT<T> rolling_shape(const RollingConstants &k, const T
           (0.5549 / 6.6) * exponential(T(-0.6029 * r - unit - 0.75 * u))};
 }
 
-// Force f, N. ln_u: ln of u (m/s); root: Q^(1/3) (N^(1/3)).
+// Force f, N. ln_u: logarithm of u (m/s); root: cube root of Q, N^(1/3).
 template <class T>
 RACEWAY_INLINE T rolling_force(const RollingShapeT<T> &k, const T &ln_u, const T &load,
                                const T &root)

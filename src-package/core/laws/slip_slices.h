@@ -20,17 +20,17 @@
 
 namespace raceway {
 
-// Motions at the centre of the ellipse, and the speed below which friction is proportional to it,
-// m/s.
+// Motions at the centre of the ellipse, and the speed below which friction is proportional to
+// sliding, m/s.
 template <class T> struct SlipMotionT {
   T along, across, spin, edge;    // s_t, s_w, q, e
   T aspect;                       // b/a
   T least;
 };
 // Forces over mu Q and the moment over mu Q a, each opposing its motion; `couple`, over mu Q,
-// belongs to e. Slopes, s/m, are for implicit steps: for the forces the tangent, blended into the
-// secant the more the contact slides as a whole; for moment and couple the secant, which is
-// positive.
+// belongs to e. The slopes (s/m) are for implicit steps. The slopes of the forces are tangents,
+// blended into secants the more the contact slides as a whole; those of moment and couple are
+// secants, which are positive.
 template <class T> struct SlipForcesT {
   T along, across, moment, couple;
   T slope_along, slope_across, slope_moment, slope_couple;
@@ -38,8 +38,8 @@ template <class T> struct SlipForcesT {
 
 class SlipSlices {
  public:
-  // The slices are evaluated in lanes, in a function compiled once rather than inlined into every
-  // law. Slopes are 0 unless requested.
+  // The slices are evaluated in lanes, in a function that is compiled once rather than inlined into
+  // every law. Slopes are 0 unless requested.
   template <bool slopes>
   __attribute__((noinline)) static SlipForcesT<double> forces(const SlipMotionT<double> &m)
   {
@@ -115,8 +115,8 @@ class SlipSlices {
  private:
   static constexpr int slices = 24, borders = slices + lanes;    // the last three are unused
 
-  // Values at the borders of the slices: z; z^2, minus the excess of the mean of both ends of a
-  // slice over the mean within it; the Gauss point of the chord, over b. Values by slice: the load.
+  // Values at the borders of the slices: z; z^2, corrected so that the mean of both ends of a slice
+  // is the mean within the slice; Gauss point of the chord, over b. Values by slice: the load.
   struct Table {
     double z[borders], z2[borders], chord[borders], load[slices];
   };
@@ -125,7 +125,7 @@ class SlipSlices {
   {
     static const Table made = [] {
       constexpr double width = 2.0 / slices;
-      // 3/4 (1 - z^2) lies on a chord
+      // integral of the load per unit of z on a chord, 3/4 (1 - z^2)
       auto up_to = [](double z) { return 0.75 * (z - z * z * z / 3.0); };
       Table t = {};
       for (int k = 0; k < borders; ++k) {

@@ -2,11 +2,11 @@
 // Couple against spin about the contact normal (docs/theory, Spin): (3/8) mu Q a E for pure spin
 // under Coulomb's law, with the complete elliptic integral E of the ellipse.
 //
-// If the contact also slides, the couple at small spin is proportional to the spin. Gauss points
-// over the ellipse (tests/references/spin.py) give the width: omega a = 0.78 s_e with differential
-// slip, omega a = 1.9 s with gross sliding. Spin in turn reduces the couple of differential slip,
-// by the factor 1 - 1.35 (omega a/s_e)^2. Moment and power agree with the Gauss points within 5 %
-// of mu Q a and mu Q s_e.
+// If the contact also slides, the couple at small spin is proportional to the spin. Integration
+// over the ellipse by Gauss points (tests/references/spin.py) gives the width of this range:
+// omega a = 0.78 s_e with differential slip, omega a = 1.9 s with gross sliding. Spin in turn
+// reduces the couple of differential slip by the factor 1 - 1.35 (omega a/s_e)^2. Moment and power
+// agree with the integration within 5 % of mu Q a and mu Q s_e.
 #ifndef RACEWAY_SPIN_H
 #define RACEWAY_SPIN_H
 
@@ -26,15 +26,15 @@ RACEWAY_INLINE T spin_couple(const T &limit, double modulus, const T &root, cons
   return limit * root * (3.14159265358979323846 / 16.0 * modulus) * ab * ab * curvature / K;
 }
 
-// The same couple from a known E.
+// Couple of pure spin from a known E, N m.
 inline double pure_spin_couple(double limit, double a, double E) { return 0.375 * limit * a * E; }
 
-// fits: omega a over s_e and over s up to which the couple grows, and the share of slip's couple
-// that is lost
+// Fits: omega a over s_e and over s up to which the couple grows, and the coefficient of the
+// reduction of the couple of differential slip
 constexpr double spin_width = 0.78, spin_loss = 1.35, spin_slide = 1.9;
 
-// Speed in m/s, from omega a, the width s_e and the sliding speed. The couple is the couple of pure
-// spin times omega a over this speed.
+// Speed (m/s) from omega a, the width s_e and the sliding speed. The spin couple is the couple of
+// pure spin times omega a over this speed.
 template <class T> RACEWAY_INLINE T spin_growth(const T &speed, const T &width, const T &slide)
 {
   const T slip = spin_slide * slide, wide = spin_width * width;

@@ -2,12 +2,13 @@
 // Rotation of a ball that rolls on both raceways with the least total loss to spin
 // (docs/theory, Start of the balls).
 //
-// In the plane of the bearing's axis (e) and the ball's radius (u), contact k has the normal n_k
-// from ball to raceway. Rolling on both raceways leaves one free speed x, in which orbit, rotation
-// and both spins omega_k are linear. The moments of spin M_k(omega_k) grow up to a width and are
-// constant beyond. They balance where the sum of M_k d omega_k/dx vanishes. With zero width this is
-// the least loss, and one of the raceways controls the ball; otherwise both share the spin. The sum
-// increases with x, so the root is unique and lies between the motions without spin at one raceway.
+// In the plane of the bearing's axis (e) and the ball's radial direction (u), contact k has the
+// normal n_k from ball to raceway. Rolling on both raceways leaves one free speed x, and orbit,
+// rotation and both spins omega_k are linear in x. The spin moments M_k(omega_k) grow up to a width
+// and are constant beyond. They balance where the sum of M_k d omega_k/dx vanishes. With zero width
+// this is the motion of least loss, in which one raceway controls the ball; otherwise both raceways
+// share the spin. The sum increases with x, so the root is unique. It lies between the motion
+// without spin at one raceway and the motion without spin at the other.
 #ifndef RACEWAY_START_ATTITUDE_H
 #define RACEWAY_START_ATTITUDE_H
 
@@ -21,7 +22,7 @@ namespace raceway {
 struct SpinContact {
   double angle = 0.0;     // rad, below pi/2 in magnitude
   double speed = 0.0;     // rad/s, of the ring
-  double couple = 1.0;    // N m, couple of pure spin; or in any unit common to both contacts
+  double couple = 1.0;    // couple of pure spin, N m or any unit common to both contacts
   double width = 0.0;     // rad/s, spin up to which the couple grows
 
   double moment(double spin) const
@@ -45,14 +46,14 @@ struct BallRotation {
   }
 };
 
-// The motion that rolls on both raceways with a radial speed `radial` (rad/s); ball radius R and
-// radius r of the circle of its centre (m).
+// The motion that rolls on both raceways with the radial rotation `radial` (rad/s), for the ball
+// radius R and the radius r of the circle of ball centres (m).
 inline BallRotation rolling_on_both(const SpinContact &inner, const SpinContact &outer, double R,
                                     double r, double radial)
 {
   const double ci = std::cos(inner.angle), si = std::sin(inner.angle);
   const double co = std::cos(outer.angle), so = std::sin(outer.angle);
-  const double way_i = r / R - ci, way_o = r / R + co;    // radii of the raceways' contacts over R
+  const double way_i = r / R - ci, way_o = r / R + co;    // radii of the contact points over R
   BallRotation m;
   m.radial = radial;
   m.orbit = (inner.speed * way_i * co + outer.speed * way_o * ci + radial * (ci * so - si * co)) /

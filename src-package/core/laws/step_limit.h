@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Largest stable step of velocity Verlet with a force that depends on the half-step velocity.
 //
-// For m x'' = -k x - c x' the scheme is v' = (1 - h c/m) v - (h k/m) x, x' = x + h v'; its two
-// multipliers stay inside the unit circle if h^2 k/m + 2 h c/m < 4. Hence
+// For m x'' = -k x - c x' one step gives v' = (1 - h c/m) v - (h k/m) x, x' = x + h v'; the two
+// multipliers of the step lie inside the unit circle if h^2 k/m + 2 h c/m < 4. Hence
 //   h_max = (sqrt(c^2 + 4 k m) - c)/k,  2 sqrt(m/k) without a damper, 2 m/c without a spring.
 //
-// A Maxwell branch k_m, tau whose force is advanced by its exact step adds one multiplier; at the
-// limit one of them is -1:
+// A Maxwell branch k_m, tau with a force advanced by an exact step adds one multiplier; at the
+// limit one of the multipliers is -1:
 //   h^2 k/m + 2 h c/m + (2 h/m) k_m tau tanh(h/(2 tau)) = 4.
 // tanh(x) is below x and below 1, so the branch acts at most like a spring k_m and at most like a
 // dashpot k_m tau. The larger of the two step limits is safe.

@@ -9,7 +9,7 @@ namespace raceway {
 
 // Value of a column without a contact: zero, or no value.
 constexpr double vanishes = 0.0, has_none = NAN;
-constexpr const char *const as_real = "%.12g", *const as_whole = "%.0f";    // as text
+constexpr const char *const as_real = "%.12g", *const as_whole = "%.0f";    // formats as text
 
 struct Column {
   const char *name;
@@ -19,8 +19,8 @@ struct Column {
   const char *format = as_real;
 };
 
-// Requirement of a column: a lubricant (film), also a fix bearing/capacitance, or one with
-// surroundings
+// Requirement of a column: a lubricant (film); also a fix bearing/capacitance; or a fix
+// bearing/capacitance with surroundings
 enum class Needs { nothing, film, capacitance, surroundings };
 
 }    // namespace raceway

@@ -3,8 +3,8 @@
 //
 // Dual<B, n> is a value of type B (double or Lane) with n partial derivatives (forward mode;
 // Griewank and Walther, Evaluating Derivatives, 2008, ch. 3). The value uses the same operations as
-// the plain type, so it is bit-identical. held(x) is the value alone, without derivatives: each law
-// states what its derivatives keep fixed. For a plain number, held(x) is x.
+// the plain type, so it is bit-identical. held(x) is the value alone, without derivatives: a law
+// uses it for everything that its derivatives keep fixed. For a plain number, held(x) is x.
 #ifndef RACEWAY_DUAL_H
 #define RACEWAY_DUAL_H
 

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Exponential and logarithm by series, for a double or a Lane: within 2 units in the last place.
 //
-// The C library's functions depend on the processor in their last bits and take one number at a
-// time. Only + - * / and shifts are used here, so all processors and lanes give the same bits.
+// The last bits of the C library's functions depend on the processor, and these functions take one
+// number at a time. Only + - * / and shifts are used here, so the bits are the same on all
+// processors and in all lanes.
 //
 // Exponential: x = k ln 2 + r, |r| <= ln(2)/2; e^r by Taylor's series to r^13 (remainder below
-// 5e-18). It is 0 below -708 (results there would lose precision) and infinite above 709.
+// 5e-18). It is 0 below x = -708, where results would lose precision, and infinite above x = 709.
 //
 // Logarithm: x = 2^k m, sqrt(1/2) <= m < sqrt(2); ln m = 2 artanh f, f = (m - 1)/(m + 1),
-// |f| < 0.1716, by its series to f^21 (remainder below 2e-18). It is minus infinity below the
-// smallest normal number and has no meaning for x < 0 or infinity.
+// |f| < 0.1716, by the series to f^21 (remainder below 2e-18). It is minus infinity for x below the
+// smallest normal number and undefined for x < 0 or infinite x.
 //
-// Rough versions for starting an iteration: logarithm within 3e-4; exponential within 2 % for
-// -1 <= x <= 0, and below -1 the value at -1.
+// Rough versions to start an iteration: logarithm within 3e-4; exponential within 2 % for
+// -1 <= x <= 0, and with its value at -1 below -1.
 //
 // NaN gives NaN.
 #ifndef RACEWAY_EXP_LOG_H
@@ -66,8 +67,8 @@ template <class T> RACEWAY_INLINE T exponential(const T &x)
 template <class T> RACEWAY_INLINE T logarithm(const T &x)
 {
   using namespace detail;
-  // exponent of x/sqrt(1/2), rounded down; it becomes a number by the trick of `whole`: the last
-  // bits of a large number take it, with an offset
+  // exponent of x/sqrt(1/2), rounded down; it is converted to a number by the same trick as
+  // `whole`: placed, with an offset, in the last bits of a large number
   const auto above = bits(x) - 0x3fe6a09e667f3bcdULL + (2048ULL << 52);
   const auto exponent = above >> 52;
   const T k = number(exponent | 0x4330000000000000ULL) - (0x1p52 + 2048.0);
@@ -80,7 +81,7 @@ template <class T> RACEWAY_INLINE T logarithm(const T &x)
   return where(x < 0x1p-1022, -HUGE_VAL, where(x == x, y, x));
 }
 
-// From the bits, like logarithm(); the polynomial of m - 1 is exact at m = 1.
+// Uses the bits of x, like logarithm(); the polynomial in m - 1 is exact at m = 1.
 template <class T> RACEWAY_INLINE T rough_logarithm(const T &x)
 {
   using namespace detail;

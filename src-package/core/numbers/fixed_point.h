@@ -4,11 +4,11 @@
 // D. G. Anderson, J. ACM 12 (1965) 547; type II as in H. F. Walker and P. Ni, SIAM J. Numer. Anal.
 // 49 (2011) 1715. With the residuals f = g(x) - x of the last starts, the next start is
 //   g_k - sum_j c_j (g_j+1 - g_j),   c: least squares of f_k - sum_j c_j (f_j+1 - f_j),
-// which for an affine map equals GMRES: a slowly decaying mode takes one more value of the map.
+// which for an affine map equals GMRES: each slowly decaying mode costs one more value of the map.
 // Residuals and moves are measured with weights, in the norm sqrt(sum (w_i y_i)^2). A difference of
-// residuals that is a combination of later differences, up to a fraction `apart`, is noise and
-// omitted, and so is a difference below `flat` times the residual: if residuals hardly depend on
-// the start, the next start lies further in their direction.
+// residuals that is a combination of later differences, up to a fraction `apart`, is noise and is
+// omitted. A difference below `flat` times the residual is omitted as well: if residuals hardly
+// depend on the start, the next start lies further in the direction of the residuals.
 #ifndef RACEWAY_FIXED_POINT_H
 #define RACEWAY_FIXED_POINT_H
 
@@ -23,9 +23,9 @@ class FixedPoint {
  public:
   using Vector = std::vector<double>;
   struct Settings {
-    size_t memory = 5;      // starts that are kept
+    size_t memory = 5;      // number of starts that are kept
     double reach = 0.1;     // longest move from g_k, in the norm
-    double apart = 1e-2;    // fraction of a difference that must be independent of later ones
+    double apart = 1e-2;    // least fraction of a difference independent of later differences
     double flat = 0.02;     // smallest difference, over the residual
   };
   struct Next {
@@ -40,7 +40,7 @@ class FixedPoint {
   FixedPoint(const Settings &set, Vector weights) : set_(set), weights_(std::move(weights)) {}
   bool begun() const { return !weights_.empty(); }
 
-  // A start and its value.
+  // Adds a start x and the map's value g there.
   void add(Vector x, Vector g)
   {
     x_.push_back(std::move(x));
@@ -72,7 +72,7 @@ class FixedPoint {
     const size_t last = x_.size() - 1, n = weights_.size();
     Vector f = residual(last), move(n, 0.0);
     to.residual = norm(f);
-    std::vector<Vector> basis, images;    // orthonormal differences of f; same combinations of g
+    std::vector<Vector> basis, images;    // orthonormal differences of f; equal combinations of g
     for (size_t j = last; j-- > 0;) {
       Vector df = difference(residual(j + 1), residual(j)), dg = difference(g_[j + 1], g_[j]);
       const double whole = norm(df);
@@ -111,7 +111,7 @@ class FixedPoint {
     return to;
   }
 
-  // All numbers, for a restart file.
+  // All data as numbers, for a restart file.
   Vector packed() const
   {
     Vector all = {double(weights_.size()), double(x_.size())};

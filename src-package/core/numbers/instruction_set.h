@@ -5,8 +5,8 @@
 
 namespace raceway {
 
-// True if functions with RACEWAY_WIDE run here. The environment variable RACEWAY_NARROW_LANES
-// disables them, to check that results do not depend on it.
+// True if functions with RACEWAY_WIDE run on this processor. The environment variable
+// RACEWAY_NARROW_LANES disables them, so that the independence of results can be checked.
 bool wide_lanes();
 
 }    // namespace raceway

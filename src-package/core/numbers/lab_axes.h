@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Conversion between lab axes (x, y, z) and axes with the bearing axis third. It is cyclic, so
-// right-handed axes stay right-handed and no bit changes.
+// Conversion between lab axes (x, y, z) and axes of which the third is the bearing axis. The
+// permutation is cyclic, so right-handed axes stay right-handed and no bit changes.
 #ifndef RACEWAY_LAB_AXES_H
 #define RACEWAY_LAB_AXES_H
 

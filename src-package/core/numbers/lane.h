@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Four numbers, one per ball: the formulas of this folder accept them instead of a double.
+// Four numbers, one per ball; formulas accept a Lane instead of a double.
 //
 // A Lane is the compiler's own vector type, with + - * / and comparisons; the missing functions are
 // here, for double and Lane alike. Nothing is reordered, fused or approximated: lane k of a result
@@ -9,8 +9,9 @@
 
 #include <cmath>
 
-// g++ compiles lanes for processors with AVX2 and for those without, but not with sanitizers, not
-// with RACEWAY_ONE_TARGET, and not for other families of processors. clang refuses such functions.
+// g++ compiles lanes for processors with AVX2 and for processors without it, except with
+// sanitizers, with RACEWAY_ONE_TARGET, and for other families of processors. clang does not accept
+// functions for two targets.
 #if defined(__clang__) && !defined(RACEWAY_ONE_TARGET)
 #define RACEWAY_ONE_TARGET 1
 #endif
@@ -27,9 +28,9 @@
 // (RACEWAY_WIDE), and once more in a file for one target; instruction_set.h selects the one to
 // call.
 //
-// For one target all are plain functions, which compile several times faster. This is used with
-// sanitizers, which do not support the mechanism, and if speed does not matter
-// (RACEWAY_ONE_TARGET).
+// For a single target all of them are plain functions, which compile several times faster. A single
+// target is used with sanitizers, which do not support the selection at run time, and if speed does
+// not matter (RACEWAY_ONE_TARGET).
 #if defined(__SANITIZE_ADDRESS__) || defined(RACEWAY_ONE_TARGET)
 #define RACEWAY_INLINE inline
 #else

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Small dense systems, four at a time: LU without pivoting, and substitution. The row stride is 6.
+// Small dense systems, four at a time: LU without pivoting, and substitution. The stride of rows is
+// 6.
 // Pre-condition: the symmetric part of each matrix is positive definite (mass + h C + h^2 k), so no
 // pivot can vanish.
 #ifndef RACEWAY_LANE_BLOCKS_H
@@ -9,7 +10,7 @@
 
 namespace raceway {
 
-// In place; the diagonal of U is kept as its reciprocal.
+// Factors in place; the diagonal of U is stored as its reciprocal.
 template <int n> RACEWAY_INLINE void factor(Lane *a)
 {
   for (int k = 0; k < n; ++k) {

@@ -2,11 +2,11 @@
 // Four bodies on orbits about an axis, each in the frame that rotates with it: radius r, azimuth,
 // height, and velocities along the radial, circumferential and axial direction of that frame.
 //
-// Over a step h a body drifts as r += h v_r, azimuth += h v_c/r (the new r), z += h v_z and keeps
-// its components. The drift is exact on a circular path, whereas a straight line would leave the
-// path by h^2 v^2/(2r). Constant components in a rotating frame need the frame's acceleration: with
-// w = v_c/r it is -w z x v for a vector v, that is, +w v_c along the radius and -w v_r along the
-// circle; the same applies to the spin.
+// Over a step h a body drifts by r += h v_r, azimuth += h v_c/r (with the new r), z += h v_z with
+// constant velocity components. The drift is exact on a circular path, whereas a straight line
+// would leave the path by h^2 v^2/(2r). Components in a rotating frame require the acceleration due
+// to the frame: with w = v_c/r it is -w z x v for a vector v, that is, +w v_c along the radius and
+// -w v_r along the circle; the same applies to the spin.
 #ifndef RACEWAY_LANE_FRAME_H
 #define RACEWAY_LANE_FRAME_H
 
@@ -76,7 +76,7 @@ struct LaneFrame {
     return f;
   }
 
-  // Azimuth of `from` plus `turn`.
+  // Sets the azimuth to that of `from` plus `turn` (rad).
   RACEWAY_INLINE void turn_from(const LaneFrame &from, const Lane &turn)
   {
     Lane ct, st;
@@ -86,7 +86,7 @@ struct LaneFrame {
   }
 };
 
-// Acceleration of the components of `vector` in a frame that rotates at `rate` (rad/s).
+// Rate of change of the components of `vector` in a frame that rotates at `rate` (rad/s).
 RACEWAY_INLINE Vec3L frame_acceleration(const Lane &rate, const Vec3L &vector)
 {
   return {rate * vector.y, -rate * vector.x, Lane{}};

@@ -45,7 +45,7 @@ class PeriodicCurve {
 
  private:
   double first_, step_;
-  std::vector<double> y_, rise_;    // change per step
+  std::vector<double> y_, rise_;    // values; slopes as change per step
 };
 
 }    // namespace raceway

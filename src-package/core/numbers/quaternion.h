@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A rotation as a unit quaternion: from the axes of a body to those of the observer.
+// A rotation as a unit quaternion, from the axes of a body to the axes of the observer.
 #ifndef RACEWAY_QUATERNION_H
 #define RACEWAY_QUATERNION_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The losses of a contact. A loss is a struct with its output column and its power; a part of the
+// The losses of a contact. A loss is a struct with an output column and a power; each part of the
 // contact law lists its losses:
 //
 //   struct SpinLoss {
@@ -22,11 +22,11 @@ struct LossColumn {
   const char *name;    // name of the column, W
   const char *key;     // key in losses_W of `raceway summary`
   const char *meaning;
-  bool usual;    // a column of every law, included in records by default
+  bool usual;    // true: a column of every law, included in records by default
 };
 
 template <class... L> struct LossList {
-  // Power, W
+  // Sum of the powers of the losses, W
   template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
   {
     Value<T> sum = Value<T>();

@@ -6,18 +6,18 @@
 //   slot         parts with the same slot exclude each other; "" for none
 //   needs_film   true if it has no meaning without a film
 //   needs        name of another required part; "" for none
-//   Parameters   its own numbers, with their defaults; prepare(raceway) if it derives some, and
-//                reach(raceway), the gap (m) at which its contacts begin, if that is not 0
-//   keywords()   the words that set them, with unit and range (Keyword below)
+//   Parameters   its own numbers with their defaults; prepare(raceway) if some of them are derived,
+//                and reach(raceway), the gap (m) at which its contacts begin, if that is not 0
+//   keywords()   the words that set its Parameters, with unit and range (Keyword below)
 //   states       number of its state variables per contact, kept from step to step
 //   couples      true if it sets couple_n, couple_t, couple_w
 //   explicit_step   true if it is not available in an implicit step
 //   columns()    output columns of a contact
-//   misses()     true if there is no contact although the overlap exceeds -reach; sets the input of
-//                beyond() and act()
+//   misses()     true if there is no contact although the overlap exceeds -reach; sets the input
+//                for beyond() and act()
 //   beyond()     overlap beyond the onset of the load, m; required with misses()
-//   act()        its effect on a contact: reads motions and results of earlier parts, writes its
-//                own results
+//   act()        its effect on a contact: reads motions and results of earlier parts and writes
+//                its own results
 //   Losses       its losses (loss.h): power taken from the motion
 //   energy()     stored energy, J
 //
@@ -37,7 +37,7 @@ namespace raceway {
 enum class When { always, with_film, asked };
 
 // One value of a keyword: a number in the raceway or in the part's own Parameters, or one of
-// several words. `unset` describes the default if it is not a number.
+// several words. `unset` describes a default that is not a number.
 template <class Own> struct Parameter {
   using Number = double &(*)(Raceway &, Own &);
   using Choose = void (*)(Raceway &, Own &, int);
@@ -46,7 +46,7 @@ template <class Own> struct Parameter {
   const char *meaning;    // meaning with the unit, for messages and tables
   double least, most;
   bool open;              // `least` itself is not allowed
-  const char *choices;    // "a|b|c", the first is the default; or null
+  const char *choices;    // "a|b|c", of which the first is the default; or null
   Number number;
   Choose choose;
   const char *unset;
@@ -79,7 +79,7 @@ template <class Own> struct Keyword {
   const char *name, *form;
   bool chooses;
   std::vector<Parameter<Own>> parameters;
-  const char *(*wrong)(const double *values) = nullptr;    // error in their combination
+  const char *(*wrong)(const double *values) = nullptr;    // error in the combination of the values
   const char *note = "";                                   // text for the page of the command
 };
 
@@ -88,12 +88,12 @@ struct StateColumn {
   Column is;
   double (*value)(const Raceway &, const ContactState &);
   Needs needs = Needs::nothing;
-  bool usual = true;    // is in records by default
+  bool usual = true;    // included in records by default
 };
 
 // State variables of a contact before and after a time dt; dt = 0 changes nothing. Decay at the
-// rate r is exact, e^-(r dt), for constant motions over dt. In a stage of an implicit method it is
-// 1/(1 + r dt), as in backward Euler, because the order of the method depends on it.
+// rate r is exact, e^-(r dt), for constant motions over dt. In a stage of an implicit method the
+// factor is 1/(1 + r dt), as in backward Euler, because the order of the method depends on it.
 template <class T> struct LawStates {
   double dt = 0.0;
   const Value<T> *before = nullptr;

@@ -45,7 +45,7 @@ struct FilmDamperPart : PartBase {
   static constexpr const char *name = "film_damper", *slot = "film_damping";
   static constexpr When when = When::with_film;
   struct Parameters {
-    double film_floor = -1.0;    // m, value as set; < 0: composite roughness
+    double film_floor = -1.0;    // m, value set by the keyword; < 0: composite roughness
     double floor = 0.0;          // m, value in use
     void prepare(const Raceway &p) { floor = film_floor >= 0.0 ? film_floor : p.roughness; }
   };
@@ -84,7 +84,7 @@ struct FilmDamperPart : PartBase {
   }
 };
 
-// Column of all normal damping: by the steel, and by the film with its damper or branch.
+// Column of all normal damping: by the steel, and by the film through its damper or branch.
 struct DampingPower {
   static constexpr LossColumn column = {"damping_power", "film", "power lost to normal damping",
                                         true};

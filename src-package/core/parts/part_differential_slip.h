@@ -47,10 +47,10 @@ struct DifferentialSlipPart : PartBase {
     const T along = c.sliding_t - turn * curve * free_part;
     const B off_t = held(along) * forward / width, off_w = held(c.sliding_w) / width;
 
-    // secants in the plane: both directions share the friction limit
+    // secants for sliding in both directions, which share the friction limit
     const B alone = slip_secant(off_t), cross = alone * off_w;
     const B sharing = square_root(B(1.0 + cross * cross));
-    // m/s, mu N over the secants, available before mu N
+    // m/s, mu N over the secants, needed before mu N is known
     const B speed_t = width * sharing / alone;
     const B speed_w =
         width * square_root(B(off_t * off_t + off_w * off_w + 1.0 / (free_lean * free_lean)));
@@ -77,9 +77,9 @@ struct DifferentialSlipPart : PartBase {
     m.after[0] = c.friction_t;
     m.after[1] = c.friction_w;
 
-    // The couple belongs to the slip after the spring and follows from the force. If it followed
-    // from f/c with c at the present sliding, oscillations of the spring would grow in explicit
-    // steps.
+    // The couple belongs to the slip after the spring and follows from the force. If it were
+    // computed from f/c, with c at the present sliding, oscillations of the spring would grow in
+    // explicit steps.
     const B used = held(c.friction_t) * sharing * forward / (most + none);
     const B against = -slip_couple(force_root(used)) * most * curve * curve / width;    // N m s
     c.slip_couple = against * turn;
@@ -87,8 +87,8 @@ struct DifferentialSlipPart : PartBase {
   }
 
  private:
-  // Remaining fraction of a force after a time dt, part = -dt k_t/(mu N). The fraction has no
-  // derivative if it is tiny, since a contact may have no load.
+  // Remaining fraction of a force after a time dt; part = -dt k_t/(mu N). A tiny fraction has no
+  // derivative, because a contact may have no load.
   template <class T> static RACEWAY_INLINE T left_of(const T &part, const Value<T> &speed)
   {
     const T x = part * speed;

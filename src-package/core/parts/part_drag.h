@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Oil drag on the balls (ball_drag.h) at their speed relative to the outer ring, which takes the
-// reaction. A ball off the outer raceway has no drag; of the two grooves of a Gothic arch, the one
-// with the larger overlap carries it. Derivatives keep the force fixed, because over an implicit
-// step it changes the speed of a ball by at most 1e-3.
+// reaction. A ball off the outer raceway has no drag; in a Gothic arch the groove with the larger
+// overlap carries the drag. Derivatives keep the force fixed, because it changes the speed of a
+// ball by at most a fraction of 1e-3 over an implicit step.
 #ifndef RACEWAY_PART_DRAG_H
 #define RACEWAY_PART_DRAG_H
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Film thickness and lambda ratio at the present load and entrainment speed (film.h), times the
-// factors of film_factors.h. Derivatives keep all of them fixed, which affects the convergence of
-// the Newton iteration but not its result.
+// factors of film_factors.h. Derivatives keep thickness, ratio and factors fixed, which affects the
+// convergence of the Newton iteration but not its result.
 #ifndef RACEWAY_PART_FILM_H
 #define RACEWAY_PART_FILM_H
 
@@ -10,7 +10,7 @@
 
 namespace raceway {
 
-// Central thickness for an act() after this part; with the film in the gap it is already set.
+// Central thickness for the act() of a later part; with the film in the gap it is already set.
 template <class T>
 RACEWAY_INLINE Value<T> held_central_film(const Raceway &p, const RacewayConstantsT<Value<T>> &k,
                                           const ContactStateT<T> &c)
@@ -121,8 +121,8 @@ struct FilmThicknessPart : PartBase {
                                  ContactStateT<T> &c)
   {
     using B = Value<T>;
-    const bool in_gap = p.reach > 0.0;    // all of these are then set by the part of the film in
-                                          // the gap
+    const bool in_gap = p.reach > 0.0;    // then these values have been set by the part for the
+                                          // film in the gap
     if (!in_gap) {
       const FilmPointT<B> at = film_point(c.entrainment, c.film_load);
       c.ln_speed = at.ln_speed;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Film damping as a spring and a dashpot in series (film_branch.h) instead of eq 5. It acts after
-// the normal force and adds to it. Derivatives keep the branch fixed.
+// Film damping by a spring and a dashpot in series (film_branch.h) instead of eq 5. This part acts
+// after the normal force and adds to it. Derivatives keep the force of the branch fixed.
 #ifndef RACEWAY_PART_FILM_BRANCH_H
 #define RACEWAY_PART_FILM_BRANCH_H
 

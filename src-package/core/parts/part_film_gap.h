@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Elastic contact with its film in the gap (film_gap.h) instead of Hertz contact alone: contacts
-// begin at a gap as wide as the film of a lightly loaded contact. The slope over the overlap is
-// exact; the derivative keeps the entrainment speed fixed.
+// Elastic contact with the film in the gap (film_gap.h) instead of Hertz contact alone: contacts
+// begin at a gap as wide as the film of a lightly loaded contact. The derivative with respect to
+// the overlap is exact; the entrainment speed is kept fixed.
 //
 // The film follows the power law of film.h, constant below 1 N, or the law of all regimes
 // (gap_film.h).
@@ -20,7 +20,7 @@ struct FilmInGapPart : PartBase {
   struct Parameters {
     double share = 1.0;
     bool all_regimes = false;
-    double unit_of_cut = std::pow(cut, 2.0 / 3.0);    // ratio of compressions at the cut and at 1 N
+    double unit_of_cut = std::pow(cut, 2.0 / 3.0);    // compression at the cut over that at 1 N
     MoesRaceway moes;                                 // derived
     void prepare(const Raceway &p)
     {
@@ -28,7 +28,7 @@ struct FilmInGapPart : PartBase {
         moes = {p.model.lubricant, p.material.Eprime(), p.rolling_radius(1.0),
                 p.transverse_radius()};
     }
-    // wider than films in bearings, because cutting off a film would make the force jump
+    // wider than any film in a bearing, because the force would jump if a film were cut off
     double reach(const Raceway &p) const { return 0.01 * p.groove.ball_radius; }
     double widest(const Raceway &p) const { return share > 0.0 ? p.reach / share : p.reach; }
   };
@@ -63,14 +63,14 @@ struct FilmInGapPart : PartBase {
              false}};
   }
 
-  // True without a load at this position and speed. NaN does not count as a gap.
+  // True if there is no load at this position and speed. NaN does not count as a gap.
   template <class T>
   static RACEWAY_INLINE auto misses(const Parameters &own, const Raceway &p,
                                     const RacewayConstantsT<T> &k, ContactStateT<T> &c)
   {
     c.ln_speed = logarithm(c.entrainment);
     if (p.factors.any && !p.factors.by_pressure) c.film_factor = p.factors.of(c.ln_speed);
-    if (own.all_regimes) {    // the film is unlimited and counts up to the reach
+    if (own.all_regimes) {    // a film of unlimited thickness, counted up to the reach
       c.h_edge = where(c.entrainment > resting, T() + own.widest(p), 0.0);
     } else if (p.factors.by_pressure) {
       const T film = GapFilmT<T, false>(own.moes, p, k, c).at(logarithm(kept(own, k))).thickness;
@@ -84,7 +84,7 @@ struct FilmInGapPart : PartBase {
     }
     return beyond(own, c) <= 0.0;
   }
-  // m, overlap beyond the onset of the load; call after misses()
+  // Overlap beyond the onset of the load, m; call it after misses()
   template <class T>
   static RACEWAY_INLINE T beyond(const Parameters &own, const ContactStateT<T> &c)
   {
@@ -134,7 +134,7 @@ struct FilmInGapPart : PartBase {
   }
 
  private:
-  // m, compression below which the thickness by a power law is constant
+  // Compression below which the film thickness of a power law is constant, m
   template <class T>
   static RACEWAY_INLINE T kept(const Parameters &own, const RacewayConstantsT<T> &k)
   {
@@ -155,7 +155,7 @@ struct FilmInGapPart : PartBase {
             where(wide, c.h_edge, g.thickness), where(wide, 1.0, g.slope)};
   }
 
-  // Energy of squeezing the film: the integral of zeta m h over the load, m the fall of h.
+  // Energy of squeezing the film: integral of zeta m h over the load, with the fall m of h.
   template <bool all, class T>
   static RACEWAY_INLINE Value<T> work(const Parameters &own, const Raceway &p,
                                       const ContactStateT<T> &c)

@@ -3,8 +3,8 @@
 // tangential law, either a spring with history or Coulomb's law smoothed over a creep speed.
 //
 // The derivative of the smoothed law is the secant f/s: mu, v_0 and the denominator are kept fixed,
-// but not N. The tangent at a sliding contact is nearly flat, so one correction with the tangent
-// would throw a light ball across zero sliding.
+// but not N. At a sliding contact the tangent is nearly flat, so a single correction with the
+// tangent would throw a light ball past zero sliding.
 #ifndef RACEWAY_PART_FRICTION_H
 #define RACEWAY_PART_FRICTION_H
 
@@ -13,7 +13,7 @@
 
 namespace raceway {
 
-// Loss of all tangential laws; energy stored in a spring counts as lost until it is returned.
+// Loss in any tangential law; energy stored in a spring counts as lost until it is returned.
 struct FrictionLoss {
   static constexpr LossColumn column = {"friction_power", "slip",
                                         "power lost to the tangential force", true};
@@ -26,7 +26,7 @@ struct FrictionLoss {
   }
 };
 
-// Loss of all spin laws.
+// Loss in any spin law.
 struct SpinLoss {
   static constexpr LossColumn column = {"spin_power", "spin", "power lost to spin", false};
   template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
@@ -35,7 +35,7 @@ struct SpinLoss {
   }
 };
 
-// Columns of all friction coefficients, and of all tangential laws.
+// Columns common to all friction coefficients, and columns common to all tangential laws.
 inline std::vector<StateColumn> coefficient_columns()
 {
   return {{{"mu", "", "friction coefficient"},
@@ -126,7 +126,7 @@ struct TangentialSpringPart : PartBase {
   static constexpr bool explicit_step = true;
   using Losses = LossList<FrictionLoss>;
   struct Parameters {
-    double ratio = -1.0;    // k_t/k_n as set; < 0: Mindlin
+    double ratio = -1.0;    // k_t/k_n set by the keyword; < 0: Mindlin
     double zeta = 0.3;      // dashpot over critical damping of the rolling mode, mass 2/7 m_b
     double kt_ratio = 0.0, ct_factor = 0.0;    // values in use
     void prepare(const Raceway &p)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Friction coefficient of a contact whose load is shared by asperities and film (asperities.h). The
 // coefficient of the film is a constant, or follows from Eyring's stress with a limit
-// (film_traction.h) at the speed of free rolling combined with the sliding of the contact.
-// Derivatives keep it fixed.
+// (film_traction.h) at the sliding speed of free rolling combined with the sliding of the contact.
+// Derivatives keep the friction coefficient fixed.
 #ifndef RACEWAY_PART_MIXED_FRICTION_H
 #define RACEWAY_PART_MIXED_FRICTION_H
 
@@ -87,7 +87,7 @@ struct MixedFrictionPart : PartBase {
                                  const RacewayConstantsT<Value<T>> &k, const LawStates<T> &,
                                  ContactStateT<T> &c)
   {
-    // from the film equation, because lambda itself is computed later
+    // ln Lambda from the film equation, because lambda itself is computed later
     Value<T> ln_lambda = ln_film_thickness(k.film.min, {c.ln_speed, c.ln_film_load});
     if (p.factors.any) ln_lambda = ln_lambda + logarithm(c.film_factor);
     c.asperity_share =

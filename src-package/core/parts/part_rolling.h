@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Couples against rolling, opposite on ball and ring (rolling_resistance.h). They are linear in the
-// speed near zero. The derivative is the couple over the speed, which is large at rest, where an
-// implicit step needs it.
+// Couples against rolling, opposite on ball and ring (rolling_resistance.h). Near zero speed they
+// are linear in the speed. The derivative is the couple over the speed; this secant is large at
+// rest, as an implicit step requires.
 #ifndef RACEWAY_PART_ROLLING_H
 #define RACEWAY_PART_ROLLING_H
 
@@ -14,7 +14,7 @@ namespace raceway {
 namespace detail {
 constexpr double least_rolling = 1e-3;    // m/s: below it the couples are proportional to speed
 
-// Inverse of the speed that divides a couple, 1/s.
+// Inverse of the angular speed by which a couple is divided, s.
 template <class T> RACEWAY_INLINE T over_rolling(const T &turn, const T &radius)
 {
   const T size = magnitude(turn), least = least_rolling / radius;
@@ -40,7 +40,7 @@ struct HydrodynamicRollingPart : PartBase {
     double length = 0.0;    // length of the inlet, in semi-axes b; 0: flooded
     // derived
     double ln_heating = 0.0;
-    double of_film = 0.0;    // if not 0, inlet shear relative to the film factor, which includes it
+    double of_film = 0.0;    // not 0: inlet shear relative to the film factor, which includes it
     RollingConstants force;
     RollingShapeT<double> radial{};    // at zero contact angle
     RollingInlet inlet;
@@ -89,7 +89,7 @@ struct HydrodynamicRollingPart : PartBase {
   {
     using B = Value<T>;
     const B radius = p.rolling_radius(c.cos_angle);
-    const B root = k.K * k.unit * held(c.root);    // cubic root of the load
+    const B root = k.K * k.unit * held(c.root);    // cube root of the load
     const B f =
         rolling_force(shape(own, p, c.cos_angle, radius), c.ln_speed, B(held(c.load)), root);
     const B shear = own.of_film > 0.0 ? B(own.of_film * c.film_factor)
@@ -103,7 +103,7 @@ struct HydrodynamicRollingPart : PartBase {
   }
 
  private:
-  // At zero contact angle they are exact, like the constants of a raceway.
+  // Geometry factors; at zero contact angle they are exact, like the constants of a raceway.
   template <class B>
   static RACEWAY_INLINE RollingShapeT<B> shape(const Parameters &own, const Raceway &p,
                                                const B &cos_angle, const B &radius)

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Combined differential slip, spin and sliding, over slices of the contact ellipse (slip_slices.h),
 // in series with the contact's tangential spring k_t (Mindlin). Replaces the closed forms of
-// part_differential_slip.h and part_spin.h, which treat them separately.
+// part_differential_slip.h and part_spin.h, which treat slip and spin separately.
 //
 // The states are the forces f and the slip y after the spring, relative to free rolling:
 //   y' = (s - y)/tau,  f' = (F(y) + c (s - y) - f)/tau,  tau = c/k_t,
-// with s the slip relative to free rolling and F the sum over the slices. So f' is k_t (s - y)
-// while F lags, which is a slip law for dt >> tau and a spring for dt << tau. Apart from spin and
+// with s the slip relative to free rolling and F the sum over the slices. So f' = k_t (s - y) plus
+// a relaxation towards F: a slip law for dt >> tau and a spring for dt << tau. Apart from spin and
 // roll, the slices depend only on y, which does not follow oscillations of the spring; the same
-// holds for the couples. c is close to the slope of F in free rolling and everywhere above half of
-// that slope; otherwise oscillations would grow.
+// applies to the couples. c is close to the slope of F in free rolling and everywhere above half
+// of the slope of F; otherwise oscillations would grow.
 //
 // Derivatives keep mu, k_t, c and the ellipse fixed, but not N.
 #ifndef RACEWAY_PART_SLIP_SLICES_H
@@ -89,8 +89,8 @@ struct SlipSlicesPart : PartBase {
   }
 
  private:
-  // c times the width over mu N, as a function of spin over the width: along rolling 3.80 without
-  // spin; across rolling few slices reverse, so the slope is steep.
+  // c times the width over mu N, as a function of spin over the width. Along rolling it is 3.80
+  // without spin; across rolling few slices reverse, so the slope is steep.
   template <class B> static RACEWAY_INLINE B lean(double most, double falls, const B &spin)
   {
     const B x = falls * spin;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Couple against spin about the contact normal (spin.h).
 //
-// The derivative is the couple over the spin.
+// The derivative is the secant: the couple over the spin.
 #ifndef RACEWAY_PART_SPIN_H
 #define RACEWAY_PART_SPIN_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Constants and keyword parameters shared by the parts with slip in rolling.
+// Constants and keyword parameters shared by the parts for slip in rolling contacts.
 #ifndef RACEWAY_SLIP_PARAMETERS_H
 #define RACEWAY_SLIP_PARAMETERS_H
 
@@ -10,8 +10,8 @@ namespace raceway {
 
 // Parameters of a slip law in series with the contact's tangential spring.
 struct SlipParameters {
-  double least = 1e-4;                  // m/s, lower limit of s_e; towards rest the law becomes
-                                        // Coulomb's
+  double least = 1e-4;                  // m/s, lower limit of s_e; as motion ceases, the law
+                                        // becomes Coulomb's
   double kt_ratio = 0.0, lift = 0.0;    // derived; 1/m, 1/(2 R_d)
   void prepare(const Raceway &p)
   {

@@ -17,12 +17,12 @@ namespace raceway {
 template <class T> struct alignas(sizeof(Value<T>)) ContactVariablesT {
   // motions of the ball relative to the raceway (kinematics.h)
   T overlap = T();         // m, of the rigid surfaces; negative for a gap
-  T compression = T();     // m, elastic approach of the bodies: the overlap and additions by parts
+  T compression = T();     // m, elastic approach of the bodies: overlap plus additions by parts
   T overlap_rate = T();    // m/s
   T sliding_t = T(), sliding_w = T();            // m/s, ball surface minus ring surface
-  T spin_n = T(), turn_t = T(), roll_w = T();    // rad/s, ball minus ring; if the law has couples
+  T spin_n = T(), turn_t = T(), roll_w = T();    // rad/s, ball minus ring; for laws with couples
   // intermediate results for other parts and for output
-  T root = T();      // sqrt(m), root of the compression
+  T root = T();      // sqrt(m), square root of the compression
   T load = T();      // N, elastic load Q
   T normal = T();    // N, max(0, Q + C d(overlap)/dt)
   T ct = T();        // N s/m, tangential dashpot
@@ -41,7 +41,7 @@ template <class T> struct alignas(sizeof(T)) ContactFiguresT {
   T film_load = T();      // N, load used for the film thickness
   // logarithms of the entrainment speed (m/s) and of film_load; the film factors
   T ln_speed = T(), ln_film_load = T(), film_factor = T();
-  T h_edge = T(), h_c = T();      // m, central film thickness at the onset and at this load
+  T h_edge = T(), h_c = T();      // m, central film thickness: at the onset of load, at this load
   T h_min = T(), lambda = T();    // m; lambda ratio
   T film_energy = T();            // J, of the film in the gap
   T film_force = T();             // N, of the film's branch
@@ -51,10 +51,10 @@ template <class T> struct alignas(sizeof(T)) ContactFiguresT {
   T kt = T();                     // N/m, tangential spring
   T v_0 = T();                    // m/s, of the smoothed Coulomb law
   T slip_width = T();             // m/s, of the differential slip
-  T asperity_share = T();         // of the load
-  // parts of couple_w, N m
+  T asperity_share = T();         // share of the load carried by asperities
+  // contributions to couple_w, N m
   T slip_couple = T(), rolling_couple = T(), hysteresis_couple = T();
-  // drag of the oil on the ball's centre, -drag t, if the law has couples; its power
+  // if the law has couples: oil drag on the ball's centre, with the force -drag t, and drag power
   T drag = T(), drag_power = T();    // N, W
 };
 

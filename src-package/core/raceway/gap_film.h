@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Film of one contact over the compression x of its bodies, at one entrainment speed, for films
-// without a closed form: the film of all regimes (film_regimes.h), or one whose factor depends on
-// the pressure (Gupta, film_factors.h).
+// Film of one contact as a function of the compression x of the bodies, at one entrainment speed,
+// for films without a closed form: the film of all regimes (film_regimes.h), or a film with a
+// factor that depends on the pressure (Gupta, film_factors.h).
 #ifndef RACEWAY_GAP_FILM_H
 #define RACEWAY_GAP_FILM_H
 
@@ -16,7 +16,7 @@ constexpr double resting = 1e-9;    // m/s, entrainment speed below which a cont
 
 // Power law, evaluated at the logarithm of a load.
 template <class T> struct PowerFilmT {
-  T ln_h, fall;    // at 1 N
+  T ln_h, fall;    // logarithm of the thickness at 1 N; -d(ln h)/d(ln Q)
   RACEWAY_INLINE FilmAtLoadT<T> at(const T &ln_load) const
   {
     return {exponential(T(ln_h - fall * ln_load)), fall};
@@ -28,8 +28,8 @@ template <class T, bool all> class GapFilmT {
  public:
   using Film = std::conditional_t<all, MoesFilmT<T>, PowerFilmT<T>>;
 
-  // steep: Gupta's factor by the root of the compression, or null; without its `unpressed`, which
-  // the film includes. K: stiffness, N/m^1.5
+  // steep: Gupta's factor as a function of the root of the compression, without `unpressed`, which
+  // the film includes; or null. K: stiffness, N/m^1.5
   RACEWAY_INLINE GapFilmT(const Film &film, const GuptaFactorT<T> *steep, const T &K) :
       film_(film), pressed_(steep != nullptr), ln_K_(logarithm(K))
   {
@@ -39,7 +39,7 @@ template <class T, bool all> class GapFilmT {
   RACEWAY_INLINE GapFilmT(const MoesRaceway &moes, const Raceway &p, const RacewayConstantsT<T> &k,
                           const State &c)
   {
-    // at rest any finite film will do, because the contact is dry (FilmInGapPart)
+    // at rest any finite speed will do, because the contact is dry (FilmInGapPart)
     const T ln_u = logarithm(T(where(c.entrainment > resting, c.entrainment, resting)));
     T ln_factor = T();
     pressed_ = p.factors.by_pressure;
@@ -70,8 +70,8 @@ template <class T, bool all> class GapFilmT {
     return f;
   }
 
-  // Logarithm of a lower bound on the compression at the overlap d; kept: compression at which a
-  // power law is cut.
+  // Logarithm of a lower bound on the compression at the overlap d; kept: compression below which
+  // the thickness of a power law is constant.
   RACEWAY_INLINE T start(const T &d, const T &kept) const
   {
     const T squeezed = logarithm(T(where(d > 0.0, d, 1e-30)));
@@ -79,8 +79,8 @@ template <class T, bool all> class GapFilmT {
     return where(squeezed > least, squeezed, least);
   }
 
-  // Work to thin the film from `edge` (m) to its thickness at the compression x, over zeta, J: the
-  // integral of fall h over the load, by Gauss points in the logarithm of the compression.
+  // Work to thin the film from `edge` (m) to its thickness at the compression x, over zeta, J. It
+  // is the integral of fall h over the load, by Gauss points in the logarithm of the compression.
   RACEWAY_INLINE T work(const T &x, const T &edge, const T &kept) const
   {
     constexpr int panels = 24, points = 4;

@@ -37,9 +37,9 @@ template <class T> struct ContactForcesT {
 };
 using ContactForces = ContactForcesT<double>;
 
-// A groove may lie `offset` m along the axis from the ring's centre. The functions here refer to
-// the middle of the groove, which moves with v + w x (offset e). This function transfers the torque
-// on the ring from there to the ring's centre.
+// A groove may lie `offset` m along the axis from the ring's centre. The functions in this file
+// refer to the middle of the groove, which moves with v + w x (offset e). This function transfers
+// the torque on the ring from the middle of the groove to the ring's centre.
 template <class T>
 RACEWAY_INLINE void from_groove(const Vec3T<T> &e, double offset, ContactForcesT<T> &f)
 {
@@ -61,7 +61,7 @@ inline bool touch(const Raceway &p, const Vec3 &d, const Vec3 &e, ContactState &
   return locate_beyond(d, e, p.centre_circle, p.slack - p.reach, c) && !out_of_reach(p, c);
 }
 
-// Local motions of a contact with a known position; `rotations`: also rotations about n, t, w.
+// Local motions of a contact with a known position; with `rotations` also those about n, t, w.
 template <bool rotations, class T>
 RACEWAY_INLINE void find_motions(const Raceway &p, const BallStateT<T> &ball,
                                  const RingStateT<T> &ring, ContactStateT<T> &c)
@@ -74,10 +74,10 @@ RACEWAY_INLINE void find_motions(const Raceway &p, const BallStateT<T> &ball,
   const T wu = dot(ball.w, c.u), wt = dot(ball.w, c.t), we = dot(ball.w, ring.e);
   const T Wu = dot(ring.w, c.u), Wt = dot(ring.w, c.t), We = dot(ring.w, ring.e);
   const T rc = c.r + Rb * c.nu, zc = c.z + Rb * c.ne;             // contact point in the ring
-  const T Vu = Wt * zc, Vt = We * rc - Wu * zc, Ve = -Wt * rc;    // its surface, W x (rc u + zc e)
+  const T Vu = Wt * zc, Vt = We * rc - Wu * zc, Ve = -Wt * rc;    // ring surface, W x (rc u + zc e)
 
   c.overlap_rate = (vu - Vu) * c.nu + (ve - Ve) * c.ne;
-  const T roll = Rb * (we * c.nu - wu * c.ne);    // ball surface along t, from its spin
+  const T roll = Rb * (we * c.nu - wu * c.ne);    // ball surface along t, due to rotation
   c.sliding_t = vt + roll - Vt;
   c.sliding_w = (ve - Ve) * c.nu - (vu - Vu) * c.ne - Rb * wt;
   const T turn = (vt + c.z * Wu) / c.r * rc - Wu * zc;    // contact point along t
@@ -89,14 +89,14 @@ RACEWAY_INLINE void find_motions(const Raceway &p, const BallStateT<T> &ball,
   }
 }
 
-// Forces and torques of a contact from its local forces; T is a plain type, that of S.
+// Forces and torques of a contact from its local forces; T is the plain type of S.
 template <bool couples, class T, class S>
 RACEWAY_INLINE ContactForcesT<T> assemble(const Raceway &p, const Vec3T<T> &e,
                                           const ContactStateT<S> &c)
 {
   const double Rb = p.groove.ball_radius;
   const T rc = c.r + Rb * c.nu, zc = c.z + Rb * c.ne;
-  // w = n x t = nu e - ne u; lever of the ball Rb n, of the ring rc u + zc e
+  // w = n x t = nu e - ne u; the lever of the ball is Rb n, the lever of the ring rc u + zc e
   const T ft = held(c.friction_t), fw = held(c.friction_w), normal = held(c.normal);
   const T fu = -normal * c.nu + fw * c.ne, fe = -normal * c.ne - fw * c.nu;
   ContactForcesT<T> f;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A contact on a raceway with a profile, or of a ball with a profile. The contact law uses the
-// overlap reduced by the profile. Its force acts along G = n - slope t on the ball's centre: the
-// gradient of the stored energy, because the depth changes along the raceway.
+// overlap reduced by the profile. Because the depth changes along the raceway, the normal force
+// acts on the ball's centre along the gradient of the stored energy, G = n - slope t.
 #ifndef RACEWAY_PROFILED_CONTACT_H
 #define RACEWAY_PROFILED_CONTACT_H
 
@@ -13,15 +13,16 @@ namespace raceway {
 template <class T> struct alignas(sizeof(T)) ProfiledContactT {
   T overlap = T();    // m, with the profile
   T slope = T();      // slope of the depth along the path of the ball's centre
-  T bend = T();       // 1/m, derivative of the slope along the path, for profiles across the whole
-                      // groove
-  // for a pit: energy in addition to the energy of the overlap, J; derivative of the overlap with
-  // respect to the approach, minus 1; stiffness between approach and path, and along the path, N/m
+  T bend = T();       // 1/m, derivative of the slope along the path; only of profiles that extend
+                      // across the whole groove
+  // For a pit: energy in addition to the energy of the overlap, J; derivative of the overlap with
+  // respect to the approach, minus 1; stiffness (N/m) between approach and path, and along the path
   T energy = T(), follows = T(), cross = T(), side = T();
 };
 using ProfiledContact = ProfiledContactT<double>;
 
-// `azimuth` (rad) in the ring's frame; the ball's centre is r (m) from the ring's axis.
+// Contact on a raceway with a profile. `azimuth` (rad) is in the ring's frame; the ball's centre is
+// r (m) from the ring's axis.
 inline ProfiledContact profiled(const RacewayProfile &profile, const Raceway &p, double azimuth,
                                 double r, double overlap)
 {
@@ -70,9 +71,10 @@ inline ProfiledContact profiled(const RacewayProfile *ring, const BallProfile *b
   return c;
 }
 
-// Change of a number that depends on the direction of the normal in the ball's axes, with the
-// velocity v of the ball's centre relative to the ring's material there and the spin w of the ball
-// relative to the ring. `along` and `across` are its derivatives with respect to the direction.
+// Rate of change of a quantity that depends on the direction of the normal in the ball's axes, per
+// unit of the velocity v of the ball's centre relative to the ring's material at that point and of
+// the spin w of the ball relative to the ring. `along` and `across` are the derivatives of the
+// quantity with respect to the direction.
 template <class T> struct TurnRowT {
   Vec3T<T> v, w;
 
@@ -93,8 +95,8 @@ RACEWAY_INLINE TurnRowT<T> turn_row(const T &along, const T &across, const Vec3T
   return {c.t * T(along * c.nu / c.r) + aside * T(across / c.s), c.t * across - aside * along};
 }
 
-// Replaces the rate of approach (m/s) along n by the rate along G: v is the velocity of the ball's
-// centre along t relative to the ring's material there.
+// Replaces the rate of approach (m/s) along n by the rate along G. v is the velocity along t of the
+// ball's centre relative to the ring's material at that point.
 template <class T>
 RACEWAY_INLINE T passing_speed(const BallStateT<T> &ball, const RingStateT<T> &ring,
                                const ContactStateT<T> &c)
@@ -113,8 +115,8 @@ RACEWAY_INLINE void push_along(const T &slope, const Vec3T<T> &e, const ContactS
   f.ring_torque -= e * T(c.r * push) - c.u * T(c.z * push);
 }
 
-// As above for a ball's profile, with the row of its depth; d is the ball's centre relative to the
-// ring's.
+// As above for a ball's profile, with the row of the profile's depth; d is the position of the
+// ball's centre relative to the ring's centre.
 template <class T>
 RACEWAY_INLINE void push_along(const TurnRowT<T> &depth, const Vec3T<T> &d,
                                const ContactStateT<T> &c, ContactForcesT<T> &f)

@@ -31,7 +31,7 @@ struct Raceway {
   double ln_inverse_roughness = 0.0;    // ln of a value in 1/m; minus infinity without a roughness
   double ball_mass = 0.0;               // kg
   double pitch_radius = 0.0;            // m
-  double reach = 0.0;    // m, gap at which a contact begins; 0 unless set by a part of the law
+  double reach = 0.0;    // m, gap at which contacts begin; 0 unless set by a part of the law
 
   // Origin of the largest overlap, for messages.
   const char *limit() const
@@ -52,15 +52,16 @@ struct Raceway {
     return groove.ball_radius * groove.groove_radius / (groove.groove_radius - groove.ball_radius);
   }
 
-  // Applies thermal strains of ring and ball, which move their surfaces. The constants of the law
-  // remain those of the cold parts; the difference is as small as the strain.
+  // Applies the thermal strains of ring and ball, which displace the surfaces. The constants of the
+  // law remain those of the cold parts; their relative change is as small as the strain.
   void grow(double ring, double ball)
   {
     centre_circle = groove.centre_circle() * (1.0 + ring);
     slack = groove.groove_radius * (1.0 + ring) - groove.ball_radius * (1.0 + ball);
   }
 
-  // pitch (m) sets gamma; limit is a fraction of the ball's radius.
+  // pitch: radius of the pitch circle (m), for gamma; mass: of the ball (kg); limit: largest
+  // overlap as a fraction of the ball's radius.
   void prepare(double pitch, double mass, double limit)
   {
     overlap_limit = limit;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Constants of one raceway for its contacts, as functions of the contact angle.
+// Constants of the contacts on one raceway, as functions of the contact angle.
 //
 // The effective radii follow the contact angle (docs/theory, Geometry), and with them stiffness,
 // ellipse and film exponents. They depend on cos(alpha) only, so they are computed once on a
-// uniform grid of cos(alpha) in [0, 1] and interpolated by a four-point cubic: relative error below
-// 1e-9 (tested). A radial scene stays at cos(alpha) = 1 and uses those constants directly.
+// uniform grid of cos(alpha) in [0, 1] and interpolated by a four-point cubic, with a relative
+// error below 1e-9 (tested). A radial scene stays at cos(alpha) = 1 and uses the constants at that
+// node directly.
 #ifndef RACEWAY_RACEWAY_LAW_H
 #define RACEWAY_RACEWAY_LAW_H
 
@@ -23,7 +24,7 @@ template <class T> struct alignas(sizeof(T)) RacewayConstantsT {
   T p;                  // Pa/sqrt(m)
   FilmPairT<T> film;    // h_min, h_c
   T film_damper;        // N s/m^0.5, C_fluid = film_damper * a sqrt(overlap) * h^-1.5
-  T unit;               // m, compression under 1 N, K^(-2/3)
+  T unit;               // m, compression at a load of 1 N, K^(-2/3)
 };
 using RacewayConstants = RacewayConstantsT<double>;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A raceway with its contact law, for code independent of the parts of the law: only contact.h and
-// the evaluation of a law include the parts.
+// A raceway with its contact law, for code that does not depend on the parts of the law: only
+// contact.h and the evaluation of a law include the parts.
 #ifndef RACEWAY_RACEWAY_PHYSICS_H
 #define RACEWAY_RACEWAY_PHYSICS_H
 
@@ -17,7 +17,7 @@ constexpr int most_states = 8;
 // Properties of a set of parts, one bit per part in the order of `Parts` (contact.h).
 struct LawFacts {
   int states = 0;                // number of state variables of a contact
-  bool couples = false;          // it depends on relative rotations, and has couples and a drag
+  bool couples = false;          // depends on relative rotations and has couples and a drag
   bool decides = false;          // a part determines the onset of contact
   bool explicit_step = false;    // not available in an implicit step
   bool film = false, film_in_gap = false, asperities = false, tangential_spring = false;
@@ -25,7 +25,7 @@ struct LawFacts {
 };
 LawFacts law_facts(unsigned parts);
 
-// Initial parts of a pair style, dry or lubricated.
+// Parts that a pair style has before any keyword, dry or lubricated.
 unsigned initial_parts(bool lubricated);
 
 struct PartNumbers;    // the parameters of all parts
@@ -41,12 +41,12 @@ struct RacewayPhysics : Raceway {
   RacewayPhysics &operator=(RacewayPhysics &&) noexcept;
   ~RacewayPhysics();
 
-  // pitch_radius (m) sets gamma; ball_mass (kg) the dashpot; overlap_limit is a fraction of R_b.
+  // pitch_radius (m) sets gamma, mass (kg) the dashpot; overlap_limit is a fraction of R_b.
   void prepare(double pitch_radius, double mass, double overlap_limit);
 
   LawFacts facts() const { return law_facts(parts); }
-  // For contacts with the film in the gap: share of the film added to the overlap; true if the law
-  // of the film covers all regimes.
+  // For contacts with the film in the gap: share of the film that adds to the overlap; true if the
+  // film follows the law of all regimes.
   double gap_share() const;
   bool gap_film_of_all_regimes() const;
   // Replaces the tangential spring; `creep` is the slide-roll ratio that smooths Coulomb's law.
@@ -56,7 +56,7 @@ struct RacewayPhysics : Raceway {
   template <class Part> const typename Part::Parameters &of() const;
   template <class Part> typename Part::Parameters &of();
   template <class Part> bool has() const;
-  template <class Part> void choose();    // enables it and disables the parts it excludes
+  template <class Part> void choose();    // enables Part and disables the parts that it excludes
 
  private:
   std::unique_ptr<PartNumbers> own_;

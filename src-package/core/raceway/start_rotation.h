@@ -13,11 +13,12 @@ namespace raceway {
 
 struct StartingBall {
   double radius, mass;                // m, kg
-  double path;                        // m, radius of the circle of its initial centre
+  double path;                        // m, initial radius of the circle of the ball's centre
   double orbit;                       // rad/s, orbital speed, for the centrifugal force
   double inner_speed, outer_speed;    // rad/s, of the rings
   double thrust;    // N, the ball's share of the axial force on the inner ring; 0: unknown
-  // rad, angle of both contacts at the initial position, above 0 if a thrust along +e closes them
+  // rad, contact angle on both raceways at the initial position; above 0 if a thrust on the inner
+  // ring along +e closes the contacts
   double angle;
 };
 
@@ -35,8 +36,8 @@ inline SpinContact spin_contact(const Raceway &p, const ThrustContact &c, double
           0.5 * spin_width * std::fabs(roll) * a / deformed};
 }
 
-// Rotation at the contact angles and loads due to the thrust; without a thrust, or if the grooves
-// cannot carry it, at the contact angle of the initial position and a small load.
+// Rotation at the contact angles and loads due to the thrust. Without a thrust, or if the grooves
+// cannot carry the thrust, rotation at the contact angle of the initial position and a small load.
 inline BallRotation start_rotation(Raceway inner, Raceway outer, const StartingBall &b)
 {
   for (Raceway *p : {&inner, &outer}) {

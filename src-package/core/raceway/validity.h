@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The only place that checks whether the formulas of a contact hold.
 //
-// Error: a contact ellipse as wide as the groove, or an overlap beyond the limit of the deck.
-// Warning: a pressure that leaves dents, a film thicker than the contact length, a lambda ratio
-// beyond those found in bearings, a capacitance of a conducting film, a film outside the range of
-// Hamrock and Dowson's fit, a contact ellipse beyond the shoulder of its groove.
+// Errors: a contact ellipse as wide as the groove, or an overlap beyond the limit of the deck.
+// Warnings: a pressure that leaves dents, a film thicker than the contact length, a lambda ratio
+// above the values found in bearings, a capacitance of a conducting film, a film outside the range
+// of Hamrock and Dowson's fit, a contact ellipse beyond the shoulder of the groove.
 #ifndef RACEWAY_VALIDITY_H
 #define RACEWAY_VALIDITY_H
 
@@ -24,11 +24,11 @@ struct Validity {
     double bound;
     bool below;    // the bound is a minimum instead of a maximum
   };
-  // ISO 76: the largest pressure at the basic static load rating of ball bearings, with a dent of
-  // 1e-4 of the ball diameter. Films in bearings have Lambda below 10; below 1 asperities are in
-  // continuous contact, and the contact is not a capacitor. Hamrock and Dowson (J. Lubr. Technol.
-  // 99, 1977, 264, abstract) varied the ellipticity from one to eight. Python and the pages read
-  // these rules, too.
+  // ISO 76 gives the maximum pressure at the basic static load rating of ball bearings, which
+  // leaves a dent of 1e-4 of the ball diameter. Films in bearings have Lambda below 10; below 1 the
+  // asperities touch continuously, and the contact is not a capacitor. Hamrock and Dowson (J. Lubr.
+  // Technol. 99, 1977, 264, abstract) varied the ellipticity from one to eight. Python and the
+  // pages read these rules, too.
   static const Rule &rule(int doubt)
   {
     static const Rule rules[N] = {

@@ -25,7 +25,7 @@ double now()
   return t.tv_sec + 1e-9 * t.tv_nsec;
 }
 
-// Writes all bytes, even if the system splits the write.
+// Writes all n bytes, even if the system splits the write.
 std::string write_all(int file, const void *from, size_t n, off_t at)
 {
   const char *bytes = static_cast<const char *>(from);
@@ -55,13 +55,13 @@ std::string NetcdfFile::open(const std::string &path, const NetcdfHeader &header
   sent_.resize(buffer_.size());
   file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file_ < 0) return strerror(errno);
-  // some file systems do not support locks, which is no reason to refuse
+  // some file systems do not support locks, which is no reason to refuse the file
   if (flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
     return leave("another run is writing it");
   return "";
 }
 
-// Closes a file that must not be written without changing it.
+// Closes, without a change, a file that must not be written.
 std::string NetcdfFile::leave(const std::string &why)
 {
   ::close(file_);
@@ -113,7 +113,7 @@ unsigned char *NetcdfFile::start_record()
   return record;
 }
 
-// The system takes as long to copy a batch as the bearing takes to compute it, so a separate thread
+// The system takes as long to copy a batch as the run takes to compute it, so a separate thread
 // waits for the write.
 std::string NetcdfFile::flush()
 {
@@ -138,7 +138,7 @@ std::string NetcdfFile::flush()
   return "";
 }
 
-// Waits until the last batch sent is written.
+// Waits until the batch sent last has been written.
 std::string NetcdfFile::wait()
 {
   if (!writing_.valid()) return "";

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A growing netCDF classic file: records are written in batches, one write each, while the next
-// batch fills.
+// A growing netCDF classic file. Records are written in batches, each with a single write, while
+// the next batch fills.
 //
-// The header counts the records (4 bytes at offset 4). A reader of a growing file, or of one left
-// by a killed run, sees only complete records, because the count lags behind the writing. It is
-// updated a few times per second, to the number written at the previous update: a reader that maps
-// the file first and then reads the count must not find more records counted than mapped. A file
-// cut at the end of a record is valid, so a run is continued with a truncate(). Header and records
-// have checksums (netcdf_header.h).
+// The header has the number of records (4 bytes at offset 4). A reader of a growing file, or of a
+// file left by a killed run, sees only complete records, because this count lags behind the
+// writing. The count is updated a few times per second, to the number written at the previous
+// update: a reader that maps the file first and then reads the count must not find more records
+// counted than mapped. A file cut at the end of a record is valid, so truncate() suffices to
+// continue a run. Header and records have checksums (netcdf_header.h).
 #ifndef BEARING_NETCDF_FILE_H
 #define BEARING_NETCDF_FILE_H
 
@@ -24,11 +24,11 @@ class NetcdfFile {
   NetcdfFile(const NetcdfFile &) = delete;
   NetcdfFile &operator=(const NetcdfFile &) = delete;
 
-  // These return an error message, empty on success.
-  // Creates or replaces a file; records follow in batches of `batch`.
+  // The functions below return an error message, empty on success.
+  // Creates or replaces a file; records follow in batches of `batch` records.
   std::string create(const std::string &path, const NetcdfHeader &, size_t batch);
   // Continues a file that has the same header except for the value of the scalar `changing`, after
-  // cutting it to its first `records`.
+  // the file has been cut to its first `records` records.
   std::string go_on(const std::string &path, const NetcdfHeader &, size_t batch, size_t records,
                     int changing);
 

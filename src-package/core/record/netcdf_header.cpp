@@ -58,7 +58,7 @@ void add_list(std::string &s, Tag tag, size_t n)
   add_4(s, n);
 }
 
-// `changing` receives the positions of values that may change.
+// Adds attributes to `s`; `changing` receives the positions of values that may change.
 void add_attributes(std::string &s, const Header::Attributes &list, std::vector<size_t> &changing)
 {
   add_list(s, attribute_list, list.size());
@@ -178,7 +178,7 @@ std::vector<unsigned char> NetcdfHeader::blank_record() const
 std::string NetcdfHeader::written(size_t records_at)
 {
   std::string s = "CDF\2";
-  add_4(s, 0);    // records
+  add_4(s, 0);    // number of records
   add_list(s, dimension_list, dimensions_.size());
   for (const Dimension &d : dimensions_) {
     add_name(s, d.name);

@@ -3,9 +3,10 @@
 // variables, and the values of variables without time. All numbers are big-endian (OGC 10-092r3).
 // Independent of host and libraries.
 //
-// The first attribute, `checksum`, has the length of the header and a sum of it, with zeros for the
-// number of records and for the sum itself. The last variable of a record, `checksum`, sums the
-// bytes before it; its seed is the record's number (core/numbers/checksum.h).
+// The first attribute, `checksum`, has the length of the header and a checksum of the header, with
+// zeros for the number of records and for the checksum itself. The last variable of a record,
+// `checksum`, covers the bytes before it; its seed is the record's number
+// (core/numbers/checksum.h).
 #ifndef BEARING_NETCDF_HEADER_H
 #define BEARING_NETCDF_HEADER_H
 
@@ -30,15 +31,15 @@ class NetcdfHeader {
   struct Variable {
     std::string name;
     std::vector<int>
-        dimensions;    // numbers; with 0, the record dimension, first: one value per record
+        dimensions;    // indices; 0, the record dimension, comes first: one value per record
     Type type = real;
     Attributes attributes;
     std::string words;         // values of a fixed variable of type text
-    std::vector<double> of;    // of other types
-    double blank = 0.0;        // of empty cells in a record
+    std::vector<double> of;    // values of a fixed variable of another type
+    double blank = 0.0;        // value of empty cells in a record
     // set by layout()
-    size_t size = 1;    // values, of a record or of all
-    size_t at = 0;      // bytes from the start of the record, or of the file
+    size_t size = 1;    // number of values in a record or, without records, in the file
+    size_t at = 0;      // position in bytes from the start of the record, or of the file
     bool in_record() const { return !dimensions.empty() && dimensions[0] == 0; }
   };
 
@@ -51,7 +52,8 @@ class NetcdfHeader {
     return {name, real, "", {value}, false};
   }
 
-  // These return the index of the new item. The record dimension comes first, with length 0.
+  // The functions below return the index of the new item. The record dimension comes first, with
+  // length 0.
   NetcdfHeader();
   int dimension(const std::string &name, size_t length);
   int variable(const Variable &);
@@ -61,7 +63,7 @@ class NetcdfHeader {
   void sum(std::string &bytes) const;    // writes the checksum into a copy of bytes()
   void sum(unsigned char *record, size_t number) const;
   const Variable &variable(int k) const { return variables_[k]; }
-  const std::string &bytes() const { return bytes_; }    // with the fixed values; no record yet
+  const std::string &bytes() const { return bytes_; }    // with fixed values, without records
   size_t record_bytes() const { return record_bytes_; }
   std::vector<unsigned char> blank_record() const;
   // Positions of the attributes that may change: 8 bytes each.

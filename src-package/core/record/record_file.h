@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A record as one netCDF file: its variables, the assembly of a sample from the rows of its parts,
-// and the sums over each bearing. Rows may come in any order, which does not affect the bytes.
+// A record as one netCDF file: the variables, the assembly of a sample from the rows of its parts,
+// and the sums over each bearing. Rows may come in any order without an effect on the bytes.
 // Independent of the host.
 #ifndef BEARING_RECORD_FILE_H
 #define BEARING_RECORD_FILE_H
@@ -24,11 +24,11 @@ class RecordFile {
     bool heat = false;       // temperatures follow the losses
     NetcdfHeader::Attributes about;
   };
-  // A row is its kind, its index in the layout and its values; a sample ends with its time, step
-  // and, with heat, the temperatures of each bearing (NAN: unknown). The index of a contact
-  // is (raceway * grooves + groove) * balls + ball.
+  // A row consists of its kind, its index in the layout and its values. The row that ends a sample
+  // has time, step and, with heat, the temperatures of each bearing (NAN: unknown). The index of a
+  // contact is (raceway * grooves + groove) * balls + ball.
   enum Kind { BALL, CONTACT, CAGE, RING, END };
-  // temperatures of a bearing: of_fix_heat from INNER to OIL
+  // number of temperatures of a bearing: of_fix_heat from INNER to OIL
   enum { TEMPERATURES = of_fix_heat::OIL + 1 - of_fix_heat::INNER };
   enum { MOTION = 9, FIRST_OF_RING = of_ring::X, RING_VALUES = of_ring::AZ + 1 - of_ring::X };
 
@@ -42,8 +42,8 @@ class RecordFile {
 
   // Takes rows up to the end of a sample or of the list; returns the end of the rows taken.
   const double *take(const double *row, const double *end, bool &whole);
-  // Writes the sample from the row that ends it, once all parts have reported. Returns an error
-  // message, or empty.
+  // Writes the sample, with the row that ends it, once all parts have reported. Returns an error
+  // message, empty on success.
   std::string end_sample(const double *row);
 
  private:

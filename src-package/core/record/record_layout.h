@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Bearings of a record and their parts, in the order of the file. Independent of the host.
+// The bearings of a record and the parts of the bearings, in the order of the file. Independent of
+// the host.
 #ifndef BEARING_RECORD_LAYOUT_H
 #define BEARING_RECORD_LAYOUT_H
 
@@ -19,7 +20,8 @@ struct RecordLayout {
     int bearing;
     int raceway;    // 0 inner, 1 outer, 2 a one-piece cage
     double origin[3];
-    // of a cage: of its pockets along the circle (m); CageRing::Guide; of the first pocket (rad)
+    // of a cage: play of the pockets along the circle (m); CageRing::Guide; azimuth of the first
+    // pocket (rad)
     double play, guide, phase;
   };
   struct Bearing {
@@ -31,7 +33,7 @@ struct RecordLayout {
   std::vector<RecordBody> balls, cage;
   std::vector<RecordRing> rings;
 
-  int grooves = 1;    // per ring and ball: contacts are by raceway, groove and ball
+  int grooves = 1;    // number per ring and ball; contacts are by raceway, groove and ball
 
   static constexpr int cage_ring = 2;    // raceway of a one-piece cage
   bool pockets() const

@@ -19,7 +19,8 @@ class RecordRows {
   void begin(const RecordLayout &, const RecordFile &, const Columns &, size_t batch);
 
   int ball(Tag) const;    // index in the layout; -1: not in the record
-  // The speed of a ball about the axis of the outer ring, or of its only ring, rad/s.
+  // True if orbit() is to be called: the speed of a ball (rad/s) is about the axis of the outer
+  // ring, or of the ball's only ring.
   bool needs_orbit(int ball, raceway::Side s) const
   {
     return s == raceway::Side::outer || shares_[ball].orbit == 0.0;
@@ -28,14 +29,14 @@ class RecordRows {
   void contact(int ball, const ContactView &);    // an active contact
   // Surfaces without contact; only the surroundings have a value.
   void gap(int ball, const ContactView &);
-  // A contact with a cage ball or another ball: loss of this ball (W), force (N).
+  // A contact with a cage ball or another ball: this ball's share of the loss (W), force (N).
   void cage(int ball, double loss, double force) { shares_[ball].cage(loss, force); }
   void rail(Tag cage_ball, double loss);    // W
   void land(Tag cage, double loss);         // W, of a cage ring at its land and by churning
   // A ball or cage ball, after all of its contacts.
   void body(Tag, const raceway::Vec3 &x, const raceway::Vec3 &v, const raceway::Vec3 &w);
-  void ring(const double *of);    // from of_ring::RING on; after land()
-  // Ends a sample; temperatures are as in the row of RecordFile.
+  void ring(const double *of);    // columns from of_ring::RING on; call it after land()
+  // Ends a sample; temperatures are in the order of the row of RecordFile.
   void end(double time, double step, const std::vector<double> &temperatures);
 
   bool full() const { return samples_ == batch_; }

@@ -32,7 +32,7 @@ Arguments::Arguments(LAMMPS *lmp, const std::string &command, int narg, char **a
   note_words(lmp, command, words_);
 }
 
-// Style of "fix ID STYLE" or the command itself, as named in the table of variables
+// Style of "fix ID STYLE", or the command itself, with the name used in the table of variables
 static std::string taker(const std::string &command)
 {
   return command.compare(0, 4, "fix ") == 0 ? command.substr(command.rfind(' ') + 1) : command;
@@ -176,7 +176,7 @@ int Arguments::choice(const std::string &what, const std::vector<std::string> &a
   fail(what + " is '" + s + "', must be one of: " + list);
 }
 
-// End of a message with the word of a list "a, b, c" for which a wrong word may stand
+// End of a message: the word in a list "a, b, c" for which a wrong word was probably meant
 static std::string meant(const std::string &wrong, const std::string &list)
 {
   std::set<std::string> known;

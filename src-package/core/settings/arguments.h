@@ -16,7 +16,7 @@ namespace bearing {
 
 // Host functions for reading a command, without the host's headers (arguments_host.cpp).
 // Collective: all ranks call them together.
-[[noreturn]] void stop_run(LAMMPS_NS::LAMMPS *, const std::string &why);    // ends it with an error
+[[noreturn]] void stop_run(LAMMPS_NS::LAMMPS *, const std::string &why);    // with an error message
 bool is_first_rank(LAMMPS_NS::LAMMPS *);
 std::string of_first_rank(LAMMPS_NS::LAMMPS *, const std::string &);    // on every rank
 std::optional<std::string> host_variable(LAMMPS_NS::LAMMPS *, const std::string &name);
@@ -24,8 +24,8 @@ std::optional<std::string> host_variable(LAMMPS_NS::LAMMPS *, const std::string 
 // A number in the user's notation ("6.3e-3") for messages.
 std::string text(double value);
 
-// `vars K ...` at the end of a command stands for `K VALUE` for every K that is a variable of the
-// host and, by core/settings/deck_variable_table.h, is taken by the command.
+// `vars K ...` at the end of a command stands for `K VALUE`, for every K that is a variable of the
+// host and that the command takes (core/settings/deck_variable_table.h).
 class Arguments {
  public:
   Arguments(LAMMPS_NS::LAMMPS *lmp, const std::string &command, int narg, char **arg, int first);
@@ -35,7 +35,7 @@ class Arguments {
   const std::string &command() const { return command_; }
   bool more() const { return next_ < words_.size(); }
   size_t left() const { return words_.size() - next_; }
-  bool take(const char *keyword);    // true and consumed if it is the next word
+  bool take(const char *keyword);    // true if `keyword` is the next word, which is then consumed
   bool next_is_number() const;
   const std::string &next() const { return words_[next_]; }    // not consumed; must exist
   std::vector<std::string> rest() const { return {words_.begin() + next_, words_.end()}; }
@@ -46,14 +46,14 @@ class Arguments {
   double non_negative(const std::string &what);                                // >= 0
   double within(const std::string &what, double lo, double hi);
   int integer(const std::string &what, int lo, int hi);
-  // Value of a deck's variable, within its range in the table.
+  // Value of a deck variable, within its range in the table of variables.
   std::string value_of(const char *variable);
   double number_of(const char *variable);
   int choice(const std::string &what, const std::vector<std::string> &allowed);
   void skip_rest() { next_ = words_.size(); }
   [[noreturn]] void unknown(const std::string &allowed);    // the next word is not a keyword
   [[noreturn]] void fail(const std::string &why) const;
-  // Text of a file on all ranks, read by rank 0; none if the file is unreadable.
+  // Text of a file on all ranks, read by rank 0; no value if the file is unreadable.
   std::optional<std::string> content(const std::string &file) const;
 
  private:

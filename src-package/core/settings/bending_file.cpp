@@ -34,7 +34,7 @@ class Reader {
     if (!units_) fail(std::string("has no line 'units ") + units + "'");
   }
 
-  // Values of the single line with this word, with their count and range checked.
+  // Values of the single line that begins with this word; their count and range are checked.
   std::vector<double> one(const std::string &word, size_t count, double least, double most)
   {
     const std::vector<Line> &found = all(word, 1);

@@ -15,12 +15,12 @@ struct CageSettings {
   double young[2] = {2.08e11, 2.08e11}, poisson[2] = {0.3, 0.3};    // ball and cage, steel
   double height = 0.0;                                              // m, band of oil in a pocket
   double oil = 0.0, filled = 1.0;                                   // Pa s; filled share of pockets
-  double land_filled = -1.0;                                        // of the land; -1: `filled`
+  double land_filled = -1.0;                                        // of land gap; -1: `filled`
 
-  // Reads all words after the ball type. Error for words that contradict each other.
+  // Reads all words after the ball type. Error if words contradict each other.
   void read(Arguments &);
-  // Derives the values that depend on the balls, which have this radius on this pitch circle (m).
-  // Error if they do not fit.
+  // Derives the values that depend on the radius of the balls (m) and of the pitch circle (m).
+  // Error if the balls do not fit.
   void prepare(Arguments &, double ball_radius, double pitch);
 
  private:

@@ -11,25 +11,25 @@ namespace bearing {
 
 struct CircuitSettings {
   enum Outer { floating, source, motor } outer = floating;
-  double start = 0.0;                               // V, initial, of a floating inner ring
+  double start = 0.0;                               // V, initial voltage of a floating inner ring
   double resistance = 0.0;                          // ohm, of a source
   double winding_rotor = 0.0, rotor_frame = 0.0;    // F, of a motor
   double second = 0.0, second_factor = 0.0;         // F; over this bearing's capacitance
   double beside = 0.0, stray = 0.0;                 // F
   raceway::Waveform voltage;
   double strength = 0.0, film_floor = 1e-9;    // V/m, 0: no breakdown; m
-  bool rough = true;                           // local thickness is reduced by 3 sigma
+  bool rough = true;                           // reduce the local thickness by 3 sigma
   double resistivity = 0.0;                    // ohm m, 0: no leak
   double metal = 0.0, metal_share = 0.0;       // ohm, 0: none; share of the load
-  double arc = 0.0;                            // ohm, of a failing film; 0: unknown
+  double arc = 0.0;                            // ohm, resistance of a failing film; 0: unknown
   int points = 1;                              // circuit points per sample
   int within = 1;                              // samples per step, the last at its end
   std::string events;                          // file for films that fail
 
   bool breaks_down() const { return strength > 0.0; }
-  // Largest limit of a bridged film, V.
+  // Largest breakdown voltage at which a film counts as bridged, V.
   double bridged() const { return strength * film_floor; }
-  // Outer circuit at a time (s), for a bearing with this capacitance (F).
+  // Outer circuit at a time (s), for a bearing with the capacitance `bearing` (F).
   raceway::OuterPoint at(double time, double bearing) const;
   // Coupling over the total capacitance of the inner ring; 0 without a motor.
   double voltage_ratio(const raceway::OuterPoint &, double bearing) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Tables of data files, FOLDER/*.csv: a row represents a file of that name. Format:
+// Tables of data files, FOLDER/*.csv: each row stands for a data file with the row's name. Format:
 // docs/catalogue.rst.
 #ifndef BEARING_DATA_TABLE_H
 #define BEARING_DATA_TABLE_H
@@ -20,7 +20,7 @@ class DataTable {
   std::set<std::string> names() const;                           // names of the rows
   std::set<std::string> variables() const;                       // variables of all rows
   bool has(const std::string &name) const { return rows_.count(name) > 0; }
-  std::vector<std::string> commands(const std::string &name) const;    // as in a file
+  std::vector<std::string> commands(const std::string &name) const;    // as in a data file
 
  private:
   std::string file_, complaint_;
@@ -36,7 +36,7 @@ std::string variable_of(const std::string &line);
 
 std::vector<DataTable> tables_of(const std::string &folder);    // by the names of their files
 
-// The names, starting with the ones that differ from `name` by a few letters.
+// The names, starting with those that differ from `name` by a few letters.
 std::vector<std::string> near_first(const std::string &name, const std::set<std::string> &names);
 
 // Levenshtein distance: letters to change, add or remove to turn one word into the other

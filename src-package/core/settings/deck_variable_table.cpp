@@ -278,7 +278,7 @@ const DeckVariable *find_deck_variable(const std::string &name, const std::strin
 
 std::string mistyped(const std::set<std::string> &names)
 {
-  constexpr size_t slips = 2, shortest = 5;    // of a shorter name two letters are half of it
+  constexpr size_t slips = 2, shortest = 5;    // two letters are half or more of a shorter name
   for (const std::string &name : names) {
     if (find_deck_variable(name) || name.size() < shortest) continue;
     for (const DeckVariable &v : deck_variables())

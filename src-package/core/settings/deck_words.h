@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Words of the fixes and bearings of a deck, and checksums of the files that they read. Arguments
-// records them, so that a continued run can be compared with its restart file. Independent of the
-// host.
+// Words of the fixes and bearings of a deck, and checksums of the files that these commands read.
+// Arguments records both, so that a continued run can be compared with its restart file.
+// Independent of the host.
 #ifndef BEARING_DECK_WORDS_H
 #define BEARING_DECK_WORDS_H
 
@@ -20,7 +20,7 @@ void note_words(const LAMMPS_NS::LAMMPS *, const std::string &command,
                 const std::vector<std::string> &words);
 void note_file(const LAMMPS_NS::LAMMPS *, const std::string &command, const std::string &content);
 
-// The words in one line; empty if the command was not recorded.
+// The recorded words of a command in one line; empty if the command was not recorded.
 std::string noted_words(const LAMMPS_NS::LAMMPS *, const std::string &command);
 
 }    // namespace bearing

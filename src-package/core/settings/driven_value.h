@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A number, an equal-style variable v_NAME evaluated once per step, or an atom-style one with a
-// value per ring.
+// A number, an equal-style variable v_NAME evaluated once per step, or an atom-style variable with
+// one value per ring.
 #ifndef BEARING_DRIVEN_VALUE_H
 #define BEARING_DRIVEN_VALUE_H
 
@@ -37,7 +37,7 @@ class DrivenValue {
     return d;
   }
 
-  // NAN for a variable
+  // The number; NAN for a variable
   double constant_value() const { return name_.empty() ? value_ : NAN; }
   bool is_zero() const { return name_.empty() && value_ == 0.0; }
   bool is_variable() const { return !name_.empty(); }

@@ -27,8 +27,8 @@ bool same_file(const Claim &claim)
          now.st_ino == claim.inode;
 }
 
-// Claims of this process. Its lock files are removed when it exits normally; after a kill the file
-// remains without its lock.
+// Claims of this process. When the process exits normally, its lock files are removed; after a kill
+// a file remains, but without a lock.
 struct Claims {
   std::vector<Claim> list;
   const pid_t owner = getpid();

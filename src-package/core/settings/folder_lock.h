@@ -13,7 +13,8 @@ struct FolderClaim {
 };
 
 // Claims `folder` for this process; a repeated claim succeeds. The lock is on the file `.writer` in
-// the folder, which names the process. The system releases it however the process ends.
+// the folder, which contains the name of the process. The system releases the lock however the
+// process ends.
 FolderClaim claim_folder(const std::string &folder);
 
 }    // namespace bearing

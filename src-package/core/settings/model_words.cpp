@@ -141,9 +141,10 @@ ContactModel contact_model(const ModelChoice &of, const OilWords *oil,
   const bool full = of.models == "full" || of.models == "eyring", film = of.models == "film",
              paper = of.models == "paper";
   ContactModel model;
-  // otherwise the vibration of a cage that drives balls would limit the step; 1 um is 0.4 N there
+  // otherwise the vibration of a cage that drives balls would limit the step; in the contacts of a
+  // cage 1 um is 0.4 N
   model.cage_tolerance_share = full ? 1000.0 : film ? 100.0 : 1.0;
-  model.estimate = !paper;    // because records of models paper keep their bits
+  model.estimate = !paper;    // bits of records with `models paper` must not change
   if (of.models == "none") return model;
   if (oil && !paper) require(*oil, of.models);
   if (full) {

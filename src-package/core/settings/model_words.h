@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Models of contacts by name: the keywords of pair_style bearing/ehd or bearing/hertz for them.
-// docs/pair_bearing lists their parts. Independent of the host.
+// Models of contacts by name, and the keywords of pair_style bearing/ehd or bearing/hertz that
+// select them. docs/pair_bearing lists the parts of each model. Independent of the host.
 #ifndef BEARING_MODEL_WORDS_H
 #define BEARING_MODEL_WORDS_H
 
@@ -26,7 +26,7 @@ struct ModelChoice {
   double oil_level = 0.5;              // of a bath above the lowest raceway, in ball diameters
 };
 
-// Bearing of a ModelChoice: radii of pitch circle and balls, bore and outside diameter (m; 0:
+// Bearing for a ModelChoice: radii of pitch circle and balls (m), bore and outside diameter (m; 0:
 // unknown), nominal contact angle, speed (rpm)
 struct LubricatedBearing {
   double pitch_radius = 1.0, ball_radius = 1.0, bore = 0.0, outside = 0.0, contact_angle = 0.0;
@@ -46,10 +46,10 @@ extern const std::vector<std::string> model_names;
 struct ContactModel {
   std::string words;                    // keywords of the pair style
   double cage_tolerance_share = 1.0;    // tolerance of cage balls over that of other bodies
-  bool estimate = true;                 // control of implicit steps: by estimates, or by bounds
+  bool estimate = true;                 // implicit steps are controlled by estimates, not bounds
 };
 
-// `oil`: null for dry contacts. Throws DataError for a part that the models lack, or data
+// `oil`: null for dry contacts. Throws DataError for parts that the models do not have and for data
 // that the oil lacks.
 ContactModel contact_model(const ModelChoice &, const OilWords *oil, const LubricatedBearing &);
 

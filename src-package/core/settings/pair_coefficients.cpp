@@ -103,7 +103,7 @@ void PairCoefficients::read_spheres(Arguments &args, int i, int j)
   s.E2 = args.within("Young's modulus of the second type (Pa)", raceway::LEAST_YOUNG,
                      raceway::LARGEST_YOUNG);
   s.nu2 = args.within("Poisson's ratio of the second type", 0.0, 0.5);
-  // eq 3 as printed has an extra 1/(1 - nu), with nu of the rolling ball, which is the first type
+  // eq 3 as printed has an extra factor 1/(1 - nu) with nu of the rolling ball, the first type
   s.factor = args.take("printed") ? 1.0 / (1.0 - s.nu1) : 1.0;
   if (args.more()) args.unknown("printed");
   spheres_[std::minmax(i, j)] = s;
@@ -235,12 +235,12 @@ bool PairCoefficients::smooth_friction(double creep)
   return changed;
 }
 
-// A ball is a neighbour if it touches its groove, or is outside it by up to the overlap limit plus
-// half a radius; ghosts are needed only up to that distance. Spheres touch at the sum of their
-// radii.
+// A ball is a neighbour of a ring if it touches its groove or is beyond the groove by up to the
+// overlap limit plus half a radius; ghosts are needed only up to that distance. Spheres touch at
+// the sum of their radii.
 double PairCoefficients::cutoff(int i, int j) const
 {
-  // balls of one type are neighbours, so that overlapping ones can be refused at the start
+  // balls of one type are neighbours, so that overlapping balls can be refused at the start
   if (i == j && is_ball(i)) return 2.0 * sizes_.largest[i];
   if (spheres(i, j) || grains(i, j)) return sizes_.largest[i] + sizes_.largest[j];
   const RacewayPhysics *p = raceway(j, i);
@@ -289,13 +289,14 @@ std::string PairCoefficients::prepare(const TypeSizes &sizes)
   return wrong_rings();
 }
 
-// False if the bearing that a pair_coeff describes is not in the box.
+// False if the bearing of a pair_coeff is not in the box.
 bool PairCoefficients::is_there(const GrooveName &of) const
 {
   return sizes_.count[of.ball] > 0 || sizes_.count[of.ring] > 0;
 }
 
-// Ball radius and mass come from the atoms: one size per ball type.
+// Returns an error in the sizes of balls and groove, or "". Radius and mass of the balls come from
+// the atoms; all balls of a type have one size.
 std::string PairCoefficients::wrong_size(const GrooveName &of, const RacewayPhysics &p) const
 {
   const double R = sizes_.largest[of.ball], smallest = sizes_.smallest[of.ball];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Settings of pair_style and pair_coeff: the raceway of each ball type on each ring type, the
+// Settings of pair_style and pair_coeff: the raceway on each ring type for each ball type, the
 // materials of spheres that touch, and the contact law.
 #ifndef BEARING_PAIR_COEFFICIENTS_H
 #define BEARING_PAIR_COEFFICIENTS_H
@@ -15,7 +15,7 @@ namespace bearing {
 
 // Sizes of the atoms of each type, over all ranks.
 struct TypeSizes {
-  std::vector<double> smallest, largest, mass;    // radii (m); the largest mass (kg)
+  std::vector<double> smallest, largest, mass;    // m, radii; kg, largest mass
   std::vector<int> count;
 };
 
@@ -37,11 +37,12 @@ class PairCoefficients {
   // or pair_coeff I J sphere E1 nu1 E2 nu2 [printed], or pair_coeff BALL CAGE cage,
   // or pair_coeff I J grain stiffness K restitution E friction MU
   void read_coeff(Arguments &, int types);
-  // Derives the constants of the raceways. Returns an error in raceways or atoms, or "".
+  // Derives the constants of the raceways. Returns the message of an error in raceways or atoms, or
+  // "".
   std::string prepare(const TypeSizes &);
-  // As above during a run, for coefficients that were read again.
+  // As above, for coefficients that were read again during a run.
   std::string prepare_again();
-  // Thermal strains of a ball type's raceways and of its balls (Raceway::grow).
+  // Sets the thermal strains of a ball type's raceways and balls (Raceway::grow).
   void grow(int ball_type, double inner_ring, double balls, double outer_ring);
 
   bool lubricated() const { return with_film_; }
@@ -58,14 +59,14 @@ class PairCoefficients {
   // Sides on which a ball type has a raceway: 1 inner, 2 outer, or their sum.
   int sides_of(int ball_type) const;
   bool any_raceway() const { return !raceways_.empty(); }
-  // Groove of a ring for a ball, by number; null if none.
+  // Groove of a ring type for a ball type, by number; null if there is none.
   const raceway::RacewayPhysics *raceway(int ball_type, int ring_type, int groove = 0) const;
   // Raceways of a ring type, and raceways of a ball type.
   std::vector<const raceway::RacewayPhysics *> raceways_of(int ring_type) const;
   std::vector<const raceway::RacewayPhysics *> raceways_under(int ball_type) const;
-  bool many_grooves() const;    // some ring has two grooves for a ball
-  // Radius of the circle half-way between the raceways of a ball on that ring, m; 0 if the type is
-  // not a ring.
+  bool many_grooves() const;    // at least one ring has two grooves for a ball
+  // Radius of the circle half-way between both raceways of the balls on this ring, m; 0 if the type
+  // is not a ring.
   double pitch_radius(int ring_type) const;
   bool any_spheres() const { return !spheres_.empty(); }    // balls touch cage balls or one another
   const Spheres *spheres(int type_1, int type_2) const;     // null if none
@@ -73,7 +74,7 @@ class PairCoefficients {
   // Parts of the contact law (core/contact/contact.h), one law for all raceways.
   unsigned law() const { return law_; }
   const raceway::LawFacts &facts() const { return facts_; }
-  // If true, raceways with a tangential spring use this creep instead.
+  // Replaces tangential springs by Coulomb's law with this creep; true if any raceway has a spring.
   bool smooth_friction(double creep);
   // Distance of centres below which two types are neighbours, m; 0: they do not interact.
   double cutoff(int type_1, int type_2) const;

@@ -110,8 +110,9 @@ void read_ball(Arguments &args, ProfileSettings &s)
 
 }    // namespace
 
-// In a deck's variables, flaw_inner and flaw_outer are profiles of raceways, and flaw_ball is a
-// profile of balls, by default of the first ball; the last keyword, flawed_ball, has their numbers.
+// Among the variables of a deck, flaw_inner and flaw_outer are profiles of raceways, and flaw_ball
+// is a profile of balls, by default of the first ball. The last keyword, flawed_ball, gives the
+// numbers of these balls.
 ProfileSettings ProfileSettings::read(Arguments &args, int most_grooves,
                                       std::vector<std::string> &said)
 {

@@ -22,8 +22,8 @@ struct ProfileSettings {
              ball.pits.empty() && ball.waves.empty() && ball.tables.empty());
   }
 
-  // Reads all words of a fix bearing/profile; most_grooves: largest number of grooves per ring;
-  // said: words of the profile alone.
+  // Reads all words of a fix bearing/profile. most_grooves: largest number of grooves per ring;
+  // said: receives the words of the profile alone.
   static ProfileSettings read(Arguments &, int most_grooves, std::vector<std::string> &said);
 };
 

@@ -45,7 +45,7 @@ std::string form_text(const KeywordEntry &k)
   return s;
 }
 
-// A keyword whose next word is one of several: "friction none|constant MU|...".
+// Reads a keyword that is followed by one of several words: "friction none|constant MU|...".
 void read_form(Arguments &args, const std::string &name, bool with_film, RacewayPhysics &p)
 {
   if (args.take("none")) {    // leaves the slot with the name of the keyword empty

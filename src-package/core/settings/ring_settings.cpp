@@ -119,7 +119,7 @@ bool RingWords::take()
   return true;
 }
 
-// Loads of a radial bearing; `free loaded` frees the directions in which they act.
+// Loads of a radial bearing; `free loaded` frees the directions in which the loads act.
 bool RingWords::take_load()
 {
   if (args_.take("free")) {

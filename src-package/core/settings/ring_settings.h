@@ -24,7 +24,7 @@ struct RingSettings {
   raceway::RingProgram program;    // program of all rings, without targets and loads
   DrivenValue value[raceway::RingProgram::N_VALUE];
   StatedLoads stated;
-  std::string holder;    // group of the ring that the supports hold to; empty: the ground
+  std::string holder;    // group of the ring to which the supports are attached; empty: ground
 };
 
 // Mass and inertia of a ring, used if the words give none; zeros: unknown.
@@ -40,7 +40,7 @@ class RingWords {
   RingWords(Arguments &args, const raceway::LabAxes &axes, RingSettings &to, bool each);
   bool take();    // reads a keyword and its values; false if the next word is not
                   // such a keyword
-  // After all words: sets values that depend on several of them, and checks them
+  // Call it after all words: sets and checks the values that depend on several words
   void finish(const RingBody &usual);
   std::string known() const;    // all keywords, for messages
 

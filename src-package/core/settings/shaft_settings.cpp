@@ -31,7 +31,7 @@ bool ShaftSettings::take(Arguments &args)
   return true;
 }
 
-// The sum of unbalances: forces that rotate together have a sum that rotates with them.
+// The sum of unbalances; the sum of forces that rotate together rotates with them.
 static raceway::Unbalance polar(double x, double y) { return {std::hypot(x, y), std::atan2(y, x)}; }
 
 void ShaftSettings::add_unbalances(double about, RingProgram &p) const

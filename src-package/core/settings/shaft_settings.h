@@ -30,7 +30,7 @@ struct ShaftSettings {
 
   // Reads a keyword and its values; false if the next word is not such a keyword.
   bool take(Arguments &);
-  // Adds the unbalances and their moments about a centre (m).
+  // Adds the unbalances and their moments about the centre `about` (m).
   void add_unbalances(double about, raceway::RingProgram &) const;
   // Unbalances by mode of a flexible shaft.
   std::vector<raceway::Unbalance> unbalances_of_modes() const;

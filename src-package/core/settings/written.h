@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Values with 15 digits, as the hosts' formulas write them: a deck that computes a number and a
-// command that computes the same number give the same bits.
+// Values with 15 digits, as written by the hosts' formulas. A number therefore has the same bits
+// whether a deck or a command computes it.
 #ifndef BEARING_WRITTEN_H
 #define BEARING_WRITTEN_H
 

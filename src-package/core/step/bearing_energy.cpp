@@ -10,15 +10,15 @@ void BearingIntegrator::keep_energy(bool yes)
   bodies_.balanced.assign(yes ? bodies_.n_contacts : 0, {});
 }
 
-// Adds the work of loads and drives and the losses of the contacts at the end of a stage, times its
-// weight in seconds.
+// Adds the work of loads and drives and the losses of the contacts: their powers at the end of a
+// stage times the weight of the stage (s).
 void BearingIntegrator::add_energy(const Stage &stage, double weight, double s)
 {
   system_.start(stage.h, false);
   forces_.evaluate(stage);
   system_.add_border(stage.h, stage.follows(), s, false);
   double power = -power_of_residual(stage.h);
-  // if only dampers are implicit, free degrees of freedom move half of the step at the old velocity
+  // if only dampers are implicit, free degrees of freedom move at the old velocity for half a step
   const double old_share = stage.dampers_only ? 0.5 : 0.0;
   double lost = forces_.power_lost();
   loads_.resize(bodies_.border.size());
@@ -44,9 +44,9 @@ void BearingIntegrator::add_energy(const Stage &stage, double weight, double s)
 
 // Power of the residual of the last correction of a stage of h seconds, W. Corrections end once
 // positions have converged. Friction at these velocities then differs from the friction that moved
-// the bodies, and the drive must supply the latter. The difference is a share of the losses, which
-// are small compared with the power exchanged between ring and balls. Bodies and free degrees of
-// freedom of the rings have the same power except for the slip at contacts.
+// the bodies, and the drive must supply the power of the latter. The difference is a fraction of
+// the losses, which are small compared with the power exchanged between ring and balls. Bodies and
+// free degrees of freedom of the rings have equal powers except for the slip at contacts.
 double BearingIntegrator::power_of_residual(double h) const
 {
   Lane of_bodies = {};
@@ -60,7 +60,7 @@ double BearingIntegrator::power_of_residual(double h) const
   return power / h;
 }
 
-// Power of gravity on the bodies, W, with old_share of the old velocities.
+// Power of gravity on the bodies, W; velocities are weighted with old_share for the old ones.
 double BearingIntegrator::power_of_gravity(double old_share) const
 {
   Lane power = {};
@@ -77,7 +77,7 @@ const BearingIntegrator::Energy &BearingIntegrator::energy()
   return energy_;
 }
 
-// Energy at the present state, J: kinetic energy of bodies and coordinates, and elastic energy of
+// Energy in the present state, J: kinetic energy of bodies and coordinates, and elastic energy of
 // supports, modes and contacts.
 double BearingIntegrator::stored_energy()
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Forces of one bearing at the present state of its bodies, optionally with derivatives: raceway
+// Forces in one bearing in the present state of its bodies, optionally with derivatives: raceway
 // contacts (raceway_contacts.cpp), cage balls (cage_contacts.cpp), and one-piece cages
 // (cage_ring_forces.cpp).
 #ifndef RACEWAY_BEARING_FORCES_H
@@ -12,12 +12,12 @@ namespace raceway {
 class BearingSystem;
 
 enum class Evaluate {
-  only,          // forces on rings, power, energy; without looks also the right-hand side
-  residual,      // forces on rings, the right-hand side of the linear system
-  derivatives    // as above, and the matrix
+  only,          // forces on rings, power, energy; without `looks` also the right-hand side
+  residual,      // forces on rings, and the right-hand side of the linear system
+  derivatives    // as `residual`, and the matrix of the linear system
 };
 
-// Reason for a step without a result.
+// Reason why a step has no result.
 enum class Failure {
   none,
   not_a_number,      // a velocity is NaN or infinite
@@ -28,7 +28,7 @@ enum class Failure {
   not_converged      // maximum number of corrections reached
 };
 
-// Four contacts as evaluated. Vectors of the state are in the lab frame.
+// Results for four contacts. The vectors of the state are in the lab frame.
 struct alignas(32) ContactLook {
   ContactStateT<Lane> state;
   LaneMask live;    // contacts with a state; all others have motions only, if gaps are requested
@@ -43,13 +43,13 @@ struct Stage {
   double h = 0.0;               // s, length of the stage
   bool dampers_only = false;    // positions are given: springs have no derivative
   Evaluate evaluate = Evaluate::only;
-  ContactLook *looks = nullptr;    // by group of contacts, with `only`: filled together with forces
-                                   // on rings
+  ContactLook *looks = nullptr;    // with `only`: results by group of contacts, filled together
+                                   // with the forces on rings
   bool keep = false;               // with `derivatives`: BearingSystem::keep() after the raceways
-  bool kept = false;    // with `derivatives`: raceways as kept, at the end of the last correction
+  bool kept = false;    // with `derivatives`: raceways as kept, updated for the last correction
   bool gaps = false;    // also evaluate surfaces that do not touch
-  // Gaps of balls and of cage balls up to which derivatives count them as contacts, m. Without
-  // these, a body at rest would leap out of its groove.
+  // Gaps (m) at balls and at cage balls up to which derivatives count as derivatives of contacts.
+  // Without these limits a body at rest would leap out of its groove.
   double close = 0.0, close_cage = 0.0;
 
   double follows() const { return dampers_only ? 0.0 : h; }    // s, time over which positions
@@ -61,10 +61,11 @@ class BearingForces {
   BearingForces(BearingBodies &, BearingSystem &);
 
   Failure evaluate(const Stage &);
-  // Updates the states of the contacts after a correction based on the last evaluation
-  // (kept_follow.h). False if they change by more than the contact's spring force over `exact`, m.
+  // Updates the states of the contacts after a correction, based on the last evaluation
+  // (kept_follow.h). False if a state changes by more than the contact's spring force over `exact`
+  // (m).
   bool follow(double exact);
-  // Longest step from the present state allowed by the profiles of raceways and balls, s.
+  // Longest step (s) from the present state that the profiles of raceways and balls allow.
   double longest_step() const;
 
   // Largest overlap of a ball and a raceway at the start of the step, m; 0 without a contact.
@@ -73,8 +74,8 @@ class BearingForces {
   int body() const { return body_; }                           // body of the failure, or -1
   double power_lost() const { return power_lost_; }            // W, in contacts
   double contact_energy() const { return contact_energy_; }    // J, elastic
-  // J, change of the elastic energy due to entrainment speeds and contact angles since the start of
-  // the step: thicker films load the contacts, and no force does work along the angle
+  // Change (J) of the elastic energy since the start of the step due to entrainment speeds and
+  // contact angles: thicker films load the contacts, and no force does work in a change of angle.
   double energy_gained() const { return energy_gained_; }
 
  private:
@@ -82,10 +83,10 @@ class BearingForces {
   Failure all_raceways(const Stage &);
   double longest_step_of_balls() const;
   template <class... Families> RACEWAY_INLINE bool fused(const Stage &, Failure &);
-  // Smooth raceways with a law of inputs/models; false for any other law.
+  // Evaluates smooth raceways with a law of inputs/models; false for any other law.
   bool paper_raceways(const Stage &, Failure &);
   bool full_raceways(const Stage &, Failure &);
-  // Raceways, smooth or with profiles, with any set of parts.
+  // Evaluates raceways, smooth or with profiles, with any set of parts.
   Failure any_raceways(const Stage &);
   Failure narrow_raceways(const Stage &);    // for processors without AVX2
   void rails(const Stage &);
@@ -105,8 +106,8 @@ class BearingForces {
   ProfiledContactT<Lane> on_;              // four contacts on a raceway with a profile
   BallSlopesT<Lane> turned_;               // slopes of balls with a profile
   std::vector<int> touching_, touched_;    // closed pockets now and at the last factorisation
-  std::vector<Place> place_;               // lab frame, by slot; only bodies with pockets
-  std::vector<char> in_pocket_;            // groups
+  std::vector<Place> place_;               // lab frame, by slot; only of bodies with pockets
+  std::vector<char> in_pocket_;            // by group
 };
 
 }    // namespace raceway

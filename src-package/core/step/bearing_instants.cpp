@@ -182,7 +182,7 @@ RACEWAY_LANES void BearingInstants::surrounded(int k)
   Capacitors *to = capacitors_.data() + (k - 1) * b_.n_contacts;
   for (size_t t = 0; t < b_.tracks.size(); ++t)
     for (int g = b_.tracks[t].first; g < b_.tracks[t].end; ++g, ++look, ++to) {
-      // lanes without a ball count as live if any lane is, so that there is one kind of contact
+      // lanes without a ball count as live if any lane is live, so that all lanes are of one kind
       const LaneMask spare = any(look->live) ? ~b_.groups[g].used : LaneMask{};
       to->of = surrounded_[t].capacitor(look->state, look->live | spare, look->orbit);
     }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// States of a bearing within a step, for output sampled faster than the time step: positions by the
-// cubic through both ends of the internal step (cubic.h), velocities and contact states by linear
-// interpolation, forces by the evaluation of the step itself. They have no effect on the motion.
+// States of a bearing within a step, for output sampled faster than the time step. Positions follow
+// the cubic through both ends of the internal step (cubic.h), velocities and contact states are
+// interpolated linearly, and forces are evaluated as in the step itself. These states have no
+// effect on the motion.
 #ifndef RACEWAY_BEARING_INSTANTS_H
 #define RACEWAY_BEARING_INSTANTS_H
 
@@ -10,8 +11,8 @@
 
 namespace raceway {
 
-// Requested instants, at the fractions k/number of the host's step, k = 1 to number - 1. number 0:
-// no instants; permittivity 0: no capacitances.
+// Requested instants, at the fractions k/number of the host's step, k = 1 to number - 1. With
+// number 0 there are no instants, with permittivity 0 no capacitances.
 struct Instants {
   int number = 0;
   CapacitorModel capacitor;
@@ -28,7 +29,7 @@ class BearingInstants {
   };
   struct RingAtInstant {
     RingPose pose;
-    Vec3 force, moment;    // of balls and cage, N and N m
+    Vec3 force, moment;    // force (N) and moment (N m) of balls and cage on the ring
     Vec3 acceleration;     // m/s^2
   };
 
@@ -43,8 +44,8 @@ class BearingInstants {
     return rings_[(k - 1) * b_.rings.size() + ring];
   }
 
-  // Evaluates the instants within a step of h seconds, from fraction s0 to s1 of the host's step,
-  // before the step is accepted.
+  // Evaluates the instants within a step of h seconds, from the fraction s0 to the fraction s1 of
+  // the host's step, before the step is accepted.
   Failure pass(double h, double s0, double s1);
 
  private:
@@ -76,7 +77,7 @@ class BearingInstants {
   std::vector<SurroundedRaceway> surrounded_;    // by track, if surroundings are requested
   std::vector<Bodies> bodies_;
   std::vector<RingAtInstant> rings_;
-  // end of the step, saved while the bearing is moved elsewhere
+  // state at the end of the step, saved while the bearing is moved to an instant
   std::vector<Motion> end_;
   std::vector<BearingBodies::States> kept_end_;
 };

@@ -6,11 +6,11 @@
 
 namespace raceway {
 
-static const double gamma_2 = 1.0 - std::sqrt(0.5);     // length of a stage of order 2
+static const double gamma_2 = 1.0 - std::sqrt(0.5);     // length of a stage over h, order 2
 static const double beyond_2 = 1.0 + std::sqrt(2.0);    // (1 - gamma)/gamma
-// Position error of the method for a velocity that grows with the square of time, over h times the
-// second divided difference of the velocities at 0, gamma h and h. In a free vibration, whose first
-// stage has a second-order error, the error is 6.8 times as large.
+// Position error of the method for a velocity that grows with the square of time, divided by h
+// times the second divided difference of the velocities at 0, gamma h and h. The error in a free
+// vibration, whose first stage has a second-order error, is 6.8 times as large.
 static const double bend_2 = gamma_2 + (1.0 - gamma_2) * gamma_2 * gamma_2 - 1.0 / 3.0;
 
 static BearingIntegrator::Outcome &failed(BearingIntegrator::Outcome &o, Failure why, int body = -1)
@@ -87,14 +87,15 @@ BearingIntegrator::BearingIntegrator(const BearingModel &model) :
 {
 }
 
-// For a one-piece cage, the last correction may be a thirtieth of the allowed error, whatever the
-// length of the stage.
+// The last correction of a one-piece cage may be a thirtieth of the error allowed for it, whatever
+// the length of the stage.
 static constexpr double of_ring = 30.0;
 
-// Weight of a cage ball's last correction in a stage of h seconds. Its tolerance is ten times finer
-// than the tolerance of the error. The error left in a contact force moves the cage ball by an
-// amount that grows with the square of the stage. The tolerance is therefore finer still if the
-// stage is longer than an impact with that overlap, which lasts half a period of the contact.
+// Weight of a cage ball's last correction in a stage of h seconds. The tolerance of the correction
+// is a tenth of the tolerance of the error. The error left in a contact force moves the cage ball
+// by an amount that grows with the square of the stage's length. The tolerance is therefore finer
+// still if the stage is longer than an impact with an overlap of that tolerance, which lasts half a
+// period of the contact.
 double BearingIntegrator::cage_correction(const Settings &set, double h) const
 {
   if (!(set.cage > 10.0)) return 1.0;
@@ -105,8 +106,8 @@ double BearingIntegrator::cage_correction(const Settings &set, double h) const
   return set.cage > finer ? finer / set.cage : 1.0;
 }
 
-// Newton's method contracts: if a correction is q times the previous one, later corrections add up
-// to at most q/(1 - q) of it. The result is at least a tenth.
+// Newton's method converges: if a correction is q times the previous one, all later corrections add
+// up to at most q/(1 - q) times this correction. The result is at least 0.1.
 static double remaining(double q) { return q < 0.5 ? std::max(0.1, q / (1.0 - q)) : 1.0; }
 
 bool BearingIntegrator::solve_stage(const Settings &set, double h, double s, Outcome &o)
@@ -147,7 +148,7 @@ bool BearingIntegrator::solve_stage(const Settings &set, double h, double s, Out
     apply(h, cage_counts, o);
     const double last = std::max(o.last, o.last_cage);
     if (!(last < HUGE_VAL)) return failed(o, Failure::not_a_number, o.body).solved();
-    // a contact that alternately opens and closes gets half a correction
+    // only half a correction is applied if a contact alternately opens and closes
     if (n > 2 && last > 0.7 * before) halve();
     if (!move(h, s, set.dampers_only)) return failed(o, Failure::turned_too_far).solved();
     if (stage.keep) {
@@ -187,7 +188,7 @@ RACEWAY_LANES bool BearingIntegrator::move(double h, double s, bool dampers_only
   for (BodyGroup &g : bodies_.groups) {
     g.now = g.base.drifted(g.v, h, g.turn);
     far |= ~(magnitude(g.turn) * beyond_2 <
-             largest_turn);    // extrapolation to the base of a second stage
+             largest_turn);    // turn of the extrapolation to the base of a second stage
   }
   for (BallTurns &t : bodies_.turns) t.move(bodies_.groups[t.group], h);
   bodies_.on_border([h, s](auto &one) { one.move(h, s); });
@@ -195,8 +196,8 @@ RACEWAY_LANES bool BearingIntegrator::move(double h, double s, bool dampers_only
   return !any(far);
 }
 
-// Moves everything over h seconds, to the middle of a step or from there to its end. False if a
-// body turns too far.
+// Moves everything over h seconds, to the middle of a step or from the middle to the end. False if
+// a body turns too far.
 RACEWAY_LANES bool BearingIntegrator::coast(double h, double s, bool to_end)
 {
   LaneMask far = {};
@@ -213,8 +214,9 @@ RACEWAY_LANES bool BearingIntegrator::coast(double h, double s, bool to_end)
   return !any(far);
 }
 
-// Stiffest support of a ring over its mass, 1/s^2; with a holder, over both masses. Supports of
-// both rings to the ground or to a third ring are counted at the holder, which gives a bound.
+// Stiffness of a ring's stiffest support over the ring's mass, 1/s^2; with a holder, over both
+// masses. Supports of both rings to the ground or to a third ring are counted at the holder, which
+// gives a bound.
 static double stiffest(const RingProgram &p, const RingProgram *holder)
 {
   double most = 0.0;
@@ -256,7 +258,7 @@ RACEWAY_LANES double BearingIntegrator::stability(double h) const
   return largest;
 }
 
-// Larger of the two components normal to the rolling direction.
+// Larger magnitude of the two components normal to the rolling direction.
 static RACEWAY_INLINE Lane across(const Vec3L &v)
 {
   return where(magnitude(v.x) > magnitude(v.z), magnitude(v.x), magnitude(v.z));
@@ -270,10 +272,11 @@ RACEWAY_LANES double BearingIntegrator::largest_stiffness() const
   return std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
 }
 
-// Contact stiffness varies as the cube root of the load: a fifth is about a hundredth of the load.
+// Contact stiffness varies as the cube root of the load: a fifth of the largest stiffness belongs
+// to about a hundredth of the largest load.
 static constexpr double light = 0.2, least_count = 0.1;
 
-// Safety factor of the estimate
+// Safety factor of the error estimate
 static constexpr double safe = 4.0;
 
 // Weight of the error bound relative to the estimate. The estimate applies to one step of smooth
@@ -282,12 +285,12 @@ static constexpr double safe = 4.0;
 // (docs/fix_bearing_implicit).
 static constexpr double sudden = 0.3;
 
-// Weights of two changes of velocity: the change between both stages, and the second difference.
+// Weights of two measures: change of velocity between both stages, and second difference.
 struct ErrorWeights {
   double change = 1.0, bend = 0.0;
 };
 
-// Larger of both weighted changes, m/s.
+// Larger of both weighted measures, m/s.
 template <class T>
 static RACEWAY_INLINE T changed(const ErrorWeights &w, const T &from, const T &first, const T &end)
 {
@@ -299,10 +302,10 @@ static RACEWAY_INLINE T changed(const ErrorWeights &w, const T &from, const T &f
 
 // Position error of a ball expressed as an error of its load, in a bearing with a one-piece cage,
 // whose pockets throw balls outside the loaded arc to and fro between the raceways. A position
-// error changes the load by the stiffness of the contacts, but by no more than the load. `share` is
-// the stiffness over the largest one; the load varies as its cube, and the largest load is `full`
-// (m) times two thirds of the largest stiffness. The error of a free ball may be 200 times the
-// error of a loaded one.
+// error changes the load in proportion to the stiffness of the contacts, but by no more than the
+// load itself. `share` is the stiffness over the largest stiffness. The load varies as the cube of
+// `share`; the largest load is `full` (m) times two thirds of the largest stiffness. The error of a
+// free ball may be 200 times the error of a loaded ball.
 static RACEWAY_INLINE Lane of_load(const Lane &share, const Lane &off, double full)
 {
   const Lane by_stiffness = share * off, by_load = share * share * share * (full / 1.5),
@@ -347,8 +350,8 @@ RACEWAY_LANES double BearingIntegrator::error(double h, const Settings &set) con
   return share * h * largest;
 }
 
-// Adds the correction. Its size (m) is the largest over balls normal to the rolling direction,
-// rings and shaft modes; the size for the cage is separate and weighted.
+// Adds the correction. Its size (m) is the largest displacement of balls (normal to the rolling
+// direction), rings and shaft modes; the size for the cage is kept separately, with a weight.
 RACEWAY_LANES void BearingIntegrator::apply(double h, double cage_counts, Outcome &o)
 {
   Lane off = {}, off_cage = {};

@@ -4,40 +4,41 @@
 // A stage of length h solves for the velocities V at its end,
 //   M (V - V_base) = h F(q_base + h V, V)
 // (q and V in each body's turning frame, lane_frame.h) by Newton's method. Order 1 is one such
-// stage over the whole step: backward Euler. Order 2 makes two of length g h, g = 1 - sqrt(1/2):
-// the first from the start of the step, the second from start + (1 + sqrt 2) (first - start); its
-// end is the end of the step. That is the L-stable diagonally implicit Runge-Kutta method of
-// Alexander (SIAM J. Numer. Anal. 14, 1977): nothing of an earlier step is needed.
+// stage over the whole step: backward Euler. Order 2 consists of two stages of length g h,
+// g = 1 - sqrt(1/2). The first starts at the start of the step, the second at the base
+// start + (1 + sqrt 2) (first - start); the end of the second stage is the end of the step. This is
+// the L-stable diagonally implicit Runge-Kutta method of Alexander (SIAM J. Numer. Anal. 14, 1977),
+// which needs no data of earlier steps.
 //
 // With dampers_only, forces that depend on velocities are implicit and springs are as in velocity
 // Verlet: half a step of drift,
 //   M (V - V_start) = h F(q_middle, V)
 // by the same Newton iteration without the springs' derivatives, and the other half of the drift.
-// It preserves vibrations that the stages above would damp out, and has the stability limit of the
-// springs: h^2 k = 4 (m + h c/2) for one body on springs k and dampers c; three quarters of it are
-// used.
+// This mode preserves vibrations that the stages above would damp out, and has the stability limit
+// of the springs: h^2 k = 4 (m + h c/2) for one body on springs k and dampers c. Steps use three
+// quarters of this limit.
 //
 // Estimated local error, m: the error of a ball normal to the rolling direction, or of a ring, if
-// the method were of first order, g h |V_2 - V_1| (order 1: h |V - V_start|/2). It is an upper
-// bound for order 2. With dampers_only it is the distance moved normal to the rolling direction in
-// the step, by which a ball may be late in meeting a groove. A cage ball is allowed a multiple of
-// that error: its contacts are soft, and if the cage drives balls its vibration would otherwise
-// determine the step.
+// the method were of first order, g h |V_2 - V_1| (order 1: h |V - V_start|/2). For order 2 this is
+// an upper bound. With dampers_only the estimate is the distance moved normal to the rolling
+// direction in the step, by which a ball may be late in meeting a groove. A cage ball is allowed a
+// multiple of the error of a ball: the contacts of cage balls are soft, and if the cage drives
+// balls, the vibration of the cage would otherwise determine the step.
 //
 // With `estimate` the error is four times the error of order 2, from the second difference of the
-// velocities at the start and the ends of both stages, or 0.3 of the bound if that is larger. A
-// stage ends when later corrections would be below the tolerance if they keep decreasing at the
-// same rate. If balls and rings have converged and the cage has not, further corrections
-// extrapolate the raceway contacts from their derivatives.
+// velocities at the start and the ends of both stages, or 0.3 of the upper bound if that is larger.
+// A stage ends when all further corrections would be below the tolerance, provided that they keep
+// decreasing at the present rate. If balls and rings have converged but the cage has not, further
+// corrections extrapolate the raceway contacts from their derivatives.
 //
 // The error of a ball with less than a hundredth of the largest load is weighted by the stiffness
-// of its contacts, down to a tenth, because unloaded balls rattle by nanometres without effect on
-// any load. With a one-piece cage the error of each ball is expressed as an error of its load, down
-// to 1/200.
+// of the ball's contacts, with a weight of at least a tenth, because unloaded balls rattle by
+// nanometres without an effect on any load. With a one-piece cage the error of each ball is
+// expressed as an error of its load, with a weight of at least 1/200.
 //
 // A relative tolerance is a fraction of the largest overlap of a ball and a raceway at the start of
-// the step, used if it exceeds the tolerance in m. It depends on the state alone, so a restart is
-// bit-identical.
+// the step; it is used if it exceeds the tolerance in m. It depends only on the state, so a restart
+// is bit-identical.
 //
 // Bodies in groups of four: bearing_bodies.h; forces and derivatives: bearing_forces.h; linear
 // solve: bearing_system.h; states within a step: bearing_instants.h.
@@ -58,7 +59,7 @@ class BearingIntegrator {
     double newton = 1e-7;     // m, limit of the last correction of a stage
     double cage = 1.0;        // tolerance of a cage ball over the tolerance of a ball or ring
     double relative = 0.0;    // newton is at least this fraction of the largest overlap; 0: unused
-    double error = 1.0;       // allowed estimated error of a step over newton
+    double error = 1.0;       // allowed estimated error of a step, over `newton`
     int corrections = 8;      // maximum per stage
     bool estimate = false;    // control by estimates of errors instead of bounds; order 2 only
 
@@ -74,13 +75,13 @@ class BearingIntegrator {
     int corrections = 0;
     double tolerance = 0.0;     // m, limit of the estimated error
     double error = HUGE_VAL;    // m, estimated
-    double stability = 0.0;     // h^2 over its limit; grows like h^2
+    double stability = 0.0;     // h^2 over its stability limit
     double last = HUGE_VAL;     // m, last correction
     double last_cage = 0.0;     // m, last correction of the cage, weighted
 
     bool solved() const { return failure == Failure::none; }
   };
-  // Summed over a step; the missing part of the balance is the loss of the integrator itself.
+  // Sums over a step; the remainder of the balance is the loss due to the integrator itself.
   struct Energy {
     double work = 0.0;          // J, work of loads and drives
     double dissipated = 0.0;    // J, in films, by hysteresis, by sliding and at the cage
@@ -109,12 +110,14 @@ class BearingIntegrator {
   void load_states(const double *values) { bodies_.load_states(values); }
   void store_states(double *values) const { bodies_.store_states(values); }
 
-  // s, limit of the next step due to the raceway profiles (core/geometry/raceway_profile.h)
+  // Longest next step that raceway profiles allow, s (core/geometry/raceway_profile.h)
   double longest_step() const { return forces_.longest_step(); }
 
-  // Step of h seconds from fraction s0 to s1 of the host's step. Nothing moves until accept().
+  // Computes a step of h seconds from the fraction s0 to the fraction s1 of the host's step.
+  // Nothing moves until accept().
   Outcome step(const Settings &, double h, double s0, double s1);
-  // Failure of the contacts at an instant within the step (bearing_instants.h); it ends the run.
+  // Accepts the step. Returns a failure of the contacts at an instant within the step
+  // (bearing_instants.h), which ends the run.
   Failure accept();
 
   BearingInstants &instants() { return instants_; }
@@ -146,8 +149,8 @@ class BearingIntegrator {
   BearingForces forces_;
   BearingInstants instants_;
   const double slowest_;
-  double remains_ = 1.0;    // last estimate of the error after a correction, over the correction
-  bool keep_energy_ = false, balanced_ = false;    // balanced_: at the start of the step
+  double remains_ = 1.0;    // last estimate: error left after a correction, over the correction
+  bool keep_energy_ = false, balanced_ = false;    // balanced_: balance made at the start of step
   std::vector<double> loads_;                      // loads on the coordinates
   Energy energy_, pending_;
   struct {

@@ -140,8 +140,8 @@ void BearingSystem::add_coupling(const Coupling &c, double h, double follows)
       border_.a[row.first * n + column.first] += stiff * row.second * column.second;
 }
 
-// Adds the gyroscopic moments between both tilts of a ring, and the gyroscopic moments of a shaft's
-// modes.
+// Adds the gyroscopic coupling between both tilts of a ring, and the gyroscopic coupling of a
+// shaft's modes.
 void BearingSystem::add_spins(double h, bool fresh)
 {
   const size_t n = b_.border.size();
@@ -163,7 +163,7 @@ void BearingSystem::add_spins(double h, bool fresh)
     if (!fresh) continue;
     const double turn = h * shaft.now.spin;
     for (int k = 0; k < size; ++k) {
-      const int mode[2] = {b.mode + k, b.mode + size + k};    // in both planes
+      const int mode[2] = {b.mode + k, b.mode + size + k};    // mode k in both planes
       for (int j = 0; j < size; ++j) {
         const double g = turn * m.g(k + 1, j + 1);
         a(mode[0], b.mode + size + j) += g;

@@ -48,7 +48,7 @@ static RACEWAY_INLINE void add_dyad(Lane *a, const Lane &s, const Vec3L &p, cons
     for (int k = 0; k < 3; ++k) a[6 * i + k] += rows[i] * columns[k];
 }
 
-// Cage balls on the torus rails of a ring: elastic, frictionless, critically damped.
+// Contacts of cage balls on the torus rails of a ring: elastic, frictionless, critically damped.
 RACEWAY_LANES void BearingForces::rails(const Stage &stage)
 {
   const bool only = stage.evaluate == Evaluate::only;
@@ -67,7 +67,7 @@ RACEWAY_LANES void BearingForces::rails(const Stage &stage)
       const Lane z = dot(d, e);
       const Vec3L radial = d - e * z;
       const Lane r = norm(radial);
-      // groups without a contact end here
+      // groups without a contact need nothing further
       LaneMask near = {};
       for (const Rail &rail : *track.rails) near |= may_touch(rail, r, z, g.radius, margin);
       if (!any(near & g.used)) continue;
@@ -131,7 +131,7 @@ RACEWAY_LANES void BearingForces::rails(const Stage &stage)
   }
 }
 
-// Balls and cage balls: each closed contact is a link.
+// Contacts of balls with cage balls: each closed contact is a link.
 Failure BearingForces::pockets(const Stage &stage)
 {
   if (b_.model.pockets.empty() || stage.looks) return Failure::none;    // no force on rings

@@ -37,9 +37,9 @@ void BearingForces::cages(const Stage &stage)
   }
 }
 
-// Contact of a ball and its pocket in the ball's frame. The force of the wall depends on the motion
-// of the ball's centre, through spring and damper along the normal n, and on the motion of the
-// surface at the wall, -R n from the centre, through friction across n.
+// Contact of a ball and its pocket in the ball's frame. Through the spring and damper along the
+// normal n, the force of the wall depends on the motion of the ball's centre. Through friction
+// across n, it depends on the motion of the ball's surface at the wall, -R n from the centre.
 void BearingForces::pocket(const Stage &stage, const BearingModel::Cage &cage, const CageMotion &m,
                            int body, int number)
 {
@@ -71,7 +71,7 @@ void BearingForces::pocket(const Stage &stage, const BearingModel::Cage &cage, c
   add(g.rhs + 3, local(c.ball_torque) * h);
   if (!fresh || !(c.h.growth > 0.0)) return;
   if (stage.dampers_only && c.h.force > 0.0) {
-    // ball and cage vibrate on one spring, whose effect on either is at most doubled
+    // ball and cage vibrate on one spring, which at most doubles its effect on either of them
     g.spring[i] += 2.0 * c.h.stiffness;
     g.damper[i] += c.h.damping;
     ring.spring += 2.0 * c.h.stiffness;
@@ -79,13 +79,13 @@ void BearingForces::pocket(const Stage &stage, const BearingModel::Cage &cage, c
   const double springs = h * stage.follows(), along = h * c.h.damping + springs * c.h.growth,
                bend = springs * c.bend, across = h * c.braking;
   const Vec3 n = local(c.normal), wall = n * -R, pull = n - local(c.slide), side = local(c.side);
-  // change of the force due to motions of the centre and of the surface
+  // change of the force due to motions of the ball's centre and of its surface
   const auto answer = [&](const Vec3 &centre, const Vec3 &surface) -> Vec3 {
     const Vec3 f = pull * (along * dot(centre, n)) + (surface - n * dot(surface, n)) * across;
     return f +
            (c.spherical ? (centre - n * dot(centre, n)) * bend : side * (bend * dot(centre, side)));
   };
-  Vec3 by_ball[6];    // answers to the ball's velocity and spin
+  Vec3 by_ball[6];    // change of the force by the ball's velocity and spin
   const Vec3 unit[] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
   for (int k = 0; k < 3; ++k) {
     by_ball[k] = answer(unit[k], unit[k]);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The slopes of a contact (core/contact/contact_slopes.h) as rows of the bodies' velocities.
 //
-// Local motions are rows over the ball's velocity and spin: approach [n | 0], sliding [t | R w] and
-// [w | -R t], rotations [0 | n], [0 | t], [0 | w]. A motion of the ring has the same rows with the
-// velocity of its contact point. With the slopes L of the local forces with respect to the local
-// motions, the ball's block is rows' L rows; the ring's columns and the border follow from the same
-// product. Displacement also rotates the normal, on which the force N acts: along the groove by
-// 1/r, across it by 1/s.
+// Local motions are rows that multiply the ball's velocity and spin: approach [n | 0], sliding
+// [t | R w] and [w | -R t], rotations [0 | n], [0 | t], [0 | w]. A motion of the ring has the same
+// rows, with the velocity of the ring's contact point. With the slopes L of the local forces with
+// respect to the local motions, the ball's block is rows' L rows; the ring's columns and the border
+// follow from the same product. A displacement also rotates the normal along which the force N
+// acts: by 1/r per unit along the groove, by 1/s per unit across it.
 #ifndef RACEWAY_CONTACT_ROWS_H
 #define RACEWAY_CONTACT_ROWS_H
 
@@ -41,7 +41,7 @@ RACEWAY_INLINE ScaledSlopes<n> scaled(double h, double follows, const ContactSta
   return s;
 }
 
-// Motion of the ball, by local motion: rows over (velocity, spin).
+// The ball's rows, one for each local motion; columns: velocity and spin of the ball.
 template <int n>
 RACEWAY_INLINE void ball_rows(const ScaledSlopes<n> &s, double R, Lane (&row)[n][6])
 {
@@ -60,8 +60,8 @@ RACEWAY_INLINE void ball_rows(const ScaledSlopes<n> &s, double R, Lane (&row)[n]
   }
 }
 
-// Local forces per unit of a motion given as a row of velocities; with `displaces` also the forces
-// due to displacements.
+// Local forces per unit of a motion that is given by its local velocities; with `displaces` they
+// include the forces due to displacements.
 template <int n>
 RACEWAY_INLINE void local_forces(const ScaledSlopes<n> &s, const Lane (&motion)[n], bool displaces,
                                  Lane (&force)[n])

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Profiles of raceways and balls for four contacts: position, and contribution to the matrix.
+// Profiles of raceways and balls at four contacts: positions on them, and their contribution to the
+// matrix.
 #ifndef RACEWAY_PROFILE_ROWS_H
 #define RACEWAY_PROFILE_ROWS_H
 
@@ -8,8 +9,8 @@
 
 namespace raceway {
 
-// Adds the contribution of a profile that its slope in the rows does not include: the slope changes
-// along the path of the ball's centre. h2 (s^2) is 0 without contact.
+// Adds the contribution that the slope of a profile in the rows does not include: the change of the
+// slope along the path of the ball's centre. h2 (s^2) is 0 without contact.
 static inline void add_profile(BearingSystem &system, BodyGroup &g, int group, const RingBody &ring,
                                const Vec3L &d, const Vec3L &e, const ContactStateT<Lane> &c,
                                const Lane &h2, const ProfiledContactT<Lane> &on)
@@ -55,7 +56,7 @@ static inline void put_lane(int i, const ProfiledContact &one, ProfiledContactT<
   on.side[i] = one.side;
 }
 
-// As above for balls with profiles, along the row `path` of their azimuth.
+// As above for balls with profiles, along the row `path` of the azimuth in the balls' own axes.
 static inline void add_ball_profile(BearingSystem &system, BodyGroup &g, int group,
                                     const RingBody &ring, const Vec3L &d, const Vec3L &e,
                                     const ContactStateT<Lane> &c, const Lane &h2, const Lane &slope,
@@ -95,7 +96,7 @@ static inline void add_ball_profile(BearingSystem &system, BodyGroup &g, int gro
   }
 }
 
-// Finds the positions on the profiles of the ring and of the balls.
+// Finds the positions of the contacts on the profiles of the ring and of the balls.
 static inline void look_at_profiles(const BearingBodies::Track &track,
                                     const BearingBodies::BallProfiles &balls,
                                     const BallTurns &turns, const LaneFrame &f,

@@ -20,7 +20,7 @@ Failure BearingForces::all_raceways(const Stage &stage)
   return any_raceways(stage);
 }
 
-// The step is evaluated at the present state.
+// The limit of the step is evaluated in the present state.
 double BearingForces::longest_step() const
 {
   double longest = b_.ball_profiles.empty() ? HUGE_VAL : longest_step_of_balls();
@@ -68,7 +68,7 @@ double BearingForces::longest_step_of_balls() const
   return longest;
 }
 
-// Neglects profiles, which are shallow compared with the overlap of a loaded ball.
+// Profiles are neglected, because they are shallow compared with the overlap of a loaded ball.
 RACEWAY_LANES double BearingForces::largest_overlap() const
 {
   Lane most = {};

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Balls on raceways in groups of four, in the rotating frame of each ball. The contact law can be
-// any class with the members of AnyLaw (core/contact/any_law.h); its parts do not appear here.
+// any class with the members of AnyLaw (core/contact/any_law.h); this file does not depend on its
+// parts.
 //
-// Compiled with the laws of inputs/models inlined, for smooth raceways, and once with an indirect
-// law, for any set of parts and raceways with profiles.
+// The loop is compiled with each law of inputs/models inlined, for smooth raceways, and once with
+// an indirect law, for any set of parts and for raceways with profiles.
 #ifndef RACEWAY_RACEWAY_CONTACTS_H
 #define RACEWAY_RACEWAY_CONTACTS_H
 
@@ -77,8 +78,8 @@ static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int g
     Lane *B = system.B(group, u), *C = system.C(group, u);
     for (int k = 0; k < 6; ++k)
       for (int i = 0; i < n; ++i) {
-        if ((i == 0 && k >= 3 && !depth) || (i >= 3 && k < 3)) continue;    // rows that are zero
-                                                                            // there
+        if ((i == 0 && k >= 3 && !depth) || (i >= 3 && k < 3)) continue;    // zero entries of the
+                                                                            // rows
         B[k] -= row[i][k] * force[i];
       }
     for (int k = 0; k < 6; ++k)
@@ -91,7 +92,7 @@ static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int g
   }
 }
 
-// Position and motions of contacts that are all open.
+// Position and motions of a group of contacts that are all open.
 static RACEWAY_INLINE void look_at_gap(const RacewayPhysics &p, const BallStateT<Lane> &ball,
                                        const LaneFrame &f, const Vec3 &ring_v, const Vec3 &ring_w,
                                        RingStateT<Lane> ring, const GroovePositionT<Lane> &at,
@@ -104,8 +105,8 @@ static RACEWAY_INLINE void look_at_gap(const RacewayPhysics &p, const BallStateT
   find_motions<false>(p, ball, ring, seen);
 }
 
-// Elastic energy of contacts at this overlap minus the energy at the entrainment speeds and contact
-// angles of the start of the step, J. No force does work in these changes.
+// Elastic energy of contacts minus their energy at the same overlap but with the entrainment speeds
+// and contact angles at the start of the step, J. No force does work in these changes.
 template <class L>
 static RACEWAY_INLINE double energy_gain(const L &law, const RacewayPhysics &p,
                                          const LaneMask &near, const ContactStateT<Lane> &c,
@@ -152,7 +153,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const L &law, 
     RingBody &ring = b_.rings[track.ring];
     const RacewayPhysics &p = *track.physics;
     const Vec3 spin = ring.now.angular_velocity();
-    // offset of the groove, which may lie off the ring's middle plane
+    // offset of the groove from the ring's middle plane
     const double offset = p.groove.offset;
     Vec3 centre = ring.now.x - b_.centre, velocity = ring.now.v;
     if (offset != 0.0) {
@@ -172,7 +173,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const L &law, 
       auto apart = out_of_reach(p, c);
       const bool balls = flawed && !b_.ball_profiles.empty() && b_.ball_profiles[contact].any;
       const bool profiled = flawed && (track.profile || balls);
-      TurnRowT<Lane> *depth = nullptr;    // row of the depths of ball profiles
+      TurnRowT<Lane> *depth = nullptr;    // row of the depth of the ball profiles
       if (balls) {
         look_at_profiles(track, b_.ball_profiles[contact], b_.turns[b_.turns_at[k]], f, ring.now,
                          r.e, c, on_, turned_);
