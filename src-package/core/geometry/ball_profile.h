@@ -37,7 +37,7 @@ struct BallShape {
 template <class T> struct alignas(sizeof(T)) BallSlopesT {
   T along = T(), across = T();              // m/rad, derivatives of the depth
   T path_along = T(), path_across = T();    // derivatives of the azimuth in the ball's axes
-  T bend = T();                 // m, second derivative of waves and tables, by azimuth
+  T bend = T();                             // m, second derivative of waves and tables, by azimuth
   T cross = T(), side = T();    // N, N m: stiffness between approach and azimuth; in azimuth
 };
 using BallSlopes = BallSlopesT<double>;
