@@ -14,7 +14,7 @@ def losses(run: Run) -> xr.Dataset:
     """Dataset (time) of `run` (from `raceway.open`), at the samples common to rings and contacts:
 
     - `torque` (N m): moment of the balls on the inner ring, opposite to its rotation relative to
-    the outer ring
+      the outer ring
     - `power_in` (W): power supplied by both rings, moment times spin
     - the power lost (W), by kind of loss: `friction_power`, `damping_power`, ... if the
       contact law of the run has them (`columns.LOSSES`)
