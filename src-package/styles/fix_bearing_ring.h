@@ -88,7 +88,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
     raceway::Vec3 leverage;         // N m, moment of the shaft's loads along it
     std::vector<double> bending;    // N, loads on the modes of a shaft, before the ramp
   };
-  // Force (N) and moment (N m) of balls and cage on a ring, as lab components.
+  // Force (N) and moment (N m) of balls and cage on a ring, in the lab frame.
   struct ContactLoad {
     bearing::tag_t ring;
     raceway::Vec3 force, moment;

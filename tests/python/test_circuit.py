@@ -160,5 +160,5 @@ def test_a_metal_contact_shorts_its_film_without_ringing():
     shorted = np.abs(film[5:, 1, 0])
     assert (shorted < 1e-5).all()
     assert (np.diff(shorted) <= 1e-17).all()  # down to rounding errors of 10 V
-    # the voltage across ball 2 is still divided by its capacitances
+    # the two films of ball 2 still share its voltage by their capacitances
     np.testing.assert_allclose(film[:, 1, 1] / film[:, 0, 1], 50 / 80, rtol=1e-12)

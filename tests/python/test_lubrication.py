@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film and capacitance with statics: each contact against the formulas, and properties of the
+"""Film and capacitance from statics: each contact against the formulas, and properties of the
 whole."""
 
 import numpy as np

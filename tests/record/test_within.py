@@ -114,7 +114,7 @@ def test_within_a_sample_everything_agrees(tmp_path):
             one[f"bearing_load_{side}"], data["load"].sel(raceway=side).max("ball")
         )
     assert np.array_equal(one["bearing_contacts"], (data["load"] > 0).sum(("raceway", "ball")))
-    # the radial force on the ring is the sum of the normal forces along their directions
+    # the radial force on the ring is the vector sum of the normal forces
     inner = data.sel(raceway="inner")
     push = (inner["normal"] * np.cos(inner["angle"]) * np.sin(inner["azimuth"])).sum("ball")
     scale = float(abs(data["ring_fy"].isel(ring=0)).max())

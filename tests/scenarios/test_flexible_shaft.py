@@ -423,7 +423,7 @@ FREE = "y free z free ry free rz free spin speed 100"
     [
         ("FILE mass 4", "mass, inertia and centre of a flexible shaft come from"),
         ("FILE centre 0.1", "mass, inertia and centre of a flexible shaft come from"),
-        ("FILE ry fixed", "needs its displacements across and its tilts 'free'"),
+        ("FILE ry fixed", "needs both transverse displacements and both tilts 'free'"),
         ("FILE load 0.25 0 1 0", "a load is at 0.25 m, and"),
         ("FILE unbalance 0.05 1e-5 0", "an unbalance is at 0.05 m, and"),
         ("nowhere", "cannot read 'nowhere'"),

@@ -101,8 +101,8 @@ def test_frequencies_and_damping(run, name):
 
 @pytest.mark.parametrize("mover", MOVERS)
 def test_ranks(tmp_path, mover):
-    """With one rank that owns the housing and another that owns the ring, the bits are those of a
-    single rank."""
+    """If one rank owns the housing and another owns the ring, the bits equal those of a single
+    rank."""
     words = dict(MOVERS[mover], steps=300)
     succeed(DECK, out=tmp_path / "one", **words)
     succeed(DECK, out=tmp_path / "two", ranks=2, **words)

@@ -229,7 +229,8 @@ class HeatFlow {
   HeatNetwork net_;
   int n_;
   double root_[heat_nodes] = {}, to_ambient_[heat_nodes] = {};    // root of the capacities; W/K
-  // W, carried away by the oil without the heat due to the parts' temperature rises over ambient
+  // W, heat carried away by the oil, excluding the heat due to the parts' temperature rises over
+  // ambient
   double to_outlet_ = 0.0;
   double rate_[heat_nodes] = {}, steady_[heat_nodes] = {};    // by mode
   double growth_[heat_nodes] = {};                            // of steady_, by mode, 1/s

@@ -7,7 +7,7 @@
 
 namespace raceway {
 
-// Value of a column without a contact: zero, or no value.
+// Value of a column if there is no contact: zero, or no value.
 constexpr double vanishes = 0.0, has_none = NAN;
 constexpr const char *const as_real = "%.12g", *const as_whole = "%.0f";    // formats as text
 

@@ -72,7 +72,7 @@ void ShaftSettings::read_file(const Arguments &args, RingProgram &p)
               "': leave them out");
   for (int dof : {0, 1, int(RingProgram::TILT), int(RingProgram::TILT + 1)})
     if (!p.free(dof))
-      args.fail("a flexible shaft needs its displacements across and its tilts 'free'");
+      args.fail("a flexible shaft needs both transverse displacements and both tilts 'free'");
   of_file = std::make_shared<BendingShaft>(read_bending_shaft(args, file));
   p.mass = of_file->mass;
   p.inertia = of_file->inertia;

@@ -99,8 +99,8 @@ class Bearing:
 
     @classmethod
     def from_mapping(cls, data: Mapping[str, Any]) -> "Bearing":
-        """From a mapping with the names of sizes as keys. Raises `ValueError` for a missing or
-        unknown key."""
+        """A bearing from a mapping with the field names as keys. Raises `ValueError` for a missing
+        or unknown key."""
         known = {field.name for field in fields(cls)[:-1]}
         if unknown := sorted(set(data) - known):
             raise ValueError(f"unknown bearing data: {', '.join(unknown)}")

@@ -62,7 +62,7 @@ class Surfaces:
     """Parameters of the laws except geometry, loads and oil."""
 
     boundary: float = 0.12  # mu_b, running (SKF)
-    film: float | None = 0.05  # mu of the film; None: from Eyring's stress with its limit
+    film: float | None = 0.05  # traction coefficient of the film; None: from Eyring's stress
     loss: float = 0.016  # alpha of hysteresis, 0.005 to 0.05
     oil_share: float = 0.05  # oil fraction of the space around the balls
     inlet: float = 0.0  # inlet length of rolling contacts, in semi-axes b; 0: flooded

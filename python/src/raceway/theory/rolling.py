@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Rolling resistance: hydrodynamic, in the inlet of the film, and from hysteresis of the steel.
 
-Both act as couples that oppose the relative rolling velocity w, about its axis, equal and opposite
-on ball and ring. Numbers or arrays of one shape, SI units; fully flooded and isothermal.
+Both act on ball and ring as equal and opposite couples about the axis of the relative rolling
+velocity w, which they oppose. Numbers or arrays of one shape, SI units; fully flooded and
+isothermal.
 """
 
 from raceway.arrays import Numbers

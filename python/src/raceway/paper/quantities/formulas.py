@@ -52,7 +52,7 @@ def measure(book: Book, printed: bool) -> dict[str, Quantity]:
         ),
         "h_c_over_h_min": Quantity(contact.h_c / contact.h_min, "", "$h_c/h_{min}$"),
         "sphere_stiffness": Quantity(
-            1 / (1 - b.poisson) if printed else 1.0, "", "ball to cage ball over sphere Hertz"
+            1 / (1 - b.poisson) if printed else 1.0, "", "ball on cage ball over Hertz of spheres"
         ),
     }
     return result if printed else result | _same(book, q)
