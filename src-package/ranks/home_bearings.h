@@ -24,7 +24,7 @@
 
 namespace bearing {
 
-// What a rank contributes to the bearings of which it owns atoms.
+// Contribution of a rank to the bearings of which it owns atoms.
 struct BearingSources {
   struct MovedRing {
     int i;        // owned atom

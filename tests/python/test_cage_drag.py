@@ -3,14 +3,17 @@
 
 import json
 import math
+from dataclasses import replace
 
 import pytest
 from host import ROOT
 from raceway import inputs
 from raceway.cli import main
+from raceway.sweeps import heat_runs
 from raceway.theory import cage_drag, kinematics
 from raceway.theory.lubricant import Fluid
 from raceway.theory.operating_point import figures
+from raceway.theory.steady_heat import Case
 
 # 6205 at 1797 rpm, 0.04 Pa s; play 0.2 mm, 10 % oil around the cage
 SPEED, ORBIT = 1797 * math.pi / 30, 74.954
@@ -88,4 +91,21 @@ def test_cage_of_the_commands(capsys, monkeypatch):
     assert losses[0] == 0 < wide["losses_W"]["cage"] < losses[1]
     assert wide["losses_W"]["cage"] == one["losses_W"]["cage"]
     hot = [found("heat", *more)["temperature_C"] for more in ([], ring)]
-    assert hot[1] > hot[0] + 1
+    assert hot[1] > hot[0]
+
+
+def test_runs_of_heat_have_the_same_cage(bearing):
+    """The deck's variables give the width of each of the two lands, a `CageRing` that of both."""
+    case = Case("6205", "vg46", rpm=1800.0, cage=cage(bearing, "land", "churning", inner=True))
+    found = heat_runs._variables(case, 40.0, 0.0, {})
+    assert {name: found[name] for name in found if name.startswith("cage")} == {
+        "cage": "ring",
+        "cage_play": "0.0002",
+        "cage_filled": "1",
+        "cage_guide": "inner",
+        "cage_land": f"{case.cage.land[0]:.10g}",
+        "cage_clearance": "0.0002",
+        "cage_width": "0.0015",
+        "cage_without": "shear",
+    }
+    assert "cage" not in heat_runs._variables(replace(case, cage=None), 40.0, 0.0, {})

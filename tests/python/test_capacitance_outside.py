@@ -34,7 +34,8 @@ def rigid(bearing, raceway, separation, widths, angle=0.0):
     return capacitance_outside.rigid(ellipse, r_x, bearing.ball_radius, groove, separation, widths)
 
 
-# integral I in mm over a parabola up to ± width, for each of SEPARATIONS, by an independent program
+# integral I in mm over a parabola up to ± width, for each of SEPARATIONS, from an independent
+# program
 @pytest.mark.parametrize(
     ("name", "raceway", "width", "load", "a", "b", "printed"),
     [

@@ -96,10 +96,24 @@ def _variables(case, temperature, clearance, more):
         **({} if case.spin_law == "closed" else {"spin_law": case.spin_law}),
         "lubrication": case.supply.kind,
         "oil_level": f"{case.supply.level:.10g}",
-        **({} if case.cage is None else {"cage": "ring", "cage_play": f"{case.cage.play:.10g}"}),
+        **({} if case.cage is None else _cage(case.cage)),
         **({} if angle is None else {"four_point": f"{math.degrees(angle):.9g}"}),
         **more,
     }
+
+
+def _cage(ring):
+    """{variable: value} of a `CageRing`."""
+    of = {"cage": "ring", "cage_play": f"{ring.play:.10g}", "cage_filled": f"{ring.filled:.10g}"}
+    if ring.land is not None:
+        radius, clearance, width = ring.land
+        of |= {
+            "cage_guide": "inner" if ring.inner else "outer",
+            "cage_land": f"{radius:.10g}",
+            "cage_clearance": f"{clearance:.10g}",
+            "cage_width": f"{0.5 * width:.10g}",  # of each of the two lands
+        }
+    return of | {"cage_without": "+".join(sorted(ring.without)) or "none"}
 
 
 @contextmanager
