@@ -13,6 +13,7 @@ from host import ROOT, succeed
 from raceway.cli import main
 from raceway.rows import cells
 from raceway.runs.run import Run
+from raceway.runs.statics import statics
 from raceway.runs.summary import TOPICS, shown
 
 SCENE = {"passes": 1, "samples": 40, "models": "full", "load": 3e4, "clearance": 1e-5}
@@ -92,7 +93,9 @@ def test_page_of_a_run(folder):
     text = (folder / "report.html").read_text()
     page, run = Parsed(text), Run(folder)
     figures = run.summary()
-    for row in cells(shown(figures), TOPICS):
+    others = statics(run.tables, figures)["statics"]
+    assert others["friction_torque_N_m"] > 0
+    for row in cells(shown(figures), TOPICS, others=others):
         for cell in row:
             assert cell in page.text
     assert figures["warnings"]  # 30 kN cause a pressure of more than 4.2 GPa
@@ -105,6 +108,8 @@ def test_page_of_a_run(folder):
     assert len(load["x"]["values"]) == len(load["lines"][0]["values"]) == 41
     assert [tag for tag, _ in page.tags].count("img") == 1
     assert len(page.data) >= 11
+    losses = next(c for c in page.data.values() if len(c["lines"]) > 2)
+    assert all(any(line["values"]) for line in losses["lines"])  # no line of a loss that is absent
 
 
 def test_page_loads_nothing(folder, sweep):

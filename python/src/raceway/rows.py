@@ -74,16 +74,14 @@ def lines(
     result = []
     name, others = second or ("", {})
     for topic, rows in topics.items():
-        own = [row for row in rows if figures[row.key] is not None]
-        there = any(row.key in others for row in own)
-        for row, (head, *cell) in zip([None, *own], cells(figures, {topic: rows}, errors, ranges)):
-            if row is None:
+        block = cells(figures, {topic: rows}, errors, ranges, others)
+        there = any(row.key in others for row in rows if figures[row.key] is not None)
+        for head, *cell in block:
+            if not cell:
                 result += ["", f"{head:<34}{'run':>14}{name:>14}" if there else head]
                 continue
-            value, error, span, source = cell
-            value = f"{value:>14}"
-            if there:
-                value += f"{_value(row, others[row.key]) if row.key in others else '':>14}"
+            value, other, error, span, source = cell
+            value = f"{value:>14}{other:>14}" if there else f"{value:>14}"
             error = "" if errors is None else f"{error:>12}"
             span = f"  range {span}" if span else ""
             source = f"({source})" if source else ""
@@ -112,15 +110,18 @@ def cells(
     topics: Mapping[str, Sequence[Row]],
     errors: Mapping[str, float] | None = None,
     ranges: Mapping[str, tuple[float, float]] | None = None,
+    others: Mapping[str, Any] | None = None,
 ) -> list[tuple[str, ...]]:
-    """Rows of the table of figures: (label, value, error, range, source); a row (topic,) precedes
-    the rows of each topic."""
+    """Return the rows of the table of figures: (label, value, value in `others`, error, range,
+    source). A row (topic,) precedes the rows of each topic."""
+    others = others or {}
     result: list[tuple[str, ...]] = []
     for topic, rows in topics.items():
         block = [
             (
                 row.label,
                 _value(row, figures[row.key]),
+                _value(row, others[row.key]) if row.key in others else "",
                 _error(row, errors),
                 _range(row, ranges),
                 row.source,

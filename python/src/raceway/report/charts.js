@@ -6,7 +6,8 @@
 "use strict";
 (function () {
   const W = 960, H = 340, LEFT = 80, RIGHT = 20, TOP = 14, BOTTOM = 46;
-  const COLOURS = ["#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00"];
+  const COLOURS = ["#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00",
+    "#000000", "#999999"];
   const SVG = "http://www.w3.org/2000/svg";
 
   function make(name, attributes, parent, text) {

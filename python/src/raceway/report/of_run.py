@@ -15,6 +15,7 @@ from raceway.report.page import Page
 from raceway.rows import cells
 from raceway.runs.columns import BEARING, CONTACT, LOSSES
 from raceway.runs.measured import title
+from raceway.runs.statics import statics
 from raceway.runs.summary import TOPICS, reasons, ring_displacement, shown, summary
 from raceway.runs.tables import RunTables
 from raceway.sweeps.check import variables
@@ -38,6 +39,7 @@ CHARTS = {
 def page(tables: RunTables) -> Page:
     """The page of the run `tables`. Raises `RunError` for a broken or unfinished run."""
     figures = summary(tables)
+    figures |= statics(tables, figures)
     result = Page(title(tables))
     result.text(f"A run of {figures['host']}, written by raceway report.")
     _warnings(result, figures)
@@ -62,9 +64,13 @@ def _figures(page, figures):
         TOPICS,
         figures.get("numerical_errors"),
         {key: (one["low"], one["high"]) for key, one in ranges.items()},
+        figures["statics"],
     )
-    head = ("", "", "numerical error", "range of the model", "")
-    page.table(rows, ("", "number", "number", "number", "source"), head)
+    head = ("", "run", "statics", "numerical error", "range of the model", "")
+    page.table(rows, ("", *["number"] * 4, "source"), head)
+    page.text("Equation and figure numbers are those of Farah, Guessasma and Bellenger (2020).")
+    if why := figures["statics_absent"]:
+        page.text(f"There are no values from statics: {why}")
     if ranges:
         page.text("Known uncertainty of the model:")
     for text in reasons(figures):
@@ -79,10 +85,10 @@ def _pictures(page, tables):
     totals, rings = tables.totals, tables.rings
     step = _step(len(totals))
     if step > 1:
-        page.text(f"Lines show every {step}th sample; the figures are of all samples.")
+        page.text(f"Lines show every {step}th sample; the table uses all samples.")
     over_time = _axis(tables, totals.index.to_numpy(float))
     for name, columns in CHARTS.items():
-        there = [one for one in columns if one in totals and totals[one].notna().any()]
+        there = [one for one in columns if one in totals and totals[one].fillna(0.0).any()]
         if there:
             lines = {BEARING[one].meaning: totals[one].to_numpy(float) for one in there}
             _chart(page, name, over_time, BEARING[there[0]].unit, lines)
@@ -126,7 +132,7 @@ def _chart(page, title, x, unit, lines, points=False):
     """A chart of `lines`, {name: values in SI units}, shown with a prefix before the `unit`."""
     step = slice(None, None, _step(len(x["values"])))
     known = [np.abs(values[np.isfinite(values)]).max(initial=0.0) for values in lines.values()]
-    factor, label = axis(max(known), unit) if unit else (1.0, "1")
+    factor, label = axis(max(known), unit) if unit else (1.0, "")
     page.chart(
         title,
         {
@@ -141,7 +147,7 @@ def _chart(page, title, x, unit, lines, points=False):
 
 
 def _settings(page, tables):
-    page.heading("What was set")
+    page.heading("Settings")
     try:
         words = variables(tables)
     except RacewayError as error:
@@ -149,7 +155,10 @@ def _settings(page, tables):
     else:
         page.text("To repeat the run, in the folder of the repository:")
         page.code(repeat(words))
-    rows = [(name, str(value)) for name, value in tables.settings.items()]
+    rows = [
+        (name, f"{value:.15g}" if isinstance(value, float) else str(value))
+        for name, value in tables.settings.items()
+    ]
     page.table([row for row in rows if row[0] != "deck_variables"], ("", ""))
 
 

@@ -41,7 +41,8 @@ class Page:
         """A table; `kinds` are classes of the columns. A row of one cell is a heading."""
         lines = ['<div class="wide"><table>']
         if head:
-            lines.append("<tr>" + "".join(f"<th>{escape(one)}</th>" for one in head) + "</tr>")
+            cells = (f'<th class="{kind}">{escape(one)}</th>' for kind, one in zip(kinds, head))
+            lines.append("<tr>" + "".join(cells) + "</tr>")
         for row in rows:
             if len(row) == 1:
                 lines.append(f'<tr><th colspan="{len(kinds)}">{escape(row[0])}</th></tr>')

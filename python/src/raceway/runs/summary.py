@@ -384,12 +384,18 @@ def table(figures: Mapping[str, Any]) -> str:
 
 
 def reasons(figures: Mapping[str, Any]) -> list[str]:
-    """Reasons for the ranges of the figures, one text for figures with the same reason."""
-    labels = {row.key: row.label.strip() for rows in TOPICS.values() for row in rows}
-    by_reason: dict[str, list[str]] = {}
+    """Return the reasons for the ranges of the figures, one text for all figures of a topic that
+    have the same reason."""
+    places = {
+        row.key: (topic[0].lower() + topic[1:], row.label.strip())
+        for topic, rows in TOPICS.items()
+        for row in rows
+    }
+    by_reason: dict[tuple[str, str], list[str]] = {}
     for key, one in (figures.get("model_ranges") or {}).items():
-        by_reason.setdefault(one["why"], []).append(labels[key])
-    return [f"{', '.join(names)}: {why}" for why, names in by_reason.items()]
+        topic, label = places[key]
+        by_reason.setdefault((topic, one["why"]), []).append(label)
+    return [f"{', '.join(names)} ({topic}): {why}" for (topic, why), names in by_reason.items()]
 
 
 def shown(figures: Mapping[str, Any]) -> dict[str, Any]:
