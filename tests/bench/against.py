@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cost of a step of this tree compared with another revision.
+"""Compare the cost of a step between this tree and another revision.
 
     python3 tests/bench/against.py REVISION|FOLDER [--rounds 9] [--out PAGE]
 
 REVISION is a git revision, which is built in a temporary worktree; FOLDER is the root of a tree
-that is already built. Each tree runs its own decks with its own program. The two trees take turns
-in going first, and ratios are formed within a round. The cost is the user processor time of the
-steps: the time of a run minus the time of a run with a tenth of the steps.
-Where the kernel counts instructions (`perf stat`), their ratio is given as well; it does not depend
-on the machine's load.
+that has already been built. Each tree runs its own decks with its own program. The two trees
+alternate in going first, and ratios are formed within a round. The cost is the user processor time
+of the steps: the time of a run minus the time of a run with a tenth of the steps. If the kernel
+counts instructions (`perf stat`), the ratio of instructions is given as well; it does not depend on
+the load of the machine.
 
-The page lists median and range of the ratios for each scene.
+The page lists the median and the range of the ratios for each scene.
 """
 
 import argparse
@@ -44,15 +44,15 @@ SCENES = [  # name, (deck, steps), variables
 
 def parsed(arguments):
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("other", help="a revision of git, or the root of a tree that is built")
+    parser.add_argument("other", help="a git revision, or the root of a tree that has been built")
     parser.add_argument("--rounds", type=int, default=9)
-    parser.add_argument("--out", type=Path, help="page to write, besides printing it")
+    parser.add_argument("--out", type=Path, help="also write the page to this file")
     return parser.parse_args(arguments)
 
 
 @contextlib.contextmanager
 def built(other):
-    """Root of the tree with which this tree is compared."""
+    """Yield the root of the tree with which this tree is compared."""
     if Path(other).is_dir():
         yield Path(other).resolve()
         return
@@ -73,7 +73,7 @@ def git(*words):
 
 
 def counts():
-    """Whether `perf stat` counts instructions here."""
+    """Return whether `perf stat` can count instructions on this machine."""
     if not shutil.which("perf"):
         return False
     done = subprocess.run(
@@ -83,12 +83,12 @@ def counts():
 
 
 def spent(tree, deck, variables, steps, instructions):
-    """(seconds, instructions or None) of a run of a deck of this folder."""
+    """Run a deck of this folder and return its (seconds, instructions or None)."""
     return program(tree, f"tests/bench/{deck}", {**variables, "steps": steps}, instructions)
 
 
 def program(tree, deck, variables, instructions):
-    """(user seconds, instructions or None) of a run of a tree's LIGGGHTS in the tree."""
+    """Run the LIGGGHTS of a tree in that tree; return its (user seconds, instructions or None)."""
     words = [str(tree / "build/liggghts"), "-in", str(deck), "-log", "none"]
     for name, value in variables.items():
         words += ["-var", name, str(value)]
@@ -106,7 +106,7 @@ def program(tree, deck, variables, instructions):
 
 
 def cost(tree, scene, instructions):
-    """(seconds, instructions or None) of the last nine tenths of the steps, without the start."""
+    """Return (seconds, instructions or None) for the last nine tenths of the steps."""
     _, (deck, steps), variables = scene
     long = spent(tree, deck, variables, steps, instructions)
     short = spent(tree, deck, variables, steps // 10, instructions)
@@ -114,7 +114,7 @@ def cost(tree, scene, instructions):
 
 
 def ratios(other, rounds, instructions):
-    """{scene: ([ratio of seconds, ...], [ratio of instructions, ...])}"""
+    """Return {scene: ([ratio of seconds, ...], [ratio of instructions, ...])}."""
     found = {scene[0]: ([], []) for scene in SCENES}
     for n in range(rounds):
         for scene in SCENES:
@@ -135,7 +135,7 @@ def spread(values):
 def page(name, found, rounds):
     here = git("rev-parse", "--short", "HEAD")
     lines = [
-        f"Cost of a step of {here} over cost of a step of {name}, {date.today()}; {rounds} rounds.",
+        f"Cost of a step of {here} divided by that of {name}, {date.today()}; {rounds} rounds.",
         "Median (range) of the ratios within a round. Above 1: this tree is slower.",
         "",
         f"{'scene':44} {'user seconds':28} instructions",

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs the main deck on every rated bearing of inputs/bearings under a radial load of 0.1 C0, with
-an equal axial load if the balls have a contact angle. Compares the largest ball load with statics.
+"""Run the main deck for every rated bearing in inputs/bearings under a radial load of 0.1 C0, with
+an equal axial load if the balls have a contact angle, and compare the largest ball load with
+statics.
 
     .venv/bin/python tests/bench/all_bearings.py [NAME ...]
 
-Takes a few minutes. Exit code 1 if a bearing fails or deviates by more than `WITHIN`.
+This takes a few minutes. The exit code is 1 if a bearing fails or deviates by more than `WITHIN`.
 """
 
 import subprocess
@@ -24,7 +25,7 @@ PHASES = 16  # sampled ball positions within a ball pass
 
 
 def run(name, load, axial, out):
-    """Largest inner contact load (N) over a ball pass, and the host's output."""
+    """Return the largest inner contact load (N) within a ball pass, and the output of the host."""
     given = {"bearing": name, "load": load, "axial": axial, "out": out, "passes": 1}
     words = [word for key, value in given.items() for word in ("-var", key, str(value))]
     done = subprocess.run(
@@ -39,7 +40,7 @@ def run(name, load, axial, out):
 
 
 def expected(path, load, axial):
-    """Largest inner contact load (N) over a ball pass according to statics."""
+    """Return the largest inner contact load (N) within a ball pass according to statics."""
     bearing = inputs.bearing(path)
     rest = partial(static.equilibrium, bearing, load, axial, finite_shift=True)
     return max(
@@ -67,7 +68,7 @@ def main():
             print(f"{one.name:<9}{figures}", flush=True)
             if not good:
                 print(said)
-    print(f"{off} deviate by more than {WITHIN:g} or failed")
+    print(f"{off} bearings deviate by more than {WITHIN:g} or failed")
     return off > 0
 
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""CPU seconds of `make TARGET` in a clean clone of this commit, relative to another commit.
+"""Measure the CPU seconds of `make TARGET` in a clean clone of this commit, relative to another.
 
     .venv/bin/python tests/bench/build_time.py REV [--targets run,build] [--rounds 3]
 
-Every measurement uses a clean clone without compiler cache. The two revisions take turns, so that
+Every measurement uses a clean clone without a compiler cache. The two revisions alternate, so that
 a drift of the machine affects both. Run `make test` first: it installs the missing Debian packages
 and fills pip's cache. The script also counts the objects that are rebuilt when one part of the
 contact law changes. Uncommitted changes are not measured.
@@ -24,7 +24,7 @@ PART = "core/parts/part_drag.h"
 
 
 def environment():
-    """The environment of this process, without compiler cache and without the Python of a tree."""
+    """Return the environment of this process without compiler cache and virtual environment."""
     kept = {k: v for k, v in os.environ.items() if not k.startswith(("CCACHE", "MAKE", "VIRTUAL"))}
     paths = [p for p in kept["PATH"].split(os.pathsep) if "ccache" not in p and ".venv" not in p]
     return {**kept, "CCACHE_DISABLE": "1", "PATH": os.pathsep.join(paths)}
@@ -36,7 +36,7 @@ def cpu_seconds():
 
 
 def build(revision, target, folder):
-    """CPU and wall seconds of `make target` in a clone of `revision`, made in `folder`."""
+    """Clone `revision` into `folder` and return the CPU and wall seconds of `make target`."""
     quiet = dict(check=True, stdout=subprocess.DEVNULL)
     subprocess.run(["git", "clone", "-q", "--no-checkout", ROOT, folder], **quiet)
     subprocess.run(["git", "checkout", "-q", "--detach", revision], cwd=folder, **quiet)
@@ -55,7 +55,7 @@ def build(revision, target, folder):
 
 
 def made_again(folder):
-    """Number of objects that are rebuilt in a built clone after an edit of `PART`."""
+    """Return the number of objects that an edit of `PART` causes to be rebuilt in a built clone."""
     seen = (folder / "build").rglob("*.d")
     return sum(PART in path.read_text() for path in seen)
 

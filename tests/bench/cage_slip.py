@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Slip of a cage ring compared with measured bearings; writes build/bench/cage_slip.rst.
+"""Compare the slip of a cage ring with that of measured bearings; writes build/bench/cage_slip.rst.
 
     .venv/bin/python tests/bench/cage_slip.py [--print]
 
-The measurements are the slip from the ball pass frequency of the outer race of MFPT's bearing
-(NICE, 8 balls), and medians of lines in the envelope spectra of Paderborn's 6203. Clearance,
+The measured slip of MFPT's bearing (NICE, 8 balls) follows from the ball pass frequency of its
+outer race, that of Paderborn's 6203 from medians of lines in envelope spectra. Clearance,
 conformity, oil, pocket play, cage guidance and the direction of the load relative to gravity are
-not published for either bearing: each column assumes one play and one position of the cage. Exit
-code 1 unless the slip of the centred cage falls by at least 0.2 % from 111 to 1334 N and is within
-0.2 % of MFPT's slip up to 890 N, and the order of the cage stays the same in a bearing whose balls
-are all loaded.
+not published for either bearing, so each column assumes one play and one position of the cage. The
+exit code is 0 only if the slip of the centred cage falls by at least 0.2 % from 111 to 1334 N and
+is within 0.2 % of MFPT's slip up to 890 N, and the order of the cage does not change in a bearing
+whose balls are all loaded.
 """
 
 import itertools
@@ -29,7 +29,7 @@ from raceway.runs.run import Run  # noqa: E402
 TARGET = bench_file("cage_slip.rst")
 DECK = ROOT / "inputs" / "in.6208"
 WEIGHT = "fix weight all gravity 9.81 vector 0 ${down} 0\n"
-# play over ball diameter, what determines the position of the cage, sign of the weight along y
+# ratio of play to ball diameter, guidance of the cage, sign of the weight along y
 HELD = "held in the middle"
 COLUMNS = {
     "0.02 D, held": (0.02, HELD, 0),
@@ -49,7 +49,7 @@ PASSES = 48  # six turns of the cage
 
 
 def bearing(folder, balls, ball, pitch, inner, outer):
-    """Path of a bearing data file: the file of the 6208 with these values replaced."""
+    """Write the data file of the 6208 with these values replaced, and return its path."""
     own = dict(
         balls=balls,
         ball_diameter=ball,
@@ -71,7 +71,7 @@ def bearing(folder, balls, ball, pitch, inner, outer):
 
 
 def deck(folder):
-    """The main deck with gravity."""
+    """Write the main deck with gravity and return its path."""
     file = folder / "in.weight"
     text = DECK.read_text().replace("fix move all", WEIGHT + "fix move all")
     file.write_text("variable down index 0\n" + text)
@@ -79,7 +79,7 @@ def deck(folder):
 
 
 def run(folder, data, out, *, down=0, **variables):
-    """Figures of a run in `folder`/`out`; weight along y times `down`."""
+    """Return the results of a run in `folder`/`out`; `down` is the sign of the weight along y."""
     *size, clearance = data
     settings = dict(
         bearing=bearing(folder, *size),
@@ -99,9 +99,9 @@ def run(folder, data, out, *, down=0, **variables):
 
 
 def slip(folder, data, load, rpm, number, share, place, down):
-    """Slip of the cage in %."""
+    """Return the slip of the cage in %."""
     words = {}
-    if place == HELD:  # by a land without a film
+    if place == HELD:  # centred by a land without a film
         land = data[2] / 2 + 0.28 * data[1]
         words = dict(cage_guide="outer", cage_clearance=5e-6, cage_width=1e-3, cage_land=land)
         words["cage_without"] = "land"

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Error of the closed form of a contact's total capacitance, compared with numerical integrals, for
-sizes, conformities, raceways, loads and films; writes build/bench/capacitance_error.rst.
+"""Compare the closed form for the total capacitance of a contact with numerical integrals, for
+various sizes, conformities, loads and films at both raceways; writes
+build/bench/capacitance_error.rst.
 
-    .venv/bin/python tests/bench/capacitance_error.py [--print]     --print: leave the page alone
+    .venv/bin/python tests/bench/capacitance_error.py [--print]     --print: do not write the page
 
-Exit code 1 if a row exceeds the stated error.
+The exit code is 1 if a row exceeds the stated error.
 """
 
 import sys
@@ -70,29 +71,29 @@ ROW = """\
 
 
 class Errors(NamedTuple):
-    """Largest relative errors of one row."""
+    """Largest relative errors in a row of the table."""
 
     arc: float
     parabola: float
     rigid: float
     play: float
-    left: tuple[float, ...]  # loads left out, N
+    left: tuple[float, ...]  # N, loads that are left out
 
     @property
     def inside(self) -> float:
-        """The largest error in the range that the stated limit covers."""
+        """Return the largest error in the range that the stated limit covers."""
         return max(self.arc, self.parabola, self.rigid)
 
 
 def bearing(size: str, conformity: float) -> Bearing:
-    """A bearing of one of the sizes on the page."""
+    """Return a bearing with one of the ball sizes on the page."""
     ball, pitch = 1e-3 * float(size.split()[0]), SIZES[size]
     groove = conformity * ball
     return Bearing(9, ball, (pitch - ball) / 2, (pitch + ball) / 2, groove, groove)
 
 
 def errors(size: str, conformity: float, raceway: int) -> Errors:
-    """`Errors` of a row."""
+    """Return the `Errors` of a row."""
     one = bearing(size, conformity)
     depth = groove_width.USUAL_DEPTH * one.ball_diameter
     r_x, r_y = (float(radius) for radius in one.effective_radii(raceway))
@@ -134,7 +135,7 @@ def _rigid(one, raceway, r_x, depth, widths, gaps):
 
 
 def line(size: str, conformity: float, raceway: int, found: Errors) -> str:
-    """A row of the page."""
+    """Return a row of the table as text."""
     left = ", ".join(f"{load:g} N" for load in found.left)
     return ROW.format(
         size=size,

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Nine set-ups of the motor bearing of Case Western Reserve University (cwru/lines.csv). For each,
-finds the clearance that gives the measured line at the first speed under one thrust, and the lines
-that this clearance predicts at the other speeds. Runs the main deck at the first speed with this
-clearance, and finds the clearances for other thrusts. Writes build/bench/cwru.rst and
-docs/images/cwru.png.
+"""Predict the lines of nine set-ups of the motor bearing of Case Western Reserve University
+(cwru/lines.csv). For each set-up and one thrust, the script finds the clearance that explains the
+line measured at the first speed, predicts the lines at the other speeds with this clearance, runs
+the main deck with it at the first speed, and finds the clearances for other thrusts. Writes
+build/bench/cwru.rst and docs/images/cwru.png.
 
     .venv/bin/python tests/bench/cwru.py [--no-runs]
 """
@@ -53,7 +53,7 @@ def setups():
 
 
 def readings(setup, speeds, unknown, axial=THRUST):
-    """`Readings` of a set-up at some of its speeds."""
+    """Return the `Readings` of a set-up at some of its speeds."""
     known = dict(clearance=0.0, load=LOAD, axial=axial, temperature=TEMPERATURE)
     for name in unknown:
         del known[name]
@@ -63,19 +63,19 @@ def readings(setup, speeds, unknown, axial=THRUST):
 
 
 def clearance(setup, axial=THRUST):
-    """`identify.Value` of the clearance from the first speed alone, and the state identified."""
+    """Return the clearance (`identify.Value`) from the first speed alone, and the state."""
     first = next(iter(setup.orders))
     found = identify.identify(readings(setup, [first], {"clearance": CLEARANCES}, axial))
     return found.values["clearance"], found.state
 
 
 def predicted(setup, state):
-    """Orders at all speeds of the set-up in a `state`."""
+    """Return the orders of the line at all speeds of the set-up in a `state`."""
     return np.array([one.value for one in Model(readings(setup, setup.orders, {})).predict(state)])
 
 
 def of_a_run(setup, play, folder):
-    """Order of the line according to the cage speed of a run at the first speed."""
+    """Return the order of the line that follows from the cage speed of a run at the first speed."""
     words = dict(
         bearing="6205", lubricant=OIL, models="full", rpm=next(iter(setup.orders)), load=LOAD,
         axial=THRUST, clearance=play, passes=10, settle=20, record="summary", out=folder,
@@ -92,7 +92,7 @@ def of_a_run(setup, play, folder):
 
 
 def picture(found, ridges):
-    """Draw measured minus predicted orders, and clearances over thrust."""
+    """Plot measured minus predicted orders, and clearances against thrust."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(11.5, 4.2), layout="constrained")
     for k, (setup, _, orders, _) in enumerate(found.values()):
         measured = np.array(list(setup.orders.values()))
@@ -100,7 +100,7 @@ def picture(found, ridges):
         left.plot(list(setup.orders), 1e4 * (measured / orders - 1), label=setup.name, **style)
         right.plot(THRUSTS, 1e6 * ridges[setup.name], label=setup.name, **style)
     left.axhspan(-3, 3, color="0.92")
-    left.set(xlabel="nominal speed, rpm", ylabel="measured less predicted, 1e-4 of the order")
+    left.set(xlabel="nominal speed, rpm", ylabel="measured minus predicted, 1e-4 of the order")
     right.set(xlabel="thrust, N", ylabel="clearance from the line at 1797 rpm, µm")
     figure.legend(*right.get_legend_handles_labels(), fontsize=8, loc="outside right center")
     PICTURE.parent.mkdir(exist_ok=True)

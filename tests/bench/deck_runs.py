@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs decks as a user does and reads their cost from the output folders."""
+"""Run decks as a user does, and read their cost from the output folders."""
 
 import subprocess
 import sys
@@ -9,7 +9,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def run_deck(deck, **variables):
-    """Output of a deck run with these `-var` settings. Exits the program if the deck fails."""
+    """Run a deck with these `-var` settings and return its output; exit if the deck fails."""
     words = [ROOT / "build" / "liggghts", "-in", deck, "-log", "none"]
     for name, value in variables.items():
         words += ["-var", name, str(value)]
@@ -27,7 +27,7 @@ def run_deck(deck, **variables):
 
 
 def cost(folder):
-    """{"wall_s", "simulated_s", "evaluations", ...: number} of a finished run."""
+    """Return {"wall_s", "simulated_s", "evaluations", ...: number} for a finished run."""
     found = {}
     for line in (folder / "run.yaml").read_text().splitlines():
         name, _, value = line.partition(": ")
@@ -39,6 +39,6 @@ def cost(folder):
 
 
 def factor(folder):
-    """Real-time factor of a run."""
+    """Return the real-time factor of a run."""
     found = cost(folder)
     return found["simulated_s"] / found["wall_s"]

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Exudyn's ball bearing with the dimensions of a 6208: python exudyn_bearing.py SETTINGS (a JSON
-object).
+"""Run Exudyn's ball bearing with the dimensions of a 6208: python exudyn_bearing.py SETTINGS (a
+JSON object).
 
 Settings: stiffness (N/m^exponent), exponent, damping (N s/m), friction, zone (m/s, sliding speed
 from which friction is fully developed), load (N, towards -y), speed (rad/s), step, ramp, settle and
-window (s), sampling period (s, a multiple of step), folder for the sensor files, or "" for
-no files if only the time matters. Prints one JSON line: wall seconds of the time loop, simulated
-seconds, and for each sample of the window the ring's position (m), the balls' positions (m) and
-inner loads (N); or the error that stopped the solver and the time (s) it had reached.
+window (s), sampling period (s, a multiple of step), and a folder for the sensor files, or "" to
+write no files if only the time matters. Prints one JSON line: the wall seconds of the time loop,
+the simulated seconds, and for each sample of the window the position of the ring (m), the positions
+of the balls (m) and their inner loads (N); or the error that stopped the solver and the time (s) it
+had reached.
 """
 
 import json
@@ -25,8 +26,8 @@ RING_MASS, RING_INERTIA = 0.2, (6.5e-5, 6.5e-5, 1.2e-4)  # kg, kg m^2
 
 
 def model(case):
-    """(system, inner contacts, balls and inner ring): outer ring fixed, inner ring driven and free
-    to move in its plane."""
+    """Return (system, inner contacts, balls and inner ring). The outer ring is fixed; the inner
+    ring is driven and free to move in its plane."""
     system = exu.SystemContainer().AddSystem()
     pitch = (INNER + OUTER) / 2
     data = GetBallBearingData(
@@ -78,7 +79,7 @@ def model(case):
 
 
 def sensors(system, contacts, bodies, folder):
-    """(contact force files, body position files); none without a folder."""
+    """Return (contact force files, body position files), both empty without a folder."""
     kinds, files = exu.OutputVariableType, ([], [])
     if not folder:
         return files
@@ -96,12 +97,12 @@ def sensors(system, contacts, bodies, folder):
 
 
 def table(file):
-    """Rows (time, x, y, z) written by a sensor."""
+    """Return the rows (time, x, y, z) that a sensor wrote."""
     return np.loadtxt(file, delimiter=",", comments="#")
 
 
 def run(case):
-    """The result described in the module's docstring, as a dict."""
+    """Return the result that the module's docstring describes, as a dict."""
     system, contacts, bodies = model(case)
     forces, places = sensors(system, contacts, bodies, case["folder"])
     system.Assemble()
@@ -112,7 +113,7 @@ def run(case):
     settings.timeIntegration.endTime = end
     settings.timeIntegration.numberOfSteps = round(end / case["step"])
     settings.timeIntegration.newton.absoluteTolerance = (
-        1e-8  # these settings and the solver are those of Exudyn's bearing test model
+        1e-8  # these settings and the solver are taken from Exudyn's bearing test model
     )
     settings.timeIntegration.newton.relativeTolerance = 1e-6
     settings.timeIntegration.newton.useModifiedNewton = True
@@ -142,6 +143,6 @@ def run(case):
 
 
 if __name__ == "__main__":
-    # old names of settings, which Exudyn's examples still use
+    # old names of settings that Exudyn's examples still use
     warnings.simplefilter("ignore", DeprecationWarning)
     print(json.dumps(run(json.loads(sys.argv[1]))))

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Temperatures of the bearing of the PRONOSTIA rig (FEMTO) at 1800 rpm and 4 kN: three housing
-parameters fitted to three runs, error of time jumps compared with full integration, and a cold
-start of ten minutes with the main deck. Writes build/bench/femto.rst.
+"""Model the temperatures of the bearing of the PRONOSTIA rig (FEMTO) at 1800 rpm and 4 kN. The
+script fits three parameters of the housing to three measured runs, compares time jumps with full
+integration, and simulates a cold start of ten minutes with the main deck. Writes
+build/bench/femto.rst.
 
 Losses and contact conductances come from statics with the models `full`; heat capacities of
 rings and balls follow from their dimensions. The warm runs start with the housing at ambient
@@ -27,7 +28,7 @@ ROOT = Path(__file__).resolve().parents[2]
 HERE = Path(__file__).with_suffix("")
 PAGE, PICTURE = ROOT / "build/bench/femto.rst", ROOT / "docs/images/femto.png"
 AMBIENT, LOAD, RPM, OIL = 26.5, 4000.0, 1800.0, "vg68"
-FIRST, LAST = 10.0, 240.0  # min, of the fit
+FIRST, LAST = 10.0, 240.0  # min, range of the fit
 GUESS = dict(seat=0.45, housing=1.1, capacity=2200.0)
 OILS = np.array([26.5, 35, 45, 55, 65, 75, 85, 95, 105, 115, 125, 140])  # C
 
@@ -40,7 +41,7 @@ class Losses(NamedTuple):
     contacts: np.ndarray  # (N, 2)
 
     def at(self, oil):
-        """([inner, outer] in W, [inner, outer] in W/K) with the oil at `oil` degrees C."""
+        """Return ([inner, outer] in W, [inner, outer] in W/K) for oil at `oil` degrees C."""
         return tuple(
             [float(np.interp(oil, OILS, column)) for column in table.T]
             for table in (self.sides, self.contacts)
@@ -48,7 +49,7 @@ class Losses(NamedTuple):
 
 
 def measured():
-    """{run: (minutes, temperatures in C)}."""
+    """Return {run: (minutes, temperatures in C)}."""
     lines = (HERE / "measured.csv").read_text().splitlines()
     rows = list(csv.reader(line for line in lines if not line.startswith("#")))
     minutes = np.array(rows[0][1:], float)
@@ -74,7 +75,7 @@ def losses():
 
 
 def capacities():
-    """Heat capacities (J/K) of inner ring, balls and outer ring."""
+    """Return the heat capacities (J/K) of the inner ring, the balls and the outer ring."""
     bearing, steel = inputs.bearing(HERE / "bearing"), laws.steel_of_bearings()
     depth = 0.18 * bearing.ball_diameter
     rings = [
@@ -96,7 +97,7 @@ def network(contacts, seat, housing, capacity):
 
 
 def integrated(table, start, minutes, seat, housing, capacity):
-    """Temperatures (C) of inner ring, balls, outer ring and housing (M, 4), without jumps."""
+    """Integrate the temperatures (C) of inner ring, balls, outer ring and housing: (M, 4)."""
     own = np.array([*capacities(), capacity])
 
     def rate(_, t):
@@ -117,7 +118,8 @@ def integrated(table, start, minutes, seat, housing, capacity):
 
 
 def jumps(table, start, until, change, housing_of):
-    """Times (s) and temperatures (C) (N, 4) with jumps, and the number of simulated ball passes."""
+    """Return times (s), temperatures (C) with shape (N, 4), and the number of simulated ball
+    passes, with time jumps."""
     control = dict(
         change=change, error=0.5, until=until, steady=0.05, hottest=200.0, share=0.2, both_ends=1.0
     )
@@ -135,11 +137,11 @@ def jumps(table, start, until, change, housing_of):
         rows.append((state.time, *state.at))
         if state.end:
             return np.array(rows), passes
-    raise SystemExit("jumps do not end")
+    raise SystemExit("the jumps do not reach the end of the run")
 
 
 def fit(table):
-    """Housing parameters, and the largest deviation (K) from the measurements of three runs."""
+    """Fit the parameters of the housing; also return the largest deviation (K) from three runs."""
     runs = measured()
 
     def missing(logs):
@@ -161,7 +163,7 @@ def fit(table):
 
 
 def error_of_jumps(table, of, change):
-    """Largest error (K) in a cold start of four hours, and the number of simulated ball passes."""
+    """Return the largest error (K) in a cold start of four hours and the number of ball passes."""
     start = measured()["cold start"][1][0]
     rows, passes = jumps(table, start, 60 * LAST, change, of)
     keep = np.flatnonzero(np.diff(rows[:, 0], prepend=-1.0))
@@ -170,7 +172,7 @@ def error_of_jumps(table, of, change):
 
 
 def cold_start(of, folder, until=600.0, change=2.0):
-    """The dataset of a run of the main deck from cold, with time jumps."""
+    """Run the main deck from cold with time jumps and return the dataset of its temperatures."""
     variables = dict(
         bearing=HERE / "bearing", lubricant=OIL, load=LOAD, rpm=RPM, heat="yes", ambient=AMBIENT,
         warm_start=measured()["cold start"][1][0], warm_time=until, warm_change=change,
@@ -188,14 +190,14 @@ def cold_start(of, folder, until=600.0, change=2.0):
 
 
 def picture(table, of):
-    """Plot temperatures beside the outer ring, measured and fitted."""
+    """Plot the measured and the fitted temperatures next to the outer ring."""
     figure, axes = plt.subplots(figsize=(7, 4), layout="constrained")
     minutes = np.linspace(0, LAST, 200)
     for k, (name, (read, seen)) in enumerate(measured().items()):
         axes.plot(read, seen, "o", color=f"C{k}", label=name)
         axes.plot(minutes, integrated(table, seen[0], minutes, **of)[:, 2], color=f"C{k}")
     axes.axvspan(FIRST, LAST, color="0.95", zorder=0)
-    axes.set(xlabel="time, min", ylabel="temperature beside the outer ring, °C")
+    axes.set(xlabel="time, min", ylabel="temperature next to the outer ring, °C")
     axes.legend()
     figure.savefig(PICTURE, dpi=110)
 

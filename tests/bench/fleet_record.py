@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cost of recording one bearing and fleets; writes build/bench/fleet_record.rst.
+"""Measure the cost of recording one bearing and fleets; writes build/bench/fleet_record.rst.
 
     .venv/bin/python tests/bench/fleet_record.py [rounds]
 
-A run of in.many with a record of all contacts at several instants of every host step takes turns
-with the same run without output; the page has ratios of their costs. The cost of a run is the cost
-of its last 90 %: the cost of a run with a tenth of the steps is subtracted. Each record is opened:
-it must have the requested number of samples, and the run without output must have no record.
+Runs of in.many with a record of all contacts at several instants of every host step alternate with
+the same runs without output; the page lists the ratios of their costs. The cost of a run is that of
+its last 90 %: the cost of a run with a tenth of the steps is subtracted. The script opens each
+record to check that it has the requested number of samples, and checks that the run without output
+has no record.
 """
 
 import sys
@@ -20,7 +21,7 @@ from machine import bench_file, csv_table, machine
 
 WITHIN = 5  # samples per host step
 STEP = 8.75e-4  # s: 200 samples per ball pass, as in the main deck
-STEPS = {1: 4000, 100: 80, 1000: 20}  # host steps by number of bearings
+STEPS = {1: 4000, 100: 80, 1000: 20}  # number of bearings: host steps
 MODELS = ("paper", "full")
 PAGE = bench_file("fleet_record.rst")
 DECK = """include inputs/in.many
@@ -33,7 +34,7 @@ RECORD = "fix record all bearing/record 1 {out} within {within} overwrite yes"
 
 
 def run(folder, bearings, models, steps, recorded, instructions):
-    """(seconds, instructions or None) of one run; its record is checked."""
+    """Check the record of one run and return its (seconds, instructions or None)."""
     out = folder / ("record" if recorded else "nothing")
     record = RECORD.format(out=out, within=WITHIN) if recorded else ""
     deck = folder / "in.fleet"
@@ -62,7 +63,8 @@ def run(folder, bearings, models, steps, recorded, instructions):
 
 
 def ratios(folder, bearings, models, rounds, instructions):
-    """Cost with a record over cost without: ([ratio of seconds, ...], [of instructions, ...])"""
+    """Return the ratios of the cost with to the cost without a record: ([of seconds, ...], [of
+    instructions, ...])."""
     found = ([], [])
     steps = STEPS[bearings]
     for n in range(rounds):
@@ -92,7 +94,7 @@ def main(rounds=5):
         "================",
         "",
         f"A record of all contacts at {WITHIN} instants per host step of {STEP * 1e3:g} ms,",
-        "200 samples per ball pass, over the same run without output; median (range) of",
+        "200 samples per ball pass, divided by the same run without output; median (range) of",
         f"{rounds} rounds, {date.today()}.",
         "",
         *csv_table(("models", "bearings", "user seconds", "instructions"), rows),

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Counts how often true values lie inside the 95 % intervals of `identify`, in runs whose
-clearance, loads and oil temperature are not passed to it. Writes build/bench/identify.rst.
+"""Count how often the true values lie inside the 95 % intervals of `identify`, for runs whose
+clearance, loads and oil temperature it is not given. Writes build/bench/identify.rst.
 
-`identify` gets the readings of one of two sets, each with a normally distributed random error:
-cage speed and capacitance at three operating points, or four lines at one point (every second time
-with load and oil temperature given). `identify.py N` runs N states of each set (default 30).
+The input of `identify` is one of two sets of readings, each with a normally distributed random
+error: cage speed and capacitance at three operating points, or four lines at one point (every
+second time together with the load and the oil temperature). `identify.py N` runs N states of each
+set (default 30).
 """
 
 import subprocess
@@ -27,14 +28,14 @@ RANGES = {
     "load": (5.0, 300.0),
     "temperature": (25.0, 90.0),
 }
-# standard deviations of the cage's line (absolute), of the capacitance and of a line (relative)
+# standard deviations of the cage line (absolute), and of capacitance and other lines (relative)
 ORDER, CAPACITANCE, LINE = 1e-4, 0.01, 2e-4
 WANTED = 0.9  # ranges of the states
 LUBRICANT = "vg100"
 
 
 def drawn(random, least):
-    """A state with all balls loaded; `least` is the smallest ratio of radial load to thrust."""
+    """Draw a state in which all balls are loaded; `least` is the least radial load over thrust."""
     axial = float(np.exp(random.uniform(np.log(60), np.log(350))))
     return {
         "clearance": random.uniform(1e-6, 14e-6),
@@ -45,7 +46,7 @@ def drawn(random, least):
 
 
 def run(state, point, folder):
-    """A run at an operating point."""
+    """Run the main deck at an operating point."""
     words = dict(
         state,
         axial=state["axial"] + point.axial_more,
@@ -67,7 +68,7 @@ def run(state, point, folder):
 
 
 def capacitances(number, folder):
-    """(true state, `identify.Found`) from cage speed and capacitance at `POINTS`."""
+    """Return (true state, `identify.Found`) from cage speed and capacitance at `POINTS`."""
     random = np.random.default_rng(number)
     state, rows = drawn(random, 0.25), []
     for point in POINTS:
@@ -83,7 +84,7 @@ def capacitances(number, folder):
 
 
 def lines(number, folder):
-    """(true state with its contact angle, `identify.Found`) from four lines."""
+    """Return (true state with its contact angle, `identify.Found`) from four lines."""
     random = np.random.default_rng(1000 + number)
     state, speed = drawn(random, 0.1), POINTS[0].rpm / 60
     of = run(state, POINTS[0], folder)
@@ -102,7 +103,7 @@ def lines(number, folder):
 
 
 def inside(state, found):
-    """{quantity: whether the true value lies in its interval}."""
+    """Return {quantity: whether the true value lies in its interval}."""
     result = {name: one.low <= state[name] <= one.high for name, one in found.values.items()}
     if "angle" in state:
         result["angle"] = found.angle.low <= state["angle"] <= found.angle.high

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cost of a step of fix bearing/implicit by feature, by part and by number of balls; writes
-build/bench/implicit_cost.rst.
+"""Measure the cost of a step of fix bearing/implicit by feature, by part and by number of balls;
+writes build/bench/implicit_cost.rst.
 
-All scenes take turns in every round; ratios and differences are formed within a round. Medians and
-the range of the rounds are reported. The parts of a step come from `perf record` (Debian's
-linux-perf) if it is installed.
+Every round runs all scenes; ratios and differences are formed within a round. The page lists
+medians and ranges over the rounds. The cost of the parts of a step is measured with `perf record`
+(Debian's linux-perf) if it is installed.
 """
 
 import re
@@ -40,7 +40,7 @@ SCENES = [  # name, variables of in.implicit_cost, number of the scene it is com
         3,
     ),
     (
-        "+ surroundings of all balls every step",
+        "+ surroundings of all balls, every step",
         dict(control=f"{PLAIN} 1", sample=1, around="flooded"),
         3,
     ),
@@ -86,7 +86,7 @@ def deck(name, **variables):
 
 
 def measure(name, variables):
-    """(ns per host step, internal steps per host step, corrections per internal step)."""
+    """Return (ns per host step, internal steps per host step, corrections per internal step)."""
     done = subprocess.run(
         deck(name, **variables),
         cwd=ROOT,
@@ -104,8 +104,8 @@ def measure(name, variables):
 
 
 def wide(balls):
-    """Variables of a bearing with 9 k balls on a pitch circle k times as large as in a 6208, with
-    the same contact loads."""
+    """Return the variables of a bearing with 9 k balls on a pitch circle k times as large as that
+    of a 6208, with the same contact loads."""
     k = balls / 9
     pitch = 30.3e-3 * k
     cage = 2 * (2 * pitch * sin(pi / (2 * balls)) - 6.3e-3) - 33e-6
@@ -121,7 +121,7 @@ def wide(balls):
 
 
 def profile():
-    """Share of each part in the cost of a step with everything on; None without perf."""
+    """Return the fraction of the cost of a step that each part takes; None without perf."""
     if not shutil.which("perf"):
         return None
     with tempfile.TemporaryDirectory() as folder:
@@ -183,8 +183,8 @@ def main():
         "",
         *"""\
 The bearing is a 6208 (5 kN, 477.5 rpm, mineral oil). Host steps are 0.1 ms, the tolerance is 0.1
-µm. *Adds* is the difference from the scene that a row builds on, in the same round. Figures are
-medians, with the range of the rounds in brackets.
+µm. *Adds* is the difference from the scene on which a row builds, in the same round. The values are
+medians, with the range over the rounds in brackets.
 """.splitlines(),
         "",
         "Feature by feature",
@@ -223,13 +223,13 @@ medians, with the range of the rounds in brackets.
     if shares:
         lines += [
             (
-                "Everything is on, with order 2 and the capacitance at 10 instants per step. A"
-                " share is a part of the processor time of a long run (perf record)."
+                "All features are on, with order 2 and the capacitance at 10 instants per step. The"
+                " fractions are of the processor time of a long run (perf record)."
             ),
             "",
         ]
         lines += csv_table(
-            ("part", "share (%)"), [(name, f"{share:.1f}") for name, share in shares.items()]
+            ("part", "fraction (%)"), [(name, f"{share:.1f}") for name, share in shares.items()]
         )
     else:
         lines += ["Not measured: perf is not installed here.", ""]
