@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cost of many bearings in one box, on one rank and on two; writes build/bench/many.rst with a
-model for clusters.
+"""Measure the cost of many bearings in one box, on one rank and on two; writes build/bench/many.rst
+with a model for clusters.
 
     .venv/bin/python tests/bench/many.py [rounds]
 
-The runs of a round follow one another, so that a drift of the machine affects all alike; ratios
+The runs of a round follow one another, so that a drift of the machine affects all of them; ratios
 are formed within a round.
 """
 
@@ -47,8 +47,8 @@ GHOST_BYTES = 72  # position, velocity, spin
 
 
 def run(ranks, steps, folder, **variables):
-    """Figures of one run of in.many: times (s) of all loops, of a bearing-step and of the host's
-    part of a bearing-step; memory (kB) and ghosts per rank."""
+    """Return the results of one run of in.many: times (s) of all loops, of a bearing-step and of
+    the host's part of a bearing-step; memory (kB) and ghosts per rank."""
     implicit, settle = (
         variables["integrator"] == "implicit",
         INTEGRATORS[variables["integrator"]]["settle"],
@@ -117,7 +117,7 @@ def run(ranks, steps, folder, **variables):
 
 
 def state(ranks, folder, **variables):
-    """The last state of many different bearings, to the last bit."""
+    """Return the last state of many different bearings, in full precision."""
     command = [ROOT / "build" / "liggghts", "-in", "tests/hosts/in.many_bits", "-log", "none"]
     for name, value in {"out": folder, **variables}.items():
         command += ["-var", name, value]
@@ -144,8 +144,8 @@ def state(ranks, folder, **variables):
 
 
 def measure(rounds, folder):
-    """One dictionary for each round and integrator: seconds per bearing and host step, and the
-    other figures."""
+    """Return a dictionary for each round and integrator, with the seconds per bearing and host
+    step, and the other results."""
     results = {}
     for name, how in INTEGRATORS.items():
         one, many = how["steps"]
@@ -172,7 +172,7 @@ def measure(rounds, folder):
 
 
 def set_up(folder):
-    """[(number of bearings, wall seconds before the first step), ...]"""
+    """Return [(number of bearings, wall seconds before the first step), ...]."""
     import time
 
     rows = []
@@ -205,8 +205,8 @@ def span(rows, key, scale=1.0, digits=3):
 
 
 def model(seconds, ghosts, fleet, ranks):
-    """(seconds per host step, parallel efficiency) of bearings in a square grid, divided into equal
-    squares, one per rank."""
+    """Return (seconds per host step, parallel efficiency) for bearings in a square grid, which is
+    divided into equal squares, one per rank."""
     n = math.ceil(fleet / ranks)
     work = n * seconds
     if ranks == 1:
@@ -217,7 +217,7 @@ def model(seconds, ghosts, fleet, ranks):
 
 
 def page(results, equal, set_ups, rounds):
-    """The text of the page."""
+    """Return the text of the page."""
     lines = [
         ".. written by make bench (tests/bench/many.py); do not edit",
         "",
@@ -226,8 +226,8 @@ def page(results, equal, set_ups, rounds):
         "",
         *f"""\
 ``inputs/in.many`` with {MANY} bearings 6208 under 5 kN at 477.5 rpm, all alike, with film,
-friction and cage, in a square grid. Measured on {date.today()}, {rounds} rounds. Figures are
-medians, with the range of the rounds in brackets. Ratios are formed within a round.
+friction and cage, in a square grid. Measured on {date.today()}, {rounds} rounds. The values are
+medians, with the range over the rounds in brackets. Ratios are formed within a round.
 """.splitlines(),
         "",
     ]
@@ -240,9 +240,9 @@ medians, with the range of the rounds in brackets. Ratios are formed within a ro
         *"""\
 *bearing-step*: wall time of the run divided by its steps and bearings. Steps of velocity Verlet
 are 0.4 µs long. Internal steps of the implicit integrator are about 200 µs long, with host steps of
-250 µs and without output. *ratio*: bearing-step with many bearings in a box over bearing-step with
-a single bearing, both on one rank. *efficiency* of two ranks: time on one rank over twice the time
-on two.
+250 µs and without output. *ratio*: bearing-step with many bearings in a box divided by that of a
+single bearing, both on one rank. *efficiency* of two ranks: time on one rank divided by twice the
+time on two.
 """.splitlines(),
         "",
     ]
@@ -266,7 +266,7 @@ on two.
             f"bearing-step, {MANY} bearings",
             "ratio (at most 1.3)",
             "efficiency (at least 0.8)",
-            "memory a bearing",
+            "memory per bearing",
             "ghost atoms per bearing along a cut",
         ],
         rows,
@@ -380,7 +380,7 @@ directions.
 
 
 def main():
-    """Measure, print, write."""
+    """Measure, print the results and write the page."""
     rounds = int(sys.argv[1]) if len(sys.argv) > 1 else 5
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -399,7 +399,7 @@ def main():
                 "models": "paper",
                 "overwrite": "yes",
             }
-            print(f"{integrator}: bits on 1, 2 and 4 ranks", flush=True)
+            print(f"{integrator}: comparing the results on 1, 2 and 4 ranks", flush=True)
             states = []
             for ranks in (1, 2, 4):
                 (folder / str(ranks)).mkdir(exist_ok=True)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Numerical error and model error in one diagram; writes build/bench/model_error.rst
-and its diagram.
+"""Plot numerical error and model error in one diagram; writes build/bench/model_error.rst and the
+diagram.
 
     .venv/bin/python tests/bench/model_error.py
 
@@ -43,29 +43,29 @@ LEAST = 1e-6  # smaller errors are drawn as this: the reference is not more accu
 
 
 class Found(NamedTuple):
-    """Figures of a run by the names that `raceway needs` uses, and its number of contact
-    evaluations."""
+    """Return the results of a run under the names that `raceway needs` uses, and its number of
+    contact evaluations."""
 
     figures: dict[str, float]
     evaluations: float
 
 
 class Curve(NamedTuple):
-    """Runs of a set of models in a scene, by tolerance, and the run with the fine integration."""
+    """Runs of one set of models in a scene, by tolerance, and the run with fine integration."""
 
     runs: dict[str, Found]
     fine: Found
 
 
 def played(folder: Path, **variables: object) -> Found:
-    """One run of the main deck."""
+    """Run the main deck once."""
     run_deck("inputs/in.6208", out=folder, **{**REFERENCE, **SAME, **variables})
     summary = Run(folder).summary()
     return Found(figures(summary), summary["evaluations"])
 
 
 def curves(scene: dict[str, float], folder: Path) -> dict[str, Curve]:
-    """`Curve` of every set of models in a scene."""
+    """Return the `Curve` of every set of models in a scene."""
     found = {}
     for models in MODELS:
         own = {**scene, "models": models}
@@ -79,12 +79,12 @@ def curves(scene: dict[str, float], folder: Path) -> dict[str, Curve]:
 
 
 def error(found: Found, truth: Found, yardstick: Found, word: str) -> float:
-    """Error of a figure compared with `truth`, relative to the figure of `yardstick`."""
+    """Return the error of a result compared with `truth`, relative to the value in `yardstick`."""
     return abs(found.figures[word] - truth.figures[word]) / abs(yardstick.figures[word])
 
 
 def draw(results: dict[str, dict[str, Curve]]) -> None:
-    """The diagram: one row for each scene, one column for each figure."""
+    """Draw the diagram, with a row for each scene and a column for each quantity."""
     figure, axes = plt.subplots(
         len(results), len(FIGURES), figsize=(13, 8), sharex=True, sharey=True
     )
@@ -103,7 +103,7 @@ def draw(results: dict[str, dict[str, Curve]]) -> None:
                         continue  # the same line
                     height = [max(error(run, truth, yardstick, word), LEAST) for run in runs]
                     order = sorted(zip(cost, height))
-                    label = f"{models}: " + ("numerical alone" if dash == ":" else "whole error")
+                    label = f"{models}: " + ("numerical error" if dash == ":" else "total error")
                     ax.loglog(
                         *zip(*order),
                         dash,
@@ -127,7 +127,7 @@ def draw(results: dict[str, dict[str, Curve]]) -> None:
 
 
 def table(results: dict[str, dict[str, Curve]]) -> list[str]:
-    """Model errors, and numerical errors at a coarse and at a usual tolerance."""
+    """Tabulate the model errors, and the numerical errors at a coarse and at a usual tolerance."""
     rows = []
     for scene, found in results.items():
         yardstick = found["full"].fine
@@ -147,12 +147,12 @@ def table(results: dict[str, dict[str, Curve]]) -> list[str]:
                     ]
                 )
     return csv_table(
-        ["scene", "figure", "models", "model", "numerical, 1 µm", "numerical, 1 nm"], rows
+        ["scene", "quantity", "models", "model", "numerical, 1 µm", "numerical, 1 nm"], rows
     )
 
 
 def page(results: dict[str, dict[str, Curve]]) -> str:
-    """Text of the page."""
+    """Return the text of the page."""
     return "\n".join(
         [
             ".. written by make bench (tests/bench/model_error.py); do not edit",
@@ -164,8 +164,8 @@ def page(results: dict[str, dict[str, Curve]]) -> str:
 The main deck ran with three sets of models, {SAMPLES} samples per ball pass. Tolerances range from
 1 µm to 0.1 nm. Errors of means over a ball pass are relative to ``full`` at 0.01 nm and 800
 samples, as in :doc:`needs`. Filled marks show the total error, open marks the numerical error
-alone, relative to the same models integrated equally finely. All errors are divided by the figures
-of ``full``.
+alone, relative to the same models integrated equally finely. All errors are divided by the values
+for ``full``.
 
 .. image:: model_error.png
    :alt: error against evaluations, for three sets of models
@@ -189,7 +189,7 @@ integration.
 
 
 def main() -> None:
-    """Measure, draw, write."""
+    """Measure, draw the diagram and write the page."""
     with tempfile.TemporaryDirectory() as name:
         results = {title: curves(scene, Path(name) / "run") for title, scene in SCENES.items()}
     draw(results)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Answers of `raceway needs` for 20 random scenes, each judged by further runs that the command did
+"""Judge the answers of `raceway needs` for 20 random scenes by further runs that the command did
 not make; writes build/bench/needs.rst.
 
-    .venv/bin/python tests/bench/needs.py [--print]     --print: leave the page alone
+    .venv/bin/python tests/bench/needs.py [--print]     --print: do not write the page
 
-Exit code 1 if fewer than 19 answers meet the wanted accuracy, or the median cost is above a fifth
-of the cost of the fine full model.
+The exit code is 1 if fewer than 19 answers meet the wanted accuracy, or if the median cost is above
+a fifth of the cost of the fine full model.
 """
 
 import json
@@ -38,7 +38,7 @@ HEAD = ["scene", *WANTED, "cost", "evaluations", "times cheaper", "left out, coa
 
 
 def scene(draw):
-    """Variables of a scene: load, axial load, speed, clearance, oil, temperature, surroundings."""
+    """Draw a scene: load, axial load, speed, clearance, oil, temperature and surroundings."""
     load = 10 ** draw.uniform(2.5, 4)
     return {
         "passes": "1",
@@ -57,7 +57,7 @@ def words(variables):
 
 
 def figures(folder, variables):
-    """Figures of a run, or the host's error."""
+    """Return the results of a run, or the error message of the host."""
     done = liggghts("inputs/in.6208", out=folder, **variables)
     if done.code:
         return done.error
@@ -65,8 +65,8 @@ def figures(folder, variables):
 
 
 def row(own, folder):
-    """(table cells, whether the wanted accuracy is met, cost), or None for a scene that the engine
-    refuses with the full model."""
+    """Return (table cells, whether the wanted accuracy is met, cost), or None for a scene that the
+    engine rejects with the full model."""
     name = ", ".join(f"{key} {value}" for key, value in own.items() if key not in SAME)
     exact = figures(folder / "exact", {**own, **EXACT})
     if isinstance(exact, str):
@@ -107,11 +107,11 @@ def main():
     kept, middle, text = page(rows, refused)
     print(text) if "--print" in sys.argv else TARGET.write_text(text)
     if kept < KEPT or middle < CHEAPER:
-        sys.exit(f"{kept} of {SCENES} kept, {middle:.1f} times cheaper")
+        sys.exit(f"{kept} of {SCENES} answers are accurate, {middle:.1f} times cheaper")
 
 
 def page(rows, refused):
-    """(number of answers that meet the wanted accuracy, median factor, page)"""
+    """Return (number of answers that meet the wanted accuracy, median factor, page)."""
     kept = sum(good for _, good, _ in rows)
     cheaper = [1 / cost for _, _, cost in rows]
     middle = statistics.median(cheaper)
@@ -136,8 +136,8 @@ use. {kept} of {SCENES} answers meet the wanted accuracy; {KEPT} are required.
 
 The fine full model has a tolerance of 0.1 nm and 400 samples per ball pass. The answers are
 {middle:.1f} times cheaper (median, range {min(cheaper):.1f} to {max(cheaper):.1f}); {CHEAPER} is
-required. Cost is processor time, the median of three runs. {refused} more scenes were refused with
-the full model and got no answer.
+required. Cost is processor time, the median of three runs. The engine rejected {refused} more
+scenes with the full model, so the command gave no answer.
 """.splitlines(),
         "",
         *csv_table(HEAD, [cells for cells, _, _ in rows]),

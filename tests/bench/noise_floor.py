@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Vibration of a perfect bearing with integrator vibration, compared with a bearing with 0.01 um of
-waviness on its inner raceway; writes build/bench/noise_floor.rst.
+"""Compare the vibration of a perfect bearing with that of a bearing with 0.01 um of waviness on its
+inner raceway, both with integrator vibration; writes build/bench/noise_floor.rst.
 
-    .venv/bin/python tests/bench/noise_floor.py [--print]     --print: leave the page alone
+    .venv/bin/python tests/bench/noise_floor.py [--print]     --print: do not write the page
 
-Exit code 1 if the perfect bearing exceeds a tenth of the amplitude of the wave's line.
+The exit code is 1 if the perfect bearing exceeds a tenth of the amplitude of the wave's line.
 """
 
 import sys
@@ -27,7 +27,7 @@ MODE = dict(integrator="vibration", housing="springs", record="summary")
 RATE = 48e3  # Hz
 BAND = (20.0, 0.4 * RATE)  # band above the influence of the filter, Hz
 WAVE = 1e-8  # m
-# {waves of the inner raceway: shaft order that they add to BPFI}, for Z - 1 and Z + 1 waves
+# {number of waves on the inner raceway: shaft order that is added to BPFI}, for Z - 1 and Z + 1
 WAVES = {8: -1, 10: 1}
 ENDS = 100  # samples affected by the filter
 PAGE = """\
@@ -37,10 +37,10 @@ Noise floor of vibration
 Written by ``tests/bench/noise_floor.py`` (``make bench``).
 
 A perfect bearing is not silent, because its stiffness varies as balls pass, at BPFO and harmonics
-of BPFO. All other lines of its spectrum are noise of the computation. Here they are compared with a
-bearing with waves of {wave:g} µm on its inner raceway. The bearing is a 6205 at {rpm} rpm under
-{load} N with VG 46. Signals are sampled at {rate:g} kHz, with ``-var integrator vibration`` and
-``-var housing springs``. The record is {seconds:.2f} s long.
+of BPFO. All other lines of its spectrum are numerical noise. Here this noise is compared with the
+lines of a bearing with waves of {wave:g} µm on its inner raceway. The bearing is a 6205 at {rpm}
+rpm under {load} N with VG 46. Signals are sampled at {rate:g} kHz, with ``-var integrator
+vibration`` and ``-var housing springs``. The record is {seconds:.2f} s long.
 
 The perfect bearing, accelerations along the load in m/s²:
 
@@ -61,20 +61,20 @@ springs, and only the inertia of the inner ring excites it.
 
 
 def run(folder, **words):
-    """A run of the scene with additional variables."""
+    """Run the scene with additional variables."""
     succeed("inputs/in.6208", out=folder, timeout=1200, **SCENE, **MODE, **words)
     return Run(folder)
 
 
 def of_ring(run, ring):
-    """Spectrum (m/s^2) of a ring's acceleration along the load, and its rms."""
+    """Return the spectrum (m/s^2) of the acceleration of a ring along the load, and its rms."""
     heard = sensor.of_run(run, "ay", ring, RATE).to_numpy()[ENDS:-ENDS]
     return spectrum.spectrum(heard, 1 / RATE), float(heard.std())
 
 
 def line(found, run, shift):
-    """Amplitude (m/s^2) at BPFI + `shift` times the shaft frequency, with the cage speed of the
-    run."""
+    """Return the amplitude (m/s^2) at BPFI + `shift` times the shaft frequency, for the cage speed
+    of the run."""
     order, hertz = spectrum.places(run, harmonics=1)["BPFI", 1]
     hertz += shift * hertz / order
     return float(found.sel(frequency=hertz, method="nearest"))

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures and force evaluations of the main deck with `settle orbit`, compared with long settling;
-writes build/bench/orbit.rst.
+"""Compare the results and force evaluations of the main deck with `settle orbit` with those of long
+settling; writes build/bench/orbit.rst.
 
     .venv/bin/python tests/bench/orbit.py [SCENE ...]
 
-Figures are means over one ball pass of the orbit. They are compared with `MEASURED` ball passes of
-a run that has settled for 30 ball passes, or for as many as its scene needs to be steady.
-The evaluations during settling and one measured ball pass are compared with those during 30 ball
+Results are means over one ball pass of the orbit. They are compared with `MEASURED` ball passes of
+a run that has settled for 30 ball passes, or for as many as its scene needs to become steady. The
+evaluations during settling and one measured ball pass are compared with those during 30 ball
 passes of settling and one measured ball pass. The number of evaluations does not depend on the load
 of the machine.
 """
@@ -30,7 +30,7 @@ THRUST = {"bearing": "7205B", "load": "1e-3"}
 
 
 class Scene(NamedTuple):
-    """Variables of the deck, and number of ball passes after which a marching run is steady."""
+    """Variables of the deck, and the number of ball passes after which a marching run is steady."""
 
     words: dict
     steady: int = SETTLED
@@ -59,15 +59,15 @@ WITHOUT = {
     "unbalance": {**TIGHT, "load": 2000, "rpm": 1500, "unbalance": "1e-4"},
 }
 HEADS = (
-    *("scene", "ball passes", "evaluations", "of 30 ball passes", "share"),
+    *("scene", "ball passes", "evaluations", "for 30 ball passes", "ratio"),
     *("torque", "largest load", "least film", "cage speed"),
 )
 PAGE = """\
 The orbit of a ball pass
 ========================
 
-Written by ``tests/bench/orbit.py``, {today}. ``settle orbit`` compared with runs that settle for 30
-ball passes; errors of figures are relative to {measured} ball passes of a steady run.
+Written by ``tests/bench/orbit.py``, {today}. ``settle orbit`` is compared with runs that settle for
+30 ball passes; errors are relative to {measured} ball passes of a steady run.
 
 .. list-table::
    :header-rows: 1
@@ -82,8 +82,8 @@ Scenes without an orbit
 
 
 def figures(folder):
-    """Means: friction torque (N m), largest load of a contact at an instant (N), minimum film
-    thickness at the largest inner load (m), cage speed (rad/s)."""
+    """Return mean values: friction torque (N m), largest load of a contact at an instant (N),
+    minimum film thickness at the largest inner load (m), cage speed (rad/s)."""
     tables = RunTables(folder)
     found = summary(tables)
     loads = tables.contacts["load"].to_numpy().reshape(len(tables.totals), -1)
@@ -95,7 +95,8 @@ def figures(folder):
 
 
 def settled(folder, settle, words, passes=1):
-    """The host's output, the notes of the run, and its evaluations for one measured ball pass."""
+    """Return the host's output, the notes of the run, and its evaluations up to the end of one
+    measured ball pass."""
     given = {"models": "full", **words, "settle": settle, "passes": passes}
     said = run_deck(DECK, **given, out=folder, overwrite="yes")
     noted = cost(folder)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Time of the contact laws alone, part by part, for part_cost.py. Prints one line per law, "NAME
+// Measures the time of the contact laws alone, part by part, for part_cost.py. Prints one line per law, "NAME
 // BASE explicit implicit", with times in ns per contact. Explicit is an evaluation in doubles;
 // implicit is an evaluation with derivatives, of four contacts side by side.
 #include "../../src-package/core/contact/contact.h"

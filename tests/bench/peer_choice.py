@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The best setting of a program, for peers.py: the cheapest of a short list with results within
-1e-3 of the program's finest setting."""
+"""Choose the best setting of a program for peers.py: the cheapest one in a short list with results
+within 1e-3 of those of the program's finest setting."""
 
 import statistics
 from collections.abc import Callable, Sequence
@@ -21,7 +21,7 @@ class Setting(NamedTuple):
 
 
 class Peer(NamedTuple):
-    """A program whose result converges: its coarser settings, and the finest as their reference."""
+    """A program whose result converges, with its coarser settings and the finest as reference."""
 
     name: str
     settings: Sequence[Setting]
@@ -29,7 +29,7 @@ class Peer(NamedTuple):
 
 
 class Tried(NamedTuple):
-    """Result of a setting."""
+    """Result with a setting."""
 
     words: str
     error: float  # relative to the finest setting; inf if the run failed or cannot be compared
@@ -44,15 +44,16 @@ class Choice(NamedTuple):
 
 
 def error(found: Outcome, truth: Outcome) -> float:
-    """Largest difference in inner load over balls and samples, relative to the largest load."""
+    """Return the largest difference in inner load over all balls and samples, relative to the
+    largest load."""
     if found.loads is None or truth.loads is None or found.loads.shape != truth.loads.shape:
         return np.inf
     return float(np.abs(found.loads - truth.loads).max() / truth.loads.max())
 
 
 def choose(peer: Peer) -> Choice:
-    """The cheapest setting of a peer with an error of at most ALLOWED, or the finest setting if no
-    error is as small."""
+    """Return the cheapest setting of a peer with an error of at most ALLOWED, or the finest setting
+    if all errors are larger."""
     truth = peer.finest.call()
     tried = []
     for setting in peer.settings:

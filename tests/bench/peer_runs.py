@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs of a 6208 in stock LIGGGHTS, Exudyn and Raceway, judged by the exact static load; for
-peers.py.
+"""Run a 6208 in stock LIGGGHTS, Exudyn and Raceway, and judge the runs by the exact static load;
+for peers.py.
 
-Runs with `output` write the data that a user would look at, in samples PERIOD apart unless stated
+Runs with `output` write the data that a user would want to see, every PERIOD unless stated
 otherwise. Runs without output write nothing, and only their cost counts.
 """
 
@@ -63,8 +63,8 @@ PASS = 4 * np.pi / (BEARING.balls * SPEED * (1 - DATA["ball_diameter"] / (2 * PI
 
 
 class Sample(NamedTuple):
-    """One instant: the inner ring's shift (2,) in m, the balls' positions (n, 2) in m and their
-    inner loads (n,) in N."""
+    """Values at one instant: the displacement (2,) of the inner ring in m, and the positions (n, 2)
+    of the balls in m with their inner loads (n,) in N."""
 
     shift: np.ndarray
     balls: np.ndarray
@@ -72,8 +72,8 @@ class Sample(NamedTuple):
 
 
 class Outcome(NamedTuple):
-    """Result of one run: its cost, and the load of the ball nearest the load line relative to exact
-    theory (see `judge`)."""
+    """Result of one run: its cost, and the load of the ball nearest the load line compared with
+    exact theory (see `judge`)."""
 
     cost: float  # wall s per simulated s
     step: float  # s
@@ -87,12 +87,12 @@ class Outcome(NamedTuple):
 
 
 class Failure(Exception):
-    """A peer did not run; the text has the reason."""
+    """A peer did not run; the text states the reason."""
 
 
 def exact_shift():
-    """Shift (m) of the inner ring towards the load, in the exact bearing with one ball on the load
-    line."""
+    """Return the exact displacement (m) of the inner ring towards the load, with one ball on the
+    load line."""
     rest = static.equilibrium(BEARING, LOAD, load_azimuth=-np.pi / 2, phase=-np.pi / 2)
     load, _ = exact(rest.shift[:2], np.stack([np.cos(rest.azimuth), np.sin(rest.azimuth)], 1))
     if np.abs(load - rest.inner.load).max() > 1e-6 * LOAD:
@@ -101,22 +101,22 @@ def exact_shift():
 
 
 def exact(shift, balls):
-    """Exact static loads (n,) in N of balls at given positions for a given shift of the ring, and
-    their components (n,) along the shift.
+    """Return the exact static loads (n,) in N of balls at given positions for a given displacement
+    of the ring, and their components (n,) along the displacement.
 
-    Zero clearance and no axial load: both contacts of a ball act in series, K = (K_i^-2/3 +
-    K_o^-2/3)^-3/2, under the approach of the raceways at its azimuth.
+    Without clearance and axial load, the two contacts of a ball act in series with K = (K_i^-2/3 +
+    K_o^-2/3)^-3/2 under the approach of the raceways at its azimuth.
     """
     along = balls / np.linalg.norm(balls, axis=1)[:, None] @ shift
     return IN_SERIES * np.maximum(along, 0) ** 1.5, along / np.linalg.norm(shift)
 
 
 def judge(samples, cost, step, simulated):
-    """`Outcome` of one run, from medians over its samples.
+    """Return the `Outcome` of one run, from medians over its samples.
 
     same_shift: load of the ball with the largest theoretical load, relative to the exact load at
     the ring's position, minus one; low and high: its 5 % and 95 % quantiles. same_load: that ball's
-    share of the load on the ring relative to the exact share, minus one.
+    fraction of the load on the ring relative to the exact fraction, minus one.
     """
     ratio, part = [], []
     for shift, balls, load in samples:
@@ -142,13 +142,13 @@ def judge(samples, cost, step, simulated):
 
 
 def whole(samples):
-    """Loads (samples, balls) in N; None if balls were lost."""
+    """Return the loads (samples, balls) in N, or None if balls were lost."""
     loads = [sample.load for sample in samples]
     return np.array(loads) if len({len(row) for row in loads}) == 1 else None
 
 
 def host(program, deck, **variables):
-    """Printed text of a run of a deck. Raises `Failure` with the host's message."""
+    """Run a deck and return the printed text. Raises `Failure` with the message of the host."""
     words = [w for name, value in variables.items() for w in ("-var", name, str(value))]
     # line-buffered: the host aborts without flushing, and its last message would be lost
     done = subprocess.run(
@@ -166,13 +166,13 @@ def host(program, deck, **variables):
 
 
 def loop_time(text):
-    """Wall seconds of the last run of a deck, from its log."""
+    """Return the wall seconds of the last run of a deck, from its log."""
     return float(re.findall(r"Loop time of (\S+) on", text)[-1])
 
 
 def cylinders(young, step=1e-6, output=True):
-    """Stock LIGGGHTS with smooth cylinders and the ring at the exact shift; balls settle for
-    0.1 s."""
+    """Run stock LIGGGHTS with smooth cylinders and the ring at the exact displacement; the balls
+    settle for 0.1 s."""
     every = round(PERIOD / step)
     steps = 2000 * every
     text = host(
@@ -196,7 +196,7 @@ def cylinders(young, step=1e-6, output=True):
 
 
 def tori(mesh, steps, edges, step=4e-7):
-    """Stock LIGGGHTS with triangle meshes and the ring at the exact shift."""
+    """Run stock LIGGGHTS with triangle meshes and the ring at the exact displacement."""
     every = 20
     text = host(
         "liggghts",
@@ -222,8 +222,8 @@ def tori(mesh, steps, edges, step=4e-7):
 
 
 def exudyn(stiffness, exponent, friction, step, output=True):
-    """Exudyn's bearing under the load; damping and sliding speed at full friction are those of
-    Exudyn's bearing test."""
+    """Run Exudyn's bearing under the load; damping and the sliding speed of full friction are taken
+    from Exudyn's bearing test."""
     case = {
         "stiffness": stiffness,
         "exponent": exponent,
@@ -265,7 +265,7 @@ def exudyn(stiffness, exponent, friction, step, output=True):
 
 
 def raceway(name, output=True, **variables):
-    """Raceway's main deck with its defaults, under the load."""
+    """Run Raceway's main deck with its defaults under the load."""
     host(
         "build/liggghts",
         "inputs/in.6208",
@@ -289,7 +289,7 @@ def raceway(name, output=True, **variables):
 
 
 def precision(name, output=True, **variables):
-    """Raceway with film, friction and cage from a fixed starting time, so that settings can be
+    """Run Raceway with film, friction and cage from a fixed starting time, so that settings can be
     compared ball by ball."""
     text = host(
         "build/liggghts",
@@ -311,7 +311,7 @@ def precision(name, output=True, **variables):
 
 
 def recorded(folder):
-    """Samples of a record of Raceway."""
+    """Return the samples of a record of Raceway."""
     with xr.open_dataset(folder / "record.nc", decode_times=False) as record:
         load = np.nan_to_num(record["load"].sel(raceway="inner").values)
         inner = list(record["ring_raceway"].values).index(INNER)

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A 6208 under 5 kN in other programs: python tests/bench/peers.py [rounds]. Writes
+"""Compare a 6208 under 5 kN in several programs: python tests/bench/peers.py [rounds]. Writes
 build/bench/peers.rst.
 
 The programs are stock LIGGGHTS with smooth cylinders and with triangle meshes (decks in
 tests/bench/peers), Exudyn's ball bearing, and Raceway, with its implicit step and with velocity
 Verlet and the friction law that suits it. Programs whose results converge first try a list of
-settings and run at the best. Then all programs take turns in every round, with and without output,
-so that a drift of the machine affects all alike.
+settings and run with the best. Then every round runs all programs, with and without output, so that
+a drift of the machine affects all of them.
 """
 
 import statistics
@@ -69,23 +69,23 @@ SCENES = [  # name, call with or without output
     ),
     ("Raceway, dry, with cage: the main deck", partial(raceway, "dry", lubricant="dry")),
 ]
-WITHOUT = {name for name, _ in SCENES if "STL" not in name}  # run without output too
+WITHOUT = {name for name, _ in SCENES if "STL" not in name}  # also run without output
 
 
 def fixed(call, divisor):
-    """A step that divides the time between samples."""
+    """Return a setting whose step divides the time between samples."""
     return Setting(f"{PERIOD / divisor * 1e6:.3g} µs", partial(call, step=PERIOD / divisor))
 
 
 def verlet(step):
-    """Raceway's contacts with velocity Verlet and the friction spring."""
+    """Return a setting of Raceway with velocity Verlet and the friction spring."""
     run = partial(precision, "verlet", integrator="verlet", friction=SPRING, step=step)
     return Setting(f"{step * 1e6:.3g} µs", run)
 
 
 def implicit(steps, tolerance):
-    """Raceway's implicit step: host steps per ball pass, tolerance (m). The record has 200 samples
-    per ball pass, whatever the step."""
+    """Return a setting of Raceway's implicit step: host steps per ball pass, tolerance (m). The
+    record has 200 samples per ball pass for any step."""
     words = f"{steps} host steps per ball pass, {float(tolerance) * 1e9:g} nm"
     return Setting(
         words,
@@ -146,7 +146,7 @@ ATTEMPTS = [  # description, call; each runs once
 
 
 def attempt(call):
-    """One sentence on how a call ended."""
+    """Return a sentence that describes how a call ended."""
     try:
         found = call()
     except Failure as failure:
@@ -160,25 +160,25 @@ def attempt(call):
 
 
 def percent(part):
-    """A fraction in per cent, with two decimals if it is small."""
+    """Format a fraction in per cent, with two decimals if it is small."""
     return f"{100 * part:+.{2 if abs(part) < 0.1 else 1 if abs(part) < 1 else 0}f} %".replace(
         "-0.00", "+0.00"
     )
 
 
 def number(value):
-    """Two significant digits, or all digits before the decimal point."""
+    """Format a number with two significant digits, or with all digits before the decimal point."""
     return f"{value:.0f}" if value >= 100 else f"{value:.2g}"
 
 
 def spread(outcomes):
-    """Median and range of the costs."""
+    """Format the median and the range of the costs."""
     costs = [each.cost for each in outcomes]
     return f"{number(statistics.median(costs))} ({number(min(costs))} to {number(max(costs))})"
 
 
 def row(name, outcomes, bare):
-    """Table rows of one scene; `outcomes` are runs with output, `bare` runs without."""
+    """Return the table rows of a scene; `outcomes` are runs with output, `bare` runs without."""
     for why in (each for each in outcomes + bare if isinstance(each, Failure)):
         cells = ["", "", f"failed: {why}", "", "", ""]
         break
@@ -197,14 +197,14 @@ def row(name, outcomes, bare):
 
 
 def tried_rows(peer, choice):
-    """Table rows of the settings that a peer tried."""
+    """Return the table rows of the settings that were tried for a peer."""
     lines = []
     for one in choice.tried:
         worth = f"{one.error:.0e}" if np.isfinite(one.error) else "stopped"
         if np.isfinite(one.cost) and not np.isfinite(one.error):
             worth = "balls lost, or samples at other times"
         price = number(one.cost) if np.isfinite(one.cost) else ""
-        words = one.words + (", **taken**" if one.words == choice.setting.words else "")
+        words = one.words + (", **chosen**" if one.words == choice.setting.words else "")
         cells = (peer.name, words, worth, price)
         lines += [f"   {'*' if k == 0 else ' '} - {cell}".rstrip() for k, cell in enumerate(cells)]
     return lines
@@ -218,7 +218,8 @@ def exudyn_version():
 
 
 def page(rounds, choices, attempts):
-    """The page: peers/page.txt with measured figures; `rounds` is {(name, output): outcomes}."""
+    """Return the page: peers/page.txt filled with results; `rounds` is {(name, output):
+    outcomes}."""
     facts = [*machine(), f"Exudyn {exudyn_version()} from PyPI, one thread"]
     names = dict.fromkeys(name for name, _ in rounds)
     table = [

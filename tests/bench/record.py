@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cost of a record compared with the host's text dumps and with no output: with samples inside long
-steps, from start to end of the program, and for a hundred bearings; writes build/bench/record.rst.
+"""Compare the cost of a record with that of the host's text dumps and of no output: with samples
+within long steps, from start to end of the program, and for a hundred bearings; writes
+build/bench/record.rst.
 
-    .venv/bin/python tests/bench/record.py [ROUNDS] [--print]     --print: leave the page alone
+    .venv/bin/python tests/bench/record.py [ROUNDS] [--print]     --print: do not write the page
 
-The runs of a round follow one another, so that a drift of the machine affects all alike. Ratios are
-formed within a round; the median counts. Exit code 1 if a ratio exceeds its limit.
+The runs of a round follow one another, so that a drift of the machine affects all of them. Ratios
+are formed within a round; the median counts. The exit code is 1 if a ratio exceeds its limit.
 """
 
 import re
@@ -46,7 +47,7 @@ Written by ``tests/bench/record.py`` (``make bench``), {today}.
 The main deck was run at 5000 N, with 200 samples per ball pass: {text_passes} passes with text
 output, {passes} otherwise. *text* is contacts, balls and the ring table as dumps of the host.
 *record* is :doc:`../fix_bearing_record` with all columns. The motion in the first
-three rows is the same to the bit. Figures are medians of {rounds} rounds.
+three rows is bitwise identical. The values are medians of {rounds} rounds.
 
 Times in the next two tables include writing the last sample to the operating system.
 
@@ -96,7 +97,7 @@ class Taken(NamedTuple):
 
 
 def main_deck(folder, rpm, output):
-    """`Taken` of a run of the main deck."""
+    """Run the main deck and return the times `Taken`."""
     passes = {"text": TEXT_PASSES, SHORT: SHORT_PASSES}.get(output, PASSES)
     start = time.perf_counter()
     variables = OUTPUTS.get(output, {})
@@ -113,7 +114,7 @@ def main_deck(folder, rpm, output):
 
 
 def many(folder, record):
-    """Loop time (s) of a hundred bearings."""
+    """Return the loop time (s) of a hundred bearings."""
     text = (ROOT / "inputs" / "in.many").read_text()
     text, count = re.subn(r"(?m)^dump(_modify)? table (.*&\n)*.*\n", "", text)
     assert count == 2, "in.many writes one table"
@@ -125,7 +126,7 @@ def many(folder, record):
 
 
 def measure(rounds):
-    """[{(rpm, output): `Taken`, "many": ratio}], one for each round."""
+    """Return [{(rpm, output): `Taken`, "many": ratio}], with one entry for each round."""
     results = []
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -141,12 +142,12 @@ def measure(rounds):
 
 
 def middle(results, rpm, output, what):
-    """Median of a part of `Taken` over the rounds."""
+    """Return the median of a field of `Taken` over the rounds."""
     return statistics.median(getattr(one[rpm, output], what) for one in results)
 
 
 def from_start(results):
-    """Rows of the table that includes the start of the program."""
+    """Return the rows of the table that includes the start of the program."""
     rows = []
     for output, passes in ((AS_IT_STANDS, PASSES), (SHORT, SHORT_PASSES)):
         for what, said in (("factor", "measured passes"), ("whole", "start to end of the program")):
@@ -156,7 +157,7 @@ def from_start(results):
 
 
 def ratios(results):
-    """[(name, {rpm: ratio}, {rpm: limit}, whether it is a lower limit)] over the rounds."""
+    """Return [(name, {rpm: ratio}, {rpm: limit}, whether it is a lower limit)] over the rounds."""
 
     def ratio(slow, fast):
         return {
@@ -181,12 +182,12 @@ def ratios(results):
 
 
 def row(cells):
-    """A row of a list-table."""
+    """Format a row of a list-table."""
     return "\n".join([f"   * - {cells[0]}", *(f"     - {cell}" for cell in cells[1:])])
 
 
 def main():
-    """Measure, print, write."""
+    """Measure, print the results and write the page."""
     words = [word for word in sys.argv[1:] if word != "--print"]
     results = measure(int(words[0]) if words else 5)
     rows = []

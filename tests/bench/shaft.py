@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Speed and error of a shaft on two 6208s at 3000 rpm; writes build/bench/shaft.rst.
+"""Measure speed and error for a shaft on two 6208s at 3000 rpm; writes build/bench/shaft.rst.
 
-The deck is docs/decks/in.shaft at twice its speed. All settings take turns in every round. Loads
-are compared, instant by instant, with a run with a tolerance of 0.1 nm.
+The deck is docs/decks/in.shaft at twice its speed. Every round runs all settings. Loads are
+compared, instant by instant, with a run with a tolerance of 0.1 nm.
 """
 
 import re
@@ -38,8 +38,8 @@ Written by ``tests/bench/shaft.py`` (``make bench``), {date}.
 
 Two 6208s carry the motor shaft of :doc:`../tutorial_shafts` at 3000 rpm, with unbalance, thrust
 and belt pull. A ball pass takes 5.6 ms. The table has real-time factors: simulated over wall time,
-one core, with a record of loads and films every {sample:g} ms. Figures are medians of {rounds}
-rounds. The reference has a tolerance of 0.1 nm. Errors are shares of the largest load:
+one core, with a record of loads and films every {sample:g} ms. The values are medians of {rounds}
+rounds. The reference has a tolerance of 0.1 nm. Errors are fractions of the largest load:
 
 * *mean of a ball*: load of the worst ball, averaged over {measure:g} s;
 * *mean of the largest*: mean over time of the largest load;
@@ -56,7 +56,7 @@ on the outer raceway as they enter and leave the load zone.
 
 
 def deck(control, step, cage, folder):
-    """The text of the deck with these settings."""
+    """Return the text of the deck with these settings."""
     text = (ROOT / "docs" / "decks" / "in.shaft").read_text()
 
     def put(pattern, new):
@@ -84,7 +84,7 @@ def deck(control, step, cage, folder):
 
 
 def simulated(control, step, cage, folder):
-    """(real-time factor, loads of all contacts in N (samples, raceways, balls))."""
+    """Return (real-time factor, loads of all contacts in N (samples, raceways, balls))."""
     file = folder / "in.shaft"
     file.write_text(deck(control, step, cage, folder / "run"))
     run_deck(file)
@@ -94,7 +94,8 @@ def simulated(control, step, cage, folder):
 
 
 def errors(loads, truth):
-    """Errors (mean of a ball, mean of the largest, one instant), relative to the largest load."""
+    """Return the errors (mean of a ball, mean of the largest, one instant), relative to the largest
+    load."""
     largest = truth.max()
     return (
         np.abs(loads.mean(axis=0) - truth.mean(axis=0)).max() / largest,
@@ -104,7 +105,7 @@ def errors(loads, truth):
 
 
 def main():
-    """Measure, print, write."""
+    """Measure, print the results and write the page."""
     speeds, wrong = {}, {}
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)

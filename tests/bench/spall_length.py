@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Spall lengths from a sensor on the housing, by four ways to interpret the time from entry to
-impact; writes build/bench/spall_length.rst.
+"""Compare four ways to estimate the length of a spall from the time between entry and impact in the
+signal of a sensor on the housing; writes build/bench/spall_length.rst.
 
-    .venv/bin/python tests/bench/spall_length.py [--print]     --print: leave the page alone
+    .venv/bin/python tests/bench/spall_length.py [--print]     --print: do not write the page
 
-Exit code 1 if raceway.spall deviates by more than 5 %.
+The exit code is 1 if raceway.spall deviates by more than 5 %.
 """
 
 import sys
@@ -48,7 +48,7 @@ They are medians over the balls that pass under the load, in mm:
 {table}
 
 * *half-way*: the ball keeps its load and strikes half-way, ``raceway.kinematics.spall_length``.
-* *static rate*: the ball leaves the raceway at the rate of the static drop; the ring stands still.
+* *static rate*: the ball leaves the raceway at the rate of the static drop; the ring is at rest.
 * *two masses*: ball and ring move, ``raceway.spall.length``.
 * *the ball's own fall*: distance that the ball has fallen when it strikes, from the record.
   No sensor measures this distance.
@@ -59,7 +59,7 @@ All except the first use the edge radius, 0.05 mm: the signal of a ball that kee
 
 
 def at_static_rate(bearing, raceway, seconds, spin, load):
-    """Lengths (m) if a ball leaves the raceway at the rate of the static drop."""
+    """Return the lengths (m) for a ball that leaves the raceway at the rate of the static drop."""
     orbit = spin * kinematics.frequencies(bearing).cage
     speed = kinematics.entrainment(bearing, spin)
     full = static.equilibrium(bearing, load, orbital_speed=orbit)
@@ -80,7 +80,7 @@ def at_static_rate(bearing, raceway, seconds, spin, load):
 
 
 def by_own_fall(run, side, raceway, found, spin):
-    """Lengths (m) from the fall of the balls in the `Passages` `found`."""
+    """Return the lengths (m) that follow from the fall of the balls in the `Passages` `found`."""
     bearing = run.tables.geometry
     speed, rolling = kinematics.entrainment(bearing, spin), bearing.effective_radii(raceway)[0]
     load, overlap = (

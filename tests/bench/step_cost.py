@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cost of one step by feature, and of a step of a comparable scene in stock LIGGGHTS; writes
-build/bench/step_cost.rst.
+"""Measure the cost of one step by feature, and of a step in a comparable scene in stock LIGGGHTS;
+writes build/bench/step_cost.rst.
 
-All scenes take turns in every round, so that a drift of the machine affects all alike; the ratio to
-the empty step is formed within a round. Medians and the range of the rounds are reported.
+Every round runs all scenes, so that a drift of the machine affects all of them; the ratio to the
+empty step is formed within a round. The page lists medians and ranges over the rounds.
 """
 
 import re
@@ -34,7 +34,7 @@ SCENES = [  # name, deck, variables, target ratio to the empty step
 
 
 def nanoseconds(deck, variables):
-    """Loop time of the last run of a deck over its steps."""
+    """Return the loop time of the last run of a deck divided by its number of steps."""
     command = [
         ROOT / "build" / "liggghts",
         "-in",
@@ -57,7 +57,7 @@ def nanoseconds(deck, variables):
 
 
 def main():
-    """Measure, print, write."""
+    """Measure, print the results and write the page."""
     rounds = []
     for number in range(ROUNDS):
         print(f"round {number + 1} of {ROUNDS}", flush=True)
@@ -76,8 +76,8 @@ def main():
         "",
         *"""\
 The bearing is a loaded 6208 (5 kN, 477.5 rpm, mineral oil) with velocity Verlet. "Ratio" is
-relative to the empty step of the same round. Figures are medians, with the range of the rounds in
-brackets.
+relative to the empty step of the same round. The values are medians, with the range over the rounds
+in brackets.
 """.splitlines(),
         "",
     ]
@@ -94,8 +94,8 @@ brackets.
     lines += [
         *csv_table(("scene", "ns per step", "ratio to empty step", "target"), cells),
         *"""\
-The stock scene has no groove, no contact ellipse, no free ring and no film. It is
-the closest scene that an unmodified host offers.
+The stock scene has no groove, no contact ellipse, no free ring and no film. It is the closest scene
+that an unmodified host offers.
 """.splitlines(),
         "",
     ]

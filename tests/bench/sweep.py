@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A sweep of 200 points: throughput of two processes relative to one, and loss of points if it is
-killed half-way; writes build/bench/sweep.rst.
+"""Run a sweep of 200 points: measure the throughput of two processes relative to one, and check
+that no point is lost if the sweep is killed half-way; writes build/bench/sweep.rst.
 
-    .venv/bin/python tests/bench/sweep.py [--print]     --print: leave the page alone
+    .venv/bin/python tests/bench/sweep.py [--print]     --print: do not write the page
 
-One and two processes take turns, so that a drift of the machine affects both. Exit code 1 if a
-point was lost or done twice.
+Runs with one and with two processes alternate, so that a drift of the machine affects both. The
+exit code is 1 if a point was lost or run twice.
 """
 
 import csv
@@ -40,8 +40,8 @@ Written by ``tests/bench/sweep.py`` (``make bench``), {today}.
 The sweep has {points} points: {loads} loads from {load_low} to {load_high} N,
 {speeds} speeds from {rpm_low:g} to {rpm_high:g} rpm,
 {clearances} clearances from {clearance_low:g} to {clearance_high:g} m, and {oils} lubricants.
-Each point has {passes} ball passes, with all output and figures (:doc:`../sweep`). One and two
-processes took turns. Rounds: {rounds}.
+Each point has {passes} ball passes, with all output and results (:doc:`../sweep`). Runs with one
+and with two processes alternated. Rounds: {rounds}.
 
 .. list-table::
    :header-rows: 1
@@ -57,14 +57,14 @@ required.
 
 A sweep was killed half-way (``kill -9`` with {killed} points finished and two running) and
 restarted. {finished} of {points} points finished, none was lost. Of the finished points, {again}
-were run again. {same} result tables have the figures of the undisturbed sweep.
+were run again. {same} result tables have the same values as those of the undisturbed sweep.
 
 {machine}
 """
 
 
 def write_table(path):
-    """Write the points as a CSV file; return their number."""
+    """Write the points to a CSV file and return their number."""
     points = list(itertools.product(LOADS, SPEEDS, CLEARANCES, OILS))
     with open(path, "w", newline="") as file:
         writer = csv.writer(file)
@@ -103,20 +103,20 @@ def timed(table, folder, jobs):
 
 
 def finished(folder):
-    """Completion time of each finished point."""
+    """Return the completion time of each finished point."""
     return {path.parent.name: path.stat().st_mtime_ns for path in folder.glob("*/summary.json")}
 
 
 def figures(folder):
-    """The table of results without the columns that depend on the clock."""
+    """Return the table of results without the columns that depend on the clock."""
     return pd.read_csv(folder / "results.csv").drop(
         columns=["wall_s", "processor_s", "real_time_factor"]
     )
 
 
 def killed_half_way(table, folder, points):
-    """(points finished when the sweep was killed, points finished after the restart, points that
-    ran twice)."""
+    """Return (points finished when the sweep was killed, points finished after the restart, points
+    that ran twice)."""
     process = subprocess.Popen(
         command(table, folder, 2), cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
     )

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Friction torque by statics with the models `full`, compared with SKF's formula at 40 points of
-eight bearings and at the reference speed of five: writes docs/torque_points.rst.
+"""Compare the friction torque by statics with the models `full` with SKF's formula at 40 points of
+eight bearings, and the heat at the reference speed of five; writes docs/torque_points.rst.
 
     .venv/bin/python tests/bench/torque_points.py [--no-page]
 
@@ -47,18 +47,18 @@ POINTS = {
 REFERENCE = ("6204", "6205", "6208", "6306", "6310")
 SHARES = ("rolling", "sliding", "drag")
 CONFORMITIES = ((0.51, 0.52), (0.515, 0.525), (0.52, 0.53))
-MOST_OFF = 1.5  # largest factor between shares that are above LEAST of SKF's torque
+MOST_OFF = 1.5  # largest acceptable factor between shares above LEAST of SKF's torque
 LEAST = 0.1
 
 
 def temperature(viscosity):
-    """Temperature in C at which the oil has a `viscosity` in Pa s."""
+    """Return the temperature in C at which the oil has a `viscosity` in Pa s."""
     path = INPUTS / "lubricants" / OIL
     return brentq(lambda at: inputs.fluid(path, at).viscosity - viscosity, -10.0, 180.0, xtol=1e-9)
 
 
 def shares(parts, speed):
-    """{share: torque in N mm} of losses `parts` in W at a `speed` in rad/s."""
+    """Return {share: torque in N mm} for the losses `parts` in W at a `speed` in rad/s."""
     torque = {part: 1e3 * power / speed for part, power in parts.items()}
     return {
         "rolling": torque["rolling"] + torque["hysteresis"],
@@ -68,7 +68,7 @@ def shares(parts, speed):
 
 
 def with_grooves(name, folder, conformity):
-    """Path of a data file of the bearing with grooves of (inner, outer) `conformity`."""
+    """Write a data file of the bearing with (inner, outer) `conformity` and return its path."""
     known = dict(inputs.values(INPUTS / "bearings" / name))
     sizes = (float(share) * float(known["ball_diameter"]) for share in conformity)
     known.update(zip(("inner_groove", "outer_groove"), sizes))
@@ -78,7 +78,7 @@ def with_grooves(name, folder, conformity):
 
 
 def point(path, radial, axial, rpm, viscosity):
-    """(own shares, SKF's shares) of the torque of the bearing in a data file, N mm."""
+    """Return (our shares, SKF's shares) of the torque of the bearing in a data file, N mm."""
     at, boundary = temperature(1e-3 * viscosity), inputs.boundary(path)
     loads = [share * boundary.static_rating for share in (radial, axial)]
     one = figures(
@@ -99,8 +99,8 @@ def point(path, radial, axial, rpm, viscosity):
 
 
 def reference(name):
-    """(reference speed of the catalogue in rpm, heat at this speed without drag in W, cooling power
-    in W)."""
+    """Return (reference speed of the catalogue in rpm, heat at this speed without drag in W,
+    cooling power in W)."""
     path = INPUTS / "bearings" / name
     boundary, fluid = inputs.boundary(path), inputs.lubricant(INPUTS / "lubricants/vg32")
     rpm = float(inputs.values(path)["reference_speed"])
@@ -115,8 +115,8 @@ def reference(name):
 
 
 def rows(conformity=None):
-    """[(name, point, own shares, SKF's shares), ...] of all points. A `conformity` replaces the
-    grooves in the files."""
+    """Return [(name, point, our shares, SKF's shares), ...] for all points. A `conformity` replaces
+    the grooves in the files."""
     found = []
     with TemporaryDirectory() as folder:
         for name, points in POINTS.items():
@@ -128,7 +128,8 @@ def rows(conformity=None):
 
 
 def off(own, skf):
-    """Shares that are above LEAST of SKF's torque and differ by a factor above MOST_OFF."""
+    """Return the shares above LEAST of SKF's torque that differ by a factor of more than
+    MOST_OFF."""
     total = sum(skf.values())
     large = [share for share in SHARES if skf[share] > LEAST * total]
     return [share for share in large if not 1 / MOST_OFF <= own[share] / skf[share] <= MOST_OFF]
@@ -197,8 +198,8 @@ def page(found, others, heats):
 
 
 def numbers(found):
-    """(geometric mean, spread, least, most) of the ratios of the sums, and the number of points
-    with a share off."""
+    """Return (geometric mean, spread, least, most) of the ratios of the sums, and the number of
+    points with a share that is too far off."""
     ratio = np.array([sum(own.values()) / sum(skf.values()) for _, _, own, skf in found])
     log = np.log(ratio)
     wrong = sum(bool(off(own, skf)) for _, _, own, skf in found)

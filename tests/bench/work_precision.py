@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Error and cost of the integrators in one diagram; writes build/bench/work_precision.rst and the
+"""Plot error against cost of the integrators; writes build/bench/work_precision.rst and the
 diagram.
 
     python tests/bench/work_precision.py [rad/s ...]
 
-The error is the largest over balls and samples of one ball pass, compared with a reference with the
-same friction law. It covers inner and outer load (relative to the largest load), orbital speed
-(relative to its mean) and the film (relative) of balls with more than 1 % of the largest load. The
-cost is wall seconds per simulated second on one core, with the capacitance at 200 instants of a
-ball pass and no output, as the median of ROUNDS. All methods of a scene take turns in a round.
+The error is the largest over all balls and samples of one ball pass, compared with a reference with
+the same friction law. It covers the inner and outer load (relative to the largest load), the
+orbital speed (relative to its mean) and the film (relative) of balls with more than 1 % of the
+largest load. The cost is wall seconds per simulated second on one core, with the capacitance at 200
+instants of a ball pass and no output, as the median of ROUNDS. A round runs all methods of a scene.
 """
 
 import re
@@ -62,8 +62,8 @@ TARGETS = {5.0: (150, 300), 50.0: (20, 40), 1000.0: (1.5, 10)}
 
 
 def run(**variables):
-    """(wall over simulated time, mean step) of one run of in.precision, or None if it was
-    refused."""
+    """Return (wall over simulated time, mean step) of one run of in.precision, or None if it was
+    rejected."""
     words = [w for name, value in variables.items() for w in ("-var", name, str(value))]
     done = subprocess.run(
         [
@@ -93,8 +93,8 @@ def run(**variables):
 
 
 def recorded(**variables):
-    """Loads and films (instants, 2, 9) and orbital speeds (samples, 9); None if the run was
-    refused."""
+    """Return loads and films (instants, 2, 9) and orbital speeds (samples, 9), or None if the run
+    was rejected."""
     if run(record="yes", passes=1, **variables) is None:
         return None
     rows = np.loadtxt(ROOT / FOLDER / "contacts.txt")
@@ -110,8 +110,8 @@ def recorded(**variables):
 
 
 def error(found, truth):
-    """The error defined in the module's docstring; `found` may have fewer samples, evenly
-    spaced."""
+    """Return the error that the module's docstring defines; `found` may have fewer, evenly spaced
+    samples."""
     truth = [there[:: (len(there) - 1) // (len(here) - 1)] for here, there in zip(found, truth)]
     peak = truth[0].max()
     loaded = (truth[0] > 0.01 * peak) & (found[0] > 0)
@@ -123,7 +123,8 @@ def error(found, truth):
 
 
 def settings(speed):
-    """(method, words for the table, variables of the deck, kind of reference) of every point."""
+    """Yield (method, words for the table, variables of the deck, kind of reference) for all
+    points."""
     # the deck rounds the step down so that a sample has a whole number of steps
     sample = 1.7627e-4 * 50 / speed * 1.001
     for order in (1, 2):
@@ -180,9 +181,9 @@ def settings(speed):
 
 
 def references(scene, speed):
-    """({kind: truth}, difference between two methods). The methods are Verlet with a step of 25 ns
-    and the implicit step with a tolerance of 0.1 nm. At 5 rad/s, where the same friction limits the
-    steps of Verlet to nanoseconds, they are the implicit step with order 1 and with order 2."""
+    """Return ({kind: truth}, difference between two methods). The methods are Verlet with a step of
+    25 ns and the implicit step with a tolerance of 0.1 nm. At 5 rad/s, where the same friction
+    limits the steps of Verlet to nanoseconds, they are the implicit step with orders 1 and 2."""
     fine = recorded(
         **scene,
         step=1e-5 if speed < 50 else 2e-6 if speed < 1000 else 1e-7,
@@ -199,8 +200,8 @@ def references(scene, speed):
 
 
 def measure(speed, clearance):
-    """Rows (method, words, mean step, error, wall time per simulated second: median, least, most)
-    and the difference between the references."""
+    """Return rows (method, words, mean step, error, wall time per simulated second: median, least,
+    most) and the difference between the references."""
     scene = dict(speed=speed, clearance=clearance)
     truths, apart = references(scene, speed)
     points = []
@@ -228,8 +229,8 @@ def measure(speed, clearance):
 
 
 def slope(rows, method):
-    """Observed order of a method, from error and mean step of its coarsest and finest fixed
-    setting."""
+    """Return the observed order of a method, from the errors and mean steps of its coarsest and
+    finest fixed settings."""
     points = sorted((r[2], r[3]) for r in rows if r[0] == method and r[3] and "nm" not in r[1])
     return (
         np.polyfit(np.log([p[0] for p in points]), np.log([p[1] for p in points]), 1)[0]
@@ -251,8 +252,8 @@ def cells(method, words, step, miss, wall, least, most):
 
 
 def fastest(rows, limit, method=None):
-    """(real-time factor, setting) of the fastest row of a method, or of Raceway's implicit methods,
-    with at most this error; (nan, "none") if there is none."""
+    """Return (real-time factor, setting) of the fastest row of a method, or of Raceway's implicit
+    methods, with at most this error, or (nan, "none") if there is no such row."""
     fitting = [
         (1 / r[4], f"{r[0]}: {r[1]}")
         for r in rows
@@ -262,8 +263,8 @@ def fastest(rows, limit, method=None):
 
 
 def targets(results):
-    """Best real-time factors of each scene at an error of at most 1e-3 and 1e-2, compared with the
-    goal and with Verlet."""
+    """Tabulate the best real-time factors of each scene at errors of at most 1e-3 and 1e-2, with
+    the goals and the ratios to Verlet."""
     head = (
         "rad/s",
         "P_d/D",
@@ -348,8 +349,8 @@ The error is the largest over balls and instants of one ball pass, compared with
 the same friction. It covers inner and outer load (relative to the largest load), cage speed
 (relative to its mean) and film, for balls that carry more than 1 % of the largest load.
 
-All runs use one core. Figures are the median of {ROUNDS} rounds, in which all settings of a
-scene take turns. Measured on {date.today()}:
+All runs use one core. The values are medians of {ROUNDS} rounds; each round runs all settings of a
+scene. Measured on {date.today()}:
 """.splitlines(),
         "",
     ]
@@ -366,8 +367,8 @@ scene take turns. Measured on {date.today()}:
         "",
         *"""\
 Velocity Verlet is compared twice, each time at the fastest step with an error of at most 1e-3. The
-first ratio is the fair one: Verlet has the friction law that suits it, a spring with history,
-against its own reference. The second uses the smoothed friction of the implicit step. At
+first ratio is the fair one: Verlet uses the friction law that suits it, a spring with history, and
+has its own reference. The second uses the smoothed friction of the implicit step. At
 low sliding speed that law is a stiff damper. At 50 rad/s it shortens the steps of Verlet by a
 factor of ten to twenty. At 5 rad/s they would be nanoseconds long and were not run. At 1000 rad/s
 the law is not stiff, and Verlet is about as fast with either law.
