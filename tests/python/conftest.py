@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Fixtures of the Python tests: a bearing, and run folders with known content."""
+"""Fixtures of the Python tests: a bearing, and run folders with known contents."""
 
 import shutil
 
@@ -9,25 +9,25 @@ import synthetic
 
 @pytest.fixture(scope="session")
 def bearing():
-    """The paper's 6208."""
+    """Return the 6208 of the paper."""
     return synthetic.DEEP_GROOVE
 
 
 @pytest.fixture(scope="session")
 def lubricated():
-    """A lubricated run as data."""
+    """Return a lubricated run as data."""
     return synthetic.run(clearance=1e-5)
 
 
 @pytest.fixture(scope="session")
 def dry():
-    """A dry run as data."""
+    """Return a dry run as data."""
     return synthetic.run(oil=None, passes=1)
 
 
 @pytest.fixture(scope="session")
 def written(tmp_path_factory, lubricated, dry):
-    """The folder that contains both runs."""
+    """Return a folder that contains both runs."""
     folder = tmp_path_factory.mktemp("written")
     synthetic.write(folder / "run", lubricated)
     synthetic.write(folder / "dry", dry)
@@ -36,17 +36,17 @@ def written(tmp_path_factory, lubricated, dry):
 
 @pytest.fixture
 def folder(tmp_path, written):
-    """A copy of the lubricated run on disk, free to be modified."""
+    """Return a copy of the lubricated run on disk, which a test may modify."""
     return shutil.copytree(written / "run", tmp_path / "run")
 
 
 @pytest.fixture
 def dry_folder(tmp_path, written):
-    """A copy of the dry run on disk."""
+    """Return a copy of the dry run on disk."""
     return shutil.copytree(written / "dry", tmp_path / "dry")
 
 
 @pytest.fixture
 def small_blocks(monkeypatch):
-    """A record is read in blocks of a few samples: results must not depend on where blocks end."""
+    """Read records in blocks of a few samples: the results must not depend on where blocks end."""
     monkeypatch.setattr("raceway.runs.record.BLOCK", 60_000)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs ngspice, the shared library of Debian's libngspice0, in a separate process."""
+"""Run ngspice, the shared library of Debian's libngspice0, in a separate process."""
 
 import ctypes
 import subprocess
@@ -11,7 +11,7 @@ LIBRARY = "libngspice.so.0"
 
 
 def run(netlist, folder, names):
-    """{name: values} of the vectors `names` and "time" after a run of `netlist` (text) in
+    """Return {name: values} for the vectors `names` and "time" after a run of `netlist` (text) in
     `folder`. Fails if ngspice reports an error."""
     circuit, found = folder / "net.cir", folder / "vectors.npz"
     circuit.write_text(netlist)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Writes the record of a run without a simulation, from statics at every sample, rolling without
-slip and the film formulas."""
+"""Write the record of a run without a simulation: every sample is a solution of statics, with
+rolling without slip and the film formulas."""
 
 import re
 
@@ -44,8 +44,8 @@ def run(
     samples_per_pass=24,
     bearing=DEEP_GROOVE,
 ):
-    """The run as plain data: `settings`, `contacts` and `balls` (one frame per sample), `rings`
-    (one row per sample)."""
+    """Return a run as plain data: `settings`, `contacts` and `balls` (one frame per sample), and
+    `rings` (one row per sample)."""
     spin = rpm * np.pi / 30
     cage = spin * kinematics.frequencies(bearing).cage
     sample_s = 2 * np.pi / bearing.balls / cage / samples_per_pass
@@ -164,12 +164,12 @@ def _atoms(bearing, state, cage, spin, inner_ring, outer_ring):
 
 
 def changed(data, **settings):
-    """`data` with other settings."""
+    """Return `data` with some settings replaced."""
     return {**data, "settings": {**data["settings"], **settings}}
 
 
 def spoil(folder, pattern, replacement):
-    """Change a line of run.yaml."""
+    """Replace a line of run.yaml."""
     path = folder / "run.yaml"
     text, count = re.subn(pattern, replacement, path.read_text(), count=1, flags=re.MULTILINE)
     assert count == 1
@@ -191,9 +191,9 @@ MASS = 8.2e-3  # kg of a ball
 
 
 def write(folder, data, end=True):
-    """Write `data` as returned by `run` to `folder`: record.nc in the layout of fix bearing/record,
-    and run.yaml. Each row of `rings` is a sample. Contacts and balls start again after their last
-    frame. Without `end` the run is still active."""
+    """Write `data`, as returned by `run`, to `folder`: record.nc in the layout of fix
+    bearing/record, and run.yaml. Each row of `rings` is a sample. Contacts and balls start again
+    after their last frame. Without `end` the run is marked as still active."""
     folder.mkdir(parents=True, exist_ok=True)
     settings = data["settings"]
     words = {"title": "ball bearing run", **{name: settings[name] for name in WORDS}, "axis": "z"}
@@ -217,8 +217,8 @@ def write(folder, data, end=True):
 
 
 def _fill(file, data, end):
-    """Defines all variables, and writes the variables without a time dimension and the first
-    sample. Returns all samples in the order of the file."""
+    """Define all variables, write those without a time dimension and the first sample, and return
+    all samples in the order of the file."""
     settings, count = data["settings"], len(data["rings"])
     file.set_auto_maskandscale(False)
     file.set_fill_off()
@@ -302,7 +302,7 @@ _ATOM = {
 
 
 def _kind(settings, caged):
-    """{name in the file: value} of the bearing's data."""
+    """Return {name in the file: value} for the data of the bearing."""
     of = {column["name"]: np.nan for column in TABLES["kind"]}
     known = {name.rsplit("_", 1)[0]: value for name, value in settings.items() if name in NUMBERS}
     of |= {name: value for name, value in known.items() if name in of}
@@ -323,7 +323,7 @@ def _kind(settings, caged):
 
 
 def _contacts(data, count):
-    """{column: (time, raceway, ball)}"""
+    """Return {column: array (time, raceway, ball)}."""
     names, z = data["settings"]["contact_columns"].split(), data["settings"]["balls"]
     frames = data["contacts"]
     found = {
@@ -339,7 +339,8 @@ def _contacts(data, count):
 
 
 def _places(data, count):
-    """{atoms: (time, atom, place, velocity and spin)}"""
+    """Return {kind of atom: array (time, atom, component)}, where the components are position,
+    velocity and spin."""
     z = data["settings"]["balls"]
     table = np.array([sorted(frame, key=lambda row: row[0]) for frame in data["balls"]])
     table = table[np.arange(count) % len(table), :, 2:]
@@ -347,8 +348,8 @@ def _places(data, count):
 
 
 def _rings(rings, places):
-    """{column: (time, inner and outer)}. Forces and moments on the outer ring are the negative of
-    those on the inner ring."""
+    """Return {column: array (time, inner and outer)}. Forces and moments on the outer ring are
+    opposite to those on the inner ring."""
     found = {}
     for name, values in zip(RING_COLUMNS[2:], rings.T[2:]):
         found[name] = np.column_stack([values, -values if name[0] in "fm" else 0 * values])
@@ -362,7 +363,7 @@ def _rings(rings, places):
 
 
 def _sums(contacts, places):
-    """{column of the bearing: (time, 1)}"""
+    """Return {column of the bearing: array (time, 1)}."""
     load = contacts["load"]
     live, samples = load > 0, np.arange(len(load))
     top = load[:, 0].argmax(axis=1)

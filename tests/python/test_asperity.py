@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Load shares of asperities: published numbers, and integrals of a normal distribution."""
+"""The load fraction of asperities is compared with published numbers and with integrals over a
+normal distribution."""
 
 import numpy as np
 import pytest

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Rotation of a ball on both raceways: its angular momentum against the moments of its contacts,
-calculated with vectors, and the limits of a light and of a heavy ball."""
+"""The rotation of a ball on both raceways: its angular momentum is compared with the moments of its
+contacts, computed with vectors, and the limits of a light and a heavy ball are tested."""
 
 import numpy as np
 import pytest
@@ -13,7 +13,7 @@ RING, STEEL = 1047.2, 7800.0
 
 
 def drawn(balls=40):
-    """Contacts (2, Z) of balls, which range from firmly held to grossly sliding."""
+    """Return contacts (2, Z) of balls that range from firmly held to grossly sliding."""
     draw = np.random.default_rng(3)
     angle = draw.uniform((0.3, 0.1), (0.9, 0.6), (balls, 2)).T
     load = 10 ** draw.uniform(0.7, 3.3, balls) * np.array([[1.0], [1.2]])
@@ -33,9 +33,9 @@ def found(density=STEEL, **contacts):
 
 @pytest.mark.parametrize("ring", [RING, -RING])
 def test_moments_change_the_angular_momentum(ring):
-    """In axes (radial, along the path, axial) that turn with the ball, dL/dt = Omega x L is the sum
-    of all moments about the ball's centre. In a virtual rotation that rolls on both raceways the
-    forces along the rolling direction do no work, so they are left out."""
+    """In axes (radial, along the path, axial) that turn with the ball, dL/dt = Omega x L equals the
+    sum of all moments about the ball's centre. A virtual rotation that rolls on both raceways
+    eliminates the forces along the rolling direction, because they do no work."""
     contacts = drawn()
     motion = attitude.balanced(BODY, ring=ring, density=STEEL, **contacts)
     none, turn = attitude.rolling(BODY, contacts["angle"], ring)
@@ -79,7 +79,7 @@ def test_friction_across_follows_the_law_of_slip():
 
 
 def test_light_balls_only_spin():
-    """Without inertia the spin moments balance and no contact slides across its groove."""
+    """Without inertia the spin moments are in balance, and no contact slides across its groove."""
     contacts = drawn()
     motion = found(density=1e-3, **contacts)
     turn = attitude.rolling(BODY, contacts["angle"], RING)[1][1:]
@@ -91,8 +91,8 @@ def test_light_balls_only_spin():
 
 def test_heavy_balls_turn_about_the_axis_of_the_bearing():
     """A gyroscopic moment that friction cannot balance turns the ball until the moment vanishes.
-    The sliding speed then falls as 1/J. Slow sliding causes a force in proportion to its speed, so
-    that the radial component of the rotation falls as 1/J^2."""
+    The sliding speed then falls as 1/J. At low sliding speed the friction force is proportional to
+    it, so the radial component of the rotation falls as 1/J^2."""
     contacts = drawn()
     none, turn = attitude.rolling(BODY, contacts["angle"], RING)
     radial = [

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The motion of a ball on several grooves: closed forms, and the minimum power by linear
-programming."""
+"""The motion of a ball on several grooves is compared with closed-form solutions, and the minimum
+power with linear programming."""
 
 import numpy as np
 import pytest
@@ -16,9 +16,9 @@ R, PITCH = FOUR.ball_radius, FOUR.pitch_radius
 
 
 def test_contacts_alike_roll_and_spin():
-    """With four equal contacts the ball rotates about an axis parallel to the bearing axis, rolls
-    at all contacts, and spins at each with the relative speed of ball and ring times the sine of
-    the angle."""
+    """With four equal contacts the ball rotates about an axis parallel to that of the bearing and
+    rolls at all contacts. At each contact it spins at the relative speed of ball and ring times the
+    sine of the contact angle."""
     lines, goal, _ = ball_motion.rates(FOUR, SIDES, ANGLES, RING)
     motion = ball_motion.least(lines, goal, np.repeat([1.0, 1e-4], 4), R)
     gamma = R * np.cos(ANGLE) / PITCH
@@ -31,7 +31,8 @@ def test_contacts_alike_roll_and_spin():
 
 
 def test_least_power_of_linear_programming():
-    """For random loads and angles the least w |A m - g| is the solution of a linear program."""
+    """For random loads and angles the minimum of w |A m - g| is the solution of a linear
+    program."""
     draw = np.random.default_rng(3)
     for _ in range(20):
         lines, goal, _ = ball_motion.rates(FOUR, SIDES, ANGLES + draw.normal(0, 0.05, 4), RING)
@@ -50,8 +51,8 @@ def test_least_power_of_linear_programming():
 def test_light_contacts_are_drawn_over_by_the_heavy_ones():
     """Under a thrust the ball rolls on one inner and one outer groove. Apart from its spin, it
     rotates relative to the cage about an axis perpendicular to the line through both contacts. On
-    the other two grooves its surface therefore moves cos(2 alpha) times as fast, and the film is
-    entrained at half the sum of this speed and the ring's speed."""
+    the other two grooves its surface therefore moves cos(2 alpha) times as fast, and the
+    entrainment speed of the film is the mean of this speed and the ring's speed."""
     state = static.equilibrium(FOUR, axial_load=2000.0, clearance=5e-6)
     entrained, rolling = ball_motion.speeds(FOUR, RING, state)
     heavy, alpha = [1, 2], state.inner.angle[1, 0]
@@ -69,8 +70,9 @@ def test_light_contacts_are_drawn_over_by_the_heavy_ones():
 
 @pytest.mark.parametrize("law", friction_torque.SPIN_LAWS)
 def test_four_points_lose_little_more_than_their_spin(law):
-    """Under preload alone there are four equal contacts, which spin as in the first test. Combined
-    slip and spin lose less than slip and spin treated separately, but by less than a fifth."""
+    """Under preload alone there are four equal contacts, which spin as in the first test. The power
+    lost to combined slip and spin is less than the sum of both treated separately, but by less than
+    a fifth."""
     state = static.equilibrium(FOUR, clearance=-20e-6)
     path = catalogue.find("lubricants", "vg46")
     oil, fluid = inputs.oil(path), inputs.fluid(path)

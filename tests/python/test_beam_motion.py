@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Natural frequencies of shafts against ROSS 2.3.0 and closed forms of beams and gyroscopes."""
+"""Natural frequencies of shafts are compared with ROSS 2.3.0 and with closed-form solutions for
+beams and gyroscopes."""
 
 import numpy as np
 import pytest
@@ -14,7 +15,7 @@ SPRINGS = (2e8, 3e8, 1e7, 0.0, 0.0)  # N/m and N m/rad, at both ends
 
 @pytest.fixture(scope="module")
 def rotor():
-    """A shaft of eight elements, each 50 mm long and 40 mm in diameter, with a disc 0.2 m in
+    """Return a shaft of eight elements, each 50 mm long and 40 mm in diameter, with a disc 0.2 m in
     diameter in the middle."""
     z, pieces = beam.divided([Section(0.4, 0.04)], np.linspace(0.0, 0.4, 9))
     outer, inner, width = 0.2, 0.04, 0.02
@@ -25,7 +26,8 @@ def rotor():
 
 
 def on_springs(count, nodes):
-    """Stiffness matrix (count, count) of springs at coordinates 5 k to 5 k + 4 of `nodes` k."""
+    """Return the stiffness matrix (count, count) of springs at the coordinates 5 k to 5 k + 4 of
+    `nodes` k."""
     whole = np.zeros((count, count))
     for node in nodes:
         at = 5 * node + np.arange(5)
@@ -48,7 +50,7 @@ def test_as_ross(rotor):
 )
 @pytest.mark.parametrize("spin", [0.0, 500.0])
 def test_reduced(rotor, modes, first, second, third, spin):
-    """Frequencies of reduced matrices converge from above as the number of modes grows."""
+    """The frequencies of the reduced matrices converge from above as the number of modes grows."""
     whole = rotor[1]
     few = beam_motion.reduced(whole, [0, 8], modes)
     assert few.mass.shape == (10 + modes,) * 2 and len(few.frequencies) == modes
@@ -71,7 +73,7 @@ def test_reduced_keeps_the_rigid_body(rotor):
 
 
 def test_static_deflection_is_exact(rotor):
-    """Loads at kept nodes give the same displacements with any number of modes."""
+    """Loads at retained nodes cause the same displacements with any number of modes."""
     whole = rotor[1]
     load = np.zeros(45)
     load[20], load[21] = 500.0, -200.0
@@ -82,7 +84,8 @@ def test_static_deflection_is_exact(rotor):
 
 
 def test_cantilever():
-    """A thin clamped beam: 1.8751^2 sqrt(EI/(rho A L^4)) and the next two frequencies."""
+    """The frequencies of a thin clamped beam are 1.8751^2 sqrt(EI/(rho A L^4)) and the next two of
+    the series."""
     z, pieces = beam.divided([Section(1.0, 0.01)], np.linspace(0, 1, 21))
     whole = beam_motion.matrices(z, pieces)
     springs = np.zeros_like(whole.stiffness)
@@ -105,7 +108,7 @@ def test_free_spinning_disc():
 
 
 def test_of_a_file(tmp_path):
-    """Discs are read from the file; the shaft is so stiff that it moves as a rigid body."""
+    """Discs are read from the file. The shaft is so stiff that it moves as a rigid body."""
     file = tmp_path / "rotor"
     file.write_text(
         "rpm: 3000\nsteel: {young: 1.0e+12}\nsections: [{length: 0.2, diameter: 0.1}]\n"

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The geometry against its curvature sums, and errors for impossible bearings."""
+"""The geometry of a bearing agrees with its curvature sums, and impossible bearings are
+rejected."""
 
 import dataclasses
 

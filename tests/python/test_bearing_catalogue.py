@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearings of the catalogue: balls derived from ratings, consistent columns, and each
-bearing under one load."""
+"""The bearings of the catalogue: their balls follow from the ratings, their columns are consistent,
+and each bearing carries a load."""
 
 import csv
 import math
@@ -34,8 +34,8 @@ def numbers(row, *names):
 
 @pytest.mark.parametrize("row", TABLE, ids=lambda row: row["name"])
 def test_balls_follow_from_the_ratings(row):
-    """Estimated balls agree with `load_rating.balls`; if the maker states their diameter, the
-    number of balls follows from C0."""
+    """Estimated balls agree with `load_rating.balls`. If the maker states the diameter, the number
+    of balls follows from C0."""
     rated = numbers(row, "basic_dynamic_load", "basic_static_load")
     bore, outside, ball, pitch = numbers(
         row, "bore_diameter", "outside_diameter", "ball_diameter", "pitch_diameter"
@@ -58,15 +58,16 @@ def test_balls_follow_from_the_ratings(row):
 
 
 def test_names_stand_once():
-    """A file next to the table takes precedence over a row, and no row duplicates a file."""
+    """A file next to the table takes precedence over a row of the table, and no row duplicates a
+    file."""
     files = {path.name for path in BEARINGS.iterdir()}
     assert not files & {row["name"] for row in TABLE}
     assert len(NAMES) == len(TABLE) + len(files) - 1 and len(TABLE) == 116
 
 
 def test_every_size_is_there():
-    """Series 60, 62 and 63, and 70 and 72 with three contact angles, have all bores from 10 to
-    50 mm. The bore in the file or table is that of the designation."""
+    """Series 60, 62 and 63, and 70 and 72 with three contact angles, contain all bores from 10 to
+    50 mm. The bore in the file or table agrees with the designation."""
     bores = {"00": 10, "01": 12, "02": 15, "03": 17} | {f"{n:02}": 5 * n for n in range(4, 11)}
     for code, bore in bores.items():
         for series in ("60", "62", "63", "70", "72"):
@@ -77,9 +78,9 @@ def test_every_size_is_there():
 
 
 def test_columns_of_a_table_belong_together():
-    """A misplaced column is found: shoulders lie on both sides of the pitch diameter, the load
-    centre matches the nominal angle (two bearings of series 72 in JTEKT's table are 0.45 mm off),
-    heavier bearings have higher ratings, and f_0 of the catalogue matches ISO 76."""
+    """These relations reveal a misplaced column: shoulders lie on both sides of the pitch diameter,
+    the load centre matches the nominal angle (two bearings of series 72 in JTEKT's table are 0.45
+    mm off), heavier bearings have higher ratings, and the catalogue's f_0 matches ISO 76."""
     for row in DEEP:
         bore, outside, low, high = numbers(
             row,
@@ -133,8 +134,9 @@ def test_columns_of_a_table_belong_together():
 
 @pytest.mark.parametrize("name", RATED)
 def test_ratings_of_the_balls(name):
-    """C by ISO 281 is within 10 % of the stated value, C0 by ISO 76 within 6 %. The 6208 of Farah
-    et al. and the 6306 of Jablonka et al. have larger balls than the catalogue ratings imply."""
+    """C by ISO 281 is within 10 % of the stated value, and C0 by ISO 76 within 6 %. The 6208 of
+    Farah et al. and the 6306 of Jablonka et al. have larger balls than the catalogue ratings
+    imply."""
     one = listing.entry(BEARINGS / name)
     balls = (one.balls, one.ball_diameter_m, one.pitch_diameter_m)
     angle, rows = math.radians(one.contact_angle_deg), 2 if name.startswith("QJ") else 1
@@ -146,9 +148,9 @@ def test_ratings_of_the_balls(name):
 
 
 def test_contact_angles_of_a_size_have_the_same_balls():
-    """The rule uses the ratings of one contact angle only, while JTEKT states ratings of three. For
-    22 sizes all three give the same balls, so these are the maker's balls as far as ratings can
-    show."""
+    """The rule uses the ratings at one contact angle only, but JTEKT states ratings for three. For
+    22 sizes all three give the same balls, so as far as ratings can show, these are the maker's
+    balls."""
     for size in {row["name"][:4] for row in ANGULAR}:
         found = {
             (one.balls, one.ball_diameter_m)
@@ -161,7 +163,7 @@ def test_contact_angles_of_a_size_have_the_same_balls():
 def test_another_maker_has_the_same_number_of_balls():
     """JTEKT (catalogue pages 20 to 25, in jtekt_deep_groove.csv) rates by ISO 281, so the rule
     needs no factor: C agrees within 1.2 %. With four exceptions, each size has as many balls as
-    SKF's."""
+    SKF's bearing."""
     text = Path(__file__).with_name("jtekt_deep_groove.csv").read_text()
     other = {}
     for row in csv.DictReader(text.splitlines()):
@@ -193,8 +195,8 @@ GMN = {
 
 @pytest.mark.parametrize("name", GMN)
 def test_balls_that_a_maker_states(name):
-    """GMN, High precision ball bearings (4000 0813 EN), states ball and pitch diameters of bearings
-    of these sizes. Makers need not use the same balls, but for these sizes they do."""
+    """GMN, High precision ball bearings (4000 0813 EN), states ball and pitch diameters for
+    bearings of these sizes. Makers need not use the same balls, but for these sizes they do."""
     one = listing.entry(BEARINGS / name)
     ball, pitch = GMN[name]
     assert 1e3 * one.ball_diameter_m == pytest.approx(ball, rel=0.01)
@@ -204,8 +206,8 @@ def test_balls_that_a_maker_states(name):
 
 @pytest.mark.parametrize("size", [7, 8, 9, 10])
 def test_balls_of_four_points_are_those_of_angular_contact_bearings(size):
-    """SKF's ratings of the QJ 2 series, read as ratings of two rows, give the diameters that GMN
-    states for the 72C."""
+    """SKF's ratings of the QJ 2 series, interpreted as ratings of two rows, give the diameters that
+    GMN states for the 72C series."""
     one = listing.entry(BEARINGS / f"QJ2{size:02}")
     assert 1e3 * one.ball_diameter_m == pytest.approx(GMN[f"72{size:02}C"][0], abs=0.001)
 
@@ -220,7 +222,7 @@ def test_6305_of_another_program():
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_bearing_carries_a_load(name):
-    """Under a radial load of 0.1 C0, and the same axial load if the balls have a contact angle, the
+    """Under a radial load of 0.1 C0, and an equal axial load if the balls have a contact angle, the
     balls carry the load at less than the pressure that defines C0."""
     path = BEARINGS / name
     data, rated = inputs.bearing(path), inputs.ratings(path)

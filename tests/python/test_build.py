@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The commands that `make` plans: `make run` builds LIGGGHTS alone, and host-bound sources share
-units."""
+"""The commands that `make` plans: `make run` builds LIGGGHTS alone, and host-dependent sources
+share compilation units."""
 
 import re
 import subprocess
@@ -12,7 +12,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def plan(*words):
-    """The commands that `make` would run."""
+    """Return the commands that `make` would run."""
     return subprocess.run(
         ["make", "-n", *words], cwd=ROOT, text=True, capture_output=True, check=True
     ).stdout
@@ -20,12 +20,12 @@ def plan(*words):
 
 @pytest.fixture(scope="module")
 def everything():
-    """The commands of `make build` in an empty tree."""
+    """Return the commands of `make build` in an empty tree."""
     return plan("-B", "build")
 
 
 def compiled(commands):
-    """{object: source} of the C++ compiler calls."""
+    """Return {object: source} for the calls of the C++ compiler."""
     return {
         made: source
         for source, made in re.findall(r" -c (\S+\.cpp) -o (\S+\.o)$", commands, re.MULTILINE)
@@ -40,7 +40,7 @@ def test_make_run_builds_liggghts_alone():
 
 def test_every_source_is_compiled_once_for_a_host(everything):
     """A source without host headers is compiled once for all hosts. Every other source is compiled
-    once for each of the three hosts, alone or in a unit of several sources."""
+    once for each of the three hosts, alone or in a unit with other sources."""
     made = compiled(everything)
     rooms = ("core/*", "contacts", "deck", "ranks", "styles")
     sources = {
@@ -64,8 +64,8 @@ def test_every_source_is_compiled_once_for_a_host(everything):
 
 
 def test_an_edit_of_one_part_makes_few_objects_again(everything):
-    """Objects are counted over all hosts. The compiler lists the headers of each object during the
-    build."""
+    """An edit of one part causes few objects to be rebuilt, counted over all hosts. The compiler
+    lists the headers of each object during the build."""
     again = [
         made
         for made in compiled(everything)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Losses of a cage ring in statics: numbers from two independent programs, and omitted parts."""
+"""The losses of a cage ring in statics agree with results of two independent programs, and parts
+can be omitted."""
 
 import json
 import math
@@ -45,7 +46,7 @@ def test_parts(bearing, part):
 
 
 def test_land_of_the_inner_ring(bearing):
-    """The cage lags behind the inner ring: the loss is 0.250 W."""
+    """The cage is slower than the inner ring, and 0.250 W are lost at the land."""
     assert power(bearing, cage(bearing, "land", inner=True)) == pytest.approx(0.250, rel=5e-3)
 
 
@@ -56,8 +57,8 @@ def test_sum_and_nothing(bearing):
 
 
 def test_shear_at_a_contact_angle(bearing):
-    """The ball's spin has a component about the axis of the pocket, which meets twice the
-    resistance."""
+    """The ball's spin has a component about the axis of the pocket, where the resistance is twice
+    as large."""
     angle = 0.5
     flat, tilted = (power(bearing, cage(bearing, "shear"), a) for a in (0.0, angle))
     spins = [kinematics.frequencies(bearing, a, SPEED).spin for a in (0.0, angle)]
@@ -76,7 +77,8 @@ def test_torque_of_statics_has_the_cage():
 
 
 def test_cage_of_the_commands(capsys, monkeypatch):
-    """`--cage ring` of static and heat: more losses than with a chain, fewer with a larger play."""
+    """`--cage ring` of static and heat causes larger losses than a chain, and smaller losses with a
+    larger play."""
     monkeypatch.chdir(ROOT)
     words = ["--load", "1000", "--rpm", "9549", "--lubricant", "vg32", "--json"]
 
@@ -95,7 +97,8 @@ def test_cage_of_the_commands(capsys, monkeypatch):
 
 
 def test_runs_of_heat_have_the_same_cage(bearing):
-    """The deck's variables give the width of each of the two lands, a `CageRing` that of both."""
+    """The variables of the deck state the width of each land, a `CageRing` the width of both
+    together."""
     case = Case("6205", "vg46", rpm=1800.0, cage=cage(bearing, "land", "churning", inner=True))
     found = heat_runs._variables(case, 40.0, 0.0, {})
     assert {name: found[name] for name in found if name.startswith("cage")} == {

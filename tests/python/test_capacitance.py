@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Permittivity and capacitance against limits and a plate capacitor."""
+"""Permittivity and capacitance are compared with limits and with a plate capacitor."""
 
 import numpy as np
 import pytest

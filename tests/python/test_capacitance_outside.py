@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The gap around a contact as a capacitor: integrals are compared with each other and with
-published figures, and closed forms with the integrals."""
+published values, and closed forms with the integrals."""
 
 import sys
 from pathlib import Path
@@ -99,8 +99,8 @@ def test_rigid_gap(bearing, raceway, printed):
 
 
 def test_rigid_gap_of_concentric_circles(bearing):
-    """If the circles of groove and ball are concentric, the gap is constant across the groove: the
-    closed form is smooth there and agrees with the integral."""
+    """If the circles of groove and ball are concentric, the gap is constant across the groove. The
+    closed form has no singularity there and agrees with the integral."""
     one = capacitance_error.bearing("3.968 mm", 0.505)
     gap = one.groove_gap(OUTER)
     widths = groove_width.half_widths(one, OUTER, 0.18 * one.ball_diameter)
@@ -121,8 +121,8 @@ def test_beside_is_universal():
 
 
 def test_gap_is_hertz_s(bearing):
-    """Limits: zero at the edge of the ellipse, the gap between the undeformed bodies far away, and
-    the gap of a line contact in between."""
+    """The gap is zero at the edge of the ellipse, tends to the gap between the undeformed bodies
+    far away, and equals the gap of a line contact in between."""
     r_x, r_y = bearing.effective_radii(INNER)
     one = capacitance_exact.contact(r_x, r_y, bearing.effective_modulus, 900.0)
     turn = np.linspace(0, np.pi / 2, 7)
@@ -157,7 +157,7 @@ def test_it_falls_with_separation_and_grows_with_load(bearing):
 
 @pytest.mark.parametrize("angle", [-0.35, 0.17, 0.35, 0.52])
 def test_at_a_contact_angle(bearing, angle):
-    """The mean of both sides of the groove is within 1.3 % of the integral to both shoulders, at
+    """The mean over both sides of the groove is within 1.3 % of the integral to both shoulders at
     angles up to 30 degrees."""
     for raceway in (INNER, OUTER):
         for load in (10.0, 900.0):
@@ -178,7 +178,7 @@ def test_at_a_contact_angle(bearing, angle):
 
 def test_a_wide_ellipse_beside_its_shoulder():
     """Only the groove outside the ellipse counts: under 3 kN the ellipse fills 0.93 of a tight
-    groove. If the whole groove counted, the closed form would be 3 % too high."""
+    groove. If the whole groove counted, the closed form would be 3 % too large."""
     load, separation, depth = 3000.0, 2e-6, 0.18 * 7.938e-3
     bearing = capacitance_error.bearing("7.938 mm", 0.505)
     ellipse = hertz.exact(*bearing.effective_radii(INNER))
@@ -224,7 +224,7 @@ def test_depth_of_the_catalogue_s_shoulders(bearing):
 
 
 def test_ellipse_that_fills_the_groove(bearing):
-    """No capacitance remains beyond the ends of the ellipse."""
+    """No capacitance remains beyond the ends of an ellipse that fills the groove."""
     assert capacitance_outside.beyond(0.1, 9.0, np.array([0.0, 0.5, 1.0])) == pytest.approx(
         [0, 0, 0], abs=0.03
     )
@@ -247,7 +247,8 @@ def test_permittivity_of_a_film():
 @pytest.mark.parametrize("row", [("12.6 mm", 0.505, OUTER), ("3.968 mm", 0.54, OUTER),
                                  ("7.938 mm", 0.505, INNER)])  # fmt: skip
 def test_the_closed_form_keeps_its_promise(row):
-    """In the worst rows of tests/bench/capacitance_error.py errors stay below the stated bound."""
+    """In the worst rows of tests/bench/capacitance_error.py the errors are below the stated
+    bound."""
     assert capacitance_error.errors(*row).inside < capacitance_error.PROMISE
 
 

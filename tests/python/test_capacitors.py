@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The capacitors of a whole bearing: published values, limits, and the transition at loss of
+"""The capacitors of a whole bearing: published values, limits, and the transition at the loss of
 contact."""
 
 import numpy as np
@@ -27,7 +27,7 @@ def point(bearing, load, rpm, clearance, filling, **options):
 
 @pytest.fixture(scope="module")
 def heavy(bearing):
-    """Capacitors of a 6208 at 3 kN and 1500 rpm for each filling of its gaps."""
+    """Return the capacitors of a 6208 at 3 kN and 1500 rpm for each filling of its gaps."""
     return {
         kind: point(bearing, 3000, 1500, 0.0, Filling(kind, shoulders=SHOULDERS))
         for kind in ("flooded", "cavitated", "dry")
@@ -51,8 +51,8 @@ def test_heavy_load(heavy, kind, balls, whole):
 
 @pytest.mark.parametrize(("kind", "whole"), [("flooded", 101), ("cavitated", 77)])
 def test_light_load_at_high_speed(bearing, kind, whole):
-    """Plates alone are wrong by a factor of ten. Unloaded balls have 7 to 13 pF when flooded, 5 to
-    10 pF when cavitated."""
+    """The plates alone are wrong by a factor of ten. Unloaded balls have a capacitance of 7 to 13
+    pF in flooded gaps and 5 to 10 pF in cavitated gaps."""
     quiet, found = point(bearing, 400, 6000, 12e-6, Filling(kind, shoulders=SHOULDERS))
     assert quiet == pytest.approx(15.4, abs=0.05)
     assert 1e12 * found.plates == pytest.approx(9.4, abs=0.06)
@@ -78,7 +78,7 @@ def test_fills_are_exact_by_symmetry(heavy):
 
 def test_plates_are_the_paper_s(bearing, heavy):
     """The capacitance of the plates equals that from `lubrication.lubricate` if both raceways are
-    loaded; for h -> 0 the films dominate."""
+    loaded. For h -> 0 the films dominate."""
     spin = 1500 * np.pi / 30
     state, _ = lubrication.turning(bearing, spin, 3000.0, ball_density=7850.0)
     films = lubrication.lubricate(bearing, state, OIL, spin)
@@ -89,8 +89,8 @@ def test_plates_are_the_paper_s(bearing, heavy):
 
 
 def test_through_loss_of_contact(bearing):
-    """Around loss of contact the separation is constant and the capacitance continuous; without the
-    quiet load of the ball the film would grow without bound."""
+    """Around the loss of contact the separation is constant and the capacitance continuous. Without
+    the quiet load of the ball the film thickness would grow without bound."""
     r_x, r_y = bearing.effective_radii(INNER)
     kappa, modulus = hertz.exact(r_x, r_y).kappa, bearing.effective_modulus
     speed = kinematics.entrainment(bearing, 50.0, 0.0)

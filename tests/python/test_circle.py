@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Distance of balls from the inner groove's circle: closed-form geometry, derivatives by finite
-differences."""
+"""The distance of balls from the circle of the inner groove is compared with closed-form geometry,
+and its derivatives with finite differences."""
 
 import numpy as np
 import pytest
@@ -14,14 +14,14 @@ PLACE = np.array([21e-6, -34e-6, 90e-6, 4e-3, -5.8e-3])
 
 
 def axis(tilt):
-    """Axis e of a ring whose reported tilts are arcsines of components of e."""
+    """Return the axis e of a ring whose reported tilts are arcsines of components of e."""
     x, y = np.sin(tilt[1]), -np.sin(tilt[0])
     return np.array([x, y, np.sqrt(1 - x * x - y * y)])
 
 
 def test_exact_circle_is_the_nearest_of_its_points():
-    """scipy rotates the circle's points; the nearest is found by a fine search and a parabola
-    through three points."""
+    """scipy rotates the points of the circle. A fine search and a parabola through three points
+    find the nearest."""
     e = axis(PLACE[3:])
     turn, _ = Rotation.align_vectors([e], [[0, 0, 1]])
     phi = np.linspace(0, 2 * np.pi, 40001)
@@ -43,8 +43,8 @@ def test_exact_circle_is_the_nearest_of_its_points():
 
 
 def test_straight_circle_is_harris():
-    """A_1 = shift along z plus tilt times radius, A_2 = radius plus shift along the ball's radius
-    (Harris, ch. 7)."""
+    """A_1 is the displacement along z plus tilt times radius, and A_2 the radius plus the
+    displacement along the ball's radius (Harris, ch. 7)."""
     x, y, z, tx, ty = PLACE
     reach = circle.straight(BALL, PLACE, AZIMUTH, RADIUS)
     radial = BALL[:, 0] - (RADIUS + x * np.cos(AZIMUTH) + y * np.sin(AZIMUTH))
@@ -84,8 +84,8 @@ def test_derivatives(reach):
 
 
 def test_conjugate_moment():
-    """The conjugate moment is the work of a fixed moment in a small rotation of the axis,
-    M . (e x de), per change of one tilt."""
+    """The conjugate moment is the work of a fixed moment in a small rotation of the axis, M . (e x
+    de), divided by the change of one tilt."""
     moment, tilt = np.array([3.0, -7.0, 0.0]), PLACE[3:]
     for k in range(2):
         step = 1e-6 * np.eye(2)[k]

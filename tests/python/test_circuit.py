@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearing in its circuit without breakdown: closed forms, intermediate points, leakage."""
+"""The bearing in its circuit without breakdown: closed-form solutions, intermediate points and
+leakage."""
 
 import numpy as np
 import pytest
@@ -18,14 +19,14 @@ WEAK = Breakdown(30e6)
 
 
 def test_a_thick_film_takes_the_voltage():
-    """C_i = 2 C_o: V_i = V/3."""
+    """With C_i = 2 C_o the inner film takes a third of the voltage."""
     data = circuit.run(steady([2 * PICO], [PICO]), Source(Constant(6.0))).data
     np.testing.assert_allclose(data.film_voltage[:, 0, 0], 2.0, rtol=1e-15)
     np.testing.assert_allclose(data.film_voltage[:, 1, 0], 4.0, rtol=1e-15)
 
 
 def test_bearing_voltage_ratio():
-    """C_wr 50 pF, C_rf 1 nF, and two bearings of C_b 200 pF."""
+    """The ratio is computed for C_wr 50 pF, C_rf 1 nF, and two bearings of C_b 200 pF."""
     outer = Motor(Constant(1.0), 50 * PICO, 1000 * PICO, second_factor=1.0)
     data = circuit.run(steady([100 * PICO] * 4, [100 * PICO] * 4), outer).data
     np.testing.assert_allclose(data.bearing_voltage_ratio, 50 / 1450, rtol=1e-14)
@@ -34,7 +35,8 @@ def test_bearing_voltage_ratio():
 
 
 def test_current_into_a_capacitance_that_changes():
-    """C0 (1 + m cos W t) at constant voltage: |i| = V C0 m W."""
+    """At constant voltage a capacitance C0 (1 + m cos W t) draws a current of amplitude V C0 m
+    W."""
     n, mean, depth, speed = 2001, 100 * PICO, 0.3, 2 * np.pi * 50
     time = np.linspace(0, 0.04, n)
     one = 2 * mean * (1 + depth * np.cos(speed * time))  # two equal films in series
@@ -102,8 +104,8 @@ def test_a_film_relaxes_with_its_resistivity_times_permittivity():
 
 
 def exact(given, outer):
-    """Voltages of the inner ring (n,) from scipy's integrator with charges as unknowns; C and G are
-    linear between points."""
+    """Return the voltages of the inner ring (n,) from scipy's integrator with charges as unknowns;
+    C and G are linear between points."""
 
     def voltages(t, charge):
         at = [
@@ -135,7 +137,7 @@ def exact(given, outer):
 
 
 def test_leak_and_resistance_are_of_second_order():
-    """Halving the step reduces the error, relative to scipy's integrator, to a quarter."""
+    """Halving the step reduces the difference from scipy's integrator to a quarter."""
     outer = Source(Sine(10.0, 150.0), 2e7, 20 * PICO)
     coarse = turning(n=41, z=2)
     tau = np.array([4e-3, 7e-3]).reshape(1, 2, 1)
@@ -151,7 +153,7 @@ def test_leak_and_resistance_are_of_second_order():
 
 
 def test_a_metal_contact_shorts_its_film_without_ringing():
-    """R C is 1 ps, while steps are 50 us."""
+    """R C is 1 ps, while the steps are 50 us."""
     given = steady([50 * PICO] * 2, [80 * PICO] * 2, n=11)
     conductance = np.zeros((11, 2, 2))
     conductance[5:, 1, 0] = 10.0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Breakdown of films in the circuit: redistribution of charges, thresholds, events."""
+"""Breakdown of films in the circuit: redistribution of charges, thresholds and events."""
 
 import dataclasses
 import warnings
@@ -20,7 +20,8 @@ WEAK = Breakdown(30e6)
 
 
 def redistribute(capacitance, outer, ball_charge, ring_charge, broken):
-    """(voltages of the balls, of the ring); `outer` is (parallel, coupling, driving)."""
+    """Return (voltages of the balls, voltage of the ring); `outer` is (parallel, coupling,
+    driving)."""
     ball, ring = np.empty(len(ball_charge)), np.empty(1)
     core.library().call(
         "film_redistribution",
@@ -37,7 +38,7 @@ def redistribute(capacitance, outer, ball_charge, ring_charge, broken):
 
 
 def test_a_film_that_fails_by_hand():
-    """Two balls at 10 V. Only the inner film of ball 1 fails; its outer film holds."""
+    """At 10 V on two balls, only the inner film of ball 1 fails; its outer film does not."""
     thickness = np.array([[100e-9, 400e-9], [500e-9, 400e-9]])
     given = steady([20 * PICO, 60 * PICO], [30 * PICO, 60 * PICO], thickness=thickness)
     result = circuit.run(given, Floating(10.0, 10 * PICO), Breakdown(50e6))
@@ -66,7 +67,8 @@ def test_the_second_film_follows_and_discharges_the_bearing():
 
 
 def test_other_balls_keep_their_charge():
-    """A ball charged by an earlier discharge stays charged when another ball shorts the rings."""
+    """A ball that was charged by an earlier discharge stays charged when another ball shorts the
+    rings."""
     capacitance = np.array([[20.0, 60.0], [30.0, 60.0]]) * PICO
     limit = np.array([[1.0, 99.0], [2.0, 99.0]])
     charge = np.array([0.0, 120 * PICO])
@@ -123,7 +125,8 @@ def test_charges_redistribute_as_a_network_of_conductors(seed):
 
 
 def test_threshold_is_where_it_fails():
-    """Just below the threshold voltage of the samples no film fails; just above it one fails."""
+    """Just below the threshold voltage of the samples no film fails; just above it one film
+    fails."""
     given = turning()
     least = circuit.run(given, Source(Constant(0.0), 1.0), WEAK).data.threshold_voltage
     share = series(given.capacitance).ball[:, None] / given.capacitance
@@ -160,7 +163,7 @@ def test_events_have_units_and_places():
 
 
 def test_current_of_a_failure():
-    """The inner film of one ball fails: its capacitance is in parallel with all others."""
+    """If the inner film of one ball fails, its capacitance is in parallel with all others."""
     inner, outer, rest, arc = 60 * PICO, 40 * PICO, 25 * PICO, 3.0
     given = steady([inner], [outer], thickness=np.array([[[100e-9], [900e-9]]]))
     events = circuit.run(given, Floating(10.0, rest), Breakdown(35e6, "smooth", arc=arc)).events
@@ -183,8 +186,8 @@ def test_current_of_a_failure():
 
 
 def test_steps_too_long_for_the_voltage_have_a_warning():
-    """If the source charges the bearing within a step, films fail at the source voltage instead of
-    their breakdown voltage."""
+    """If the source charges the bearing within a step, films fail at the voltage of the source
+    instead of their breakdown voltage."""
     given = turning()
     limit = WEAK.limit(given).min()
     slow = Source(Constant(12 * limit), 1e7)

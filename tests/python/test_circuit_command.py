@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway circuit`: its figures, tables and picture."""
+"""Tests of `raceway circuit`: its results, tables and picture."""
 
 import json
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearing in its circuit: charge is conserved and energy balances."""
+"""In the circuit of a bearing, charge is conserved and energy balances."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ from raceway.electric.waveforms import Sine
 
 @pytest.mark.parametrize("name", [name for name in CASES if name != "open film"])
 def test_charge_is_conserved(name):
-    """Charges carried by currents equal charges calculated from voltages, to rounding."""
+    """The charges carried by currents equal the charges calculated from voltages to rounding."""
     given, outer, breakdown = CASES[name]
     result = circuit.run(given, outer, breakdown, points=1)
     assert breakdown is None or len(result.events)
@@ -38,8 +38,8 @@ def test_energy_is_balanced(name):
 
 
 def test_each_term_of_the_energy_is_of_second_order():
-    """Errors are differences from steps 32 and 64 times shorter, because the balance itself is an
-    identity."""
+    """The errors are differences from steps that are 32 and 64 times shorter, because the balance
+    itself is an identity."""
     given = turning(n=41, z=3, conductance=2e-9)
     outer = Source(Sine(10.0, 150.0), 1e6)
     names = ["source_work", "mechanical_work", "leak_heat", "resistor_heat"]
@@ -53,7 +53,7 @@ def test_each_term_of_the_energy_is_of_second_order():
 
 
 def test_work_of_moving_plates():
-    """The energy Q^2/2C of a charged, isolated ring grows by the work of moving the plates."""
+    """The energy Q^2/2C of a charged, isolated ring increases by the work of moving the plates."""
     given = turning()
     data = circuit.run(given, Floating(10.0)).data
     bearing = series(given.capacitance).bearing

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Input of the circuit: voltages over time, and refused input."""
+"""Input of the circuit: voltages as functions of time, and rejected input."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Free contact angle, endplay and load parameter against their geometry."""
+"""Free contact angle, endplay and load parameter are compared with their geometry."""
 
 import dataclasses
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Damping against the values of docs/theory, Normal damping."""
+"""Damping is compared with the values of docs/theory, Normal damping."""
 
 import pytest
 from raceway import damping

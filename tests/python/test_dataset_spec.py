@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Specification files of data sets: the requested records, and refused files."""
+"""Specification files of data sets: the requested records, and rejected files."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""raceway.open: every number of the record under its labels, with its unit."""
+"""raceway.open returns every number of the record under its labels and with its unit."""
 
 import numpy as np
 import pytest
@@ -159,7 +159,8 @@ def test_summary(folder):
 
 
 def test_growing_run(tmp_path, lubricated):
-    """Samples present at the first read are in all datasets; a later read has more."""
+    """All datasets contain the samples that were present at the first read; a later read contains
+    more."""
     rings = lubricated["rings"]
     folder = synthetic.write(tmp_path / "run", {**lubricated, "rings": rings[:30]}, end=False)
     run = raceway.open(folder)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway decks`: every listed file can be copied, and no file of the user is overwritten."""
+"""`raceway decks` can copy every listed file, and overwrites no file of the user."""
 
 from pathlib import Path
 

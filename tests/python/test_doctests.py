@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The examples in docstrings give the results they show."""
+"""The examples in docstrings produce the results that they show."""
 
 import doctest
 import importlib

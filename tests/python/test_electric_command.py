@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway electric` and its functions: agreement of figures with each other and with statics,
+"""`raceway electric` and its functions: agreement of the results with each other and with statics,
 films from measured values, pictures, messages and exit codes."""
 
 import csv
@@ -81,7 +81,8 @@ def test_shoulders_are_the_file_s_unless_given(point):
 
 
 def test_threshold_is_where_the_field_is_the_strength(point):
-    """At the threshold the largest field equals the strength, and a rough film fails earlier."""
+    """At the threshold voltage the largest field equals the dielectric strength; a rough film fails
+    earlier."""
     found = electric_point.figures(point, Ask(strength=20e6))
     at = electric_point.figures(point, Ask(voltage=found["threshold_V"]))
     assert at["field_V_m"] == pytest.approx(20e6)
@@ -105,7 +106,7 @@ def test_warnings():
 
 
 def test_impedance_and_leak(point):
-    """At a high frequency the impedance is capacitive, at a low frequency it is the leakage
+    """At a high frequency the impedance is capacitive; at a low frequency it equals the leakage
     resistance."""
     capacitance = electric_point.figures(point)["capacitance_total_F"]
     fast = electric_point.figures(point, Ask(frequency=1e7, resistivity=1e9))
@@ -123,8 +124,8 @@ def test_dry_gaps_without_load_leak_nothing():
 
 
 def test_measured_capacitance_gives_the_film_back(point):
-    """The capacitance that the model gives for a film thickness is read back as that thickness.
-    Plates alone give too thin a film."""
+    """The capacitance that the model computes for a film thickness is converted back to this
+    thickness. With the plates alone the film is too thin."""
     for scale in (0.3, 1.0, 2.5):
         measured = point.capacitors(scale).total
         found = electric_point.figures(point, Ask(measured=measured))

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Envelopes of synthetic signals: impacts at a known rate that excite a known frequency, in
-noise."""
+"""Envelopes of synthetic signals: impacts at a known rate excite a known frequency in noise."""
 
 import json
 
@@ -18,8 +17,8 @@ TIME = np.arange(2 * int(RATE)) / RATE
 
 
 def blows(hertz, carrier=None, depth=0.0, loud=1.0):
-    """Decaying 7 kHz bursts, `hertz` per second, with amplitudes modulated at `carrier` Hz;
-    (N,)."""
+    """Return a signal (N,) of decaying 7 kHz bursts, `hertz` per second, with amplitudes modulated
+    at `carrier` Hz."""
     total = np.zeros(len(TIME))
     for when in np.arange(0.3 / hertz, TIME[-1], 1 / hertz):
         size = loud * (1 + depth * np.cos(2 * np.pi * carrier * when)) if carrier else loud
@@ -33,7 +32,8 @@ def blows(hertz, carrier=None, depth=0.0, loud=1.0):
 
 @pytest.fixture(scope="module")
 def noisy():
-    """Impacts at 107.3 Hz, with hum of ten times and noise of half the impacts' amplitude."""
+    """Return a signal with impacts at 107.3 Hz, hum of ten times their amplitude and noise of half
+    their amplitude."""
     noise = np.random.default_rng(3).normal(0, 0.5, len(TIME))
     return blows(107.3) + 10 * np.sin(2 * np.pi * 50 * TIME) + noise
 
@@ -56,7 +56,8 @@ def test_rate_of_the_blows(noisy):
 
 
 def test_sidebands_of_what_modulates():
-    """A modulation 1 + d cos causes sidebands of d/2 times the line between them."""
+    """A modulation 1 + d cos causes sidebands whose amplitude is d/2 times that of the line between
+    them."""
     signal = blows(160.0, carrier=25.0, depth=0.6)
     one = spectrum.spectrum(envelope.of_values(signal, 1 / RATE, 5e3, 9e3), 1 / RATE)
     middle, below, above = (spectrum.find(one, hertz) for hertz in (160.0, 135.0, 185.0))
@@ -65,7 +66,8 @@ def test_sidebands_of_what_modulates():
 
 
 def test_noise_is_not_impulsive():
-    """The kurtosis of N noise values scatters by 2/sqrt(N) and never reaches five times as much."""
+    """The kurtosis of N noise values scatters by 2/sqrt(N) and never reaches five times this
+    value."""
     noise = np.random.default_rng(4).normal(size=len(TIME))
     for band in envelope.bands(noise, 1 / RATE):
         count = len(TIME) * (band.high - band.low) / RATE
@@ -81,8 +83,8 @@ def test_mistakes():
 
 @pytest.fixture(scope="module")
 def struck(tmp_path_factory, lubricated, bearing):
-    """A run whose ring vibrates at a third of the sampling rate, excited at the ball pass frequency
-    of the inner raceway, with an amplitude that depends on the shaft angle."""
+    """Return a run whose ring vibrates at a third of the sampling rate, excited at the ball pass
+    frequency of the inner raceway, with an amplitude that depends on the shaft angle."""
     settings = dict(lubricated["settings"], passes=60, samples_per_pass=96)
     step, shaft = settings["sample_s"] / 4, 477.5 / 60
     settings["sample_s"] = step

@@ -14,7 +14,7 @@ SPEED = 157.0
 
 
 def equilibrium(bearing, moment=(0.0, 0.0)):
-    """(bearing, its `Equilibrium` under 3 kN of thrust)."""
+    """Return (bearing, its `Equilibrium` under 3 kN of thrust)."""
     body = inputs.bearing(catalogue.find("bearings", bearing))
     options = dict(moment=moment, held={}, ball_density=7800.0)
     return body, turning(body, SPEED, 0.0, 3000.0, **options)[0]
@@ -22,7 +22,7 @@ def equilibrium(bearing, moment=(0.0, 0.0)):
 
 def test_balls_run_ahead_by_the_integral_of_their_speeds():
     """The excursion follows from the time a ball takes around the bearing, the integral of a spline
-    through the inverse speeds of the balls."""
+    through the reciprocal speeds of the balls."""
     body, state = equilibrium("7208B", (20.0, 0.0))
     found = excursion.excursion(body, state, SPEED)
     gamma = body.ball_radius / body.pitch_radius

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Output of `raceway export`, read back: VTK by meshio, extended XYZ by its rules."""
+"""The output of `raceway export` is read back: VTK by meshio, and extended XYZ by its
+specification."""
 
 import re
 import xml.etree.ElementTree as ElementTree
@@ -15,7 +16,7 @@ from raceway.theory.bearing import INNER, OUTER
 
 
 def entries(pvd):
-    """(time, part, path) of the entries of a .pvd file."""
+    """Return (time, part, path) for the entries of a .pvd file."""
     return [
         (float(one.get("timestep")), int(one.get("part")), pvd.parent / one.get("file"))
         for one in ElementTree.parse(pvd).getroot().iter("DataSet")
@@ -90,7 +91,7 @@ def test_a_shorter_export_leaves_nothing_of_a_longer(folder, tmp_path):
 
 
 def read_xyz(path):
-    """(comment, {column: values}) of every frame, by the rules of extended XYZ."""
+    """Return (comment, {column: values}) for every frame, by the specification of extended XYZ."""
     lines = iter(path.read_text().splitlines())
     for count in lines:
         head = next(lines)

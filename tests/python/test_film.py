@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film thickness against its logarithmic slopes, Hamrock-Dowson, and eq 6 computed by hand."""
+"""Film thickness is compared with its logarithmic slopes, with Hamrock-Dowson, and with eq 6
+computed by hand."""
 
 import numpy as np
 import pytest

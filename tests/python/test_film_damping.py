@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The Maxwell branch of the film: numbers of the 6208, exact steps, limits."""
+"""The Maxwell branch of the film: numbers for the 6208, exact steps, and limits."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ SPEEDS = np.array([48.0, 477.5, 1910.0, 9549.0]) * 0.724764 / 477.5
 
 @pytest.fixture(scope="module")
 def top(bearing):
-    """(k, h_c, h_min, delta_H, a, b) of the most loaded inner contact at four speeds."""
+    """Return (k, h_c, h_min, delta_H, a, b) for the most loaded inner contact at four speeds."""
     r_x, r_y = bearing.effective_radii(INNER)
     modulus, ellipse = bearing.effective_modulus, hertz.exact(r_x, r_y)
     elastic = (LOAD / hertz.stiffness(ellipse, modulus)) ** (2 / 3)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film factors, the film in all regimes and the film in the gap: numbers, limits, slopes."""
+"""Film factors, the film in all regimes and the film in the gap: numbers, limits and slopes."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ SPEEDS = np.array([0.7248, 2.899, 14.4946])
 
 @pytest.fixture(scope="module")
 def inner(bearing):
-    """(E', R_x, R_y, kappa, K) of the 6208's inner raceway."""
+    """Return (E', R_x, R_y, kappa, K) for the inner raceway of the 6208."""
     r_x, r_y = bearing.effective_radii(INNER)
     ellipse, modulus = hertz.exact(r_x, r_y), bearing.effective_modulus
     return modulus, r_x, r_y, ellipse.kappa, hertz.stiffness(ellipse, modulus)
@@ -93,8 +93,8 @@ def test_all_regimes_tend_to_their_asymptotes():
 
 
 def test_all_regimes_near_the_power_law_at_load(inner):
-    """Section 2 of the theory: at loads of a 6208 the film is about 1.15 times the film of Masjedi
-    and Khonsari."""
+    """As in section 2 of the theory, the film at the loads of a 6208 is about 1.15 times that of
+    Masjedi and Khonsari."""
     modulus, r_x, r_y, kappa, _ = inner
     for speed in SPEEDS:
         both = (

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Voltages, impedances and rough films against algebraic identities and printed values."""
+"""Voltages, impedances and rough films are compared with algebraic identities and printed
+values."""
 
 import numpy as np
 import pytest
@@ -66,7 +67,7 @@ def test_impedance_and_back():
 
 
 def test_leak_of_one_fill():
-    """The product R C is rho eps_0 eps in any geometry."""
+    """The product R C is rho eps_0 eps for any geometry."""
     area, gap, around = 1e-6, 2e-7, 2.0
     paths = area / gap + around
     r = impedance.leak(1e10, paths)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The first lines that a user types: data by name, results that fit on a screen, a warning about
-millimetres."""
+"""The first lines that a user types: data by name, results that fit on a screen, and a warning
+about millimetres."""
 
 import numpy as np
 import pytest
@@ -25,7 +25,7 @@ def test_data_by_name(tmp_path, monkeypatch):
 
 
 def test_results_are_short():
-    """A result prints one line per field, whatever the number of balls."""
+    """A result prints one line per field for any number of balls."""
     body = inputs.bearing("6208")
     state = static.equilibrium(body, 2000.0, 500.0)
     films = lubrication.lubricate(body, state, inputs.oil("vg46"), 100.0)

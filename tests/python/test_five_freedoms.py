@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Equilibrium under moments and with held degrees of freedom: independently written equations
-solved by scipy, balance in space, derivatives, symmetries. Published figures are in
+solved by scipy, balance in space, derivatives and symmetries. Published values are in
 test_published_bearings.py."""
 
 import numpy as np
@@ -53,12 +53,13 @@ def harris(
     phase=0.0,
     orbital_speed=0.0,
 ):
-    """(position (5,), Q_i and Q_o (grooves, Z), angles likewise) of Harris's simultaneous equations
-    (ch. 7 and 9, no gyroscopic moment), by scipy; one term per groove.
+    """Return (position (5,), Q_i and Q_o (grooves, Z), the angles likewise) from Harris's
+    simultaneous equations (ch. 7 and 9, no gyroscopic moment), solved by scipy, with one term per
+    groove.
 
-    The unknowns are the ring's position and each ball's X_1, X_2, the axial and radial distances of
-    its centre from the centre of an outer groove in the middle of its row. Lengths are in units of
-    0.1 mm and forces in units of 1 kN, so that `root` works with numbers near one.
+    The unknowns are the position of the ring and each ball's X_1, X_2, the axial and radial
+    distances of its centre from the centre of an outer groove in the middle of its row. Lengths are
+    in units of 0.1 mm and forces in units of 1 kN, so that `root` works with numbers near one.
     """
     layout, count = bearing.layout, bearing.balls
     psi = np.tile(phase + 2 * np.pi * np.arange(count) / count, len(layout.rows))
@@ -112,8 +113,8 @@ def harris(
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("name", LOADS)
 def test_against_harris_equations(bearing, name, kind):
-    """The equations hold at our position. With one groove, scipy's `root` converges to this
-    position from a start 1 um and 0.1 mrad away."""
+    """The equations are satisfied at our position. With one groove, scipy's `root` converges to
+    this position from a start 1 um and 0.1 mrad away."""
     bearing, case = KINDS[kind](bearing), LOADS[name]
     if kind != "one groove":  # balls with play between four grooves have no definite position
         case = case | {"orbital_speed": 900.0}
@@ -156,8 +157,9 @@ def test_against_harris_equations(bearing, name, kind):
 
 @pytest.mark.parametrize("name", LOADS)
 def test_exact_circle_balances_in_space(bearing, name):
-    """Contacts are recomputed from ball centres in the frame of the rotated ring. Overlaps agree,
-    and forces on ball and ring and moments across the ring's axis balance."""
+    """The contacts are recomputed from the ball centres in the frame of the rotated ring. The
+    overlaps agree, and the forces on balls and ring and the moments across the ring's axis
+    balance."""
     case = LOADS[name]
     state = static.equilibrium(bearing, finite_shift=True, **case)
     u = np.stack([np.cos(state.azimuth), np.sin(state.azimuth), 0 * state.azimuth], 1)
@@ -216,8 +218,8 @@ def test_exact_circle_balances_in_space(bearing, name):
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("finite_shift", [False, True])
 def test_gradient_and_hessian(bearing, finite_shift, kind):
-    """Gradient and Hessian equal central differences of the energy, with the balls settled at every
-    position: 10 nm steps at overlaps near 20 um."""
+    """Gradient and Hessian equal central differences of the energy, with the balls in equilibrium
+    at every position. The differences use 10 nm steps at overlaps near 20 um."""
     bearing = KINDS[kind](bearing)
     azimuth = np.tile(0.1 + 2 * np.pi * np.arange(9) / 9, len(bearing.layout.rows))
     balance = Balance(
@@ -244,7 +246,7 @@ def test_gradient_and_hessian(bearing, finite_shift, kind):
 
 def test_stiffness_is_load_per_displacement(bearing):
     """One additional newton, or newton metre, along each degree of freedom moves the ring by the
-    inverse of `stiffness`, which neglects the change of contact stiffness with the angle."""
+    inverse of `stiffness`, which neglects the change of the contact stiffness with the angle."""
     base = dict(radial_load=2000.0, axial_load=1000.0, moment=(10.0, -4.0), clearance=10e-6)
     state = static.equilibrium(bearing, **base)
     compliance = np.linalg.inv(state.stiffness)
@@ -281,7 +283,8 @@ def test_turning_and_mirroring(bearing):
 
 
 def test_held_tilt_gives_back_its_moment(bearing):
-    """A held tilt of 20 arc-minutes needs a moment; applying that moment gives 20 arc-minutes."""
+    """Holding a tilt of 20 arc-minutes requires a moment; applying this moment causes a tilt of 20
+    arc-minutes."""
     tilt = np.radians(20 / 60)
     for finite_shift in (False, True):
         held = static.equilibrium(
@@ -306,8 +309,8 @@ def test_held_tilt_gives_back_its_moment(bearing):
 
 
 def test_imposed_displacement(bearing):
-    """If the ring is held in all directions, loads follow from the displacement by Hertz; the ball
-    on the load line is compressed by 30 um."""
+    """If the ring is held in all directions, the loads follow from the displacement by Hertz; the
+    contacts of the ball on the load line are compressed by 30 um."""
     state = static.equilibrium(bearing, held={"x": 30e-6, "y": 0, "z": 0, "rx": 0, "ry": 0})
     assert state.inner.overlap[0] + state.outer.overlap[0] == pytest.approx(30e-6, rel=1e-10)
     assert state.residual == 0
@@ -325,8 +328,8 @@ def test_held_straight_is_the_default_and_needs_a_moment(bearing):
 
 
 def test_pure_rolling_speed(bearing):
-    """`turning` agrees with an equilibrium calculated by hand: the orbit speed is that of the mean
-    angle, and the angles are those at this orbit speed."""
+    """`turning` agrees with an equilibrium calculated by hand: the orbital speed is that of the
+    mean angle, and the angles are those at this orbital speed."""
     from raceway.theory.lubrication import orbit, turning
 
     state, speed = turning(bearing, 1000.0, 0.0, 2000.0, clearance=30e-6)
@@ -400,8 +403,8 @@ def test_wrong_hold(bearing, held, said):
     ],
 )
 def test_light_loads(bearing, case):
-    """Under loads of 1 N the last digits of distances correspond to 1e-10 N, so that the search
-    ends before the tolerance of the force is reached."""
+    """Under loads of 1 N the last digits of distances correspond to 1e-10 N, so the search ends
+    before the tolerance of the force is reached."""
     state = static.equilibrium(bearing, **case)
     assert state.residual < 1e-8
     load = np.array(

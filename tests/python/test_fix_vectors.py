@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The page of each fix has all its vectors, from the C++ tables."""
+"""The page of each fix lists all elements of its vectors, from the C++ tables."""
 
 from pathlib import Path
 
@@ -12,7 +12,7 @@ FIXES = sorted(name for name in TABLES if name.startswith("fix_"))
 
 
 def test_which_fixes_have_a_vector():
-    """A fix that set size_vector to a literal number would not be in the tables."""
+    """A fix that set size_vector to a literal number would be missing from the tables."""
     sources = (ROOT / "src-package" / "styles").glob("fix_bearing_*.cpp")
     vectors = {s.stem.replace("fix_bearing_", "fix_") for s in sources if sizes(s)}
     assert vectors - {"fix_checkpoint"} == set(FIXES)  # its length depends on the command

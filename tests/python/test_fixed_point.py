@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Fixed points by Anderson acceleration (core/numbers/fixed_point.h)."""
+"""Fixed points are found by Anderson acceleration (core/numbers/fixed_point.h)."""
 
 import numpy as np
 import pytest
@@ -7,7 +7,7 @@ from raceway.core import library
 
 
 def search(g, x, values, reach=1e9, weights=None):
-    """(starting points x, results of the library after each value of the map `g`)."""
+    """Return (starting points x, results of the library after each value of the map `g`)."""
     starts, images, said = [], [], []
     weights = np.ones(len(x)) if weights is None else weights
     for _ in range(values):
@@ -29,7 +29,7 @@ def search(g, x, values, reach=1e9, weights=None):
 
 
 def affine(seed=3, slow=(0.9, -0.8, 0.6), n=12):
-    """(map with a few slow modes whose other modes converge after one evaluation, its fixed
+    """Return (map with a few slow modes whose other modes converge after one evaluation, its fixed
     point)."""
     numbers = np.random.default_rng(seed)
     modes = numbers.normal(size=(n, n))
@@ -60,7 +60,8 @@ def test_distance_is_the_way_to_the_fixed_point():
 
 
 def test_weights():
-    """Components of x with zero weight are searched too, but do not affect other components."""
+    """Components of x with zero weight are searched as well, but do not affect the other
+    components."""
     g, point = affine(slow=(0.9,))
     wide = lambda x: np.append(g(x[:12]), 1e6 * np.sin(1e3 * x[12]))  # noqa: E731
     starts, said = search(wide, np.zeros(13), 4, weights=np.append(2.0 * np.ones(12), 0.0))
@@ -70,7 +71,7 @@ def test_weights():
 
 
 def test_reach():
-    """If residuals do not change, the search continues along them as far as `reach` allows."""
+    """If the residuals do not change, the search continues along them as far as `reach` allows."""
     step = np.array([1e-3, -2e-3, 0.0])
     starts, said = search(lambda x: x + step, np.zeros(3), 3, reach=0.5)
     for k in (2, 3):

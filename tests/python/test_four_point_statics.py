@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of four-point contact and double row bearings against bearings with one groove per
-ring."""
+"""Results for four-point contact and double-row bearings are compared with bearings that have one
+groove per ring."""
 
 import json
 from dataclasses import replace
@@ -31,12 +31,13 @@ OIL = inputs.oil(ROOT / "inputs/lubricants/mineral")
 
 
 def body():
-    """The four-point contact bearing with one groove per ring."""
+    """Return the bearing with one groove per ring that corresponds to the four-point contact
+    bearing."""
     return replace(OF_6208.four_point(ANGLE), layout=Layout())
 
 
 def thrust():
-    """(`static.Equilibrium`, films) of `body` under 1 kN along z."""
+    """Return (`static.Equilibrium`, films) of `body` under 1 kN along z."""
     spin = RPM * np.pi / 30
     held = {"x": 0.0, "y": 0.0, "rx": 0.0, "ry": 0.0}
     state, _ = lubrication.turning(
@@ -57,14 +58,14 @@ def figures(**options):
 
 
 def grooves(found, key):
-    """(raceway, groove, ball)"""
+    """Return an array (raceway, groove, ball)."""
     balls = [[one[key] for one in ball["contacts"]] for ball in found["balls"]]
     return np.array(balls).T.reshape(2, 2, -1)
 
 
 @pytest.mark.parametrize("way", [1, -1])
 def test_thrust_is_that_of_an_angular_contact(way):
-    """A thrust loads one groove of each ring: all figures equal the figures of a bearing with that
+    """A thrust loads one groove of each ring, so all results equal those of a bearing with this
     groove alone."""
     found = figures(axial=way * 1000.0, rpm=RPM)
     state, films = thrust()
@@ -106,7 +107,7 @@ def test_radial_load_is_carried_by_four_points():
 
 @pytest.fixture
 def stated(tmp_path):
-    """A bearing whose file describes a four-point contact, with its ratings."""
+    """Return a bearing whose file describes a four-point contact, with its ratings."""
     text = (ROOT / "inputs/bearings/6208").read_text()
     path = tmp_path / "QJ"
     path.write_text(text + "variable four_point index 35\n")
@@ -135,9 +136,9 @@ def test_life_of_a_bearing_that_its_file_rates(stated):
 @pytest.mark.parametrize("name", ["QJ205", "QJ208", "QJ310"])
 @pytest.mark.parametrize("loads, factor", [({"axial": 1.0}, 1.07), ({"load": 1.0}, 1.0)])
 def test_equivalent_load_of_the_maker(name, loads, factor):
-    """SKF (General Catalogue 6000, page 455): P = F_r, or 1.07 F_a under a thrust. The ball loads
-    give factors 4 to 9 % smaller, as for angular contact bearings. With C read as the rating of one
-    row, P would be off by a factor of 1.6."""
+    """SKF (General Catalogue 6000, page 455) states P = F_r, or 1.07 F_a under a thrust. The ball
+    loads give factors that are 4 to 9 % smaller, as for angular contact bearings. If C were the
+    rating of one row, P would be off by a factor of 1.6."""
     rated = inputs.ratings(ROOT / "inputs/bearings" / name)
     given = {key: 0.02 * rated.static * value for key, value in loads.items()}
     found = operating_point.figures(name, None, ROOT / "inputs", held={"rx": 0, "ry": 0}, **given)
@@ -194,9 +195,9 @@ def test_bad_files(stated):
 
 
 def test_stiffness_of_two_rows_and_four_points():
-    """Rows far apart share a radial load and a thrust; tilting loads the rows in opposite
-    directions. Under a thrust four points act like one groove per ring, also in a table for rotor
-    programs."""
+    """Rows that are far apart share a radial load and a thrust; tilting loads the rows in opposite
+    directions. Under a thrust a four-point contact acts like one groove per ring, also in a table
+    for rotor programs."""
     apart, oil = 0.2, {"lubricant": "vg46", "phases": 2}
     rows = DoubleRow(apart, 0.0, "back_to_back")
     (two,) = rotor.points("6208", 1000.0, 1000.0, double_row=rows, clearance=-5e-6, **oil)
@@ -217,7 +218,7 @@ def test_stiffness_of_two_rows_and_four_points():
 
 def test_two_rows_live_as_the_standard_says():
     """C of two rows is 2^0.7 times C of one row (ISO 281). Under twice the load each row has the
-    life of a single row, and both together have 2^-0.9 times that life."""
+    life of a single row, and both together have 2^-0.9 times this life."""
     options = {"held": {"rx": 0.0, "ry": 0.0}, "folder": ROOT / "inputs"}
     one = operating_point.figures("6208", load=1000.0, **options)
     two = operating_point.figures("6208", load=2000.0, double_row=DoubleRow(0.02), **options)
@@ -229,7 +230,7 @@ def test_two_rows_live_as_the_standard_says():
 
 def test_four_points_on_a_shaft():
     """`raceway shaft` accepts files of four-point contact bearings: a short stiff shaft on one such
-    bearing gives the bearing's statics."""
+    bearing gives the statics of the bearing."""
     four = inputs.bearing(catalogue.find("bearings", "QJ208"))
     beam = shaft.Shaft([Section(0.02, 0.2)], Steel(young=2.1e14))
     loads = [shaft.Load(0.01, (500.0, 0.0, 1000.0), (2.0, 1.0))]
@@ -240,7 +241,8 @@ def test_four_points_on_a_shaft():
 
 
 def test_heat_command(capsys, monkeypatch):
-    """Losses by statics at the steady temperature equal the cooling power, for both rings."""
+    """The losses by statics at the steady temperature equal the cooling power, for both kinds of
+    bearing."""
     monkeypatch.chdir(ROOT)
     arguments = ["--bearing", "7208", "--double-row", "0.018", "--preload", "5e-6", "--load", "500"]
     cooling = ["--nodes", "1", "1", "1", "--rpm", "1000", "--json"]

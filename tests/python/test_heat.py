@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cooling, heat balance, clearance and flash temperature: published numbers and closed forms."""
+"""Cooling, heat balance, clearance and flash temperature: published numbers and closed-form
+solutions."""
 
 import numpy as np
 import pytest

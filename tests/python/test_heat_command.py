@@ -64,9 +64,9 @@ def test_three_nodes_balance_and_tend_to_one():
 @pytest.mark.parametrize(("rpm", "ratio"), [(48.0, 2.3), (477.5, 1.95), (1910.0, 1.1),
                                             (9549.0, 0.22)])  # fmt: skip
 def test_film_by_the_bearing_s_own_temperature(bearing, rpm, ratio, monkeypatch):
-    """Central film thickness with VG 46, 20 C ambient and cooling by ISO 15312, relative to that
-    with 0.04 Pa s and 22/GPa, both without inlet shear. Inlets are flooded, as in the printed
-    row."""
+    """The central film thickness with VG 46, at 20 C ambient temperature and cooling by ISO 15312,
+    is stated relative to that with 0.04 Pa s and 22/GPa, both without inlet shear. Inlets are
+    flooded, as in the printed row."""
 
     def flooded(body, size, fluid, ring, models, supply):
         starved = laws.skf_starvation(
@@ -134,7 +134,7 @@ def test_messages(capsys, arguments, code, message):
 
 
 def test_an_angular_contact_bearing_is_cooled_as_one_of_its_size():
-    """ISO 15312 needs only bore, outside diameter and width."""
+    """ISO 15312 needs only the bore, the outside diameter and the width."""
     angular, deep = (steady_heat.Case(name, "vg46", rpm=1000.0) for name in ("7208", "6208"))
     assert angular.cooling() == deep.cooling()
     assert angular.report(angular.scene(), angular.steady(angular.scene()))["temperature_C"] > 20

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Elliptical contact against 40-digit arithmetic, the sphere, and the numbers of the 6208."""
+"""Elliptical contacts are compared with 40-digit arithmetic, with the sphere, and with the numbers
+for the 6208."""
 
 import mpmath
 import numpy as np

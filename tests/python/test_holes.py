@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Files that were once read silently, or caused a traceback: each is now refused or causes a
+"""Files that were once read silently, or caused a traceback, are now rejected or cause a
 warning."""
 
 import json
@@ -25,7 +25,7 @@ from test_run import spoil
 
 @pytest.fixture
 def points(tmp_path):
-    """A sweep of three points: one finished, one failed, one to be damaged."""
+    """Return a sweep of three points: one finished, one failed, and one to be damaged."""
     for name, load in (("a", "1"), ("b", "2"), ("c", "3")):
         (tmp_path / name).mkdir()
         (tmp_path / name / "point.yaml").write_text(f"load: '{load}'\n")
@@ -55,7 +55,7 @@ def test_a_broken_point(points, content):
 @pytest.mark.parametrize("content", [b"[1]", b"text", b'"text"', b"3", b"\xff", 9000 * b"["])
 @pytest.mark.parametrize("name", ["summary.json", "failed.json"])
 def test_broken_figures(points, name, content):
-    """A point without figures is run again."""
+    """A point without results is run again."""
     (points / "c" / name).write_bytes(content)
     assert state(points / "c", {"load": "3"}) == ("pending", "")
     assert gather(points).set_index("point").loc["c", "status"] == "pending"
@@ -120,7 +120,7 @@ def test_many_unknown_columns_in_one_message(tmp_path):
 
 
 def test_the_page_of_points_with_other_variables(points):
-    """A sweep as `raceway needs` writes it: the page has a table of each kind, without nan."""
+    """For a sweep as `raceway needs` writes it, the page has a table of each kind, without nan."""
     (points / "d").mkdir()
     (points / "d" / "point.yaml").write_text("models: full\nwithout: gap+drag\n")
     text = page(points).write(points / "page.html").read_text()
@@ -129,7 +129,7 @@ def test_the_page_of_points_with_other_variables(points):
 
 
 def test_a_record_that_lost_a_variable(folder):
-    """Either the films agree, or a message names the difference."""
+    """Either the films agree, or a message states the difference."""
     path = folder / "record.nc"
     variables, content = Record(folder).variables, path.read_bytes()
     names = [n for n, d in variables.items() if "raceway" not in d and not n.startswith("bearing_")]

@@ -12,7 +12,7 @@ import include_graph  # noqa: E402  next to the tests, not in a package
 
 
 def tree(folder, files):
-    """A package of small files: {name: text}."""
+    """Write a package of small files, {name: text}."""
     for name, text in files.items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text(text)
@@ -27,7 +27,7 @@ def test_the_package_keeps_its_rules():
 
 
 def test_a_private_member_of_the_solver_recompiles_the_implicit_fix_alone():
-    """Only the sources of fix bearing/implicit include the solver's class."""
+    """Only the sources of fix bearing/implicit include the class of the solver."""
     graph = include_graph.read(ROOT / "src-package")
 
     def sees(file):

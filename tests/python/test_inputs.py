@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Data files of the decks."""
+"""Tests of the data files for decks."""
 
 from pathlib import Path
 

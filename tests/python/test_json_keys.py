@@ -38,7 +38,7 @@ readings:
 
 @pytest.fixture
 def words(folder, tmp_path, twin):
-    """Arguments of each command that has --json."""
+    """Return arguments for each command that has --json."""
     (tmp_path / "readings.yaml").write_text(READINGS)
     path, rate = test_compare.write(tmp_path, twin)
     run, file = str(folder), [str(path), "--rpm", "477.5", "--rate", str(rate)]
@@ -60,7 +60,7 @@ def words(folder, tmp_path, twin):
 
 
 def numbers(value, keys=(), beside=()):
-    """(keys that lead to a number or list of numbers, keys beside the last one)."""
+    """Yield (keys that lead to a number or list of numbers, keys next to the last one)."""
     if isinstance(value, dict):
         for key, one in value.items():
             yield from numbers(one, (*keys, key), value.keys())
@@ -74,7 +74,7 @@ def numbers(value, keys=(), beside=()):
 
 
 def named(keys, beside):
-    """The unit is in a key, or beside it."""
+    """Return whether the unit is in a key, or in a key next to it."""
     return (
         any(key in PLAIN for key in keys)
         or "unit" in beside

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Bearing frequencies against values of docs/theory, Numbers to reproduce, and rolling without
-slip."""
+"""Bearing frequencies are compared with the values of docs/theory, Numbers to reproduce, and with
+rolling without slip."""
 
 import numpy as np
 import pytest
@@ -20,8 +20,8 @@ def test_every_ball_passes_both_rings(bearing):
 
 
 def test_entrainment_from_the_surfaces(bearing):
-    """Relative to the contact, both surfaces at each raceway move at (ring - cage) times the
-    radius of the raceway."""
+    """Relative to the contact, both surfaces at each raceway move at (ring - cage) times the radius
+    of the raceway."""
     spin = 50.0
     cage = spin * kinematics.frequencies(bearing).cage
     speed = kinematics.entrainment(bearing, spin)

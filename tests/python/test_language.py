@@ -22,7 +22,7 @@ PHRASES = (
 
 
 def glossary():
-    """{term: its keys in outputs} of the glossary, which has each term once."""
+    """Return {term: its keys in outputs} for the glossary, which contains each term once."""
     text = (ROOT / "docs/design.rst").read_text().split(".. _glossary:")[1]
     block = re.search(r":widths:.*\n\n((?:   .+\n)+)", text)[1]
     lines = re.sub("^   ", "", block, flags=re.M).splitlines(keepends=True)

@@ -14,7 +14,7 @@ SIZES = {15: (36400, 25200), 30: (33600, 23300), 40: (30600, 21300)}
 @pytest.mark.parametrize("angle", SIZES)
 def test_ratings_of_a_size(angle):
     """13 balls of 15/32 in, the diameter that GMN states for a spindle bearing of this size, give
-    the ratings of all three contact angles."""
+    the ratings at all three contact angles."""
     dynamic, static = SIZES[angle]
     ball, pitch, angle = 25.4e-3 * 15 / 32, 60e-3, math.radians(angle)
     assert load_rating.dynamic(13, ball, pitch, angle) == pytest.approx(dynamic, rel=2e-3)
@@ -24,7 +24,7 @@ def test_ratings_of_a_size(angle):
 
 
 def test_factors():
-    """Factors agree with the tables: f_0 and, for one ball of 1 mm at zero angle, 1.3 f_c."""
+    """The factors agree with the tables: f_0 and, for one ball of 1 mm at zero angle, 1.3 f_c."""
     for ratio, static, dynamic in ((0.09, 16.5, 54.3), (0.2, 14.0, 59.9), (0.4, 9.4, 48.4)):
         assert load_rating.static_factor(1e-3, 1e-3 / ratio) == pytest.approx(static)
         assert load_rating.dynamic(1, 1e-3, 1e-3 / ratio) == pytest.approx(1.3 * dynamic)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Oils over temperature and pressure: published values, slopes, and the arithmetic of the deck."""
+"""Oils as functions of temperature and pressure: published values, slopes, and agreement with the
+deck."""
 
 from pathlib import Path
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film and capacitance from statics: each contact against the formulas, and properties of the
-whole."""
+"""Film and capacitance from statics: each contact is compared with the formulas, and the bearing as
+a whole has the expected properties."""
 
 import numpy as np
 import pytest
@@ -14,8 +14,7 @@ OIL = Oil(viscosity=0.04, pressure_viscosity=22e-9, permittivity=2.25, roughness
 
 
 def test_each_contact(bearing):
-    """Films equal the results of every formula, called with the load and contact angle of each
-    ball."""
+    """The films equal the result of each formula with the load and contact angle of each ball."""
     state = equilibrium(bearing, 2000.0, 1000.0, moment=(10.0, 0.0), clearance=10e-6)
     films = lubricate(bearing, state, OIL, 50.0, 10e-6)
     assert films.inner.entrainment[0] != films.inner.entrainment[4]  # the contact angle counts
@@ -67,8 +66,8 @@ def test_unloaded_balls_add_nothing(bearing):
 
 
 def test_thrown_ball_touches_the_outer_raceway_only(bearing):
-    """At 1000 rad/s an unloaded ball has an outer film but no capacitance: the series connection is
-    open at the inner raceway."""
+    """At 1000 rad/s an unloaded ball has a film at the outer raceway but no capacitance, because
+    the series connection is open at the inner raceway."""
     state, _ = turning(bearing, 1000.0, 1000.0, clearance=20e-6)
     films = lubricate(bearing, state, OIL, 1000.0, 20e-6)
     idle = (state.inner.load == 0) & (state.outer.load > 0)

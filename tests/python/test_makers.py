@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Friction torque by makers' formulas: published numbers, limits, continuity."""
+"""Friction torque by makers' formulas: published numbers, limits and continuity."""
 
 import numpy as np
 import pytest
@@ -23,8 +23,8 @@ def test_skf():
 
 
 def test_sums_with_a_bath_to_mid_ball():
-    """Torques of section 1, with oil up to the middle of the lowest ball, half a ball above the
-    raceway."""
+    """Torques of section 1, with oil up to the middle of the lowest ball, half a ball diameter
+    above the raceway."""
     found = makers.skf(B6208, 5000.0, 0.0, SPEEDS, 46.0, level=6.3)
     assert found.total == pytest.approx([199, 147, 181, 246], abs=0.5)
 

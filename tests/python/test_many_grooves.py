@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Double row and four-point contact bearings against single-row bearings with one groove per
-ring."""
+"""Double-row and four-point contact bearings are compared with single-row bearings that have one
+groove per ring."""
 
 from dataclasses import replace
 
@@ -21,8 +21,8 @@ STRAIGHT = dict.fromkeys(("x", "y", "rx", "ry"), 0.0)
 @pytest.mark.parametrize("finite_shift", [False, True])
 @pytest.mark.parametrize("arrangement, way", [("back_to_back", 1.0), ("face_to_face", -1.0)])
 def test_double_row_is_two_rows(arrangement, way, finite_shift):
-    """Each row has its own position on the ring; forces, moments and stiffnesses of both rows
-    add up."""
+    """Each row has its own position on the ring, and the forces, moments and stiffnesses of both
+    rows add up."""
     spacing, preload = 0.02, 4e-6
     two = ANGULAR.double_row(DoubleRow(spacing, preload, arrangement), ANGLE)
     place = np.array([6e-6, -3e-6, 2e-6, 1e-4, 2e-4])
@@ -67,7 +67,7 @@ def test_preload_needs_no_load():
 
 # ---- four points
 def test_two_points_are_an_angular_contact():
-    """A thrust loads only one groove of each ring, like a bearing with one groove per ring."""
+    """A thrust loads only one groove of each ring, as in a bearing with one groove per ring."""
     row = static.equilibrium(FOUR, axial_load=3000.0)
     one = static.equilibrium(ANGULAR, axial_load=3000.0, held=STRAIGHT)
     start = (ANGULAR.groove_gap(INNER) + ANGULAR.groove_gap(OUTER)) * np.sin(ANGLE)
@@ -79,14 +79,14 @@ def test_two_points_are_an_angular_contact():
 
 
 def share(found, groove):
-    """Share of `groove` in the inner contact loads."""
+    """Return the fraction of `groove` in the inner contact loads."""
     load = found.inner.load
     return load[groove].sum() / load.sum()
 
 
 def test_reversal_switches_grooves_without_a_jump():
-    """If a thrust on a preloaded bearing reverses, position and loads follow the stiffness
-    throughout."""
+    """If the thrust on a preloaded bearing reverses, the position and the loads follow the
+    stiffness all the way."""
     thrust = np.linspace(-800.0, 800.0, 65)
     options = {"clearance": -4e-6, "held": STRAIGHT}
     rests = [static.equilibrium(FOUR, axial_load=one, **options) for one in thrust]
@@ -102,8 +102,8 @@ def test_reversal_switches_grooves_without_a_jump():
 
 
 def test_balls_switch_one_by_one_under_radial_load():
-    """Loaded balls leave their second grooves at different thrusts. Halving the step in
-    the thrust halves the largest change of a load: nothing jumps."""
+    """The loaded balls leave their second grooves at different thrusts. Halving the step in the
+    thrust halves the largest change of a load, so there are no jumps."""
     thrusts = np.linspace(-2400, 2400, 25)
     rests = [static.equilibrium(FOUR, 2000.0, one) for one in thrusts]
     loads = np.array([one.inner.load for one in rests])

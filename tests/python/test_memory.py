@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Readers with constant memory do not need more memory for longer runs: each reads a run and a run
-that is nine times as long.
+"""Readers with constant memory do not need more memory for longer runs. Each task reads a run and a
+run that is nine times as long.
 
 tests/bench/large_runs.py tests this with 2 GB.
 """
@@ -38,7 +38,7 @@ WHOLE = "raceway.open(folder).contacts.load()"  # this one does grow
 
 @pytest.fixture(scope="module")
 def folders(tmp_path_factory, lubricated):
-    """{repetitions: folder} of the run with its samples repeated."""
+    """Write the run with its samples repeated; return {repetitions: folder}."""
     made = {}
     for times in (SHORT, LONG):
         rings = np.tile(np.array(lubricated["rings"], dtype=float), (times, 1))
@@ -50,7 +50,7 @@ def folders(tmp_path_factory, lubricated):
 
 
 def peak(folder, task):
-    """Largest resident memory in MB of a process that runs `task`."""
+    """Return the largest resident memory in MB of a process that runs `task`."""
     # VmHWM instead of ru_maxrss, which a process inherits from its parent
     code = (
         f"import sys, raceway, raceway.runs.record; raceway.runs.record.BLOCK = {BLOCK}; folder ="
@@ -75,16 +75,17 @@ def peak(folder, task):
 
 
 def growth(folders, task):
-    """Additional MB that the long run needs, divided by the additional MB of its record."""
+    """Return the additional memory in MB for the long run, divided by the additional size of its
+    record in MB."""
     sizes = [(folders[times] / "record.nc").stat().st_size / 2**20 for times in (SHORT, LONG)]
     return (peak(folders[LONG], task) - peak(folders[SHORT], task)) / (sizes[1] - sizes[0])
 
 
 def test_bounded(folders):
-    """One row of totals, ring and spectrum per sample stays in memory: up to 1 KB of 4.6 KB."""
+    """Totals, ring and spectrum keep one row per sample in memory: up to 1 KB of 4.6 KB."""
     assert growth(folders, TASKS) < 0.3
 
 
 def test_whole_run_is_not(folders):
-    """The measurement detects growth."""
+    """The measurement detects growth where it exists."""
     assert growth(folders, WHOLE) > 0.5

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The range of a figure if the uncertainty of the model is known."""
+"""A result has a range if the uncertainty of its model is known."""
 
 import pytest
 from raceway import asperity, film, film_factors, hertz
@@ -28,7 +28,7 @@ def test_the_figure_lies_inside(folder):
 @pytest.mark.parametrize("given, ends", [(1.5e-7, (1.5e-7, 1.5e-7)), (1e-7, (0.5e-7, 3e-7))])
 def test_film_parameter(tmp_path, lubricated, given, ends):
     """The range of the roughness in the file, 0.1 um, is 0.5 to 3 times this value; a roughness set
-    by the user is taken as exact."""
+    by the user is assumed to be exact."""
     folder = write(tmp_path, changed(lubricated, roughness_m=given))
     ranges = summary(RunTables(folder))["model_ranges"]
     film_range, ratio = ranges["h_min_m"], ranges["lambda"]
@@ -37,7 +37,8 @@ def test_film_parameter(tmp_path, lubricated, given, ends):
 
 
 def test_values_given_outright_have_no_range(tmp_path, lubricated):
-    """The range of the film then follows from the laws alone, computed here for the top contact."""
+    """The range of the film then follows from the laws alone; it is computed here for the top
+    contact."""
     own = changed(lubricated, viscosity_Pa_s=0.05, pressure_viscosity_per_Pa=2e-8)
     tables = RunTables(write(tmp_path, own))
     figures = summary(tables)

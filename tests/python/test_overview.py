@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The overview is drawn for every kind of run, and from the right numbers."""
+"""The overview is drawn for every kind of run, from the right values."""
 
 import matplotlib.image
 import numpy as np
@@ -13,7 +13,7 @@ from raceway.runs.tables import RunTables
 
 @pytest.fixture
 def axes(monkeypatch):
-    """The panels of the last picture, which is kept from being closed."""
+    """Return the panels of the last picture, which is kept open."""
     kept = []
     monkeypatch.setattr(plot.plt, "close", kept.append)
     yield lambda: {panel.get_title(loc="left"): panel for panel in kept[-1].axes}
@@ -23,7 +23,7 @@ def axes(monkeypatch):
 
 
 def drawn(panel, colour):
-    """All points of the lines of one colour: (n, 2)."""
+    """Return all points of the lines of one colour, shape (n, 2)."""
     lines = [np.column_stack(line.get_data()) for line in panel.lines if line.get_color() == colour]
     points = np.concatenate(lines).astype(float)
     return points[~np.isnan(points).any(axis=1)]
@@ -56,7 +56,7 @@ def test_lubricated(folder, lubricated, tmp_path, axes):
 
 
 def test_lost_contact_breaks_the_line(tmp_path, axes):
-    """Twelve passes bring balls back into the load zone: no line is drawn across the unloaded
+    """In twelve passes balls return to the load zone, but no line is drawn across the unloaded
     zone."""
     data = synthetic.run(clearance=1e-5, passes=12, samples_per_pass=8)
     plot.overview(RunTables(synthetic.write(tmp_path / "long", data)), tmp_path / "long.png")

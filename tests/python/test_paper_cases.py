@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The cases of `raceway paper` and the program that runs them, here a script."""
+"""The cases of `raceway paper` and the program that runs them, which is a script here."""
 
 import shutil
 from pathlib import Path
@@ -29,7 +29,7 @@ echo done
 
 @pytest.fixture
 def tree(tmp_path, monkeypatch):
-    """A source tree with a plan of three cases and a script as the program."""
+    """Return a source tree with a plan of three cases and a script as the program."""
     for folder in ("bearings", "lubricants"):
         shutil.copytree(ROOT / "inputs" / folder, tmp_path / "inputs" / folder)
     for deck in ("in.6208", "in.axial"):

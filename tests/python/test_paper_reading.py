@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Numbers read from a run folder with known content."""
+"""Values are read correctly from a run folder with known contents."""
 
 from types import SimpleNamespace
 
@@ -59,7 +59,8 @@ def test_coulomb_use(reading):
 
 
 def test_cage_contact_share(reading):
-    """Cage balls are half-way between balls; one of them touches its neighbour in every sample."""
+    """Cage balls lie half-way between balls, and one of them touches its neighbour in every
+    sample."""
     angle, count = 2 * np.pi * np.arange(9) / 9, 9
 
     def places(turn, push):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Theory behind the paper's figures: loads, films, capacitance, and the change of regime."""
+"""The theory behind the paper's figures: loads, films, capacitance and the change of regime."""
 
 import numpy as np
 import pytest

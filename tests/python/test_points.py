@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The table of a sweep: accepted forms, and messages for every mistake before anything runs."""
+"""The table of a sweep: accepted forms, and a message for every mistake before anything runs."""
 
 from pathlib import Path
 
@@ -32,7 +32,8 @@ def test_points(tmp_path):
 
 
 def test_words_of_another_meaning(tmp_path):
-    """A variable whose default is a word and a bearing whose name ends like a unit are accepted."""
+    """A variable whose default is a word, and a bearing whose name ends like a unit, are
+    accepted."""
     path = tmp_path / "table.csv"
     path.write_text("bearing,load,rpm\n6205N,5kN,1500\n")
     known = {"bearing": "6208", "load": "left", "rpm": "1"}
@@ -40,7 +41,7 @@ def test_words_of_another_meaning(tmp_path):
 
 
 def test_name_is_stable(tmp_path):
-    """The order of columns and rows does not matter."""
+    """The order of columns and rows does not affect the name."""
     one = points(tmp_path, "load,rpm\n1,2\n3,4\n")
     other = points(tmp_path, "rpm,load\n4,3\n2,1\n")
     assert {point.name for point in one} == {point.name for point in other}
@@ -52,7 +53,7 @@ def test_long_names():
 
 
 def test_names_of_paths():
-    """Files with the same name in different folders give different names."""
+    """Files with the same name in different folders lead to different names."""
     names = {folder_name({"bearing": path, "load": "1"}) for path in ("a/own", "b/own", "own")}
     assert len(names) == 3 and not any("/" in name for name in names)
 

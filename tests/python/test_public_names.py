@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The public names exist; every public function has annotations of its arguments and result."""
+"""All public names exist, and every public function has annotations for its arguments and
+result."""
 
 import importlib
 import inspect
@@ -20,7 +21,7 @@ MODULES = [
 
 
 def public(module):
-    """(name, function) of every public function and method that `module` defines, including
+    """Yield (name, function) for every public function and method that `module` defines, including
     constructors."""
     for name, thing in vars(module).items():
         if name.startswith("_") or getattr(thing, "__module__", None) != module.__name__:
@@ -38,15 +39,16 @@ def public(module):
 
 
 def plain(member):
-    """The function behind a method, property or cached property of a class; None for any other
-    member."""
+    """Return the function behind a method, property or cached property of a class, or None for any
+    other member."""
     for wrapped in ("__func__", "fget", "func", "__wrapped__"):
         member = getattr(member, wrapped, member)
     return member if inspect.isfunction(member) else None
 
 
 def without_hint(function):
-    """Names of the parameters without annotation, and "return"; `self` and `cls` are not listed."""
+    """Return the names of the parameters without annotation, and "return" if the result has none;
+    `self` and `cls` are not listed."""
     signature = inspect.signature(function)
     names = [
         name
@@ -72,7 +74,7 @@ def test_docstrings(name):
 
 
 def test_hints_name_types_that_are():
-    """Every hint can be evaluated, including those in quotes."""
+    """Every hint can be evaluated, including hints in quotes."""
     from MDAnalysis import Universe
     from raceway.recordings.compare import Comparison
     from raceway.recordings.identify import Found
@@ -118,7 +120,7 @@ def test_name(name):
 
 
 def test_a_name_has_one_home():
-    """No module hides a module of another folder, and no class hides a module."""
+    """No module hides a module in another folder, and no class hides a module."""
     homes = [found.name for room in ("", *raceway.ROOMS) for found in modules(room)]
     assert len(homes) == len(set(homes))
     assert set(raceway.NAMES) == {*homes, *raceway.CLASSES} - {"__main__"}

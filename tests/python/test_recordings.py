@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Recordings in the formats of public data sets, generated here: values and lines are found."""
+"""Values and lines are found in recordings in the formats of public data sets, which are generated
+here."""
 
 import json
 
@@ -25,7 +26,8 @@ def bearing():
 
 
 def struck(rate=RATE, order=ORDER, seconds=SECONDS):
-    """Impacts at `order` that excite 4 kHz, with shaft harmonics, mains hum and noise, in m/s^2."""
+    """Return a signal in m/s^2 of impacts at `order` that excite 4 kHz, with shaft harmonics, mains
+    hum and noise."""
     time = np.arange(int(seconds * rate)) / rate
     since = (order * SHAFT * time) % 1 / (order * SHAFT)
     shaft = sum(np.sin(2 * np.pi * n * SHAFT * time + n) / n for n in (1, 2, 3))
@@ -52,7 +54,7 @@ def mfpt(path, values):
 
 
 def paderborn(path, values):
-    """Time bases and channels are arrays of structures; the speed is sampled at 4 kHz."""
+    """Time bases and channels are arrays of structures, and the speed is sampled at 4 kHz."""
     slow = np.arange(int(SECONDS * 4000)) / 4000
     bases = [("HostService", np.arange(len(values)) / RATE), ("Mech_4kHz", slow)]
     x = np.array([(name, time) for name, time in bases], [("Raster", "O"), ("Data", "O")])
@@ -94,8 +96,8 @@ LOAD = {"OuterRaceFault_vload_4.mat": 100 * POUND, "N18_M07_F10_KA01_1.mat": 100
 
 @pytest.mark.parametrize("name", FORMATS)
 def test_a_format(name, tmp_path, bearing):
-    """Values in SI units, rate, load and line are read; the true speed is found if the file has
-    only a nominal speed."""
+    """Values are read in SI units, and rate, load and line are found. If the file has only a
+    nominal speed, the true speed is found."""
     rate = 25600.0 if name.startswith("acc") else RATE
     values = struck(rate)
     words = FORMATS[name](tmp_path / name, values)
@@ -116,8 +118,8 @@ def test_a_format(name, tmp_path, bearing):
 
 
 def test_the_true_speed_near_a_nominal_one(tmp_path, bearing, capsys):
-    """If a file has no speed, a true speed that differs from the nominal speed by 1 % is found, and
-    the lines equal those of a file with the true speed."""
+    """If a file does not state the speed, a true speed that differs from the nominal speed by 1 %
+    is found, and the lines equal those of a file with the true speed."""
     columns(tmp_path / "a.csv", struck())
     for away in (0.99, 1.01):
         found = recording.Recording(tmp_path / "a.csv", bearing, nominal=60 * SHAFT * away)
@@ -140,7 +142,7 @@ def test_the_true_speed_near_a_nominal_one(tmp_path, bearing, capsys):
 @pytest.mark.parametrize("head", [True, False])
 @pytest.mark.parametrize("names", [["a_m_s2"], ["time_s", "a_m_s2", "b_g"]])
 def test_separators(tmp_path, bearing, mark, head, names):
-    """Files may have one or several columns, with or without a heading, after a comment; numbers
+    """Files may have one or several columns, with or without a heading, after a comment. Numbers
     have decimal points or, between semicolons, decimal commas."""
     values = struck(seconds=0.05)
     table = np.column_stack([np.arange(len(values)) / RATE, values, values])[:, -len(names) :]
@@ -156,8 +158,8 @@ def test_separators(tmp_path, bearing, mark, head, names):
 
 
 def test_a_run_and_its_recording_are_one(tmp_path, lubricated):
-    """A column of a run that is written to a file and read back has the same spectrum to the last
-    bit and the same lines."""
+    """A column of a run that is written to a file and read back has a bitwise identical spectrum
+    and the same lines."""
     run = raceway.open(synthetic.write(tmp_path / "run", lubricated))
     values = spectrum.signal_of(run, "shift")
     sample_s = run.settings["sample_s"]
@@ -172,7 +174,7 @@ def test_a_run_and_its_recording_are_one(tmp_path, lubricated):
 
 
 def test_length_of_a_spall_in_a_recording(tmp_path, bearing):
-    """A ball that passes over two edges within 2 ms is found by `passages.find`."""
+    """`passages.find` finds a ball that passes over two edges within 2 ms."""
     rpm, rate = 300.0, 1e5
     np.savez(tmp_path / "quiet.npz", a=np.zeros(64))
     period = (
@@ -189,7 +191,7 @@ def test_length_of_a_spall_in_a_recording(tmp_path, bearing):
 
 
 def test_no_speed_from_what_is_no_shaft(bearing):
-    """Neither mains hum near the second harmonic nor noise gives a speed."""
+    """Neither mains hum near the second harmonic nor noise is mistaken for a shaft speed."""
     time = np.arange(48000) / RATE
     noise = np.random.default_rng(5).normal(size=len(time))
     assert shaft_speed.find(np.sin(2 * np.pi * 60 * time) + 0.1 * noise, 1 / RATE, 29.9) is None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""No law loses a test whose reference does not come from the package."""
+"""Every law keeps its tests whose references do not come from the package."""
 
 import pytest
 from references import count

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Stiffness and damping from known motions and forces."""
+"""Stiffness and damping are found from known motions and forces."""
 
 import types
 
@@ -19,7 +19,7 @@ FORCE = 300.0 - PLACE @ STIFFNESS.T - SPEED @ DAMPING.T
 
 
 def of_rings(force, time=TIME):
-    """The data that `of_run` reads from a run."""
+    """Return the data that `of_run` reads from a run."""
     names = dict(x=PLACE[:, 0], y=PLACE[:, 1], z=PLACE[:, 2])
     names |= dict(zip(("fx", "fy", "fz"), force.T))
     data = {name: ("time", values) for name, values in names.items()}
@@ -46,7 +46,8 @@ def test_errors_are_those_of_the_noise():
 
 
 def test_of_a_run():
-    """Velocities follow from positions; a force at the ball pass frequency is fitted as well."""
+    """Velocities follow from positions, and a force at the ball pass frequency is fitted as
+    well."""
     passing = 2 * np.pi * 178.2
     force = FORCE + 20.0 * np.cos(passing * TIME + 0.3)[:, None]
     found = ring_fit.of_run(of_rings(force), ("x", "y", "z"), since=1e-4, lines=[passing])

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Response of a ring to small motions: springs and dampers in series in closed form, laws of the
-dampers, and the mean over a ball pass."""
+"""The response of a ring to small motions: closed-form solution for springs and dampers in series,
+laws of the dampers, and the mean over a ball pass."""
 
 import json
 
@@ -36,7 +36,8 @@ def test_without_dampers_it_is_the_stiffness(combined):
 
 @pytest.mark.parametrize("frequency, mass", [(0.0, 0.0), (2000.0, 0.0), (20000.0, MASS)])
 def test_springs_and_dampers_in_series(radial, frequency, mass):
-    """Under a radial load balls move along their radii, with a spring and a damper on each side."""
+    """Under a radial load the balls move along their radii, with a spring and a damper on each
+    side."""
     c = np.array([800.0, 300.0])
     found = small_motion.response(
         radial.linear, np.broadcast_to(c[:, None], (2, 9)), frequency, ball_mass=mass
@@ -82,7 +83,7 @@ def test_negative_numbers(radial):
 
 
 def test_over_a_ball_pass():
-    """Mean, least and greatest stiffness across the load, over 16 phases."""
+    """Mean, smallest and largest stiffness across the load, over 16 phases."""
     found = ring_response.turning_ring(B6208, 3000.0, phases=16)
     assert found.mean.stiffness[1, 1] == pytest.approx(1.2220e8, rel=5e-4)
     assert found.least.stiffness[1, 1] == pytest.approx(1.1142e8, rel=1e-3)
@@ -97,7 +98,7 @@ def test_full_needs_the_fluid():
 
 
 def test_static_prints_it(capsys):
-    """--json includes the matrix at rest; without a film it is null."""
+    """--json includes the matrix at rest, which is null without a film."""
     shape = ["static", "--load", "1500", "--axial", "2500", "--clearance", "20e-6", "--json"]
     assert main([*shape, "--rpm", "1910", "--lubricant", "mineral"]) == 0
     found = json.loads(capsys.readouterr().out)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Resistance to rolling of the 6208 at 2436 N, 0.04 Pa s: numbers, limits, closed forms."""
+"""Rolling resistance of the 6208 at 2436 N and 0.04 Pa s: numbers, limits and closed-form
+solutions."""
 
 import numpy as np
 import pytest
@@ -24,8 +25,8 @@ def test_hydrodynamic(bearing, side, load):
 
 
 def test_elastic_limit_of_the_reference():
-    """The paper's example, b/a = 0.01, U2 = 1e-11, W = 1e-5, has f/(E' R_x^2) = 10.9e-9; exact
-    integrals give 10.97e-9."""
+    """In the paper's example, b/a = 0.01, U2 = 1e-11 and W = 1e-5 give f/(E' R_x^2) = 10.9e-9;
+    exact integrals give 10.97e-9."""
     # R_y/R_x for kappa = 100
     ratio = 1e3
     for _ in range(60):

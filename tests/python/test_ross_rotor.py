@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A rotor of ROSS is converted to the file of a flexible shaft.
 
-ROSS 2.3.0 wrote `ross_rotor.csv`: nonzero entries in the upper half of M0, K0 and G0. The rotor is
-a steel shaft of eight elements, each 50 mm long and 40 mm in diameter, with
+ROSS 2.3.0 wrote `ross_rotor.csv`, which contains the nonzero entries in the upper half of M0, K0
+and G0. The rotor is a steel shaft of eight elements, each 50 mm long and 40 mm in diameter, with
 DiskElement.from_geometry(4, steel, 0.02, 0.04, 0.2), and bearings with kxx 2e8 and kyy 3e8 at both
 ends.
 """
@@ -30,7 +30,7 @@ SIX = np.delete(np.arange(54), np.arange(5, 54, 6))  # degrees of freedom of ROS
 
 
 def of_ross():
-    """Keyword arguments of `rotor_matrices.rotor`."""
+    """Return the keyword arguments of `rotor_matrices.rotor`."""
     found = {name: np.zeros((54, 54)) for name in "MKG"}
     with open(FILE) as file:
         for row in csv.DictReader(file):
@@ -60,8 +60,8 @@ def springs(count, ends, sizes=SPRINGS):
 
 @pytest.mark.parametrize("spin", FREQUENCIES)
 def test_its_matrices_are_ours(found, spin):
-    """Frequencies equal those of ROSS to the printed digits, which also checks the sign of the
-    gyroscopic terms."""
+    """The frequencies equal those of ROSS to the printed digits, which also verifies the sign of
+    the gyroscopic terms."""
     held = springs(45, (0, 40), (*SPRINGS, 1e7))
     ours = beam_motion.frequencies(found.whole, held, spin) / (2 * np.pi)
     for want in FREQUENCIES[spin]:
@@ -70,7 +70,7 @@ def test_its_matrices_are_ours(found, spin):
 
 @pytest.mark.parametrize("spin", FREQUENCIES)
 def test_bending_pairs(found, spin):
-    """Frequencies of the reduced rotor on its bearings agree within 1e-3 for the first pair and
+    """The frequencies of the reduced rotor on its bearings agree within 1e-3 for the first pair and
     5e-3 for the second."""
     few = rotor_matrices.bending(found, (0.0, 0.4), modes=4)
     n, ends = len(few.mass) + 2, [int(np.argmin(np.abs(few.z - at))) for at in (0.0, 0.4)]
@@ -101,8 +101,8 @@ def test_four_degrees_of_freedom(found, given):
 
 
 def test_a_station_between_nodes(given):
-    """Displacement and tilt at the station equal the values of a beam with a node there, that is,
-    an element with bending and shear."""
+    """Displacement and tilt at the station equal those of a beam with a node there, that is, of an
+    element with bending and shear."""
     place, ends = 0.17, (0.0, 0.4)
     z, pieces = beam.divided([Section(0.4, 0.1)], Z)
     thick = beam_motion.matrices(z, pieces)
@@ -128,7 +128,7 @@ def test_a_station_between_nodes(given):
 
 
 def test_its_own_damping(given):
-    """Damping proportional to the stiffness damps every mode in that proportion."""
+    """Damping proportional to the stiffness damps every mode in the same proportion."""
     rotor = rotor_matrices.rotor(**given, damping=2e-6 * given["stiffness"])
     few = rotor_matrices.bending(rotor, (0.0, 0.4), damping=0.01)
     want = 2e-6 * few.stiffness + 0.02 * np.sqrt(few.mass * few.stiffness)
@@ -137,7 +137,7 @@ def test_its_own_damping(given):
 
 # ---- refused
 def put(name, *entries):
-    """A symmetric change of entries (row, column, value)."""
+    """Change an entry (row, column, value) symmetrically."""
 
     def change(given):
         for i, j, value in entries:
@@ -207,7 +207,7 @@ def test_places_refused(found, kept, places, says):
 # ---- files
 @pytest.fixture(scope="module")
 def npz(tmp_path_factory):
-    """The file that the page describes."""
+    """Write the file that the page describes."""
     path, ross = tmp_path_factory.mktemp("ross") / "rotor.npz", of_ross()
     np.savez(path, M=ross["mass"], K=ross["stiffness"], G=ross["gyroscopic"], z=ross["z"])
     return path
@@ -233,7 +233,7 @@ def test_npz(npz, found, tmp_path, capsys):
 
 
 def test_toml(monkeypatch, tmp_path, given, capsys):
-    """A rotor saved by ROSS is read without its bearings, whose nodes are kept."""
+    """A rotor saved by ROSS is read without its bearings, but their nodes are kept."""
     rotor = types.SimpleNamespace(
         M0=given["mass"],
         K0=given["stiffness"],

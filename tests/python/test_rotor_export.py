@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Stiffness and damping for rotor programs: axes, names, units, files, and their use in
-ROSS."""
+"""Stiffness and damping for rotor programs: axes, names, units and files, and their use in ROSS."""
 
 import csv
 import json
@@ -40,8 +39,8 @@ def oiled():
 
 @pytest.fixture(scope="module")
 def shaft():
-    """A shaft of ROSS's steel with eight elements, each 50 mm long and 40 mm in diameter, and a
-    disc 0.2 m in diameter in the middle."""
+    """Return a shaft of ROSS's steel with eight elements, each 50 mm long and 40 mm in diameter,
+    and a disc 0.2 m in diameter in the middle."""
     steel = Steel(211e9, 211e9 / (2 * 81.2e9) - 1, 7810.0)
     z, pieces = beam.divided([Section(0.4, 0.04)], np.linspace(0.0, 0.4, 9))
     mass = 7810.0 * np.pi / 4 * (0.2**2 - 0.04**2) * 0.02
@@ -51,14 +50,16 @@ def shaft():
 
 
 def whirl(shaft, five):
-    """Natural frequencies in Hz at 6000 rpm, with the (5, 5) springs `five` at both ends."""
+    """Return the natural frequencies in Hz at 6000 rpm, with the (5, 5) springs `five` at both
+    ends."""
     springs = np.zeros_like(shaft.stiffness)
     springs[:5, :5], springs[-5:, -5:] = five, five
     return beam_motion.frequencies(shaft, springs, 200 * np.pi)[:6] / (2 * np.pi)
 
 
 def test_as_ross(shaft, point):
-    """Our beam whirls as in ROSS 2.3.0, with the arguments alone and with the remaining terms."""
+    """Our beam whirls as in ROSS 2.3.0, both with the arguments alone and with the remaining
+    terms."""
     named, five = rotor.ross_of([point]), np.zeros((5, 5))
     for name in ("xx", "xy", "yx", "yy", "zz"):
         five["xyz".index(name[0]), "xyz".index(name[1])] = named["k" + name]
@@ -69,8 +70,8 @@ def test_as_ross(shaft, point):
 
 
 def test_arguments(point, oiled):
-    """One speed gives plain floats without frequency; several speeds give lists, with frequency in
-    rad/s."""
+    """One speed gives plain floats without a frequency; several speeds give lists, with the
+    frequency in rad/s."""
     one, many = rotor.ross_of([point]), rotor.ross_of(oiled)
     assert all(type(value) is float for value in one.values()) and "frequency" not in one
     assert set(many) == {*one, "frequency"}
@@ -121,8 +122,8 @@ def test_add_rest(point):
 
 
 def test_element(monkeypatch, point):
-    """The element is made from the arguments; without ROSS the message has the installation
-    command."""
+    """The element is made from the arguments. If ROSS is missing, the message contains the
+    installation command."""
     fake = types.ModuleType("ross")
     fake.BearingElement = lambda node, **named: (node, named)
     monkeypatch.setitem(sys.modules, "ross", fake)

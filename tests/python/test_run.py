@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The run folder: settings as text and numbers, its samples as tables, and messages for a damaged
-one."""
+folder."""
 
 import numpy as np
 import pandas as pd
@@ -130,7 +130,7 @@ def test_contacts(folder, lubricated):
 
 
 def test_balls(folder, lubricated):
-    """Positions and velocities of balls, cage balls and rings are read to the bit."""
+    """Positions and velocities of balls, cage balls and rings are read bitwise."""
     rows = RunTables(folder).balls.sort_values(["sample", "id"])
     expected = [sorted(frame) for frame in lubricated["balls"]]
     assert np.array_equal(rows[synthetic.BALL_COLUMNS].to_numpy(), np.concatenate(expected))

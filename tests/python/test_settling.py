@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Settling (settling.h): the change of means from one half of the last samples to the next."""
+"""Settling (settling.h): the change of the means from one half of the last samples to the next."""
 
 import numpy as np
 import pytest
@@ -7,8 +7,9 @@ from raceway.core import library
 
 
 def scene(halves=3, half=40, balls=7, drift=0.0, turn=0.0, seed=1):
-    """Samples of `halves` ball passes: a ripple at the ball pass frequency, torque and loads that
-    grow by `drift` and spin axes that pitch by `turn` (rad) from each pass to the next."""
+    """Return the samples of `halves` ball passes: a ripple at the ball pass frequency, torque and
+    loads that grow by `drift`, and spin axes that pitch by `turn` (rad) from each pass to the
+    next."""
     numbers = np.random.default_rng(seed)
     n = np.arange(halves * half)
     growth = (1 + drift) ** (n // half)

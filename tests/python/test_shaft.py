@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Shafts on bearings against closed forms of beams and statics of one bearing."""
+"""Shafts on bearings are compared with closed-form solutions for beams and with statics of one
+bearing."""
 
 import json
 
@@ -22,7 +23,7 @@ MOTOR = ROOT / "inputs/shafts/motor"
 
 
 def clamped(pieces, loads):
-    """Positions (N, 5) of a beam whose first node is held."""
+    """Return the positions (N, 5) of a beam whose first node is held."""
     whole = beam.stiffness(pieces)[5:, 5:]
     return np.linalg.solve(whole, loads[5:]).reshape(-1, 5)
 
@@ -52,7 +53,8 @@ def test_own_weight():
 
 
 def test_rigid_motions_cost_nothing():
-    """A shift and a small rotation about x and y need no energy, compared with bending energy."""
+    """A displacement and a small rotation about x and y need no energy, compared with the bending
+    energy."""
     z, pieces = beam.divided([THIN, Section(0.1, 0.02, 0.01)], [0.05])
     whole = beam.stiffness(pieces)
     moves = np.zeros((5, len(z), 5))
@@ -66,7 +68,8 @@ def test_rigid_motions_cost_nothing():
 
 @pytest.mark.parametrize("clearance", [-10e-6, 0.0, 10e-6])
 def test_lever_rule(clearance):
-    """A shaft 0.2 m thick is rigid compared with its bearings: the lever rule gives their loads."""
+    """A shaft 0.2 m thick is rigid compared with its bearings, so the lever rule gives their
+    loads."""
     seats = [Seat(0.1, B6208, clearance), Seat(0.4, B6208, clearance, floating=True)]
     found = shaft.rest(Shaft([Section(0.5, 0.2)]), seats, [Load(0.2, (600.0, -3000.0, 0.0))])
     shares = np.array([one.load[:2] for one in found.bearings])
@@ -74,8 +77,8 @@ def test_lever_rule(clearance):
 
 
 def test_simply_supported():
-    """If bearings tilt freely, the deflection between them is F L^3/48EI + F L/4kAG and the slope
-    F L^2/16EI."""
+    """If the bearings tilt freely, the deflection between them is F L^3/48EI + F L/4kAG and the
+    slope F L^2/16EI."""
     seats = [Seat(0.0, B6208, 20e-6), Seat(0.3, B6208, 20e-6, floating=True)]
     found = shaft.rest(Shaft([THIN]), seats, [Load(0.15, (0.0, -3000.0, 0.0))])
     assert found.z == pytest.approx([0, 0.15, 0.3])
@@ -100,7 +103,8 @@ def test_a_bearing_stiffens_its_own_slope():
 
 
 def test_everything_balances():
-    """Forces of loads, gravity and bearings balance, and so do moments about the origin."""
+    """The forces of loads, gravity and bearings balance, and so do their moments about the
+    origin."""
     sections = [Section(0.2, 0.05), Section(0.3, 0.03, 0.01)]
     seats = [
         Seat(0.05, B6208, 5e-6),
@@ -141,8 +145,8 @@ def test_one_bearing_is_its_statics():
 
 
 def test_preload_by_a_spacer():
-    """Two bearings preloaded against each other through their outer rings carry each other's axial
-    load."""
+    """Two bearings that are preloaded against each other through their outer rings carry each
+    other's axial load."""
     seats = [
         Seat(0.1, B6208, 20e-6, offset=(0, 0, -120e-6, 0, 0)),
         Seat(0.3, B6208, 20e-6, offset=(0, 0, 120e-6, 0, 0)),
@@ -154,8 +158,8 @@ def test_preload_by_a_spacer():
 
 @pytest.mark.parametrize("push", [-300.0, 300.0])
 def test_preload_by_a_spring(push):
-    """The force of the spring goes through both bearings; the sliding bearing is in equilibrium
-    under its load."""
+    """The force of the spring passes through both bearings, and the sliding bearing is in
+    equilibrium under its load."""
     seats = [Seat(0.1, B6208, 20e-6), Seat(0.3, B6208, 20e-6, spring=push)]
     found = shaft.rest(Shaft([Section(0.4, 0.2)]), seats, [Load(0.2, (0.0, -1.0, 0.0))])
     assert [one.load[2] for one in found.bearings] == pytest.approx([push, -push], rel=1e-6)
@@ -196,8 +200,8 @@ def test_command(capsys, tmp_path):
 
 
 def test_several_speeds(capsys):
-    """Each entry equals the shaft at that speed; figures below the accuracy of the equilibrium
-    are 0."""
+    """Each entry equals the result for the shaft at that speed alone; results smaller than the
+    accuracy of the equilibrium are 0."""
     speeds = ["1500", "9000"]
     assert main(["shaft", str(MOTOR), "--rpm", *speeds, "--json"]) == 0
     both = json.loads(capsys.readouterr().out)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A shaft as a rigid body with elastic modes against the beam with all its nodes, and its file."""
+"""A shaft as a rigid body with elastic modes is compared with the beam with all its nodes, and its
+file is tested."""
 
 from pathlib import Path
 
@@ -16,7 +17,7 @@ SPRINGS = np.diag([2e8, 3e8, 1e7, 4e3, 3e3])  # N/m and N m/rad, of a bearing
 
 @pytest.fixture(scope="module")
 def rotor():
-    """(z, matrices) of a shaft with an overhang and a disc away from its middle."""
+    """Return (z, matrices) of a shaft with an overhang and a disc away from its middle."""
     z, pieces = beam.divided([Section(0.4, 0.03), Section(0.1, 0.02)], np.linspace(0, 0.5, 41))
     return z, beam_motion.matrices(z, pieces, [Disc(0.15, 4.0, 0.02, 0.011)])
 
@@ -32,8 +33,8 @@ def reduced(rotor, modes, kept=RINGS):
 
 
 def motions(found, place):
-    """Matrix (4, 2 (2 + n)) from x, slope and modes in one plane, then in the other plane, to x, y,
-    rx and ry of a position."""
+    """Return the matrix (4, 2 (2 + n)) from x, slope and modes in one plane, then in the other
+    plane, to x, y, rx and ry at a position."""
     k = node(found.z, place)
     plane = np.array(
         [
@@ -53,7 +54,7 @@ def motions(found, place):
 
 
 def system(found):
-    """Matrices in the coordinates of `motions`, and the springs of the bearings."""
+    """Return the matrices in the coordinates of `motions`, and the springs of the bearings."""
     body = found.body
     mass = np.diag(np.tile([body.mass, body.transverse, *found.mass], 2))
     stiffness = np.diag(np.tile([0.0, 0.0, *found.stiffness], 2))
@@ -75,8 +76,8 @@ def on_springs(z, count):
 
 @pytest.mark.parametrize("spin", [0.0, 1000.0])
 def test_bending_pairs(rotor, spin):
-    """The first pair is within 1e-3 of the whole beam, the second within 5e-3, including the
-    splitting by spin."""
+    """The first pair is within 1e-3 of that of the whole beam, the second within 5e-3, including
+    the splitting by spin."""
     z, whole = rotor
     exact = beam_motion.frequencies(whole, on_springs(z, 5 * len(z)), spin)
     found = beam_motion.frequencies(*system(reduced(rotor, 4)), spin)

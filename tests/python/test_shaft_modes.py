@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Names of the motions of a shaft, and critical speeds against natural frequencies."""
+"""Names of the motions of a shaft, and critical speeds compared with natural frequencies."""
 
 import numpy as np
 import pytest
@@ -16,7 +16,8 @@ B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 
 @pytest.fixture(scope="module")
 def rotor():
-    """A shaft with a heavy disc at its overhung end, on preloaded bearings equal in both planes."""
+    """Return a shaft with a heavy disc at its overhung end, on preloaded bearings that are equal in
+    both planes."""
     whole = Shaft([Section(0.5, 0.04)], discs=[Disc(0.5, 4.0, 0.04, 0.02)])
     seats = [Seat(0.0, B6208), Seat(0.3, B6208, spring=-800.0)]
     return whole, shaft.rest(whole, seats, [Load(0.1, (0.0, 0.0, 1.0))])
@@ -38,7 +39,7 @@ def test_modes_have_the_natural_frequencies(rotor, speed):
 
 
 def test_forward_whirl_rises_with_the_speed_and_backward_whirl_falls(rotor):
-    """The gyroscopic moment of the disc stiffens a forward whirl and softens a backward whirl."""
+    """The gyroscopic moment of the disc stiffens forward whirl and softens backward whirl."""
     still = [one for one in shaft_modes.modes(*rotor, 1.0) if one.whirl][:2]
     fast = [one for one in shaft_modes.modes(*rotor, 2000.0) if one.whirl][:2]
     assert [one.whirl for one in fast] == ["backward", "forward"]
@@ -48,7 +49,7 @@ def test_forward_whirl_rises_with_the_speed_and_backward_whirl_falls(rotor):
 
 
 def test_shapes():
-    """A stiff shaft moves as a rigid body first, also along its axis; then it bends."""
+    """A stiff shaft first moves as a rigid body, also along its axis; in higher modes it bends."""
     whole = Shaft([Section(0.4, 0.06)])
     seats = [Seat(0.05, B6208), Seat(0.35, B6208, spring=-300.0)]
     names = [one.shape for one in shaft_modes.modes(whole, shaft.rest(whole, seats, []), 0.0)]
@@ -58,11 +59,11 @@ def test_shapes():
 
 
 def shaft_share(ratio):
-    """Share of the shaft in the strain energy of the lowest symmetric mode of a uniform
-    Euler-Bernoulli beam on a spring k at each end; `ratio` is k L^3/(E I).
+    """Return the fraction of the shaft in the strain energy of the lowest symmetric mode of a
+    uniform Euler-Bernoulli beam on a spring k at each end; `ratio` is k L^3/(E I).
 
-    y = cosh(b) cos(b s) + cos(b) cosh(b s), s = -1 ... 1, has no moment at its ends; b follows
-    from the shear force there, which is the force of the spring.
+    y = cosh(b) cos(b s) + cos(b) cosh(b s), s = -1 ... 1, has no moment at its ends; b follows from
+    the shear force there, which is the force of the spring.
     """
 
     def shear(b):

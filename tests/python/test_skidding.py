@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Balls in contact with the outer ring only: unloaded times, and rotation against closed
-forms."""
+"""Balls in contact with the outer ring only: unloaded times, and rotation compared with closed-form
+solutions."""
 
 import numpy as np
 import pytest

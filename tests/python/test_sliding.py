@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Differential slip, spin and traction: numbers, quadrature, limits."""
+"""Differential slip, spin and traction: numbers, quadrature and limits."""
 
 import numpy as np
 import pytest
@@ -13,7 +13,7 @@ LOAD, FRICTION, SPEED = 2436.2, 0.05, 0.724764
 
 
 def contact(bearing, side=INNER):
-    """(a, b, R_d, R_x)."""
+    """Return (a, b, R_d, R_x)."""
     r_x, r_y = bearing.effective_radii(side)
     a, b = hertz.semi_axes(hertz.exact(r_x, r_y), bearing.effective_modulus, LOAD)
     return a, b, sliding.deformed_radius(bearing.groove(side), bearing.ball_radius), r_x
@@ -189,7 +189,7 @@ def test_mixed():
 
 @pytest.mark.parametrize("speed", [0.0724764, 0.724764, 2.899, 14.4946])
 def test_one_speed_for_the_film(bearing, speed):
-    """The power of free rolling under Eyring's law, from one coefficient at the mean speed, is
+    """The power of free rolling under Eyring's law, with one coefficient at the mean speed, is
     within 3 % of the quadrature at 0.04 Pa s, and within 10 % in a hot oil far from its limiting
     stress."""
     a, b, r_d, r_x = contact(bearing)

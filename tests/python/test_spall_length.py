@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Spall lengths: closed forms of the ball's flight, and entry and impact in synthetic signals for
-a known length."""
+"""Spall lengths: closed-form solutions for the flight of the ball, and entry and impact in
+synthetic signals for a known length."""
 
 import numpy as np
 import pytest
@@ -42,7 +42,7 @@ def test_a_rounded_edge_is_heard_sooner(bearing, raceway):
 @pytest.mark.parametrize("raceway", [INNER, OUTER])
 def test_flight_of_a_ball_that_loses_its_load(bearing, raceway):
     """If the ring does not follow, and the ball is light enough to be in equilibrium until it
-    leaves the raceway, it leaves at its share of the drop rate; the centrifugal load curves its
+    leaves the raceway, it leaves at its fraction of the drop rate; the centrifugal load curves its
     path."""
     orbit = SPIN * kinematics.frequencies(bearing).cage
     rest = static.equilibrium(bearing, LOAD, orbital_speed=orbit)
@@ -95,7 +95,7 @@ def test_times_of_no_spall(bearing):
 
 
 def path(length, speed=2.3, periods=6):
-    """(seconds, drop of a rigid ball's centre in m) over a spall with sharp edges, once per
+    """Return (seconds, drop of a rigid ball's centre in m) over a spall with sharp edges, once per
     period."""
     time = np.arange(int(periods * PERIOD / SAMPLE)) * SAMPLE
     way = speed * ((time - 0.123 * PERIOD) % PERIOD - 0.5 * PERIOD)

@@ -23,7 +23,7 @@ def wave(frequency, amplitude=1.0, samples=4000, phase=0.3):
 
 @pytest.mark.parametrize("frequency", [17.3, 100.0, 100.06, 100.125, 333.33])
 def test_a_sine(frequency):
-    """A sine may be anywhere between two bins of 0.25 Hz. The parabola has errors of 1e-3 of a bin
+    """A sine may lie anywhere between two bins of 0.25 Hz. The parabola has errors of 1e-3 of a bin
     in position and 3e-4 in height."""
     one = spectrum.spectrum(5.0 + 0.1 * np.arange(4000) * SAMPLE + wave(frequency, 2.0), SAMPLE)
     assert one.attrs["resolution"] == pytest.approx(0.25)
@@ -76,7 +76,7 @@ def test_no_signal(values):
 
 
 def write(tmp_path, lubricated, orders, passes=60, samples_per_pass=24):
-    """A run whose ring moves along the load, with amplitudes {order of the shaft: m}."""
+    """Write a run whose ring moves along the load, with amplitudes {order of the shaft: m}."""
     settings = lubricated["settings"]
     samples, shaft = passes * samples_per_pass, 477.5 / 60
     time = np.arange(1, samples + 1) * settings["sample_s"]
@@ -125,8 +125,8 @@ def test_lines_of_a_run(tmp_path, lubricated, bearing):
 
 
 def test_a_line_is_not_taken_for_its_neighbour(tmp_path, lubricated, bearing):
-    """BPFO x3 and BPFI x2 of a 6208 are 1.7 % apart; a search of that width must not mistake
-    one for the other."""
+    """BPFO x3 and BPFI x2 of a 6208 are 1.7 % apart; a search of that width must not mistake one
+    for the other."""
     run = raceway.open(
         write(tmp_path, lubricated, {3 * kinematics.frequencies(bearing).outer: 4e-7})
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The exported element in ngspice gives the voltages and currents of the network."""
+"""The exported element gives the voltages and currents of the network in ngspice."""
 
 import ngspice
 import numpy as np
@@ -26,7 +26,7 @@ def leaky():
 
 def compare(given, outer, lines, tmp_path, wanted, step=4e-6):
     """Run the netlist `lines` with the element of `given`, and compare the vectors `wanted`, as
-    named by ngspice, with the circuit's dataset."""
+    named by ngspice, with the dataset of the circuit."""
     tran = f".tran {step:g} {given.time[-1]:g} 0 {step:g} uic\n"
     found = ngspice.run(
         f"test\n{spice.element(given)}\n{lines}\n{OPTIONS}{tran}.end\n", tmp_path, list(wanted)
@@ -53,7 +53,7 @@ def test_motor(leaky, tmp_path):
 
 
 def test_inverter(leaky, tmp_path):
-    """Switching edges of the legs take 5 ns."""
+    """The switching edges of the legs take 5 ns."""
     wave = CommonMode(560.0, 1530.0, 47.0, 0.9)
     edges = wave.edges(leaky.time)
     corners = [f"{t:.12g} {before:.9g} {t + 5e-9:.12g} {after:.9g}" for t, before, after in edges]
@@ -71,8 +71,8 @@ def test_inverter(leaky, tmp_path):
 
 
 def test_source_with_a_resistance(tmp_path):
-    """Without leakage, balls stay uncharged, and a single element for the whole bearing gives the
-    same voltage."""
+    """Without leakage the balls stay uncharged, and a single element for the whole bearing gives
+    the same voltage."""
     outer = Source(Table([0, 1e-3, 2e-3, 6e-3], [0, 10, -10, 5]), 2e6)
     for element in ("bearing", "bearing_total"):
         compare(
@@ -85,8 +85,8 @@ def test_source_with_a_resistance(tmp_path):
 
 
 def test_current_of_moving_plates(tmp_path):
-    """At constant voltage i = V dC/dt, which a capacitor given by its capacitance alone would
-    omit."""
+    """At constant voltage i = V dC/dt; a capacitor that is given by its capacitance alone would
+    omit this current."""
     given = turning(n=41, z=5)
     # the trapezoidal rule oscillates after a start
     tran = ".options method=gear\n.tran 2e-6 0.01 0 2e-6 uic\n"

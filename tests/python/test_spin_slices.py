@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Combined slip and spin in statics: limits, comparison with closed forms, mistakes."""
+"""Combined slip and spin in statics: limits, comparison with closed forms, and mistakes."""
 
 from pathlib import Path
 
@@ -28,8 +28,8 @@ def test_radial_load_has_no_spin(bearing):
 
 
 def test_as_the_closed_forms(bearing):
-    """Under combined load both raceways share the spin, which reduces losses by slip. The closed
-    forms are fits and agree within 5 %."""
+    """Under combined load both raceways share the spin, which reduces the losses by slip. The
+    closed forms are fits and agree within 5 %."""
     closed, slices = (losses(bearing, 2000.0, 10000.0, law) for law in friction_torque.SPIN_LAWS)
     for part in ("rolling", "hysteresis", "drag"):
         assert slices.parts[part] == closed.parts[part]

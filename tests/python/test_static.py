@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearing's equilibrium against values of docs/theory, closed forms, and independently written
-equations of equilibrium."""
+"""The equilibrium of the bearing is compared with values of docs/theory, closed-form solutions, and
+independently written equations of equilibrium."""
 
 import numpy as np
 import pytest
@@ -51,8 +51,8 @@ def test_load_parameter_of_any_ball_phase(bearing, relative, low, high):  # docs
 @pytest.mark.parametrize("axial", [50.0, -3000.0])
 @pytest.mark.parametrize("pd", [0.0, 30e-6])
 def test_thrust(bearing, axial, pd):
-    """All balls carry the same load: F_a = Z Q sin(alpha); the distance of the groove centres is
-    C cos(alpha_0)/cos(alpha) (Harris 7.33)."""
+    """All balls carry the same load, F_a = Z Q sin(alpha), and the distance of the groove centres
+    is C cos(alpha_0)/cos(alpha) (Harris 7.33)."""
     free, c = clearance.free_contact_angle(bearing, pd), clearance.groove_distance(bearing)
 
     def load(angle):
@@ -87,8 +87,8 @@ def test_thrust(bearing, axial, pd):
     ],
 )
 def test_every_equation_holds(bearing, radial, axial, pd, orbit, finite_shift):
-    """Ball positions computed from both raceways coincide, loads follow Hertz, and each ball and
-    the ring are in equilibrium."""
+    """The ball positions computed from both raceways coincide, the loads follow Hertz, and each
+    ball and the ring are in equilibrium."""
     state = equilibrium(
         bearing,
         radial,
@@ -168,7 +168,7 @@ def test_preload_without_load_is_centred(bearing):
 
 
 def test_circle_keeps_its_shape_under_a_finite_shift(bearing):
-    """The component x_t of the ring's shift across a ball's radius reduces the overlap by
+    """The component x_t of the ring's displacement across a ball's radius reduces the overlap by
     x_t^2/(2 r), which relieves the ball at 80 degrees."""
     straight, circle = equilibrium(bearing, 5000.0), equilibrium(bearing, 5000.0, finite_shift=True)
     sideways = circle.shift[0] * np.sin(np.radians(80))

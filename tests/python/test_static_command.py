@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway static`: figures equal to those of the library, tables, messages, exit codes, data
+"""`raceway static` gives the results of the library; its tables, messages, exit codes and data
 files."""
 
 import json
@@ -90,8 +90,8 @@ ANGULAR = ("--bearing", "7205B", "--load", "1000", "--rpm", "3000")
 
 
 def test_ring_held_along_its_axis(capsys):
-    """Without an axial load an angular contact bearing is held where its balls make contact, as
-    in a deck. The load that holds it there gives the same figures when applied as an axial load."""
+    """Without an axial load an angular contact bearing is held where its balls make contact, as in
+    a deck. The load that holds it there gives the same results when applied as an axial load."""
     held = figures(capsys, *ANGULAR)
     assert held["clearance_m"] == pytest.approx(2 * 0.05 * 7.938e-3 * (1 - np.cos(np.radians(40))))
     assert held["load_parameter"] is None and held["loaded_balls"] == 12

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Python sessions that docs/static.rst shows; tests/docs/test_examples.py tests its commands."""
+"""The Python sessions shown in docs/static.rst; tests/docs/test_examples.py tests its commands."""
 
 import doctest
 from pathlib import Path

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Stiffness of a 6208 against values computed independently of this package.
+"""The stiffness of a 6208 is compared with values computed independently of this package.
 
-The reference values use the stiffness of each contact at zero angle, the package uses that at the
-actual angle. The difference is up to 5e-4. Printed values are accurate to half a unit in the last
-digit.
+The reference values use the stiffness of each contact at zero angle, whereas the package uses that
+at the actual angle. The difference is up to 5e-4. Printed values are accurate to half a unit in the
+last digit.
 """
 
 import numpy as np
@@ -40,7 +40,8 @@ def test_matrix(loads, clearance, shift, entries):
 
 
 def test_over_a_ball_pass():
-    """Least, mean and greatest values along and across the load, over 16 phases of a ball pass."""
+    """Smallest, mean and largest values along and across the load, over 16 phases of a ball
+    pass."""
     phases = np.arange(16) / 16 * 2 * np.pi / 9
     found = np.array(
         [np.diag(static.equilibrium(B6208, 3000.0, phase=p).stiffness)[:2] for p in phases]

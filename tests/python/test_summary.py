@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every figure of the summary against the run, recomputed row by row."""
+"""Every value in the summary is compared with the run, recomputed row by row."""
 
 import json
 import re
@@ -59,8 +59,8 @@ def test_promised_keys(folder, dry_folder):
 
 
 def test_rating_life(folder, lubricated, bearing, small_blocks):
-    """The life read block by block equals the life from all contacts of the record in one array;
-    there is none if the outer ring rotates or the record has no contacts."""
+    """The life that is read block by block equals the life from all contacts of the record in one
+    array. There is no life if the outer ring rotates or the record has no contacts."""
     figures, run = summary(RunTables(folder)), raceway.open(folder)
     loads = [run.contacts.Q.sel(raceway=side).fillna(0).to_numpy() for side in ("inner", "outer")]
     rated = figures["dynamic_rating_N"]
@@ -135,15 +135,15 @@ def test_figures(folder, lubricated, bearing):
 
 
 def full(folder, data):
-    """Figures of the run `data` with models full, which have friction torque."""
+    """Return the results of the run `data` with models full, which have friction torque."""
     own = synthetic.changed(data, models="full")
     return summary(RunTables(synthetic.write(folder, own)))
 
 
 @pytest.mark.parametrize("models, lost", [("paper", LOST), ("film", LOST), ("mine", set())])
 def test_what_a_model_leaves_out(folder, lubricated, models, lost):
-    """Friction of the paper's model is not a friction torque: the summary states this reason
-    instead of a number. A user's model reports the losses that its contacts have."""
+    """The friction of the paper's model is not a friction torque, and the summary states this
+    reason instead of a number. A user's model reports the losses that its contacts have."""
     own = synthetic.changed(lubricated, models=models)
     figures = summary(RunTables(synthetic.write(folder, own)))
     assert figures["absent"] == dict.fromkeys(figures["absent"], f"not in models {models}")
@@ -157,7 +157,8 @@ def test_what_a_model_leaves_out(folder, lubricated, models, lost):
 
 
 def test_friction(folder, lubricated):
-    """Torque of the shaft, losses by part, and makers' torques equal values from the contacts."""
+    """The torque of the shaft, the losses by part and the makers' torques equal values from the
+    contacts."""
     figures = full(folder, lubricated)
     column = synthetic.LUBRICATED.index("load")
     loads = [sum(row[column] for row in frame) for frame in lubricated["contacts"][1:]]
@@ -190,7 +191,7 @@ def test_rings_that_stand_still_have_no_torque(folder, lubricated, speed, has_on
 
 
 def test_makers_see_a_load_that_turns(folder, lubricated):
-    """The mean vector of the load is almost zero, but its mean magnitude is not."""
+    """The mean vector of a rotating load is almost zero, but its mean magnitude is not."""
     turning = forced(
         folder, lubricated, lambda k: (3e3 * np.sin(0.3 * k), 3e3 * np.cos(0.3 * k), 0)
     )
@@ -213,7 +214,7 @@ def test_unmoved_ring_has_no_load_parameter(folder, lubricated):
 
 
 def forced(folder, data, force):
-    """The run `data` with `force(sample)` (3 numbers) as the force of the balls on the inner
+    """Return the run `data` with `force(sample)` (3 numbers) as the force of the balls on the inner
     ring."""
     rings = [[*ring[:9], *force(k), *ring[12:]] for k, ring in enumerate(data["rings"])]
     return summary(RunTables(synthetic.write(folder, dict(data, rings=rings))))
@@ -258,7 +259,7 @@ def test_a_speed_that_changes_is_shown(folder, lubricated):
 
 
 def test_warnings(folder, lubricated):
-    """Warnings of core/raceway/validity.h appear at their bounds."""
+    """The warnings of core/raceway/validity.h appear at their bounds."""
     pressure, ratio = (synthetic.LUBRICATED.index(name) for name in ("pressure", "lambda"))
 
     def warned(change):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Amplitude over time and frequency, and over orders during a run-up: sines of known frequency
-and amplitude."""
+"""Amplitude as a function of time and frequency, and of order during a run-up, for sines of known
+frequency and amplitude."""
 
 import numpy as np
 import pytest
@@ -43,8 +43,8 @@ def test_mistakes(values, window, says):
 
 @pytest.mark.parametrize("sign", [1, -1])
 def test_even_angles(sign):
-    """At even angles a line of constant order in a run-up from 10 to 30 revolutions per second is
-    one sine."""
+    """At even angles, a line of constant order in a run-up from 10 to 30 revolutions per second is
+    a single sine."""
     time = np.arange(10000) * SAMPLE
     angle = sign * 2 * np.pi * (10 * time + 10 * time**2)
     values, step = order_tracking.at_even_angles(np.cos(ORDER * angle), angle)
@@ -60,7 +60,8 @@ def test_a_shaft_that_turns_back():
 
 @pytest.fixture(scope="module")
 def run_up(tmp_path_factory, lubricated):
-    """A run whose ring moves sideways ORDER times per revolution while the shaft speed doubles."""
+    """Return a run whose ring moves sideways ORDER times per revolution while the shaft speed
+    doubles."""
     settings = dict(lubricated["settings"], sample_s=SAMPLE, rpm=900.0)
     settings.update(passes=100, samples_per_pass=200)
     time = np.arange(1, 20001) * SAMPLE

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A drifting state, tracked from readings that statics generated."""
+"""A drifting state is tracked from readings that statics generated."""
 
 import shutil
 
@@ -25,8 +25,8 @@ ROWS = 12
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory):
-    """A folder with readings of oil that warms up while the clearance shrinks, with noise of the
-    stated size and one gap; and the truth."""
+    """Write a folder with readings of oil that warms up while the clearance shrinks, with noise of
+    the stated size and one gap; return the folder and the truth."""
     folder = tmp_path_factory.mktemp("track")
     random = np.random.default_rng(4)
     time = 600.0 * np.arange(ROWS)
@@ -51,7 +51,7 @@ def made(tmp_path_factory):
 
 @pytest.fixture
 def folder(made, tmp_path):
-    """A copy of the folder, free to be modified, and the truth."""
+    """Return a copy of the folder, which a test may modify, and the truth."""
     return shutil.copytree(made[0], tmp_path / "track"), made[1]
 
 
@@ -98,7 +98,7 @@ def test_times_must_rise(folder, capsys):
 
 
 def test_a_linear_reading_is_kalmans():
-    """Mean and covariance equal those of a Kalman filter, for several readings at once."""
+    """Mean and covariance equal those of a Kalman filter for several simultaneous readings."""
     random = np.random.default_rng(1)
     mean, root, shows = (random.normal(size=one) for one in (3, (3, 3), (2, 3)))
     covariance, noise, read = root @ root.T, np.array([0.3, 0.7]), random.normal(size=2)

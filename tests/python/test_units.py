@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""SI prefixes."""
+"""Tests of SI prefixes."""
 
 import argparse
 import math
@@ -72,7 +72,7 @@ def test_read(text, unit, value):
 
 @pytest.mark.parametrize("unit", sorted(SCALED))
 def test_what_is_printed_can_be_read(unit):
-    """Decimal texts with a prefix are read as the same bits as numbers with an exponent."""
+    """Decimal texts with a prefix are read as the same floats as numbers with an exponent."""
     for power, sign in PREFIX.items():
         assert read(f"12.7{sign}{unit}", unit) == float(f"12.7e{power}")
     assert read(prefixed(4.7e3, unit), unit) == 4700.0

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run in MDAnalysis: every column of every frame has double precision. Single precision would
-lose too many digits."""
+"""A run in MDAnalysis: every column of every frame has double precision, because single precision
+would lose too many digits."""
 
 import pickle
 
@@ -61,7 +61,7 @@ def test_every_frame_in_any_order(run):
 
 def test_single_precision_is_not_enough(run, lubricated):
     """As the docstring of the module states, positions are off by up to 2 nm, so overlaps computed
-    from them are wrong; the columns are exact."""
+    from them are wrong, while the columns are exact."""
     u, radius = run.universe(), synthetic.DEEP_GROOVE.pitch_radius
     off = max(np.abs(u.atoms.positions - ts.data["position"]).max() for ts in u.trajectory)
     assert np.finfo(np.float32).eps * radius / 8 < off < 2e-9

@@ -17,7 +17,8 @@ def test_all_are_there():
 
 @pytest.mark.parametrize(("number", "engine", "package"), ROWS)
 def test_named_tests_exist(number, engine, package):
-    """Cells have entries `file: names`, separated by semicolons; names are parts of test names."""
+    """Cells contain entries `file: names`, separated by semicolons, where names are parts of test
+    names."""
     for folder, words in (("tests/physics", engine), ("tests/python", package)):
         for one in words.split("; "):
             name, _, wanted = one.partition(": ")

@@ -27,7 +27,7 @@ def test_a_rule_holds_up_to_its_bound(name):
 
 
 def test_reach_of_an_ellipse():
-    """A groove whose depth is half its radius ends at 60 degrees: cos 60 = 1 - 0.5."""
+    """A groove whose depth is half its radius ends at 60 degrees, because cos 60 = 1 - 0.5."""
     shoulders = Shoulders(2 * (24e-3 + GROOVE / 2), 2 * (36.6e-3 - GROOVE / 2))
     a = np.array([GROOVE * math.sin(math.radians(20))])  # 20 degrees to either side
 
@@ -75,8 +75,8 @@ def test_a_shoulder_that_is_none(tmp_path):
 @pytest.mark.parametrize("name", ["static", "electric", "heat"])
 def test_a_ring_held_along_its_axis(name, capsys):
     """For an angular contact bearing under radial load alone, text and JSON of every command state
-    the force that holds its ring. With that force as an axial load the ring is in equilibrium
-    without a warning; a deep groove bearing has no such force."""
+    the force that holds its ring. With this force as an axial load the ring is in equilibrium
+    without a warning. A deep groove bearing has no such force."""
 
     def said(*more):
         point = ["--rpm", "3000", "--lubricant", "vg46", "--load", "1000"]
