@@ -11,8 +11,8 @@ PICO = 1e-12
 
 
 def films(capacitance, time=None, thickness=200e-9, conductance=0.0, roughness=0.0):
-    """`Films` with `capacitance` (n, 2, Z), F, and `thickness` (m) and `conductance` (S) as
-    given."""
+    """Return `Films` with the given `capacitance` (n, 2, Z) in F, `thickness` (m) and `conductance`
+    (S)."""
     capacitance = np.asarray(capacitance, dtype=float)
     n, _, z = capacitance.shape
     azimuth = np.linspace(0, 0.5, n)[:, None] + 2 * np.pi * np.arange(z) / z
@@ -31,13 +31,13 @@ def films(capacitance, time=None, thickness=200e-9, conductance=0.0, roughness=0
 
 
 def steady(inner, outer, n=3, **more):
-    """Films at `n` points with the same capacitances (Z,), F."""
+    """Return films at `n` points with constant capacitances (Z,) in F."""
     return films(np.tile([inner, outer], (n, 1, 1)), **more)
 
 
 def turning(n=201, z=7, thickness=(80e-9, 140e-9), seed=3, **more):
-    """Films of balls that pass through a load zone; all capacitances and thicknesses differ and
-    vary."""
+    """Return films of balls that pass through a load zone, with different and varying capacitances
+    and thicknesses."""
     rng = np.random.default_rng(seed)
     angle = 2 * np.pi * (np.arange(z) / z + np.linspace(0, 1.3, n)[:, None])[:, None]
     least = rng.uniform(5, 15, (1, 2, z)) * PICO

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Builds LAMMPS for the tests from Debian's source tarball, with Open MPI:
+"""Build LAMMPS for the tests from Debian's source tarball, with Open MPI:
 
     python3 tests/debian_lammps.py
 

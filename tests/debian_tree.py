@@ -74,7 +74,7 @@ def run(*command, quiet=True, **kwargs):
 
 
 def release():
-    """The codename of this Debian and the names of its suites."""
+    """Return the codename of this Debian and the names of its suites."""
     names = dict(
         re.findall(r'^(\w+)="?([^"\n]*)"?$', Path("/etc/os-release").read_text(), flags=re.M)
     )
@@ -82,7 +82,7 @@ def release():
 
 
 def source_entries(folder, suites):
-    """The entries of apt's `folder` for the main part of `suites`, as deb-src stanzas."""
+    """Return the entries in apt's `folder` for the main part of `suites`, as deb-src stanzas."""
     stanzas = []
     for path in [folder / "sources.list", *sorted((folder / "sources.list.d").glob("*"))]:
         if not path.is_file():
@@ -128,7 +128,7 @@ def source_entries(folder, suites):
 
 
 def fetch(package):
-    """Debian's tarball of the upstream sources of a package; returns its path."""
+    """Fetch Debian's tarball of the upstream sources of a package and return its path."""
     there = sorted(SOURCE.glob(f"{package}_*.orig.tar.*"))
     if there:
         return there[-1]
@@ -159,7 +159,7 @@ def fetch(package):
 
 
 def unpacked(folder, package="liggghts"):
-    """The upstream tree of a package in `folder`, unpacked if it is not there."""
+    """Return the upstream tree of a package in `folder`; it is unpacked if it does not exist."""
     if not (folder / "src" / "Make.sh").is_file():
         folder.mkdir(parents=True, exist_ok=True)
         run("tar", "-xf", fetch(package), "-C", folder, "--strip-components=1")

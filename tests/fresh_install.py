@@ -53,7 +53,7 @@ class Place:
         subprocess.run([sys.executable, "-m", "venv", folder / "venv"], check=True)
 
     def run(self, *words):
-        """Standard output of a program of the environment."""
+        """Run a program of the environment and return its standard output."""
         program = shutil.which(words[0], path=self.environment["PATH"])
         done = subprocess.run(
             [program, *words[1:]],

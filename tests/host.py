@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs decks in the hosts built by `make build`, from the root of the repository."""
+"""Run decks in the hosts built by `make build`, from the root of the repository."""
 
 import os
 import subprocess
@@ -76,7 +76,7 @@ class Outcome:
 
     @property
     def error(self):
-        """The host's error lines, or an empty string."""
+        """The error lines of the host, or an empty string."""
         return "\n".join(line for line in self.text.splitlines() if "ERROR" in line)
 
 
@@ -124,20 +124,20 @@ def run(
 
 
 def liggghts(deck, *, sanitized=False, **kwargs):
-    """`run` in LIGGGHTS."""
+    """Call `run` for LIGGGHTS."""
     return run(deck, host="sanitized" if sanitized else "liggghts", **kwargs)
 
 
 def succeed(deck, *, sanitized=False, **kwargs):
-    """`run` of a deck that must end normally."""
+    """Call `run` for a deck that must end normally."""
     outcome = run(deck, **({"host": "sanitized"} if sanitized else {}), **kwargs)
     assert outcome.code == 0, outcome.text[-3000:]
     return outcome
 
 
 def frames(path):
-    """A dump as {step: sorted rows of text}: the order of rows may depend on the number of ranks,
-    but not their bits.
+    """Return a dump as {step: sorted rows of text}: the order of rows may depend on the number of
+    ranks, but not their digits.
 
     Only LIGGGHTS ends a row with a space.
     """
@@ -145,7 +145,7 @@ def frames(path):
 
 
 def tables(path):
-    """A dump as [(step, array (rows, columns))], with rows in the order of the file."""
+    """Return a dump as [(step, array (rows, columns))], with the rows in the order of the file."""
     return [
         (step, np.array(" ".join(rows).split(), float).reshape(len(rows), columns))
         for step, columns, rows in _samples(path)

@@ -45,8 +45,8 @@ INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 
 
 def read(package):
-    """{file: files of the package that it includes}, both relative to `package`; headers of the
-    host are left out."""
+    """Return {file: files of the package that it includes}, both relative to `package`, without
+    headers of the host."""
     package = Path(package).resolve()
     files = {p for p in package.rglob("*") if p.suffix in (".h", ".cpp")}
     graph = {}
@@ -66,12 +66,12 @@ def read(package):
 
 
 def room(file):
-    """The room of a file, which is its folder."""
+    """Return the room of a file, which is its folder."""
     return file.parent.as_posix() if file.parts[0] == "core" else file.parts[0]
 
 
 def arrows(graph):
-    """{(room, other room): [(file, included file), ...]}"""
+    """Return {(room, other room): [(file, included file), ...]}."""
     found = {}
     for file, targets in graph.items():
         for target in sorted(targets):
@@ -81,8 +81,8 @@ def arrows(graph):
 
 
 def longest_chain(graph):
-    """Longest chain of includes as a list of files, and a cycle as a list of files (empty if there
-    is none)."""
+    """Return the longest chain of includes as a list of files, and a cycle as a list of files
+    (empty if there is none)."""
     best, cycle = {}, []
 
     def chain(file, above):
@@ -99,7 +99,7 @@ def longest_chain(graph):
 
 
 def modules(graph):
-    """{file: name of its module}.
+    """Return {file: name of its module}.
 
     A source belongs to the header with the same name, or to the header with the longest name that
     the source's name continues after an underscore. A header is private to a module that includes
@@ -124,7 +124,7 @@ def modules(graph):
 
 
 def module_graph(graph):
-    """{module: modules that its files include}"""
+    """Return {module: modules that its files include}."""
     of, found = modules(graph), {}
     for file, targets in graph.items():
         found.setdefault(of[file], set()).update({of[t] for t in targets} - {of[file]})
@@ -132,13 +132,13 @@ def module_graph(graph):
 
 
 def floors(graph, name):
-    """Longest chain of includes among the files of a room."""
+    """Return the longest chain of includes among the files of a room."""
     inside = {f: ts for f, ts in graph.items() if room(f) == name}
     return longest_chain({f: {t for t in ts if t in inside} for f, ts in inside.items()})[0]
 
 
 def broken(graph):
-    """Violations of the rules, one sentence each."""
+    """Return the violations of the rules, one sentence each."""
     order = list(ROOMS)
     wrong = [f"{name} is no room" for name in sorted({room(f) for f in graph} - set(order))]
     if wrong:
@@ -166,7 +166,7 @@ def broken(graph):
 
 
 def table(graph):
-    """(room, files, floors, contents) of each room, from the ground up."""
+    """Return (room, files, floors, contents) for each room, from the bottom up."""
     return [
         (name, sum(room(f) == name for f in graph), len(floors(graph, name)), holds)
         for name, holds in ROOMS.items()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Short runs of decks of docs/decks and of the main deck, with scenes that every reader must
+"""Short runs of decks in docs/decks and of the main deck, with scenes that every reader must
 handle."""
 
 from host import ROOT, succeed
@@ -18,7 +18,7 @@ RING = {"cage": "ring", "models": "full", "record": "all"}
 
 
 def _turning(inner, outer):
-    """Changes of in.spall for other ring speeds, in rad/s."""
+    """Return the changes of in.spall for other ring speeds, in rad/s."""
     return [(old, new.format(inner, outer) if "{0}" in new else new) for old, new in TURNING]
 
 
@@ -38,7 +38,7 @@ SCENES = {  # deck: changes of its text
 
 
 def run(name, folder):
-    """Run the scene `name` in `folder`, once; return the folder."""
+    """Run the scene `name` in `folder` once, and return the folder."""
     deck, changes = SCENES[name]
     if isinstance(changes, dict):
         succeed(f"inputs/{deck}", out=folder, **changes)
@@ -50,7 +50,7 @@ def run(name, folder):
 
 
 def changed(deck, changes):
-    """The text of a deck of docs/decks with all changes (old, new)."""
+    """Return the text of a deck in docs/decks with all changes (old, new)."""
     text = (ROOT / "docs" / "decks" / deck).read_text()
     for old, new in changes:
         assert old in text, (deck, old)

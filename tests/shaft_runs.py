@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs of `in.shaft`, a shaft on two 6208s, and functions shared by their tests.
+"""Runs of `in.shaft`, a shaft on two 6208s, and functions that their tests share.
 
-The shaft lies along z, its bearings at 0 and 0.2 m. `data` of a run are columns of the shaft (x, rx
-...) and of its rings (x1, f2y ...).
+The shaft lies along z, with bearings at 0 and 0.2 m. The `data` of a run are columns of the shaft
+(x, rx ...) and of its rings (x1, f2y ...).
 """
 
 import re
@@ -24,7 +24,7 @@ def data_of(folder):
 
 
 def swing(folder, **variables):
-    """(columns, energies in J by name) of a run of the deck."""
+    """Run the deck and return (columns, energies in J by name)."""
     text = succeed(DECK, out=folder, **variables).text
     names = ("work", "dissipated", "stored", "lost")
     numbers = numbers_of(text, "ENERGY") if "\nENERGY " in text else [np.nan] * 4
@@ -32,19 +32,19 @@ def swing(folder, **variables):
 
 
 def numbers_of(text, word="END"):
-    """Numbers that a run prints after a `word`."""
+    """Return the numbers that a run prints after a `word`."""
     return [float(one) for one in re.search(rf"^{word} (.*)$", text, re.M)[1].split()]
 
 
 def rows_of(folder):
-    """Lines of the table of a run."""
+    """Return the lines of the table of a run."""
     return (folder / "shaft.dat").read_text().splitlines()
 
 
 def frequencies_of(signals, step, count):
-    """Frequencies in Hz, in ascending order, of `count` free vibrations in signals (channels,
-    samples), from a linear map of each instant to the next, fitted to delayed copies of the
-    signals. A real vibration has two frequencies, one of them negative. For x + i y, negative
+    """Return the frequencies in Hz, in ascending order, of `count` free vibrations in signals
+    (channels, samples), from a linear map of each instant to the next, fitted to delayed copies of
+    the signals. A real vibration has two frequencies, one of them negative. For x + i y, negative
     frequencies are those of backward whirl."""
     copies, length = 12, signals.shape[1]
     signals = signals - signals.mean(axis=1, keepdims=True)
@@ -55,8 +55,8 @@ def frequencies_of(signals, step, count):
 
 
 def rings_follow(folder):
-    """Check that accelerations of the inner rings of a record are derivatives of their velocities.
-    Returns columns of both rings (samples, 2) by name."""
+    """Check that the accelerations of the inner rings in a record are derivatives of their
+    velocities, and return columns of both rings (samples, 2) by name."""
     with xarray.open_dataset(folder / "record.nc") as record:
         inner = record["ring_raceway"].values == 0
         names = ("x", "y", "tilt_2", "vx", "ax")

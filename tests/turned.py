@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Turns the record of a run into the record of the same scene in another pose in the lab."""
+"""Turn the record of a run into the record of the same scene in another pose in the lab."""
 
 import re
 import shutil
@@ -18,12 +18,12 @@ VECTORS = [
 
 
 def own_frame(pose):
-    """The `Pose` in the bearing's frame (its axis is z) for a `Pose` in the lab."""
+    """Return the `Pose` in the bearing's frame (its axis is z) for a `Pose` in the lab."""
     return Pose(tuple((lab - pose.axis - 1) % 3 for lab in pose.axes), pose.signs)
 
 
 def wrapped(angle):
-    """`angle` between -pi and pi."""
+    """Return `angle` between -pi and pi."""
     return np.mod(angle + np.pi, 2 * np.pi) - np.pi
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs `raceway` and Python blocks in forks of a process that has imported numpy, scipy, pandas,
-xarray and matplotlib. A fresh Python spends one to two seconds on these imports; most examples take
-less."""
+"""Run `raceway` and Python blocks in forks of a process that has imported numpy, scipy, pandas,
+xarray and matplotlib. A fresh Python spends one to two seconds on these imports, and most examples
+take less."""
 
 import multiprocessing
 import os
@@ -24,22 +24,22 @@ CONTEXT.set_forkserver_preload(list(PRELOAD))
 
 
 def split(commands: str) -> list[str]:
-    """The commands one by one, or all in one piece if they need a shell."""
+    """Return the commands one by one, or all in one piece if they need a shell."""
     if SHELL.search(commands):
         return [commands]
     return [line for line in commands.splitlines() if line.strip()]
 
 
 def words(command: str) -> list[str] | None:
-    """The words of a plain `raceway` command; None for anything else."""
+    """Return the words of a plain `raceway` command, or None for any other command."""
     if SHELL.search(command) or Path(command.split()[0]).name != "raceway":
         return None
     return shlex.split(command)
 
 
 def run(task: str | list[str], folder: Path, environment: dict[str, str]) -> tuple[int, str]:
-    """(exit code, output) of a Python block, a text, or of the words of a `raceway` command in
-    `folder`."""
+    """Run a Python block (a text), or the words of a `raceway` command, in `folder` and return
+    (exit code, output)."""
     with tempfile.NamedTemporaryFile("r", errors="replace") as output:
         child = CONTEXT.Process(target=_child, args=(task, folder, environment, output.name))
         child.start()

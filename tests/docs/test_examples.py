@@ -39,7 +39,7 @@ UNDERLINE = re.compile(r"^([=\-~^\"])\1{3,}$")
 
 
 def joined(text):
-    """The commands of a deck: no comments, no blank lines, no continuations."""
+    """Return the commands of a deck without comments, blank lines and continuations."""
     text = re.sub(r"&\s*\n\s*", "", text)
     return [
         line
@@ -49,7 +49,7 @@ def joined(text):
 
 
 def blocks(page):
-    """The literal blocks of a page's sections called Examples."""
+    """Return the literal blocks in the sections of a page called Examples."""
     lines, inside, block = page.read_text().splitlines(), False, []
     for here, below in zip(lines, lines[1:] + [""]):
         if UNDERLINE.match(below):
@@ -64,8 +64,8 @@ def blocks(page):
 
 
 def session(page):
-    """The Python and console blocks of a page, as (kind, text) in their order: fenced in Markdown,
-    indented in rST."""
+    """Return the Python and console blocks of a page as (kind, text) in their order: fenced in
+    Markdown, indented in rST."""
     text = page.read_text()
     pattern = (
         r"^```(python|console)\n((?:(?!```).*\n)*)```$"
@@ -83,7 +83,7 @@ def session(page):
 
 
 def not_printed(block, output):
-    """The first line of a transcript that is missing from the output, or nothing."""
+    """Return the first line of a transcript that is missing from the output, or an empty string."""
     printed = (line.rstrip() for line in output.splitlines())
     for line in block.splitlines():
         if line.strip() in ("", "...") or line.startswith("$ "):
@@ -94,10 +94,12 @@ def not_printed(block, output):
 
 
 def run_session(page, folder):
-    """Run the blocks of a page in `folder`; yields for each its message if it failed, or nothing.
+    """Run the blocks of a page in `folder`, and yield for each its message if it failed, or an
+    empty string.
 
-    Console lines after "$ " are commands of `.venv/bin`; the lines that follow have to be in their
-    output, in that order."""
+    Console lines after "$ " are commands of `.venv/bin`; the lines that follow must appear in their
+    output, in that order.
+    """
     paths = dict(os.environ, PATH=f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}")
     # containers run as root, which Open MPI otherwise refuses
     paths |= dict.fromkeys(("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"), "1")
@@ -117,7 +119,7 @@ def run_session(page, folder):
 
 
 def run_console(commands, folder, paths):
-    """(exit code, output) of shell commands, up to the first command that fails."""
+    """Run shell commands up to the first one that fails, and return (exit code, output)."""
     printed = ""
     for command in warm_python.split(commands):
         if plain := warm_python.words(command):
@@ -140,7 +142,7 @@ def run_console(commands, folder, paths):
 
 
 def key(line):
-    """Key of a line: two lines with the same key are the same command."""
+    """Return the key of a line: two lines with the same key are the same command."""
     word = line.split()
     if word[0] in ("pair_style", "create_bearing", "timestep", "run", "bearing", "run_bearing"):
         return word[0]
@@ -155,7 +157,7 @@ def key(line):
 
 
 def base_of(block):
-    """Lines of the deck in which a block is tried."""
+    """Return the lines of the deck in which a block is tried."""
     if not any(line.startswith(NAMED) or " bearing/heat" in line for line in block):
         return joined((DOCS / "decks/in.ehd").read_text())
     short = [f"variable {name} index {value}" for name, value in SHORT.items()]
@@ -163,7 +165,7 @@ def base_of(block):
 
 
 def deck(base, block):
-    """Lines of `base`, with the lines of `block` in the places of the same commands."""
+    """Return the lines of `base` in which the lines of `block` replace the same commands."""
     if any("bearing/hertz" in line for line in block):
         base = [
             line.replace(" f_cap", "").replace(" c_total[6] c_total[7]", "")
@@ -214,7 +216,8 @@ def main_run(tmp_path_factory):
 
 @pytest.mark.parametrize("page", sorted(PAGES, key=PAGES.get, reverse=True), ids=lambda p: p.stem)
 def test_page(page, tmp_path, request):
-    """Commands and Python of a page run, in order, and print what the page shows."""
+    """The commands and Python blocks of a page run in their order, and print what the page
+    shows."""
     for folder in ("inputs", "docs/decks"):
         shutil.copytree(ROOT / folder, tmp_path / folder)
     (tmp_path / "build").mkdir()
@@ -254,7 +257,8 @@ def beside_inputs(tmp_path):
 
 
 def test_decks(beside_inputs):
-    """Decks run one after the other in one folder: some read files written by earlier decks."""
+    """The decks run one after the other in one folder, because some read files written by earlier
+    decks."""
     gallery = (DOCS / "gallery.rst").read_text()  # this page runs the decks that it names
     for path in sorted(DOCS.glob("decks/in.*")):
         if f"docs/decks/{path.name}" not in gallery:
@@ -263,5 +267,5 @@ def test_decks(beside_inputs):
 
 @pytest.mark.parametrize("lines", BLOCKS.values(), ids=BLOCKS)
 def test_block(lines, beside_inputs):
-    """A block under "Examples" runs in its deck."""
+    """Each block under "Examples" runs in its deck."""
     try_deck(deck(base_of(lines), lines), beside_inputs)

@@ -49,7 +49,7 @@ SCENES = (
 
 @dataclass
 class Story:
-    """Events of one run."""
+    """The events of one run."""
 
     kills: int = 0
     resumed: int = 0  # number of starts that found a restart file
@@ -58,8 +58,8 @@ class Story:
 
 
 def start(scene, out, *, ranks=1):
-    """Run `scene` into `out` in a separate session, with its output in out.log; resume if a restart
-    file exists."""
+    """Run `scene` into `out` in a separate session, with its output in out.log, and resume if a
+    restart file exists."""
     command = [
         str(ROOT / "build" / "liggghts"),
         "-in",
@@ -98,7 +98,8 @@ def run(scene, out):
 
 
 def settings(folder):
-    """Lines of `run.yaml` without wall and processor times, which are not results of the model."""
+    """Return the lines of `run.yaml` without wall and processor times, which are not results of the
+    model."""
     return [
         line
         for line in (folder / "run.yaml").read_text().splitlines()
@@ -107,8 +108,8 @@ def settings(folder):
 
 
 def same(one, other):
-    """Whether two files are equal byte for byte, apart from the order of rows in a frame, which
-    depends on ranks."""
+    """Return whether two files are equal byte for byte, except for the order of rows in a frame,
+    which depends on the number of ranks."""
     if one.read_bytes() == other.read_bytes():
         return True
     return (
@@ -119,7 +120,7 @@ def same(one, other):
 
 
 def session(leader):
-    """Processes of a session, the leader last."""
+    """Return the processes of a session, with the leader last."""
     found = []
     for stat in Path("/proc").glob("[0-9]*/stat"):
         try:
@@ -132,8 +133,8 @@ def session(leader):
 
 
 def ended(process, ranks):
-    """Exit code when a run ends. Open MPI's launcher may lock up while it ends after a signal: it
-    is killed once no ranks are left."""
+    """Return the exit code when a run ends. Open MPI's launcher may lock up while it ends after a
+    signal: it is killed once no ranks are left."""
     while True:
         try:
             return process.wait(20)
@@ -143,8 +144,8 @@ def ended(process, ranks):
 
 
 def disturb(scene, out, which, reference, length, dice, *, ranks=(1,)):
-    """Run `scene` with signals `which` at random moments of its `length` (s) until it finishes;
-    compare with `reference`."""
+    """Run `scene` with signals `which` at random moments of its `length` (s) until it finishes, and
+    compare it with `reference`."""
     story, attempt = Story(), -1
     while attempt < 100:
         attempt += 1

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""In a LAMMPS built from Debian's sources with Open MPI, plugin and package give the same bits as
-build/liggghts. `make test-lammps` builds these programs and runs this file."""
+"""In a LAMMPS built from Debian's sources with Open MPI, the results with plugin and package are
+bitwise identical to those of build/liggghts. `make test-lammps` builds these programs and runs this
+file."""
 
 import pytest
 from debian_lammps import OWN

@@ -53,6 +53,6 @@ def test_include_files():
 
 
 def test_number_of_commands():
-    """Commands other than styles."""
+    """There are at most six commands besides the styles."""
     text = (ROOT / "src-package/host/bearing_styles.h").read_text()
     assert len(re.findall(r"add\.template command<", text)) <= 6

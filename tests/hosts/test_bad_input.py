@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Wrong input ends with an error that names the command, the value and the allowed range, before
-the first step."""
+"""Wrong input stops the run with an error that names the command, the value and the allowed range,
+before the first step."""
 
 import re
 
@@ -400,7 +400,7 @@ def test_step_that_turns_out_too_large_is_refused(tmp_path):
 
 
 def test_not_a_number_under_an_implicit_step(tmp_path):
-    """Refinement of the step fails; the run stops and reports the fix and the step."""
+    """The refinement of the step fails, and the run stops and reports the fix and the step."""
     deck = tmp_path / "in.nan"
     deck.write_text(
         DRY
@@ -418,7 +418,7 @@ def test_not_a_number_under_an_implicit_step(tmp_path):
 
 
 def test_not_a_number_is_named(tmp_path):
-    """A position that is not a number does not count as a gap: the run stops at the contact."""
+    """A position that is not a number does not count as a gap, and the run stops at the contact."""
     deck = tmp_path / "in.nan"
     deck.write_text(
         DRY + "variable nothing equal 1.0e308*10*step-1.0e308*10*step\n"  # inf - inf

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A bearing given by name: its data, and helpful errors."""
+"""A bearing that is given by name: its data, and helpful errors."""
 
 import pytest
 from host import run

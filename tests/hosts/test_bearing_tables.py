@@ -26,7 +26,7 @@ print "NOW ${{b_balls}} ${{b_ball_diameter}}"
 
 
 def table(tmp_path, text=OWN):
-    """A folder of inputs with the table `text`."""
+    """Return a folder of inputs with the table `text`."""
     folder = tmp_path / "own"
     (folder / "bearings").mkdir(parents=True)
     (folder / "bearings" / "table.csv").write_text(text, newline="")

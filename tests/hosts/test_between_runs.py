@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Forces and reports at the boundary between two runs."""
+"""Forces and reports are correct at the boundary between two runs."""
 
 import pytest
 from host import ROOT, frames, succeed
@@ -9,7 +9,7 @@ DRAG = "fix drag balls viscous 5.0\n"
 
 
 def test_a_fix_defined_between_runs_adds_no_impulse(tmp_path):
-    """Forces of the previous step are restored after the set-up of every fix, including later
+    """The forces of the previous step are restored after the set-up of every fix, including later
     fixes."""
     deck = tmp_path / "in.drag"
     deck.write_text(BITS.replace("timestep 2.0e-7\n", DRAG + "timestep 2.0e-7\n"))
@@ -23,8 +23,8 @@ def test_a_fix_defined_between_runs_adds_no_impulse(tmp_path):
 
 
 def test_report_is_of_the_end_of_the_step(tmp_path):
-    """Reports show the end of the step even if a variable that drives a ring reads the report of
-    the same ring in the middle of the step."""
+    """Reports describe the end of the step, even if a variable that drives a ring reads the report
+    of the same ring in the middle of the step."""
     deck = tmp_path / "in.report"
     deck.write_text(
         BITS.replace(
@@ -65,7 +65,7 @@ def test_restart_written_in_a_run_without_setup(tmp_path):
 
 
 def test_reports_after_the_pair_style_is_gone(tmp_path):
-    """Values read between runs use no freed memory (checked by AddressSanitizer)."""
+    """Values that are read between runs use no freed memory (checked by AddressSanitizer)."""
     deck = tmp_path / "in.gone"
     deck.write_text(
         BITS + "pair_style bearing/hertz friction none\nvariable gone equal f_inner[1]\n"

@@ -51,7 +51,7 @@ SCENES = {
     scope="module", params=SCENES, ids=lambda name: name.replace(", ", "-").replace(" ", "_")
 )
 def scene(request, tmp_path_factory):
-    """Variables of a scene, and the folder of its run on one rank."""
+    """Return the variables of a scene, and the folder of its run on one rank."""
     folder = tmp_path_factory.mktemp("bits")
     variables = SCENES[request.param]
     outcome = succeed("tests/hosts/in.bits", out=folder / "whole", **variables)
@@ -61,7 +61,7 @@ def scene(request, tmp_path_factory):
 
 
 def state(folder):
-    """The last sample of contacts, atoms and ring with every bit."""
+    """Return the last sample of contacts, atoms and ring in full precision."""
     return [frames(folder / name)[LAST] for name in ("contacts.dump", "balls.dump")] + [
         (folder / "ring.txt").read_text().splitlines()[-1]
     ]
@@ -94,7 +94,7 @@ def test_ranks(scene, ranks):
 
 @pytest.mark.parametrize("cuts", ["z", "3x3"])
 def test_cuts(scene, cuts, tmp_path):
-    """The box is cut through the middle plane, with balls on both sides; on nine ranks, the rank
+    """The box is cut through the middle plane, with balls on both sides. On nine ranks, the rank
     with the rings has no ball."""
     variables, _ = scene
     box = {"xhi": 0.05, "ylo": -0.05, **variables}

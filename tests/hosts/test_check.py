@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway check` with the real program: repeats a run with finer settings and adds errors to its
-figures."""
+"""With the real program, `raceway check` repeats a run with finer settings and adds errors to its
+results."""
 
 import json
 
@@ -21,7 +21,7 @@ COARSE = {
 
 @pytest.fixture(scope="module")
 def checked(tmp_path_factory):
-    """A run with a coarse tolerance, and the output of raceway check."""
+    """Return a run with a coarse tolerance, and the output of raceway check."""
     folder = tmp_path_factory.mktemp("check") / "run"
     succeed("inputs/in.6208", out=folder, **COARSE)
     with pytest.MonkeyPatch.context() as patch:
@@ -31,7 +31,7 @@ def checked(tmp_path_factory):
 
 
 def test_errors_are_those_of_the_run(checked, tmp_path):
-    """Each error is the difference from a run made by hand, to the last digit."""
+    """Each error equals the difference from a run made by hand, to the last digit."""
     figures = summary(RunTables(checked))
     errors = figures["numerical_errors"]
     assert {"q_max_N", "h_min_m", "capacitance_F", "cage_speed_rad_s"} <= set(errors)
@@ -93,8 +93,9 @@ def test_verlet_takes_half_the_step(tmp_path, monkeypatch):
     ids=str,
 )
 def test_data_of_ones_own(tmp_path, monkeypatch, own):
-    """Bearing and oil data are passed on to the repeated runs. The main deck's means are accurate
-    to 1e-3 by default; without these data they would change by one to twenty per cent."""
+    """The data of bearing and oil are passed on to the repeated runs. The means of the main deck
+    are accurate to 1e-3 by default; without these data they would change by one to twenty per
+    cent."""
     monkeypatch.chdir(ROOT)
     succeed("inputs/in.6208", out=tmp_path, passes=1, **own)
     before = summary(RunTables(tmp_path))

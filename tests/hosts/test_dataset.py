@@ -70,7 +70,7 @@ def test_files(made):
 
 
 def test_rates_hold_the_same_signal(made):
-    """The signal at 12 kHz is every fourth sample of the 48 kHz signal, apart from the content that
+    """The signal at 12 kHz is every fourth sample of the 48 kHz signal, except for the content that
     12 kHz cannot represent."""
     fast, slow = (signal_of(made, 2, rate)["X002_DE_time"].ravel() for rate in (48000, 12000))
     low = np.fft.rfft(fast)[: int(0.35 * len(slow))] / len(fast)
@@ -104,8 +104,8 @@ def test_card(made):
 
 
 def test_goes_on(made, tmp_path, monkeypatch):
-    """After a stop while files of a record are written, the same command finishes with the same
-    signals."""
+    """If the command is stopped while files of a record are written, the same command finishes with
+    the same signals."""
 
     def stop(one, *_):
         raise KeyboardInterrupt

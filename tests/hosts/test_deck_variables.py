@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A -var that the deck does not define ends the run at the command bearing."""
+"""A -var that the deck does not define stops the run at the command bearing."""
 
 import json
 import re
@@ -55,7 +55,7 @@ def test_unknown_in_every_deck(tmp_path, deck):
 @pytest.mark.parametrize("host", HOSTS)
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_given(tmp_path, host, ranks):
-    """A run records the bearing and lubricant data given by -var, and nothing else."""
+    """A run records the bearing and lubricant data that were given by -var, and no others."""
     own = dict(ball_poisson=0.29, inner_mass=2, viscosity=0.05, out=tmp_path, **SHORT)
     succeed("inputs/in.6208", host=host, ranks=ranks, **own)
     said = raceway.open(tmp_path).settings["given_data"]
@@ -72,7 +72,8 @@ def test_known(tmp_path, host):
 
 
 def test_models(tmp_path):
-    """`models` names a set of keywords for the pair style; record and summary state this name."""
+    """`models` names a set of keywords for the pair style, and record and summary state this
+    name."""
 
     def commands():
         return raceway.open(tmp_path).tables.record.attrs["pair_commands"]
@@ -95,7 +96,7 @@ def test_models(tmp_path):
 
 
 def test_models_of_an_oil_without_the_numbers(tmp_path):
-    """A lubricant file of a user, with only the data that the models of the paper need."""
+    """A lubricant file of a user may contain only the data that the models of the paper need."""
     own = tmp_path / "inputs"
     shutil.copytree(ROOT / "inputs", own)
     (own / "lubricants" / "mine").write_text(
@@ -120,9 +121,9 @@ OIL = {"kinematic_viscosity_40": 46, "kinematic_viscosity_100": 6.8, "oil_densit
 
 @pytest.mark.parametrize("models", ["paper", "full", "eyring", "none"])
 def test_an_oil_of_three_numbers(tmp_path, models, capsys):
-    """Viscosities and density of a data sheet are enough. Run and statics have the same
-    defaults for unmeasured properties; a file that states the defaults gives the same run, and
-    summaries name them."""
+    """Viscosities and density from a data sheet are enough. Run and statics have the same defaults
+    for unmeasured properties; a file that states the defaults gives the same run, and summaries
+    name them."""
     short, whole = tmp_path / "short", tmp_path / "whole"
     lines = "".join(f"variable {name} index {value}\n" for name, value in OIL.items())
     short.write_text(lines)
@@ -158,7 +159,8 @@ def test_other_spelling_of_the_option(tmp_path):
 
 
 def test_deck_that_includes_the_deck(tmp_path):
-    """Variables of the including deck are recognised; variables that it sets are not required."""
+    """Variables of the including deck are recognised, and variables that it sets are not
+    required."""
     deck = tmp_path / "in.mine"
     deck.write_text(
         "variable mine index 1\nvariable fixed string 2\nvariable more equal 3\n"
@@ -169,7 +171,7 @@ def test_deck_that_includes_the_deck(tmp_path):
 
 
 def test_option_of_another_program(tmp_path):
-    """python -v is not a variable."""
+    """The -v of `python -v` is not taken for a variable."""
     script = tmp_path / "script.py"
     script.write_text(
         "import ctypes, sys\n"
@@ -197,7 +199,7 @@ def test_option_of_another_program(tmp_path):
 
 
 def test_page_of_the_main_deck_has_every_variable():
-    """Each variable is in a row of the page or in the generated table of its command; the data of
+    """Each variable is in a row of the page or in the generated table of its command. The data of
     bearings and oils, which variables replace, are on the page of the catalogue."""
     page = (ROOT / "docs" / "main_deck.rst").read_text()
     generated = re.findall(r"deck-variables:: (\S+)", page)

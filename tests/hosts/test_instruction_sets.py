@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Processors without AVX2 evaluate contacts with different code, generated from the same formulas;
-the results have the same bits. That code calls the law part by part, whereas in the code for AVX2
-the laws of `models` are inlined.
+"""Processors without AVX2 evaluate contacts with different code, generated from the same formulas,
+and the results are bitwise identical. This code calls the law part by part, whereas in the code for
+AVX2 the laws of `models` are inlined.
 
-The variable RACEWAY_NARROW_LANES selects that code on processors with AVX2 (docs/design).
+The variable RACEWAY_NARROW_LANES selects this code on processors with AVX2 (docs/design).
 """
 
 import ctypes
@@ -18,7 +18,7 @@ LIBRARY = host.ROOT / "build" / "libraceway_physics.so"
 
 
 def takes_avx2(**environment):
-    """True if a process with these environment variables uses AVX2."""
+    """Return whether a process with these environment variables uses AVX2."""
     ask = f"import ctypes; print(ctypes.CDLL({str(LIBRARY)!r}).takes_avx2())"
     done = subprocess.run(
         [sys.executable, "-c", ask],

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run that is stopped or killed at a random moment and resumed gives the same bits as an
+"""A run that is stopped or killed at a random moment and resumed is bitwise identical to an
 uninterrupted run. `kills.py` repeats this fifty times."""
 
 import random
@@ -13,7 +13,7 @@ from hosts.kills import SCENES, disturb, run
     scope="module", params=SCENES, ids=lambda scene: scene.get("models", scene["integrator"])
 )
 def undisturbed(request, tmp_path_factory):
-    """A scene, the folder of its run, and the run time (s)."""
+    """Return a scene, the folder of its run, and the run time (s)."""
     folder = tmp_path_factory.mktemp("undisturbed") / "run"
     return request.param, folder, run(request.param, folder)
 

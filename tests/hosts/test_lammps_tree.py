@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Raceway as a package of a LAMMPS source tree: installed, refused in an unsuitable tree,
+"""Raceway as a package of a LAMMPS source tree is installed, rejected in an unsuitable tree, and
 removed. The trees here contain only the inspected files; own_lammps.py uses a complete tree."""
 
 import subprocess
@@ -41,7 +41,7 @@ def tree(request, tmp_path):
 
 
 def make(what, tree):
-    """(exit code, output) of `make install-tree` or `make uninstall-tree`."""
+    """Run `make install-tree` or `make uninstall-tree` and return (exit code, output)."""
     done = subprocess.run(
         ["make", "-s", f"{what}-tree", f"LAMMPS={tree}"],
         cwd=ROOT,
@@ -54,7 +54,7 @@ def make(what, tree):
 
 
 def contents(tree):
-    """All files and folders of a tree."""
+    """Return all files and folders of a tree."""
     return {
         str(path.relative_to(tree)): path.read_text() if path.is_file() else None
         for path in tree.rglob("*")
@@ -62,7 +62,7 @@ def contents(tree):
 
 
 def refused(tree, says, what="install"):
-    """The tree is refused with a message and left unchanged."""
+    """Check that the tree is rejected with a message and left unchanged."""
     before = contents(tree)
     code, text = make(what, tree)
     assert code != 0 and "Refused: " in text and says in text, text
@@ -124,7 +124,7 @@ def test_a_file_changed_since(tree):
 
 
 def test_package_that_is_in_use(tree):
-    """make yes-raceway copied it to src."""
+    """`make yes-raceway` has copied the package to src."""
     assert make("install", tree)[0] == 0
     (tree / "src" / "create_bearing.cpp").touch()
     refused(tree, "no-raceway first", what="uninstall")

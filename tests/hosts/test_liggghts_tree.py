@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Raceway in an upstream LIGGGHTS source tree: same bits as with Debian's library; refused in an
-unsuitable tree; removable."""
+"""Raceway in an upstream LIGGGHTS source tree is bitwise identical to Raceway with Debian's
+library; it is rejected in an unsuitable tree, and can be removed."""
 
 import os
 import shutil
@@ -16,7 +16,7 @@ PATCHED = ("finish.cpp", "utils.h", "dump_mesh_vtk.h", "dump_mesh_vtk.cpp")
 
 
 def make(what, tree):
-    """(exit code, output) of `make install-tree` or `make uninstall-tree`."""
+    """Run `make install-tree` or `make uninstall-tree` and return (exit code, output)."""
     done = subprocess.run(
         ["make", "-s", f"{what}-tree", f"LIGGGHTS={tree}"],
         cwd=ROOT,
@@ -29,7 +29,7 @@ def make(what, tree):
 
 
 def contents(tree):
-    """Every file of a tree."""
+    """Return every file of a tree."""
     return {
         str(path.relative_to(tree)): path.read_bytes()
         for path in sorted(tree.rglob("*"))
@@ -39,7 +39,7 @@ def contents(tree):
 
 @pytest.fixture(scope="module")
 def upstream(tmp_path_factory):
-    """The upstream sources used here: all of src without its packages, unmodified."""
+    """Return the upstream sources used here: all of src without its packages, unmodified."""
     whole = unpacked(tmp_path_factory.mktemp("upstream") / "liggghts")
     tree = tmp_path_factory.mktemp("small")
     (tree / "src" / "MAKE").mkdir(parents=True)
@@ -55,7 +55,7 @@ def tree(upstream, tmp_path):
 
 
 def refused(tree, says, what="install"):
-    """The tree is refused with a message and left unchanged."""
+    """Check that the tree is rejected with a message and left unchanged."""
     before = contents(tree)
     code, text = make(what, tree)
     assert code != 0 and "Refused: " in text and says in text, text
@@ -134,7 +134,7 @@ def test_another_change_of_a_patched_file_is_kept(tree):
 
 
 def test_an_interrupted_installation_is_taken_out(tree):
-    """If an installation is killed half-way, files installed so far can be removed, because the
+    """If an installation is killed half-way, the files installed so far can be removed, because the
     manifest is written first."""
     before = contents(tree)
     assert make("install", tree)[0] == 0
@@ -178,7 +178,7 @@ def test_main_deck_has_the_same_bits(tmp_path, integrator):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_transient_has_the_same_bits(tmp_path, ranks):
-    """All digits agree if rings are free to tilt, on one rank and on two."""
+    """All digits agree if the rings are free to tilt, on one rank and on two."""
     succeed("tests/hosts/in.bits", out=tmp_path / "debian", tilt="free")
     succeed("tests/hosts/in.bits", program=PROGRAM, ranks=ranks, out=tmp_path / "tree", tilt="free")
     for name in ("contacts.dump", "balls.dump"):
@@ -196,8 +196,8 @@ def test_it_is_the_tree_that_ran(tmp_path):
 
 
 def test_sources_of_apt_in_one_line(tmp_path):
-    """Private apt sources are derived from the sources of the machine, in either format, without
-    other suites and repositories."""
+    """The private apt sources are derived from the sources of the machine, in either format,
+    without other suites and repositories."""
     (tmp_path / "sources.list").write_text(
         "# deb x\ndeb [arch=amd64 signed-by=/k.gpg] http://m/debian bookworm main contrib\n"
         "deb http://m/debian bookworm-updates main\ndeb http://n/x nodistro main\n"

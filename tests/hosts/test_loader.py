@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The styles are available however LIGGGHTS is started: after `clear`, with LD_PRELOAD, in
+"""The styles are available in every way to start LIGGGHTS: after `clear`, with LD_PRELOAD, in
 partitions, and from Python."""
 
 import os
@@ -12,7 +12,8 @@ from host import FORMATS, ROOT, frames, succeed
 
 
 def test_clear(tmp_path):
-    """The second bearing of a script, after `clear`, gives the same bits as the first."""
+    """The results for the second bearing of a script, after `clear`, are bitwise identical to those
+    for the first."""
     deck = tmp_path / "in.clear"
     deck.write_text(
         f"variable out index {tmp_path}/first\ninclude tests/hosts/in.bits\nclear\n"
@@ -23,8 +24,8 @@ def test_clear(tmp_path):
 
 
 def test_partition(tmp_path):
-    """Two partitions run two lubricants at once (universe variables), and each gives the same bits
-    as a separate run."""
+    """Two partitions run two lubricants at once (universe variables), and each is bitwise identical
+    to a separate run."""
     deck = tmp_path / "in.partition"
     deck.write_text(
         "variable lubricant universe mineral pao48\nvariable out index"
@@ -73,7 +74,8 @@ def test_preload_into_the_stock_program(program, host, styles, tmp_path):
 
 
 def test_from_python(tmp_path):
-    """The library is loaded with ctypes (docs: "From Python"); its C interface runs the deck."""
+    """The library is loaded with ctypes (docs: "From Python"), and its C interface runs the
+    deck."""
     script = textwrap.dedent("""
         import ctypes, sys
         lib = ctypes.CDLL(sys.argv[1], mode=ctypes.RTLD_GLOBAL)

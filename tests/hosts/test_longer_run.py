@@ -25,7 +25,7 @@ def test_finished_run_stays(tmp_path, deck):
 
 
 def test_finished_run_that_cannot_go_on(tmp_path):
-    """The run has no restart file, for example because an older version made it."""
+    """The run has no restart file, for example because it was made by an older version."""
     succeed(DECK, out=tmp_path, **SHORT)
     (tmp_path / "restart").unlink()
     failed = liggghts(DECK, out=tmp_path, resume="yes", **SHORT)

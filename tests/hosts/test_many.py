@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Many bearings in one box: each has the same bits as alone, on any number of ranks, however the
-box is cut.
+"""Many bearings in one box: the results of each are bitwise identical to those of a bearing alone,
+on any number of ranks and for any cut of the box.
 
 Twelve bearings lie in three columns. They have different loads, speeds and first azimuths, and two
 alternating lubricants. The cut between two ranks lies between rows of bearings, cuts between three
@@ -33,7 +33,7 @@ BEARINGS = {"bearings": 12, "columns": 3}
 
 
 def fleet(folder):
-    """{bearing: its inner ring, load, rpm, lubricant}."""
+    """Return {bearing: its inner ring, load, rpm, lubricant}."""
     lines = (folder / "fleet.txt").read_text().splitlines()
     oils = dict(re.findall(r"^# kind (\d+): (\S+)$", "\n".join(lines), flags=re.M))
     rows = [line.split() for line in lines if line[0] != "#"]
@@ -41,7 +41,7 @@ def fleet(folder):
 
 
 def table(folder, ring):
-    """{step: columns of the row of an inner ring, without the first column}."""
+    """Return {step: columns of the row of an inner ring, without the first column}."""
     found = {}
     for step, rows in frames(folder / "bearings.dump").items():
         mine = [row.split()[1:] for row in rows if int(row.split()[0]) == ring]
@@ -51,13 +51,14 @@ def table(folder, ring):
 
 
 def variables(folder):
-    """{name: bytes} of the variables of a record."""
+    """Return {name: bytes} for the variables of a record."""
     with netcdf_file(folder / "record.nc", mmap=False) as file:
         return {name: one.data.tobytes() for name, one in file.variables.items()}
 
 
 def atoms(folder, ring):
-    """The last state of the atoms of the bearing with the inner ring `ring`, in their order."""
+    """Return the last state of the atoms of the bearing with the inner ring `ring`, in their
+    order."""
     last = (ring + 1 - ATOMS, ring + 1)
     (rows,) = frames(folder / "last.dump").values()
     mine = sorted(
@@ -71,7 +72,7 @@ def atoms(folder, ring):
 
 @pytest.fixture(scope="module", params=SCENES)
 def scene(request, tmp_path_factory):
-    """Variables of a scene, and the folder of its run on one rank."""
+    """Return the variables of a scene, and the folder of its run on one rank."""
     folder = tmp_path_factory.mktemp("many")
     variables = {**BEARINGS, **SCENES[request.param]}
     succeed(DECK, out=folder, **variables)
@@ -114,8 +115,8 @@ def test_hosts(tmp_path, host, ranks):
 
 @pytest.mark.parametrize("number, ranks", [(1, 1), (5, 3), (8, 1), (11, 4)])
 def test_alone(scene, number, ranks, tmp_path):
-    """With four ranks, cuts pass through bearings 5 and 8 of the middle column; the single runs
-    have them in the same position of the same box."""
+    """With four ranks, cuts pass through bearings 5 and 8 of the middle column. In the single runs
+    these bearings have the same position in the same box."""
     variables, folder = scene
     succeed(DECK, ranks=ranks, out=tmp_path, only=number, **variables)
     (alone,) = fleet(tmp_path).values()
@@ -126,7 +127,7 @@ def test_alone(scene, number, ranks, tmp_path):
 
 
 def test_table_against_the_contacts(tmp_path):
-    """Sums and extremes of a row match the contact table of its ring; force and torque match
+    """Sums and extremes in a row match the contact table of its ring, and force and torque match
     fix bearing/ring."""
     deck = tmp_path / "in.check"
     deck.write_text(f"""
@@ -210,7 +211,7 @@ write_dump all custom OUT id x y z vx vy vz omegax omegay omegaz modify &
 
 
 def one_ring(**words):
-    """The deck `ONE_RING` with `words` in place of the names in capitals."""
+    """Return the deck `ONE_RING` with `words` in place of the names in capitals."""
     text = ONE_RING
     for name, word in words.items():
         text = text.replace(name.upper(), str(word))
@@ -223,7 +224,7 @@ def one_ring(**words):
     ids=["implicit", "verlet"],
 )
 def test_a_value_of_its_own_is_the_number(move, step, tmp_path):
-    """Loads, speeds and positions from atom-style variables give the same bits as numbers."""
+    """Loads, speeds and positions from atom-style variables are bitwise equivalent to numbers."""
     by = {
         "number": {"spin": 50, "tilt": 1e-4, "load": -2000, "moment": 50},
         "variable": {"spin": "v_spin", "tilt": "v_tilt", "load": "v_force", "moment": "v_spin"},
@@ -284,7 +285,7 @@ def test_mistakes(words, message, tmp_path):
 
 
 def test_oils_in_turn(tmp_path):
-    """Three oils in seven bearings: the record has the viscosity of each."""
+    """With three oils in seven bearings, the record has the viscosity of each."""
     oils = ["mineral", "vg68", "vg46"]
     words = {"bearings": 7, "columns": 3, "time": 1e-3, "kinds": 3, "lubricant": oils}
     succeed("inputs/in.many", out=tmp_path, **words)
@@ -297,7 +298,7 @@ def test_oils_in_turn(tmp_path):
 
 
 def test_alike(tmp_path):
-    """Every bearing equals the first: load, speed and azimuth are the same."""
+    """Every bearing equals the first, because load, speed and azimuth are the same."""
     words = {"bearings": 2, "columns": 2, "fleet": "alike", "lubricant": "vg46", "phase": 0.3}
     succeed(DECK, out=tmp_path, time=2e-3, **words)
     one, other = fleet(tmp_path).values()
@@ -305,7 +306,7 @@ def test_alike(tmp_path):
 
 
 def test_surroundings(tmp_path):
-    """The record contains the capacitances; motion and table are unchanged."""
+    """The record contains the capacitances, while motion and table are unchanged."""
     short = {"bearings": 2, "columns": 2, "time": 2e-3}
     runs = {}
     for word in ("none", "cavitated"):
@@ -333,7 +334,7 @@ def test_starved_as_alone(tmp_path):
 
 
 def test_one_oil_in_lammps(tmp_path):
-    """With a single oil LAMMPS once crashed in its own reader."""
+    """With a single oil, LAMMPS once crashed in its own reader."""
     words = {"bearings": 4, "time": 5e-4, "sample": 2.5e-4, "lubricant": "vg46"}
     succeed("inputs/in.many", host="lammps", out=tmp_path, **words)
     assert [oil for *_, oil in fleet(tmp_path).values()] == 4 * ["vg46"]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Data of bearings and oils that plain decks take by name equal the data that Python reads: default
-data, rows of a table, files of a user, an oil at its temperature."""
+"""Data of bearings and oils that plain decks get by name equal the data that Python reads: default
+data, rows of a table, files of a user, and an oil at its temperature."""
 
 import math
 
@@ -42,7 +42,7 @@ run 0
 
 
 def told(tmp_path, names, head=HEAD, **words):
-    """{name: text} of the variables b_NAME."""
+    """Return {name: text} for the variables b_NAME."""
     deck = tmp_path / "in.deck"
     deck.write_text(head + "".join(f'print "IS {name} ${{b_{name}}}"\n' for name in names))
     lines = succeed(deck, **words).text.splitlines()
@@ -50,7 +50,7 @@ def told(tmp_path, names, head=HEAD, **words):
 
 
 def recorded(tmp_path, **words):
-    """The record of a run of the scene."""
+    """Return the record of a run of the scene."""
     deck = tmp_path / "in.scene"
     deck.write_text(SCENE)
     succeed(deck, out=tmp_path / "run", **words)
@@ -103,7 +103,7 @@ def test_row_is_a_file(tmp_path, name):
 
 
 def test_four_point(tmp_path):
-    """The record has radii that include the arch, and the offset of the arch."""
+    """The record contains radii that include the arch, and the offset of the arch."""
     record = recorded(tmp_path, four_point=35, clearance=4e-6)
     bearing = inputs.bearing(BEARINGS / "6208", four_point=math.radians(35))
     for side, play in (("inner", 0.0), ("outer", 2e-6)):

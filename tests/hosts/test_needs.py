@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway needs` with the real program: random scenes, judged by separate runs."""
+"""`raceway needs` with the real program: its answers for random scenes are judged by separate
+runs."""
 
 import json
 import random
@@ -22,7 +23,7 @@ FEW += ["cage"]
 
 
 def scene(number):
-    """Variables of a random scene: load, speed, clearance, oil, temperature."""
+    """Return the variables of a random scene: load, speed, clearance, oil, temperature."""
     draw = random.Random(100 * SEED + number)
     return {
         **SHORT,
@@ -40,7 +41,7 @@ def words(variables):
 
 @pytest.fixture(scope="module", params=[(0, []), (1, ["--keep", *FEW])], ids=["all", "few"])
 def answered(request, tmp_path_factory):
-    """(scene, output of raceway needs, folder of the output)"""
+    """Return (scene, output of raceway needs, folder of the output)."""
     number, keep = request.param
     folder = tmp_path_factory.mktemp("needs")
     with pytest.MonkeyPatch.context() as patch:
@@ -85,7 +86,8 @@ def test_picked_set_keeps_what_is_wanted(answered, tmp_path):
 
 
 def test_warnings_of_the_reference(undrawn, tmp_path, capsys):
-    """A 7205B under radial load alone, with one part that may be left out."""
+    """The warnings are those of the reference, here a 7205B under radial load alone, with one part
+    that may be omitted."""
     own = words({**SHORT, "bearing": "7205B", "load": "1000", "rpm": "3000"})
     keep = sorted({one.name for one in choices({}, True)} - {"drag"})
     assert main(["needs", "inputs/in.6208", *own, "--keep", *keep, "--out", str(tmp_path)]) == 0
@@ -185,7 +187,7 @@ def test_sets():
 
 
 def test_parts_of_a_cage_ring_are_choices():
-    """Parts of a one-piece cage are choices; parts of a land only if a land guides the cage."""
+    """Parts of a one-piece cage are choices, but parts of a land only if a land guides the cage."""
 
     def parts(**scene):
         return {one.name for one in choices(scene, True, {"cage": "yes", "cage_guide": "balls"})}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Restart files of another run or of another build are refused with the cause."""
+"""Restart files of another run or another build are rejected, and the message states the cause."""
 
 import re
 
@@ -28,7 +28,7 @@ REFUSED = {
 @pytest.mark.parametrize("host", HOSTS)
 def test_formulas(host, tmp_path):
     """A continued run must have the formulas with which it began, including formulas of variables
-    that only another formula names."""
+    that are named only in other formulas."""
     deck, kept = tmp_path / "in.deck", tmp_path / "kept"
     keep = f"fix keep all bearing/checkpoint 100 {tmp_path}/run"
     deck.write_text(BOX + BEARING + RISING + SCENE + f"{keep}\n{RUN}write_restart {kept}\n")

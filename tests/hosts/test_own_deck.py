@@ -56,7 +56,7 @@ def words(values):
 
 @pytest.fixture
 def deck(tmp_path):
-    """A function that writes the deck with the user's `own` lines and returns its path."""
+    """Return a function that writes the deck with the user's `own` lines and returns its path."""
     (tmp_path / "bearing").write_text(words(BEARING))
     (tmp_path / "oil").write_text(words(OIL))
 
@@ -70,8 +70,8 @@ def deck(tmp_path):
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])
 def test_names_of_another_meaning(deck, tmp_path, host):
-    """Variables that are not passed to a command have no range; bearing data set by accident are
-    reported."""
+    """Variables that are not passed to a command have no range, and bearing data that are set by
+    accident are reported."""
     own = {"step": 5, "keep": "left", "time": "noon", "rpm": -30, "load_azimuth": "up"}
     quiet = succeed(deck(words(own)), host=host).text
     assert "by variables of the deck" not in quiet

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A deck that includes the main deck may use any variables: variables of the main deck and its
-bearing have the prefix b_."""
+"""A deck that includes the main deck may use any variables, because the variables of the main deck
+and its bearing have the prefix b_."""
 
 import re
 
@@ -30,7 +30,7 @@ def test_deck_with_variables_of_its_own(tmp_path, host, integrator):
 
 
 def test_prefix():
-    """Variables that the main deck sets itself have the prefix b_, so that they never clash with a
+    """Variables that the main deck itself sets have the prefix b_, so that they never clash with a
     -var."""
     own = re.findall(
         r"^variable (\w+) +(?! |index)", (ROOT / "inputs" / "in.6208").read_text(), re.M

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""inputs/in.6208 in plain commands: its bits with models paper, in all hosts and after a restart,
-and its errors."""
+"""inputs/in.6208 in plain commands: its results with models paper are bitwise identical in all
+hosts and after a restart, and it reports errors."""
 
 import hashlib
 
@@ -42,7 +42,7 @@ LATER = {"checksum", "bearing_cage_power", "bearing_cage_force"}
 
 
 def values(folder):
-    """Variables of a record as bytes, without signs of zeros."""
+    """Return the variables of a record as bytes, without signs of zeros."""
     with netcdf_file(folder / "record.nc", mmap=False) as file:
         return {
             name: (one.data + 0.0 if one.data.dtype.kind == "f" else one.data).tobytes()
@@ -51,7 +51,7 @@ def values(folder):
 
 
 def digest(folder):
-    """Digest of the variables that records had at a7b5052."""
+    """Return a digest of the variables that records had at a7b5052."""
     known = sorted((name, data) for name, data in values(folder).items() if name not in LATER)
     total = hashlib.sha256()
     for name, data in known:

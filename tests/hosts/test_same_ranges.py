@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Statics and the main deck accept and refuse the same data files."""
+"""Statics and the main deck accept and reject the same data files."""
 
 import re
 
@@ -38,7 +38,7 @@ TAKEN = [
 
 
 def changed(folder, file, values):
-    """An inputs folder in which `file` has other `values`."""
+    """Return an inputs folder in which `file` has other `values`."""
     kind, name = file.split("/")
     for one in (ROOT / "inputs").iterdir():
         if one.name != kind:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Scenes under AddressSanitizer and UndefinedBehaviorSanitizer: the first finding ends the run
-with an error."""
+"""Scenes run under AddressSanitizer and UndefinedBehaviorSanitizer, where the first finding stops
+the run with an error."""
 
 import pytest
 from host import ROOT, frames, succeed
@@ -8,7 +8,8 @@ from host import ROOT, frames, succeed
 
 @pytest.mark.parametrize("lubricant", ["mineral", "dry"])
 def test_bits_scene(tmp_path, lubricant):
-    """The bits equal those of the plain build: the sanitizers do not change arithmetic."""
+    """The results are bitwise identical to those of the plain build, because the sanitizers do not
+    change arithmetic."""
     for name, sanitized in (("plain", False), ("checked", True)):
         succeed(
             "tests/hosts/in.bits",
@@ -39,7 +40,7 @@ def test_main_decks(tmp_path, deck):
 
 
 def test_axial_deck(tmp_path):
-    """Runs the first steps after each change of the force."""
+    """The first steps after each change of the force are run."""
     text = (ROOT / "inputs" / "in.axial").read_text()
     deck = tmp_path / "in.axial"
     deck.write_text(text.replace("run 25000\n", "run 2500\n"))
@@ -49,7 +50,7 @@ def test_axial_deck(tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_implicit(tmp_path, ranks):
-    """Two bearings, one of them cut by two ranks, run through a transient with refused steps, and
+    """Two bearings, one of them cut by two ranks, run through a transient with rejected steps, and
     continue from a restart file."""
     deck, case = "tests/implicit/in.ranks", {"bearings": 2, "xlo": -0.15, "xhi": 0.18}
     succeed(deck, sanitized=True, ranks=ranks, out=tmp_path, keep=20, **case)

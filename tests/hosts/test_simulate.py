@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway.simulate` gives the same bits and errors as the deck that it writes, run by hand."""
+"""`raceway.simulate` gives bitwise the same results, and the same errors, as the deck that it
+writes, run by hand."""
 
 import os
 import pickle
@@ -25,7 +26,7 @@ LONG = {"load": 3000, "rpm": 2000, "passes": 60, "keep": 25, "models": "full"}
 
 @pytest.fixture(autouse=True)
 def environment(monkeypatch):
-    """The environment in which all tests start a host."""
+    """Return the environment in which all tests start a host."""
     for name, value in ENVIRONMENT.items():
         monkeypatch.setenv(name, value)
 
@@ -38,8 +39,8 @@ def record(folder):
     "host, ranks", [("liggghts", 1), ("liggghts", 2), ("lammps", 1), ("wheel", 2)]
 )
 def test_bits_of_the_deck_run_by_hand(tmp_path, monkeypatch, host, ranks):
-    """A call gives the same bits as the deck that it wrote and as the main deck with -var, also
-    from a folder without inputs."""
+    """A call is bitwise equivalent to a run of the deck that it wrote and to the main deck with
+    -var, also from a folder without inputs."""
     monkeypatch.chdir(tmp_path)
     name = None if host == "wheel" else host
     if host == "wheel":  # as if there were no source tree
@@ -67,7 +68,7 @@ def test_bits_of_the_deck_run_by_hand(tmp_path, monkeypatch, host, ranks):
     [{"load": -1}, {"models": "half"}, {"bearing": "6299"}, {"lubricant": "pao8", "passes": 2}],
 )
 def test_errors_of_the_command_line(tmp_path, wrong):
-    """The host's message is the same as for the main deck with -var."""
+    """The message of the host is the same as for the main deck with -var."""
     folder = tmp_path / "run"
     if "passes" in wrong:  # a finished run with other settings
         raceway.simulate(out=folder, passes=1)
@@ -104,7 +105,7 @@ def _max_load(load):
     "pool", [ThreadPoolExecutor, lambda n: ProcessPoolExecutor(n, get_context("spawn"))]
 )
 def test_side_by_side(tmp_path, monkeypatch, pool):
-    """Each point has a separate folder, named after its values."""
+    """Each point has a separate folder, which is named after its values."""
     monkeypatch.chdir(tmp_path)
     loads = [1000, 2000.0, 4000]
     with pool(2) as workers:
@@ -116,7 +117,7 @@ def test_side_by_side(tmp_path, monkeypatch, pool):
 
 
 def test_folder_in_use(tmp_path):
-    """Of two runs into one folder the second is refused, as on the command line."""
+    """Of two runs into one folder the second is rejected, as on the command line."""
     code = "import sys, raceway; raceway.simulate(out=sys.argv[1], **eval(sys.argv[2]))"
     first = subprocess.Popen([sys.executable, "-c", code, tmp_path, repr(LONG)], cwd=ROOT)
     try:
@@ -131,7 +132,7 @@ def test_folder_in_use(tmp_path):
 @pytest.mark.parametrize("whom", ["caller", "host", "mpirun", "rank"])
 def test_stopped_and_continued(tmp_path, whom):
     """Ctrl-C stops the host, which leaves a restart file; a killed host, mpirun or rank raises an
-    error. The next call continues to the same bits."""
+    error. After the next call the results are bitwise those of an uninterrupted run."""
     raceway.simulate(out=tmp_path / "whole", **LONG)
     words = LONG | {"ranks": 2 if whom in ("mpirun", "rank") else 1}
     code = "import sys, raceway; raceway.simulate(out=sys.argv[1], **eval(sys.argv[2]))"

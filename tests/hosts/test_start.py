@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How the programs start Open MPI: quickly when started alone, by the rules of Open MPI when
-started by a launcher, and always with the user's settings."""
+"""The programs start Open MPI quickly when started alone, by the rules of Open MPI when started by
+a launcher, and always with the user's settings."""
 
 import re
 import subprocess
@@ -13,7 +13,8 @@ OURS = {"ess_singleton_isolated": "true", "pml": "ob1", "orte_create_session_dir
 
 
 def settings(host, tmp_path, deck="", ranks=1, **environment):
-    """Settings {name: value} that Open MPI finds in the environment when the host runs `deck`."""
+    """Return the settings {name: value} that Open MPI finds in the environment when the host runs
+    `deck`."""
     path = tmp_path / "in.deck"
     path.write_text(deck + "\n")
     command = [HOSTS[host][0], "-in", path, "-log", "none", "-screen", "none"]
@@ -37,7 +38,7 @@ def test_alone(host, tmp_path):
 
 
 def test_launcher(tmp_path):
-    """Under mpirun the programs set no parameters of Open MPI."""
+    """Under mpirun the programs do not set any parameters of Open MPI."""
     found = settings("liggghts", tmp_path, ranks=2)
     assert found["ess"] == "pmi"
     assert not OURS.keys() & found.keys()
@@ -45,7 +46,7 @@ def test_launcher(tmp_path):
 
 @pytest.mark.parametrize("name", ["PMIX_RANK", "PMI_RANK", "SLURM_STEP_ID", "FLUX_TASK_RANK"])
 def test_other_launchers(name, tmp_path):
-    """One variable of a launcher is enough to leave Open MPI's settings alone."""
+    """If a single variable of a launcher is set, Open MPI's settings are not changed."""
     assert "ess_singleton_isolated" not in settings("liggghts", tmp_path, **{name: "0"})
 
 
@@ -58,8 +59,8 @@ def test_settings_of_the_user_win(tmp_path):
 
 
 def test_programs_that_a_deck_starts(tmp_path):
-    """Child processes get the user's environment: `shell mpirun ...` must not inherit the singleton
-    settings."""
+    """Child processes get the user's environment, because `shell mpirun ...` must not inherit the
+    singleton settings."""
     settings("liggghts", tmp_path, "shell env > seen", OMPI_MCA_pml="^cm")
     seen = (tmp_path / "seen").read_text().splitlines()
     assert "OMPI_MCA_pml=^cm" in seen
@@ -69,8 +70,8 @@ def test_programs_that_a_deck_starts(tmp_path):
 
 
 def test_many_starts_at_once(tmp_path):
-    """Without isolation, ten of 400 starts, eight at a time, failed in MPI_Init: processes that
-    ended removed the session folder of those that started."""
+    """Without isolation, ten of 400 starts, eight at a time, failed in MPI_Init, because processes
+    that ended removed the session folder of those that started."""
     deck = tmp_path / "in.nothing"
     deck.write_text("units si\n")
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """`raceway sweep` with the real program: points, failures, locks, kills, job arrays and the scripts
-of inputs/cluster."""
+in inputs/cluster."""
 
 import contextlib
 import io
@@ -45,7 +45,7 @@ def words(*arguments):
 
 
 def sweep(*arguments):
-    """Run `raceway sweep` in this process, which has imported the large packages already."""
+    """Run `raceway sweep` in this process, which has already imported the large packages."""
     out, err = io.StringIO(), io.StringIO()
     handlers = {one: signal.getsignal(one) for one in (signal.SIGTERM, signal.SIGHUP)}
     with contextlib.chdir(ROOT), contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
@@ -66,7 +66,7 @@ def table(tmp_path):
 
 
 def test_a_deck_of_several_bearings_without_resume(tmp_path):
-    """Results have columns for each bearing, with the values of its summary."""
+    """The results have columns for each bearing, with the values of its summary."""
     (tmp_path / "t.csv").write_text("rpm\n3000\n")
     out = tmp_path / "out"
     done = sweep(tmp_path / "t.csv", "--deck", "docs/decks/in.two_bearings", "--out", out)
@@ -81,7 +81,7 @@ def test_a_deck_of_several_bearings_without_resume(tmp_path):
 
 @pytest.fixture
 def counter(tmp_path):
-    """A program that adds a line per start to a file next to the folder of the point."""
+    """Return a program that adds a line per start to a file next to the folder of the point."""
     path = tmp_path / "counter.sh"
     path.write_text(COUNTER.format(program=ROOT / "build" / "liggghts"))
     path.chmod(0o755)
@@ -154,7 +154,7 @@ def test_shares_of_the_time(tmp_path, capsys):
 
 
 def test_finished_means_the_figures_of_these_variables(table, tmp_path, counter):
-    """A folder whose files hold other settings does not count as finished."""
+    """A folder whose files contain other settings does not count as finished."""
     out = tmp_path / "out"
     sweep(table, "--out", out, "--program", counter)
     name = "load=2000_rpm=1000_lubricant=dry_passes=1_samples=20"
@@ -242,7 +242,7 @@ def test_stopped_half_way(tmp_path, counter, which, code):
 
 
 def in_work(folder):
-    """Whether a process still writes below `folder`."""
+    """Return whether a process still writes below `folder`."""
     for line in Path("/proc").glob("[0-9]*/cmdline"):
         try:
             if f"{folder}/".encode() in line.read_bytes():
@@ -278,7 +278,7 @@ def test_check_runs_nothing(table, tmp_path):
 
 
 def slurm(task, tasks, **more):
-    """The environment with variables that Slurm sets in a task of an array."""
+    """Return the environment with the variables that Slurm sets in a task of an array."""
     return {
         **ENV,
         "SLURM_ARRAY_TASK_ID": str(task),
@@ -289,7 +289,7 @@ def slurm(task, tasks, **more):
 
 
 def test_job_array(table, tmp_path, counter):
-    """The script that `--slurm` writes is run task by task, as Slurm does."""
+    """The script that `--slurm` writes is run task by task, as Slurm would do."""
     out, script = tmp_path / "out", tmp_path / "job.sh"
     done = sweep(table, "--out", out, "--program", counter, "--slurm", script, "--tasks", 2)
     assert done.stdout == f"{script}: 4 points in 2 tasks\n" and not starts(out)
@@ -390,9 +390,9 @@ def test_scripts_parse(script):
 
 
 def test_partition_deck(tmp_path):
-    """inputs/in.partition: two partitions take four points in turn, each with the result of a
-    separate run. Hosts lock points with a file in the current folder, so this test uses its
-    own folder."""
+    """In inputs/in.partition two partitions alternate between four points, and each point has the
+    result of a separate run. Hosts lock points with a file in the current folder, so this test uses
+    its own folder."""
     (tmp_path / "inputs").symlink_to(ROOT / "inputs")
     succeed(
         "inputs/in.partition",

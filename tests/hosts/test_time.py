@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Simulated time and formulas that contain it continue through restarts and reset_timestep."""
+"""Simulated time, and formulas that contain it, continue through restarts and reset_timestep."""
 
 import numpy as np
 import pytest
@@ -34,7 +34,7 @@ READ = "atom_style sphere\natom_modify map array sort 0 0.0\nnewton off\n"
 
 
 def end(tmp_path, host, *parts):
-    """Time, and positions of rings and a ball, at the end of the deck."""
+    """Return the time, and the positions of the rings and a ball, at the end of the deck."""
     deck = tmp_path / "in.time"
     deck.write_text("".join(parts) + TELL)
     line = next(x for x in succeed(deck, host=host).text.splitlines() if x.startswith("END "))

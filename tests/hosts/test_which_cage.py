@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Kinds of cage of a bearing: a chain of balls, one rigid ring, or none."""
+"""The kinds of cage that a bearing may have: a chain of balls, one rigid ring, or none."""
 
 import numpy as np
 import pytest
@@ -20,7 +20,7 @@ CAGES = [
 
 
 def cage_of(folder):
-    """The kind of cage (ring, chain or no) from the bodies in a record."""
+    """Return the kind of cage (ring, chain or no) that the bodies in a record imply."""
     record = Run(folder).tables.record
     if 2 in record.fixed("ring_raceway"):
         return "ring"
@@ -114,7 +114,7 @@ def test_first_balls_of_many_bearings(tmp_path):
 
 
 def test_a_first_ball_elsewhere_goes_on(tmp_path):
-    """A continued run has its pockets at the same places as before."""
+    """A continued run has its pockets at the same positions as before."""
     words = {**SHORT, "models": "full", "cage": "ring", "phase": 0.3, "resume": "yes"}
     for folder, passes in (("whole", (2,)), ("parts", (1, 2))):
         for number in passes:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The variable `without`: parts of the models that a run omits."""
+"""Tests of the variable `without`, which lists the parts of the models that a run omits."""
 
 import shutil
 
@@ -42,7 +42,7 @@ def whole(tmp_path_factory):
 
 
 def test_losses_that_are_gone(tmp_path, whole):
-    """The losses of the omitted parts vanish, and the others stay."""
+    """The losses of the omitted parts are 0, and the other losses remain."""
     succeed("inputs/in.6208", out=tmp_path, without="+".join(LOSSES), **SCENE)
     losses = Run(tmp_path).summary()["losses_W"]
     for loss in LOSSES.values():

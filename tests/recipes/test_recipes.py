@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Carries out the recipes of docs/extend.rst in a copy of the tree.
+"""The recipes of docs/extend.rst are carried out in a copy of the tree.
 
-The copy builds and every law passes the derivative test. The additions appear in output, in
-tables of the docs and in a deck.
+The copy builds and every law passes the derivative test. The additions appear in output, in tables
+of the docs and in a deck.
 """
 
 import json
@@ -24,7 +24,7 @@ MOST_FILES = {"law": 5, "column": 1, "lubricant": 5, "keyword": 2}
 
 
 def carry_out(recipe: str, tree: Path) -> set[str]:
-    """Make the edits of a recipe in `tree`; return the files that it touches."""
+    """Make the edits of a recipe in `tree` and return the files that it touches."""
     touched = set()
     for edit in yaml.safe_load((RECIPES / f"{recipe}.yaml").read_text()):
         path = tree / edit["file"]
@@ -84,7 +84,8 @@ struct WrongToyLoss""",
 
 
 def run(command: list[str], folder: Path, tree: Path | None = None, **more) -> str:
-    """What `command` prints in `folder`, with the Python package of `tree` (default: `folder`)."""
+    """Run `command` in `folder`, with the Python package of `tree` (default: `folder`), and return
+    its output."""
     path = {"PYTHONPATH": str((tree or folder) / "python" / "src")}
     done = subprocess.run(
         command, cwd=folder, env=os.environ | path, capture_output=True, text=True, **more
@@ -95,7 +96,8 @@ def run(command: list[str], folder: Path, tree: Path | None = None, **more) -> s
 
 @pytest.fixture(scope="module")
 def touched(tmp_path_factory):
-    """(tree, {recipe: files touched}) of a copy with all recipes, built without optimisation."""
+    """Return (tree, {recipe: files touched}) for a copy with all recipes, built without
+    optimisation."""
     tree = tmp_path_factory.mktemp("recipes") / "tree"
     folders = ("src-package", "inputs", "docs/decks", "tests/physics", "tests/references", "python")
     for folder in folders:
@@ -158,7 +160,7 @@ def test_docs_have_the_part_its_keywords_and_columns(touched):
 
 
 def rows(dump: Path) -> list[list[float]]:
-    """Rows of the last frame of a dump."""
+    """Return the rows of the last frame of a dump."""
     lines = dump.read_text().splitlines()
     first = max(n for n, line in enumerate(lines) if line.startswith("ITEM: ENTRIES")) + 1
     return sorted([float(x) for x in line.split()] for line in lines[first:])
@@ -166,7 +168,7 @@ def rows(dump: Path) -> list[list[float]]:
 
 @pytest.fixture(scope="module")
 def ran(touched):
-    """{0 velocity Verlet, 1 implicit: folder} of docs/decks/in.toy."""
+    """Run docs/decks/in.toy; return {0 velocity Verlet, 1 implicit: folder}."""
     folders = {}
     for implicit in ("0", "1"):
         folders[implicit] = touched[0] / f"run{implicit}"
@@ -178,12 +180,12 @@ def ran(touched):
 
 
 def test_the_deck_runs_with_both_integrators(ran):
-    """The couple of a ball that rolls steadily is the toy's stiffness times its time times the
+    """The couple on a ball that rolls steadily is the toy's stiffness times its time times the
     rolling speed.
 
     After ten times the toy's time the integrators agree within the first-order error that Verlet's
-    step causes in the memory, 1e-6/1e-3. Balls that barely touch are left out because their
-    contacts open and close.
+    step causes in the memory, 1e-6/1e-3. Balls that barely touch are omitted because their contacts
+    open and close.
     """
     found = {key: rows(folder / "toys.dump") for key, folder in ran.items()}
     loaded = {key: [row for row in found[key] if row[2] > 100] for key in found}
@@ -206,9 +208,9 @@ print(json.dumps({"summary": found, "needs": figures(found), "report": report}))
 
 
 def test_the_loss_arrives_in_torque_summary_needs_and_report(touched, ran):
-    """The toy's loss appears in the friction torque, losses_W, the figures of raceway needs and the
-    page of the run. It is the sum over the contacts of the record, apart from the damping that the
-    law also has."""
+    """The toy's loss appears in the friction torque, in losses_W, in the results of raceway needs
+    and on the page of the run. It is the sum over the contacts of the record, except for the
+    damping that the law also has."""
     folder = ran["1"] / "toy"
     found = json.loads(
         run([PYTHON, "-c", SHOWN, str(folder), str(folder / "report.html")], touched[0])
