@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The cage on its rails, and the agreement of all ways in which the data of a contact can be
-read."""
+"""The cage stays on its rails, and all ways to read the data of a contact agree."""
 
 import re
 
@@ -14,7 +13,7 @@ SAMPLES = 40
 
 @pytest.fixture(scope="module")
 def run(tmp_path_factory):
-    """The main deck for one ball pass, with additional computes."""
+    """Run the main deck for one ball pass with additional computes."""
     folder = tmp_path_factory.mktemp("cage")
     deck = folder / "in.cage"
     text = (ROOT / "inputs" / "in.6208").read_text()
@@ -60,7 +59,7 @@ variable pe equal c_energy
 
 
 def test_totals_are_those_of_the_contacts(run):
-    """compute bearing/total, compute bearing/ball and the local rows read the same table; dumps
+    """compute bearing/total, compute bearing/ball and the local rows read the same table; the dumps
     have 12 digits."""
     (
         live,
@@ -104,7 +103,7 @@ def test_potential_energy_is_that_of_the_springs(run):
 
 
 def test_background_is_added_once(run):
-    """f_ID[1] is the capacitance from eq 12 plus the background. f_ID[2] is the largest capacitance
+    """f_ID[1] is the capacitance by eq 12 plus the background. f_ID[2] is the largest capacitance
     of a ball without the background. f_ID[3] is the number of balls in the sum."""
     more, top, active, bare = run.totals[15:19]
     np.testing.assert_allclose(more - bare, 30e-12, rtol=1e-9)  # 12 digits of 300 pF
@@ -143,7 +142,7 @@ def test_cage_balls_stay_centred(run):
 
 def test_rails_carry_the_centrifugal_load_at_least(run):
     """The force on the rails is m_c r w^2 of nine polyamide balls divided by the cosine of the seat
-    angle (45 degrees), plus the force from balls that push cage balls outwards."""
+    angle (45 degrees), plus the force of balls that push cage balls outwards."""
     mass = 4 / 3 * np.pi * 4.19e-3**3 * 1140
     orbit = 19.8
     assert run.totals[8].mean() > 0.99 * 9 * mass * 30.3e-3 * orbit**2 / np.cos(np.pi / 4)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A one-piece rigid cage (fix bearing/cage/ring) in a 6208, with both integrators: it conserves
-momentum, oil slows it as the laws describe, and it slips because of its play. Wrong data are
-refused."""
+"""A one-piece rigid cage (fix bearing/cage/ring) in a 6208, with both integrators, conserves
+momentum, is slowed by oil as the laws describe, and slips because of its play. Wrong data are
+rejected."""
 
 import re
 
@@ -35,8 +35,8 @@ def scene(folder, integrator="implicit", *, span=0.02, samples=20, **changes):
 
 
 def momenta(folder):
-    """Momentum (kg m/s) of all bodies, their angular momentum (kg m^2/s) about the axis through the
-    origin, and the sums of the magnitudes: each an array (samples,) or (samples, 2)."""
+    """Return the momentum (kg m/s) of all bodies, their angular momentum (kg m^2/s) about the axis
+    through the origin, and the sums of the magnitudes: each an array (samples,) or (samples, 2)."""
     p, size, turn, turns = [], [], [], []
     for _, rows in tables(folder / "balls.dump"):
         kind, x, v, w, m, r = rows[:, 1], rows[:, 2:5], rows[:, 5:8], rows[:, 8:11], *rows[:, 11:].T
@@ -139,8 +139,8 @@ CENTRED = "guide outer 33.0e-3 5e-6 2.0e-3 2"
 
 
 def slip(folder, words=f"friction 0.1 planar yes {CENTRED}", **changes):
-    """Slip of the cage (%) over one turn of the cage that follows one turn of settling, and the
-    loaded arc (m)."""
+    """Return the slip of the cage (%) over one turn of the cage that follows one turn of settling,
+    and the loaded arc (m)."""
     _, cage = scene(folder, span=0.21, samples=100, words=words, **changes)
     speed = np.polyfit(cage[50:, 1], cage[50:, 5], 1)[0]
     rolling = 157.07963267948966 * (1 - BALL / PITCH) / 2
@@ -171,7 +171,7 @@ def test_a_cage_on_balls_slips_more_than_one_on_its_land(tmp_path):
 
 
 def test_a_run_tells_slip_orbit_and_pocket_forces(tmp_path):
-    """The figures of a run of the deck in inputs agree with the samples in the record of the
+    """The results for a run of the deck in inputs agree with the samples in the record of the
     run."""
     succeed("inputs/in.cage_ring", out=tmp_path, settle=4, passes=4, cage_play=2e-4)
     run = Run(tmp_path)
@@ -272,8 +272,9 @@ def test_a_whirl_has_its_speed_and_name(order, name):
 
 @pytest.mark.parametrize("part", ["shear", "land", "churning"])
 def test_parts_of_a_cage_can_be_left_out(tmp_path, part):
-    """With the other parts left out, the power loss of a part equals its closed form in those
-    samples in which no ball strikes its pocket: the damping of the walls is never below 0."""
+    """If the other parts are omitted, the power loss of a part equals its closed form in those
+    samples in which no ball strikes its pocket, because the damping of the walls is never below
+    0."""
     out = sorted({"friction", "shear", "land", "churning"} - {part})
     land = dict(cage_guide="outer", cage_land=34e-3, cage_clearance=2e-4, cage_width=2e-3)
     succeed(
@@ -306,8 +307,8 @@ def test_parts_of_a_cage_can_be_left_out(tmp_path, part):
 
 
 def share_below(level, pitch):
-    """Mean submerged share of a ball if the oil level is `level` ball diameters above the lowest
-    point of the raceway; `pitch` is the pitch radius over the ball radius."""
+    """Return the mean submerged fraction of a ball if the oil level is `level` ball diameters above
+    the lowest point of the raceway; `pitch` is the ratio of pitch radius to ball radius."""
     turn = np.linspace(0, 2 * np.pi, 3601)[:-1]
     depth = np.clip(pitch * (np.cos(turn) - 1) - 1 + 2 * level, -1, 1)
     return ((1 + depth) ** 2 * (2 - depth) / 4).mean()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/circuit: agreement with the Python package, which uses the record of the same run;
-events; input that is refused."""
+"""fix bearing/circuit agrees with the Python package, which uses the record of the same run; events
+and rejected input are tested as well."""
 
 import shutil
 
@@ -77,7 +77,7 @@ RECORD = "fix rec all bearing/record 1 {}\n"
 
 
 def run_with(folder, words, more="", samples=SAMPLES, record=RECORD, cap="", **options):
-    """Run in.case in `folder` with a record and a circuit with the keywords `words`; return the
+    """Run in.case in `folder` with a record and a circuit with the keywords `words`, and return the
     `Outcome`."""
     folder.mkdir(exist_ok=True)
     (folder / "table.txt").write_text("# s V\n0 0\n2e-3 40\n5e-3 -25 # the end\n")
@@ -96,7 +96,8 @@ def run_with(folder, words, more="", samples=SAMPLES, record=RECORD, cap="", **o
 
 @pytest.fixture(scope="module", params=CASES)
 def pair(request, tmp_path_factory):
-    """(rows of the fix by name, rows of its events, the `Result` from Python) for one run."""
+    """Return (rows of the fix by name, rows of its events, the `Result` from Python) for one
+    run."""
     words, outer, breakdown, leak, points = CASES[request.param]
     folder = tmp_path_factory.mktemp("circuit")
     if breakdown:
@@ -145,8 +146,8 @@ def test_the_fix_gives_the_numbers_of_python(pair):
 
 
 def test_metal(tmp_path):
-    """Films with asperity contact conduct, both in the fix and in Python. An asperity share of 0.1
-    distinguishes them from other films."""
+    """Films with asperity contact conduct, both in the fix and in Python. An asperity fraction of
+    0.1 distinguishes them from other films."""
     here = tmp_path / "here"
     shutil.copytree(ROOT / "tests/implicit", here, ignore=shutil.ignore_patterns("__pycache__"))
     contact = here / "contact.film"

@@ -22,7 +22,7 @@ HELD = dict(radial_load=2000.0, axial_load=1000.0, held={"rx": TILT, "ry": 0.0},
 
 
 def words(case):
-    """Variables of the deck for a case given as keywords of `static.equilibrium`."""
+    """Return the variables of the deck for a case given as keywords of `static.equilibrium`."""
     moment = case.get("moment", (0.0, 0.0))
     result = dict(
         load=case["radial_load"],
@@ -39,8 +39,8 @@ def words(case):
 
 
 def samples(folder, case, every=4):
-    """For every `every`-th sample: (row of ring.dat, contact loads (2, Z), `Equilibrium`). The
-    `Equilibrium` has the azimuths and the orbital speed of the balls in the sample."""
+    """Return (row of ring.dat, contact loads (2, Z), `Equilibrium`) for every `every`-th sample.
+    The `Equilibrium` has the azimuths and the orbital speed of the balls in the sample."""
     bearing = inputs.bearing(ROOT / "inputs/bearings/6208")
     contacts, balls = frames(folder / "contacts.dump"), frames(folder / "balls.dump")
     for row in np.loadtxt(folder / "ring.dat")[::every]:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/capacitance with resistivity, frequency and strength: leakage, impedance, threshold,
-energy and Hertz area equal the values that the Python package finds from the record of the same run
+"""With resistivity, frequency and strength, fix bearing/capacitance gives the same leakage,
+impedance, threshold, energy and Hertz area as the Python package from the record of the same run
 (T11)."""
 
 import numpy as np
@@ -20,7 +20,7 @@ ASK = Ask(strength=STRENGTH, frequency=HERTZ, resistivity=RHO)
 
 
 def measured(folder, words, record=True, samples=60):
-    """(columns of the fix's file by name, the run, or None without a record)."""
+    """Return (columns of the fix's file by name, the run, or None without a record)."""
     folder.mkdir()
     (folder / "more").write_text(
         f"fix cap balls bearing/capacitance 1 permittivity {EPS} {words} file {folder}/totals.txt\n"
@@ -59,8 +59,8 @@ def test_the_fix_gives_the_numbers_of_python(pair):
 
 
 def test_impedance_is_that_of_the_whole(pair):
-    """Far above the corner frequency only the capacitance matters; far below it only the leakage
-    matters."""
+    """Far above the corner frequency only the capacitance matters, and far below it only the
+    leakage."""
     _, of = pair
     whole = whole_capacitance.over_time(of)
     z = film_figures.spectrum(whole, np.array([1e-4, 1e8]), RHO)
@@ -71,8 +71,8 @@ def test_impedance_is_that_of_the_whole(pair):
 
 
 def test_one_fill_relaxes_with_its_resistivity(tmp_path):
-    """At the first sample nothing is in contact yet and the bearing is flooded, so that
-    R C = rho eps_0 eps."""
+    """At the first sample there is no contact yet and the bearing is flooded, so R C = rho eps_0
+    eps."""
     rows, _ = measured(tmp_path / "run", f"surroundings flooded {ASKED}", False, 1)
     none = rows["capacitance"] == 0
     assert none[0] and rows["hertz_area"][0] == 0

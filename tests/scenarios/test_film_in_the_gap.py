@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs with the models `film`: agreement with statics that include the film in the gap (written
-independently in Python), light load, both integrators, the longest explicit step."""
+"""Runs with the models `film` agree with statics that include the film in the gap (written
+independently in Python). Light loads, both integrators and the longest explicit step are tested."""
 
 import re
 
@@ -115,8 +115,8 @@ FULL = (
 
 @pytest.fixture
 def fixed_step(tmp_path):
-    """A function that returns the exit code of a run and its rows (step number, largest load, limit
-    of the step, friction power)."""
+    """Return a function that returns the exit code of a run and its rows (step number, largest
+    load, limit of the step, friction power)."""
     deck = tmp_path / "in.longest"
     deck.write_text(LONGEST)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sliding losses of runs with the models `full` and `eyring`, compared with statics."""
+"""The sliding losses of runs with the models `full` and `eyring` agree with statics."""
 
 from functools import partial
 
@@ -17,7 +17,7 @@ PUSHED = {"without": "drag+rolling+rolling_hysteresis", "cage": "no"}
 
 
 def of_statics(models, rotation=skidding.rotation):
-    """Slip loss in W: (mean, half the range) over the positions of the balls."""
+    """Return the slip loss in W: (mean, half the range) over the positions of the balls."""
     scene = steady_heat.Case("6208", "vg46", load=5000.0, rpm=9549.0, models=models).scene()
     passing = []
     for phase in np.arange(4) * np.pi / 18:
@@ -30,8 +30,8 @@ def of_statics(models, rotation=skidding.rotation):
 
 @pytest.fixture(scope="module")
 def found(tmp_path_factory):
-    """Slip loss of runs in W, by models; in runs with `free` in the name, only traction drives the
-    balls."""
+    """Return the slip loss of runs in W, by models; in runs with `free` in the name, only traction
+    drives the balls."""
     result = {}
     for models in ("full", "eyring"):
         for name, words in ((models, {}), (f"free {models}", PUSHED)):
@@ -56,7 +56,7 @@ def test_coulomb_slides_more(found):
 
 
 def test_dry_and_oil_without_the_numbers(tmp_path):
-    """For dry contacts `eyring` equals `full`. An oil without an Eyring stress gets the default
+    """For dry contacts `eyring` equals `full`. An oil without an Eyring stress has the default
     value."""
     short = {"passes": 1, "samples": 20, "rpm": 9549}
     succeed("inputs/in.dry", out=tmp_path / "dry", models="eyring", **short)

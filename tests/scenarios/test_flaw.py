@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A ball moves over flaws of an outer raceway: its path is compared with the path of a rigid ball,
-and its energy balance closes."""
+"""A ball moves over flaws of an outer raceway: its path agrees with the path of a rigid ball, and
+its energy balance closes."""
 
 import re
 
@@ -31,8 +31,8 @@ def notch(length, depth, width="full", edge=EDGE, azimuth=BOTTOM):
 
 
 def rolled(folder, flaw, by="verlet", **variables):
-    """Columns of ball.dat: time (s), path of the contact along the raceway (m, from the bottom),
-    drop (m), radial velocity (m/s), and energies (J)."""
+    """Return the columns of ball.dat: time (s), path of the contact along the raceway (m, from the
+    bottom), drop (m), radial velocity (m/s), and energies (J)."""
     folder.mkdir(exist_ok=True)
     given = {**MOVERS[by], **variables}
     succeed(DECK, out=folder, flaw=flaw, **given)

@@ -56,7 +56,7 @@ def reduced(steel=beam.STEEL, damping=0.0):
 
 @pytest.fixture(scope="module")
 def file(tmp_path_factory):
-    """The shaft without damping."""
+    """Write the file of the shaft without damping."""
     path = tmp_path_factory.mktemp("file") / "shaft.modes"
     bending_file.write(path, reduced())
     return path
@@ -71,7 +71,7 @@ def damped(tmp_path_factory):
 
 # ---- compared with the beam
 def on_bearings(z, whole, stiffness):
-    """Springs (5 N, 5 N) that represent both bearings."""
+    """Return springs (5 N, 5 N) that represent both bearings."""
     springs = np.zeros_like(whole.stiffness)
     for place in (0.0, 0.2):
         at = 5 * node(z, place) + np.arange(5)
@@ -80,7 +80,7 @@ def on_bearings(z, whole, stiffness):
 
 
 def stiffness_of(clearance):
-    """Stiffness (5, 5) of a bearing under preload alone; the shaft does not slide in the
+    """Return the stiffness (5, 5) of a bearing under preload alone; the shaft does not slide in the
     bearing."""
     held = dict.fromkeys(static.FREEDOMS, 0.0)
     # a ring tilted by t moves the centre of its groove inwards by R t^2/2, against the preload
@@ -121,8 +121,8 @@ STEADY = [shaft.Load(0.12, (0.0, -800.0, 0.0)), shaft.Load(0.3, (100.0, -200.0, 
 
 @pytest.fixture(scope="module")
 def resting(tmp_path_factory, damped):
-    """The shaft at rest under loads at the disc and at the overhung end, found by backward Euler
-    with long steps."""
+    """Return the shaft at rest under loads at the disc and at the overhung end, found by backward
+    Euler with long steps."""
     loads = " ".join(f"load {one.at} {one.force[0]} {one.force[1]} 0" for one in STEADY)
     data, _ = swing(
         tmp_path_factory.mktemp("resting"),
@@ -174,7 +174,7 @@ def test_deflection_is_that_of_the_beam(resting):
 
 # ---- compared with the equations of a free shaft
 class Support(NamedTuple):
-    """Support at the centre of mass, equal in both planes."""
+    """A support at the centre of mass, equal in both planes."""
 
     stiffness: float = 0.0  # N/m
     damping: float = 0.0  # N s/m
@@ -182,15 +182,15 @@ class Support(NamedTuple):
     tilt_damping: float = 0.0  # N m s/rad
 
     def words(self, *names):
-        """The support in the words of a deck; `names` are the names of two displacements and two
+        """Return the support as words of a deck; `names` are the names of two displacements and two
         tilts."""
         pairs = [self[:2], self[:2], self[2:], self[2:]]
         return " ".join(f"support {name} {k} {c}" for name, (k, c) in zip(names, pairs))
 
 
 def in_the_air(found, time, spin, support):
-    """Coordinates of the shaft, (2 (2 + n),), and their rates, after loads have acted for `time` s
-    from rest: position, slope and modes in the plane of y, then in the plane of z."""
+    """Return the coordinates of the shaft, (2 (2 + n),), and their rates, after loads have acted
+    for `time` s from rest: position, slope and modes in the plane of y, then in the plane of z."""
     from scipy.integrate import solve_ivp
 
     body, n = found.body, len(found.mass) + 2
@@ -215,7 +215,7 @@ def in_the_air(found, time, spin, support):
     gyroscopic[1:n, n + 1 :], gyroscopic[n + 1 :, 1:n] = found.gyroscopic, -found.gyroscopic
 
     def held(q, v):
-        """Forces of the support on all coordinates."""
+        """Return the forces of the support on all coordinates."""
         moved, tilted = at(body.centre)
         return np.concatenate(
             [
@@ -368,7 +368,7 @@ def test_within_a_step(tmp_path, damped):
 # ---- bits
 @pytest.fixture(scope="module")
 def whole(tmp_path_factory, damped):
-    """(folder, variables) of a run on one rank."""
+    """Return (folder, variables) of a run on one rank."""
     folder = tmp_path_factory.mktemp("whole")
     variables = {**BITS, "every": 10, "words": f"flexible {damped} {LOADED} {HELD}"}
     succeed(DECK, out=folder, **variables, steps=60)
@@ -390,7 +390,7 @@ def test_same_bits(whole, host, ranks, tmp_path):
 
 @pytest.fixture(scope="module")
 def half(whole, tmp_path_factory):
-    """Restart file written in the middle of the run."""
+    """Return the restart file written in the middle of the run."""
     folder = tmp_path_factory.mktemp("half")
     succeed(DECK, out=folder, **whole[1], steps=30, keep=30)
     return folder / "restart.30"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Film, damping and capacitance of every recorded contact follow from the formulas at the load and
-speed of that contact."""
+speed of the contact."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ from scenarios import closed_forms
 
 @pytest.fixture(scope="module", params=["radial", "printed", "preload", "play"])
 def run(request, tmp_path_factory):
-    """The main deck for one ball pass, also with the central film as printed in the paper, with
+    """Run the main deck for one ball pass, also with the central film as printed in the paper, with
     preload and with clearance."""
     folder = tmp_path_factory.mktemp("main")
     deck = "inputs/in.6208"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Four-point contact, with two grooves per ring, compared with statics. docs/decks/in.four_point
-reverses a thrust; tests apply other loads in a copy of this deck."""
+"""Bearings with four-point contact, that is, two grooves per ring, agree with statics.
+docs/decks/in.four_point reverses a thrust; tests apply other loads in a copy of this deck."""
 
 import numpy as np
 import pytest
@@ -44,8 +44,8 @@ def turned(folder, changes):
 
 @pytest.fixture(scope="module", params=MOVERS)
 def path(request, tmp_path_factory):
-    """(time in s, displacement in m, force of the balls in N, loads (n, raceway, groove, ball) in
-    N)."""
+    """Return (time in s, displacement in m, force of the balls in N, loads (n, raceway, groove,
+    ball) in N)."""
     folder = tmp_path_factory.mktemp("four_point")
     turned(folder, MOVERS[request.param])
     thrust, place, force = np.loadtxt(folder / "line.dat").T
@@ -106,8 +106,8 @@ def test_balls_change_grooves_without_a_jump(path):
 
 
 def tilted(folder, changes):
-    """Displacements x, y, z (m) and tilts rx, ry (rad) of a ring that is free except for its spin,
-    under a radial load, a thrust and a moment."""
+    """Return the displacements x, y, z (m) and tilts rx, ry (rad) of a ring that is free except for
+    its spin, under a radial load, a thrust and a moment."""
     folder.mkdir()
     damped = "support x 1.0 3.0e3 support y 1.0 3.0e3 support rx 1.0e-3 3 support ry 1.0e-3 3"
     loads = {
@@ -143,7 +143,8 @@ def test_tilted_ring_with_both_integrators(tmp_path):
 
 
 def seated(folder, way, extra):
-    """Positions (x, y, z) in m to which create_bearing puts ball 1 and the inner ring."""
+    """Return the positions (x, y, z) in m to which create_bearing puts ball 1 and the inner
+    ring."""
     folder.mkdir()
     dump = "dump all all custom 1 ${out}/all.dump id x y z"
     dump += '\ndump_modify all format "%d %.15g %.15g %.15g"'
@@ -219,8 +220,8 @@ def last(path):
 
 @pytest.fixture(scope="module")
 def outputs(tmp_path_factory):
-    """(folder, last loads (raceway, groove, ball) in N) of a lubricated run with all kinds of
-    output."""
+    """Return (folder, last loads (raceway, groove, ball) in N) of a lubricated run with all kinds
+    of output."""
     folder = tmp_path_factory.mktemp("outputs")
     turned(folder, WET)
     loads = np.zeros((2, 2, 9))
@@ -281,8 +282,8 @@ PARTS = ("a", "b", "h_c", "capacitance")
 
 
 def test_grooves_of_a_ring_are_parallel_films(outputs):
-    """Film figures of the fix follow from the contacts in the record: capacitances and conductances
-    of the two grooves of a ring add up, and the thinner film breaks down."""
+    """The film values of the fix follow from the contacts in the record: capacitances and
+    conductances of the two grooves of a ring add up, and the thinner film breaks down."""
     folder, loads = outputs
     assert ((loads > 0).sum(axis=1) == 2).any()
     with open(folder / "figures.dat") as file:

@@ -22,7 +22,7 @@ PHASES = np.arange(4) * np.pi / 18  # positions of the balls over a ball pass
 
 
 def over_a_pass(lubricant, **point):
-    """Torque and losses from statics, averaged over a ball pass."""
+    """Return torque and losses from statics, averaged over a ball pass."""
     found = [
         figures("6208", lubricant, ROOT / "inputs", models="full", phase=phase, **point)
         for phase in PHASES
@@ -37,7 +37,7 @@ FOUR = {"four_point": np.radians(35)}
 
 
 def four_point(folder, **words):
-    """Summary of a run of the main deck under a thrust."""
+    """Return the summary of a run of the main deck under a thrust."""
     common = {"load": 0.001, "four_point": 35, "passes": 1, "spin_law": "slices", "models": "full"}
     succeed("inputs/in.6208", out=folder, **OIL, **common, **words)
     return summary(RunTables(folder))
@@ -113,8 +113,8 @@ LOADS = {"across": 400.0, "thrust": 300.0, "moment": 4.0}
 
 
 def double_row(folder, fluid, **changes):
-    """((y in m, z in m, tilt in rad), {part: loss in W}) as means over the last 30 ms of the deck
-    with the models `full` and changed loads."""
+    """Return ((y in m, z in m, tilt in rad), {part: loss in W}) as means over the last 30 ms of the
+    deck with the models `full` and changed loads."""
     folder.mkdir(exist_ok=True)
     loads = LOADS | changes
     film = f"{fluid.temperature_viscosity} {fluid.conductivity}"
@@ -152,8 +152,8 @@ def double_row(folder, fluid, **changes):
 
 
 def of_statics(fluid):
-    """The values of `double_row` from statics, as means over a ball pass, and the stiffness along
-    z."""
+    """Return the values of `double_row` from statics, as means over a ball pass, and the stiffness
+    along z."""
     path = catalogue.find("bearings", "7208")
     bearing = inputs.bearing(path, double_row=ROWS)
     oil = inputs.Oil(fluid.viscosity, fluid.pressure_viscosity, fluid.permittivity, 1e-7)

@@ -16,7 +16,7 @@ PARTS = ("inner", "balls", "outer")
 
 @pytest.fixture(scope="module")
 def warm(tmp_path_factory):
-    """A run of the 6208 from cold to its steady state."""
+    """Run the 6208 from cold to its steady state."""
     folder = tmp_path_factory.mktemp("warm")
     succeed("inputs/in.6208", heat="yes", out=folder, **POINT)
     return raceway.open(folder)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A ring on supports in a housing with mass, compared with the closed form of two oscillators."""
+"""A ring on supports in a housing with mass agrees with the closed-form solution for two
+oscillators."""
 
 import re
 
@@ -22,8 +23,8 @@ MOVERS = {"implicit": {}, "verlet": {"mover": "moving nve/sphere", "show": "time
 
 
 def swing(t, load, inertia, held, ground):
-    """Displacements of ring and housing at evenly spaced times t (s), the first of them one step
-    after a load is applied to the ring at rest."""
+    """Return the displacements of ring and housing at evenly spaced times t (s), the first of them
+    one step after a load is applied to the ring at rest."""
     masses = np.array(inertia)
     stiff, damp = (np.array([[a, -a], [-a, a + b]]) for a, b in zip(held, ground))
     system = np.zeros((5, 5))  # displacements, velocities, 1
@@ -74,8 +75,8 @@ def test_momentum(run):
 
 
 def frequencies(t, x, y):
-    """The four roots (1/s) of two coupled oscillators, from displacements at evenly spaced times:
-    both displacements are predicted linearly from the two samples before."""
+    """Return the four roots (1/s) of two coupled oscillators, from displacements at evenly spaced
+    times: both displacements are predicted linearly from the two samples before."""
     step = 2
     late = np.c_[x, y][2 * step :]
     early = np.c_[x, y, np.ones_like(x)]
@@ -101,8 +102,8 @@ def test_frequencies_and_damping(run, name):
 
 @pytest.mark.parametrize("mover", MOVERS)
 def test_ranks(tmp_path, mover):
-    """If one rank owns the housing and another owns the ring, the bits equal those of a single
-    rank."""
+    """If one rank owns the housing and another owns the ring, the results are bitwise identical to
+    those of a single rank."""
     words = dict(MOVERS[mover], steps=300)
     succeed(DECK, out=tmp_path / "one", **words)
     succeed(DECK, out=tmp_path / "two", ranks=2, **words)

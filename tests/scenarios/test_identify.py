@@ -31,7 +31,7 @@ def readings(found, unknown, oil="vg68", models="full", **known):
 
 
 def cage(folder, **variables):
-    """Cage speed of a run relative to the speed of its inner ring."""
+    """Return the cage speed of a run relative to the speed of its inner ring."""
     case = {"bearing": "6205", "lubricant": "vg68", "passes": 10, "settle": 20, "record": "summary"}
     succeed("inputs/in.6208", out=folder, **case | variables)
     motion = raceway.open(folder).motion

@@ -17,7 +17,7 @@ FIGURES = ("friction_torque_N_m", "cage_speed_rad_s", "h_min_m", "q_max_N", "cap
 
 
 def evaluations(folder):
-    """Total number of force evaluations: the cost of a run on any machine."""
+    """Return the total number of force evaluations, which is the cost of a run on any machine."""
     cost = raceway.open(folder).settings
     return cost["settling_evaluations"] + cost["evaluations"]
 
@@ -74,8 +74,8 @@ def test_ranks(whole, tmp_path):
 
 @pytest.mark.parametrize("at", [2, 3, 4])
 def test_stopped_on_the_way(at, whole, tmp_path):
-    """A run that was stopped and continued gives the same bits, even if chosen speeds are passed on
-    through a restart file."""
+    """The results of a run that was stopped and continued are bitwise identical, even if chosen
+    speeds are passed on through a restart file."""
     stop(tmp_path, SHORT, at)
     succeed(run_deck, out=tmp_path, resume="yes", **SHORT)
     assert differ(whole, tmp_path) == []

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway paper` as a whole: verdicts, tables of docs/paper.rst, numbers from other sources."""
+"""`raceway paper` as a whole: verdicts, tables of docs/paper.rst, and numbers from other
+sources."""
 
 import pandas as pd
 import pytest
@@ -20,7 +21,7 @@ FACTORS = {
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory):
-    """The folder with all the output of the command."""
+    """Return the folder with all the output of the command."""
     out = tmp_path_factory.mktemp("paper")
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(ROOT)
@@ -39,7 +40,7 @@ def test_everything_is_there(made):
 
 
 def test_verdicts(made):
-    """Verdicts equal those in statements.yaml, which docs/paper.rst shows."""
+    """The verdicts equal those in statements.yaml, which docs/paper.rst shows."""
     judged = pd.read_csv(made / "statements.csv", keep_default_na=False)
     columns = [judged[name] for name in ("corrected", "printed", "whole")]
     assert list(zip(*columns)) == [one.found for one in statements.read()]
@@ -74,7 +75,7 @@ def test_static_theory(made):
 
 
 def test_known_numbers(made):
-    """Results agree with numbers from other sources (docs/errata, Hertz, Harris)."""
+    """The results agree with numbers from other sources (docs/errata, Hertz, Harris)."""
     table = pd.read_csv(made / "quantities.csv").set_index(["formulas", "quantity"])["value"]
     corrected, printed = table["corrected"], table["printed"]
     assert (corrected["p_inner"], corrected["p_outer"]) == pytest.approx((2571e6, 2123e6), rel=1e-3)

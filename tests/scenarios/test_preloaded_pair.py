@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""docs/decks/in.pair: two 7208s back to back under preload agree with statics of a single
+"""In docs/decks/in.pair, two 7208s back to back under preload agree with statics of a single
 bearing."""
 
 import numpy as np
@@ -16,8 +16,8 @@ CAGE = 2 * np.pi * 10 * (1 - 5.95 / 30 * np.cos(ANGLE)) / 2  # rad/s, at 600 rpm
 
 
 def pull(displacement):
-    """Axial load (N) of a bearing whose inner ring is displaced by this distance (m) after the
-    first contact."""
+    """Return the axial load (N) of a bearing whose inner ring is displaced by this distance (m)
+    after the first contact."""
     held = dict.fromkeys(static.FREEDOMS, 0.0) | {"z": FIRST_CONTACT + displacement}
     found = static.equilibrium(BEARING, held=held, orbital_speed=CAGE, ball_density=7800.0)
     return -found.force[2]
@@ -25,7 +25,8 @@ def pull(displacement):
 
 @pytest.fixture(scope="module")
 def line(tmp_path_factory):
-    """(load in N, displacement in m, axial loads of both bearings in N) during the load ramp."""
+    """Return (load in N, displacement in m, axial loads of both bearings in N) during the load
+    ramp."""
     folder = tmp_path_factory.mktemp("pair")
     succeed("docs/decks/in.pair", out=folder)
     return np.loadtxt(folder / "line.dat").T

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures that are found from runs of the main deck: kinematic frequencies, the power balance,
-reading with MDAnalysis."""
+"""Values that are found from runs of the main deck: kinematic frequencies, the power balance, and
+the run in MDAnalysis."""
 
 import numpy as np
 import pytest
@@ -12,8 +12,8 @@ from raceway.cli import main
 
 @pytest.fixture(scope="module")
 def long(tmp_path_factory):
-    """A run over 40 ball passes, which are 4.4 turns of the cage. The tolerance is 0.1 nm: with 1
-    nm the error of fy, the force along the load, would be as large as its ripple
+    """Return a run over 40 ball passes, which are 4.4 turns of the cage. The tolerance is 0.1 nm:
+    with 1 nm the error of fy, the force along the load, would be as large as its ripple
     (docs/output.rst)."""
     folder = tmp_path_factory.mktemp("long") / "run"
     succeed("inputs/in.6208", out=folder, passes=40, tolerance=1e-10)

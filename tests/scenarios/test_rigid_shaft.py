@@ -41,7 +41,7 @@ CALM = "support y 1.0 2000 support rx 1.0 20"  # dampers whose springs are too s
 
 @pytest.fixture(scope="module")
 def resting(tmp_path_factory):
-    """The shaft under 3 kN at 0.12 m, damped until it comes to rest."""
+    """Return the shaft under 3 kN at 0.12 m, damped until it comes to rest."""
     folder = tmp_path_factory.mktemp("resting")
     words = f"mass 4 inertia 2e-3 2e-2 centre 0.1 load 0.12 0 -3000 0 ramp 5e-3 {CALM}"
     data, _ = swing(
@@ -51,8 +51,8 @@ def resting(tmp_path_factory):
 
 
 def test_lever_rule(resting):
-    """The lever rule determines how the bearings share 3 kN at 0.12 m of 0.2 m; the bearings'
-    moments change the shares little."""
+    """The lever rule determines how the bearings share a load of 3 kN at 0.12 m along a span of 0.2
+    m; the moments of the bearings change the distribution little."""
     assert resting["f1y"] == pytest.approx(1200.0, rel=1e-3)
     assert resting["f2y"] == pytest.approx(1800.0, rel=1e-3)
     own = resting["m1x"] + resting["m2x"]  # N m; the lever arms are measured from 0.12 m
@@ -95,8 +95,8 @@ def test_rings_are_on_the_shaft(resting):
 
 # ---- in the air
 def gyroscope(time, moment, spin):
-    """rx + i ry (rad) of a free body that starts from rest under a moment Mx + i My: It W' - i Ip
-    spin W = M."""
+    """Return rx + i ry (rad) of a free body that starts from rest under a moment Mx + i My: It W' -
+    i Ip spin W = M."""
     rate = 1j * AXIAL * spin / ACROSS
     return moment / (ACROSS * rate) * ((np.exp(rate * time) - 1) / rate - time)
 
@@ -162,8 +162,8 @@ def test_unbalance_in_two_planes(tmp_path, mover):
 
 # ---- whirl
 def natural_frequencies(mass, axial, across, spin, levers, stiffness):
-    """Natural frequencies in Hz, in ascending order, of a rigid shaft on bearings at `levers` (m)
-    from its centre."""
+    """Return the natural frequencies in Hz, in ascending order, of a rigid shaft on bearings at
+    `levers` (m) from its centre."""
     whole = np.zeros((4, 4))
     for at in levers:
         turn = np.array([[1, 0, 0, at], [0, 1, -at, 0], [0, 0, 1, 0], [0, 0, 0, 1]], float)
@@ -284,7 +284,7 @@ LENGTH = {"implicit": 60, "verlet": 1500}
 
 @pytest.fixture(scope="module", params=MOVERS)
 def whole(request, tmp_path_factory):
-    """(mover, folder) of a run on one rank."""
+    """Return (mover, folder) of a run on one rank."""
     folder = tmp_path_factory.mktemp(request.param)
     steps = LENGTH[request.param]
     succeed(DECK, out=folder, **FULL, **MOVERS[request.param], steps=steps, every=steps // 6)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/ring, compared with the mechanics of a free body: fall, gyroscopic motion, driven
-motion, conservation."""
+"""fix bearing/ring agrees with the mechanics of a free body: fall, gyroscopic motion, driven motion
+and conservation laws."""
 
 import numpy as np
 from host import BOX, succeed
@@ -42,7 +42,7 @@ fix report all print 50 "${t} ${x} ${y} ${z} ${vz} ${rx} ${ry} ${spin} ${angle}"
 
 
 def motion(tmp_path, commands, steps, **variables):
-    """Columns t x y z vz rx ry spin angle of the inner ring."""
+    """Return the columns t x y z vz rx ry spin angle of the inner ring."""
     deck = tmp_path / "in.ring"
     deck.write_text(DECK + commands + REPORT + f"run {steps}\n")
     succeed(deck, out=tmp_path / "ring.txt", **variables)

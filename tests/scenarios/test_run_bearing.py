@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""run_bearing gives the same bits as the host's commands, wherever it is stopped, on any number of
-ranks."""
+"""The results of run_bearing are bitwise identical to those of the host's commands, wherever the
+run is stopped and on any number of ranks."""
 
 import math
 import re
@@ -20,8 +20,8 @@ VERLET = {"move": "nve/sphere", "movers": "parts", "rpm": 5000}
 
 
 def ball_pass(rpm=1500.0, outer_rpm=0.0, angle=0.0, clearance=0.0):
-    """Duration (s) of a ball pass with balls that roll without slip (Harris): their centres move at
-    the mean speed of the two surfaces."""
+    """Return the duration (s) of a ball pass with balls that roll without slip (Harris): their
+    centres move at the mean speed of the two surfaces."""
     pitch = INNER + OUTER + 0.5 * clearance
     share = BALL * math.cos(angle) / pitch
     cage = 0.5 * (rpm * (1 - share) + outer_rpm * (1 + share)) * 2 * math.pi / 60
@@ -29,7 +29,7 @@ def ball_pass(rpm=1500.0, outer_rpm=0.0, angle=0.0, clearance=0.0):
 
 
 def values(folder):
-    """All variables and all numeric attributes of a record."""
+    """Return all variables and all numeric attributes of a record."""
     with netcdf_file(folder / "record.nc", mmap=False) as file:
         return (
             {name: variable.data.tobytes() for name, variable in file.variables.items()},
@@ -38,7 +38,7 @@ def values(folder):
 
 
 def differ(one, other):
-    """Names of the variables with different bits."""
+    """Return the names of the variables that are not bitwise identical."""
     one, other = values(one)[0], values(other)[0]
     assert one.keys() == other.keys()
     return [name for name in one if one[name] != other[name]]
@@ -148,7 +148,7 @@ TURNS = {
 
 
 def power(folder):
-    """Mean loss of the bearing, W."""
+    """Return the mean loss of the bearing, W."""
     with netcdf_file(folder / "record.nc", mmap=False) as file:
         return sum(
             np.nanmean(variable.data)
@@ -158,7 +158,7 @@ def power(folder):
 
 
 def evaluations(folder):
-    """Number of force evaluations until a run has settled."""
+    """Return the number of force evaluations until a run has settled."""
     return values(folder)[1]["settling_evaluations"]
 
 

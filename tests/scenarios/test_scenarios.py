@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs the deck of every scenario of scenarios.yaml and compares its summary with closed forms and
-references."""
+"""Run the deck of every scenario in scenarios.yaml and compare its summary with closed-form
+solutions and references."""
 
 from pathlib import Path
 

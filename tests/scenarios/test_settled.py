@@ -24,8 +24,8 @@ OIL = dict(models="full", lubricant="vg46", temperature=70)
 
 @pytest.fixture(scope="module", params=SCENES)
 def runs(request, tmp_path_factory):
-    """Scene, summaries of a run with one ball pass of settling and of a settled run, and the folder
-    of the settled run."""
+    """Return a scene, the summaries of a run with one ball pass of settling and of a settled run,
+    and the folder of the settled run."""
     found = []
     for settle in (1, 100):
         folder = tmp_path_factory.mktemp(request.param)
@@ -87,7 +87,7 @@ def test_waits_while_pocket_forces_of_a_cage_ring_fall(tmp_path):
 
 
 def test_of_the_record(runs):
-    """The figures equal those recomputed from the last two ball passes in the record."""
+    """The values equal those recomputed from the last two ball passes in the record."""
     _, _, figures, folder = runs
     with xarray.open_dataset(folder / "record.nc") as data:
         speed = abs(data["bearing_cage_speed"].isel(bearing=0)).to_numpy()

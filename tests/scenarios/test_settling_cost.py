@@ -49,7 +49,7 @@ CHANGES = {  # choices of `raceway needs` with few evaluations, or with slow mod
 
 
 def evaluations(number, folder, **changes):
-    """(evaluations of the run, evaluations of a7b5052 with the reference settings)"""
+    """Return (evaluations of the run, evaluations of a7b5052 with the reference settings)."""
     words = dict(zip(HEAD, SCENES[number].split(), strict=True))
     before = float(words.pop("before"))
     own = {"passes": "1", "settle": "auto", "surroundings": "flooded"}
@@ -61,7 +61,7 @@ def evaluations(number, folder, **changes):
 
 def test_of_the_reference(tmp_path):
     """Most scenes need a tenth to a half of the evaluations of a7b5052. Slow or lightly loaded
-    scenes, which need many evaluations while loads are applied, need a larger share."""
+    scenes, which need many evaluations while loads are applied, need a larger fraction."""
     shares = []
     for number in range(len(SCENES)):
         now, before = evaluations(number, tmp_path / str(number))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""docs/decks/in.small_motion: stiffness and damping of a ring in small motion, compared with
-statics that include films. Friction is small, because statics neglects it."""
+"""In docs/decks/in.small_motion, stiffness and damping of a ring in small motion agree with statics
+that include films. Friction is small, because statics neglects it."""
 
 import numpy as np
 import pytest
@@ -31,7 +31,8 @@ def found(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def want(found):
-    """(stiffness, damping) from statics, (5, 5) each; every column is at its own frequency."""
+    """Return (stiffness, damping) from statics, (5, 5) each; every column is evaluated at its own
+    frequency."""
     state = static.equilibrium(
         B6208,
         axial_load=1000.0,

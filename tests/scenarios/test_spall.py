@@ -27,8 +27,8 @@ def notch(length, edge=5e-5):
 
 
 def peak(found, hertz):
-    """Frequency (Hz) of the highest point within 3 Hz of `hertz`, and ratio of its amplitude to the
-    median within 12 Hz."""
+    """Return the frequency (Hz) of the highest point within 3 Hz of `hertz`, and the ratio of its
+    amplitude to the median within 12 Hz."""
     frequency, amplitude = found["frequency"].to_numpy(), found.to_numpy()
     near = np.flatnonzero(np.abs(frequency - hertz) < 3.0)
     top = near[np.argmax(amplitude[near])]
@@ -144,7 +144,7 @@ def test_length_from_a_file(tmp_path):
 
 
 def lengths_from_a_housing(folder, raceway, passes, length, mass=RING_MASS, **more):
-    """Median lengths (m) from `spall.length` and from the half-way rule."""
+    """Return the median lengths (m) from `spall.length` and from the half-way rule."""
     edge, words = 5e-5, {**HOUSED, **more}
     flaw = {f"flaw_{raceway}": f"notch {-np.pi / 2} {length} full 1e-3 {edge}"}
     succeed("inputs/in.6208", out=folder, passes=passes, **words, **flaw)

@@ -23,7 +23,7 @@ FLUID = inputs.fluid(ROOT / "inputs/lubricants/vg46")
 
 
 def scenes(seed=29):
-    """Each bearing with and without thrust; every second scene also has a moment."""
+    """Return each bearing with and without thrust; every second scene also has a moment."""
     draw = np.random.default_rng(seed)
     for thrust in (0.0, 1.0):
         for k, name in enumerate(BEARINGS):
@@ -35,7 +35,7 @@ def scenes(seed=29):
 
 
 def little_friction(folder, models, moment):
-    """`models` or, if there is a `moment`, the paper's models with little friction."""
+    """Return `models` or, if there is a `moment`, the paper's models with little friction."""
     if not moment:
         return models
     own = folder / "slippery"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures from statics beside the figures of a run: their operating point, how far runs deviate,
-and cases for which statics gives no figures."""
+"""Results from statics next to those of a run: their operating point, how far runs deviate, and
+cases for which statics gives no results."""
 
 import json
 import math
@@ -19,7 +19,7 @@ SHORT = dict(passes=1, samples=20)
 
 
 def beside(folder, bearing=None):
-    """(figures of the run, statics, reason)"""
+    """Return (results of the run, results of statics, reason)."""
     tables = RunTables(folder, bearing=bearing)
     figures = summary(tables)
     found = statics(tables, figures)
@@ -28,7 +28,7 @@ def beside(folder, bearing=None):
 
 @pytest.mark.parametrize("azimuth", [-math.pi / 2, 0.7])
 def test_the_point_of_the_run(tmp_path, capsys, azimuth):
-    """`raceway static` gives the same figures at the same operating point for any direction of the
+    """`raceway static` gives the same results at the same operating point for any direction of the
     load; moment and tilt rotate with the load."""
     moment = 12.0
     words = dict(moment_x=-moment * math.sin(azimuth), moment_y=moment * math.cos(azimuth))

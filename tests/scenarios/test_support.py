@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A ring on supports under gravity, compared with the closed form of damped oscillators."""
+"""A ring on supports under gravity agrees with the closed-form solution for damped oscillators."""
 
 import re
 
@@ -22,7 +22,8 @@ MOVERS = {"implicit": {}, "verlet": {"mover": "moving nve/sphere", "show": "time
 
 
 def swing(t, load, inertia, stiffness, damping):
-    """Displacement and its second derivative at the times t (s) after a load is applied at rest."""
+    """Return the displacement and its second derivative at the times t (s) after a load is applied
+    at rest."""
     free = np.sqrt(stiffness / inertia)
     ratio = damping / (2 * np.sqrt(stiffness * inertia))
     root = -ratio * free + 1j * free * np.sqrt(1 - ratio**2)
@@ -49,7 +50,7 @@ def test_free_decay(tmp_path, mover, fall):
 
 @pytest.mark.parametrize("name", DIRECTIONS)
 def test_frequency_and_damping(name, swings):
-    """Fitted decay rates and frequencies agree with those of the springs and dampers."""
+    """The fitted decay rates and frequencies agree with those of the springs and dampers."""
     load, inertia, stiffness, damping = DIRECTIONS[name]
     free, decay = np.sqrt(stiffness / inertia), damping / (2 * inertia)
     for data in swings:
@@ -67,7 +68,7 @@ def test_frequency_and_damping(name, swings):
 
 @pytest.fixture(scope="module")
 def swings(tmp_path_factory):
-    """Columns of ring.dat for both integrators."""
+    """Return the columns of ring.dat for both integrators."""
     found = []
     for words in MOVERS.values():
         folder = tmp_path_factory.mktemp("swing")

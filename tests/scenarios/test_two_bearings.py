@@ -19,8 +19,8 @@ def run(tmp_path_factory):
 
 
 def reaction(run, number):
-    """Mean force (N) of the balls on the inner ring of bearing `number`, and their moment (N m)
-    about the ring's centre."""
+    """Return the mean force (N) of the balls on the inner ring of bearing `number`, and their
+    moment (N m) about the ring's centre."""
     mean = run.select(number).rings.isel(time=slice(1, None)).mean("time")
     return tuple(
         np.array([float(mean[name]) for name in names])

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A bearing defined by its usual data: pitch diameter, conformities, contact angle or clearance,
-pocket play, bore and width."""
+"""A bearing that is defined by its usual data: pitch diameter, conformities, contact angle or
+clearance, pocket play, bore and width."""
 
 import contextlib
 import io
@@ -29,7 +29,7 @@ USUAL = {
 
 
 def folder(tmp_path, usual):
-    """An inputs folder with the bearing `mine`."""
+    """Return an inputs folder with the bearing `mine`."""
     own = tmp_path / "inputs"
     own.mkdir()
     (own / "lubricants").symlink_to(ROOT / "inputs" / "lubricants")
@@ -86,7 +86,7 @@ def test_angular_contact(tmp_path):
 
 
 def statics(*words):
-    """Output of `raceway static` for the 7208."""
+    """Return the output of `raceway static` for the 7208."""
     said = io.StringIO()
     with contextlib.redirect_stdout(said):
         assert cli.main(["static", "--bearing", "7208", "--json", "--exact-circle", *words]) == 0

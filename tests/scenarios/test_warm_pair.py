@@ -14,7 +14,8 @@ PARTS = ("inner", "balls", "outer")
 
 
 def rest(shaft):
-    """Steady figures of one bearing of the pair, with its outer ring displaced by the spread."""
+    """Return the steady results of one bearing of the pair, with its outer ring displaced by the
+    spread."""
     path, oil = ROOT / "inputs/bearings/7205B", ROOT / "inputs/lubricants/vg32"
     held = STRAIGHT | {"z": inputs.held(path, 0.0, 0.0)["z"] + SPREAD}
     scene = steady_heat.Scene(
@@ -26,15 +27,15 @@ def rest(shaft):
 
 
 def jumps(folder):
-    """Columns of the table of fix bearing/heat, by name."""
+    """Return the columns of the table of fix bearing/heat, by name."""
     file = folder / "heat.txt"
     names = file.read_text().split("\n", 1)[0].removeprefix("#").split()
     return dict(zip(names, np.loadtxt(file, ndmin=2).T))
 
 
 def energy(table, shaft):
-    """(heat from the losses, heat removed and stored) in J, from temperatures and losses in the
-    rows alone."""
+    """Return (heat from the losses, heat removed and stored) in J, from temperatures and losses in
+    the rows alone."""
     step = np.diff(table["thermal_time"])
 
     def mean(values):

@@ -17,9 +17,9 @@ def waves(*orders, amplitude=AMPLITUDE):
 
 
 def turned(folder, **variables):
-    """Time (s), displacement of the inner ring across its axis (x + i y) and along it (m), speeds
-    of ring and cage (rad/s), and the quasi-static response per amplitude, across and along the
-    axis."""
+    """Return the time (s), the displacement of the inner ring across its axis (x + i y) and along
+    it (m), the speeds of ring and cage (rad/s), and the quasi-static response per amplitude, across
+    and along the axis."""
     succeed("tests/scenarios/in.waves", out=folder, rpm=RPM, **variables)
     run = raceway.open(folder)
     time = run.rings["time"].values
@@ -36,8 +36,8 @@ def turned(folder, **variables):
 
 
 def lines(time, values, speeds):
-    """Amplitudes at `speeds` (rad/s, positive in the sense of rotation), fitted together with a
-    mean."""
+    """Return the amplitudes at `speeds` (rad/s, positive in the sense of rotation), fitted together
+    with a mean."""
     columns = np.exp(1j * np.outer(time, [0.0, *speeds]))
     found, *_ = np.linalg.lstsq(columns, values.astype(complex), rcond=None)
     return dict(zip(speeds, np.abs(found[1:])))
@@ -124,8 +124,9 @@ def test_waves_of_a_ball(tmp_path):
 
 
 def orbit_of_a_larger_ball(folder, larger):
-    """Position of the ring's centre in the frame that rotates with the larger ball (m, complex),
-    minus the effect of unequal ball spacing; and the closed form to first order in `larger` (m)."""
+    """Return the position of the ring's centre in the frame that rotates with the larger ball (m,
+    complex), minus the effect of unequal ball spacing, and the closed form to first order in
+    `larger` (m)."""
     time, across, _, _, cage, _ = turned(folder, larger=larger)
     orbit = lines(time, across, [cage, -cage, 2 * cage])
     assert orbit[-cage] < 2e-3 * orbit[cage] and orbit[2 * cage] < 2e-3 * orbit[cage]
@@ -145,8 +146,8 @@ def orbit_of_a_larger_ball(folder, larger):
 
 
 def log_stiffness(angle, larger):
-    """Logarithm, except for a constant, of the stiffness of both contacts of a ball whose radius is
-    larger by `larger` (m)."""
+    """Return the logarithm, except for a constant, of the stiffness of both contacts of a ball
+    whose radius is larger by `larger` (m)."""
     radius, groove, compliance = 6.3e-3 + larger, 6.552e-3, 0.0
     for side in (-1, 1):
         along = radius * (1 + side * radius * np.cos(angle) / 30.3e-3)

@@ -17,7 +17,7 @@ KEYS = ("x", "y", "vx", "vy", "angle", "load_x", "load_y")
 
 
 def end(**variables):
-    """State of the ring that the deck prints at the end."""
+    """Return the state of the ring that the deck prints at the end."""
     text = succeed(DECK, **variables).text
     numbers = [float(word) for word in re.search(r"^END (.*)$", text, re.M)[1].split()]
     ring = dict(zip(KEYS, numbers, strict=True))
@@ -28,7 +28,7 @@ def end(**variables):
 
 
 def whirl(force, speed, phase, time):
-    """Displacement and velocity of a free mass (m, m/s); force in N."""
+    """Return displacement and velocity of a free mass (m, m/s) under a force in N."""
     a, t = force / MASS / speed**2, time
     turned = speed * t + phase
     return {
@@ -40,7 +40,7 @@ def whirl(force, speed, phase, time):
 
 
 def error(found, exact):
-    """Largest displacement error relative to 20 um."""
+    """Return the largest displacement error relative to 20 um."""
     return max(abs(found[key] - exact[key]) for key in ("x", "y")) / 2e-5
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Total capacitance of a run with clearance, in which most balls are unloaded: agreement with
+"""The total capacitance of a run with clearance, in which most balls are unloaded, agrees with
 statics, and with overlaps, films and plates of the same run."""
 
 import numpy as np
@@ -24,7 +24,7 @@ def run(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def filling():
-    """Shoulders from the file of the bearing; the run does not contain them."""
+    """Return the shoulders from the file of the bearing, because the run does not contain them."""
     return point(Filling("cavitated")).filling
 
 
