@@ -46,7 +46,7 @@ void FixBearingProgress::setup(int)
 
 void FixBearingProgress::end_of_step() { show(); }
 
-// Prints the last row. If `share` is a variable, this run is one of many, and no row is printed.
+// Prints the last row. If `share` is a variable, this run is one of many and prints no rows.
 void FixBearingProgress::post_run()
 {
   if (!share_.is_variable()) show();
