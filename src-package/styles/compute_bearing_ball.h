@@ -24,8 +24,7 @@ class ComputeBearingBall : public Compute, public bearing::ColumnList {
 
  private:
   struct Column {
-    int own;                                    // column of the ball's own values; -1 for a column
-                                                // of a contact
+    int own;                                    // column of the ball's own values, or -1
     bool inner;                                 // true if the contact is with the inner raceway
     const bearing::ContactColumn *attribute;    // column of a contact, or null
   };

@@ -51,7 +51,7 @@ class ContactEvaluator : protected LAMMPS_NS::Pointers {
 
   Setting set_ = {};
   RacewayContact *rows_ = nullptr;       // rows of the table
-  std::vector<int> by_groove_, near_;    // indices of all rows, and of the rows near contact in one
+  std::vector<int> by_groove_, near_;    // indices of all rows, and of those near contact in a
                                          // groove
   std::vector<raceway::ContactForces> found_;
   std::vector<double> energies_;

@@ -43,8 +43,7 @@ class CreateBearing : public bearing::CommandBase {
     double ball_z = 0.0, inner_z = 0.0;    // m, positions along the axis
     double cosine = 1.0;                   // cosine of the contact angle
     bool groups = false;                   // whether to create the groups
-    bool resumed = false;                  // true if the atoms already exist because they come from
-                                           // a restart file
+    bool resumed = false;                  // true if the atoms come from a restart file
   };
 
   void command_named(bearing::Arguments &);

@@ -156,8 +156,7 @@ void add_deck_notes(LAMMPS *lmp, const PairBearingHertz &pair, const RecordLayou
       }))
     add("bearing", b.word("bearing"));
   if (list.size() > 1) {
-    std::string lines, numbers;    // a line per name, and the number of its line for each bearing
-                                   // of the record
+    std::string lines, numbers;    // a line per name, and its index for each bearing of the record
     for (const NamedBearing *one : list)
       lines += (lines.empty() ? "" : "\n") + words_of(*one, *named);
     for (const int type : ball_types(lmp, layout)) {

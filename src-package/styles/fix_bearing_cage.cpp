@@ -111,8 +111,7 @@ void FixBearingCage::init()
     cage_.stiffness.push_back(rail_stiffness(r, radius, pitch_, E));
     play = std::max(play, std::hypot(r.circle - pitch_, r.offset) - r.tube - radius);
   }
-  pocket_ = 0.25 * radius + 2.0 * play;    // a ball held by rails stays within 0.002 radii of the
-                                           // pitch circle
+  pocket_ = 0.25 * radius + 2.0 * play;    // balls held by rails stay within 0.002 radii
 }
 
 void FixBearingCage::setup_pre_neighbor() { find_balls(); }

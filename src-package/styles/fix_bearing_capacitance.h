@@ -103,8 +103,7 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
   bearing::CapacitorTable table_;    // capacitors including their surroundings
   int planned_ = -1;                 // counters of the contact table's builds and fillings
   bigint filled_ = -1;
-  double **per_ball_ = nullptr;    // columns inner, outer and series, then the same with
-                                   // surroundings
+  double **per_ball_ = nullptr;    // inner, outer and series; the same with surroundings
   int within_ = 1;                 // number of instants per step; the last is at its end
   std::vector<bearing::InstantSource *> integrators_;    // sources of the instants within steps
   bearing::TagSet members_;    // balls of the group, filled only if there are integrators_

@@ -110,8 +110,7 @@ FixBearingCapacitance::Total FixBearingCapacitance::add_up(const Row *row, const
 void FixBearingCapacitance::write(const Row *row, const Row *end, int instant)
 {
   written_ = update->ntimestep;
-  const double back = double(within_ - instant) / within_;    // number of steps before the end of
-                                                              // this step
+  const double back = double(within_ - instant) / within_;    // steps before the end of this step
   const double time = update->atime + (update->ntimestep - update->atimestep - back) * update->dt;
   const double step = update->ntimestep - back;
   const bool all = model_.surrounded();

@@ -206,8 +206,8 @@ void FixBearingCheckpoint::end_of_step()
   if (!waits()) take_sample();
   int signal = StopSignal::caught();
   if (comm->nprocs > 1)
-    MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, world);    // stop at the same step on
-                                                                         // all ranks
+    MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, world);    // on all ranks at the same
+                                                                         // step
   if (!signal) return;
   StopSignal::set(signal);
   bearing::end_run_after_this_step(lmp);
@@ -237,8 +237,7 @@ void FixBearingCheckpoint::post_run()
   if (signal) stop();
   if (last_ && !waits()) output->write_restart(update->ntimestep);
   if (written_) publish();
-  if (comm->me == 0 && !files_.empty()) {    // there is no later sample that could detect a full
-                                             // disk
+  if (comm->me == 0 && !files_.empty()) {    // no later sample could detect a full disk
     const std::string room = bearing::disk_is_full(file_);
     if (!room.empty()) BRG_ONE(command_ + ": the last output may be lost: " + room);
   }

@@ -51,21 +51,19 @@ class FixBearingCheckpoint : public Fix, public bearing::WaitsForRun {
 
   bearing::StopSignal stop_signal_;
   std::string command_, file_, part_, settings_;
-  std::string deck_;    // deck() of the run that wrote the restart file, kept until it has been
-                        // compared
+  std::string deck_;    // deck() of the run that wrote the restart file, until it is compared
   int every_restart_ = 0;
   double keep_ = 0.0;    // number of samples between restart files, in run_bearing
   bool resume_ = false, resumed_ = false;
-  std::vector<std::string> files_;                // files to be monitored, each of which grows with
-                                                  // every sample
+  std::vector<std::string> files_;                // files to be monitored, which grow with every
+                                                  // sample
   std::vector<double> length_;                    // sizes in bytes at the step of the restart file
   std::vector<double> seen_;                      // sizes in bytes at the last sample
   bool last_ = false;                             // also write a restart file at the end of a run
   std::vector<bearing::DrivenValue> means_;       // values averaged over the samples
   std::vector<bearing::DrivenValue> counters_;    // values that restart from 0 in every run
   double samples_ = 0.0;
-  std::string ring_id_;    // ID of a fix bearing/ring whose force balance is averaged; empty if
-                           // there is none
+  std::string ring_id_;    // ID of a fix bearing/ring whose force balance is averaged, or empty
   FixBearingRing *ring_ = nullptr;
   std::vector<double> sums_;      // sums for the means, then load and residual (N) of the ring
   std::vector<double> before_;    // counters of the previous runs

@@ -59,8 +59,7 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
   };
   struct Grain {
     std::vector<Contact> contacts;
-    double lost = 0.0;    // J, dissipated since the start of the run; contacts with grains count
-                          // half
+    double lost = 0.0;    // J, dissipated so far; each contact with a grain counts half
   };
   // A shaft with walls, which is known on all ranks. The bearing axis is the third component.
   struct Shaft {

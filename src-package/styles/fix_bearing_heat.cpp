@@ -22,8 +22,7 @@ using bearing::text;
 namespace of = bearing::of_fix_heat;
 
 static constexpr double passes_at_first = 2.0;     // number of ball passes after the load ramp
-static constexpr double samples_a_pass = 200.0;    // maximum number of samples of the losses per
-                                                   // ball pass
+static constexpr double samples_a_pass = 200.0;    // maximum number per ball pass
 
 // fix ID group bearing/heat [heat yes|no] [ambient T] [cooling G] [shaft_cooling G] [seat G]
 // [housing_capacity C] [oil_flow Q] [oil_inlet T] [warm_start T] [warm_time S] [warm_change K]

@@ -90,20 +90,18 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   [[noreturn]] void give_up(const OwnBearing &, double h) const;
 
   PairBearingHertz *pair_;
-  double tolerance_ = 0.0;    // m, estimated local error of a position in a substep; 0 while it is
-                              // unknown
+  double tolerance_ = 0.0;    // m, estimated local error of a position in a substep; 0 if unknown
   bool laws_changed_ = false;
   bool energy_wanted_ = false, begun_ = false;    // begun_: stored_before_ has been set
   bearing::Instants instants_;
   std::set<std::string> readers_;    // commands that have requested instants
   double largest_ = HUGE_VAL;        // s, largest substep
   double creep_ = 0.01;
-  double cage_ = 0.0;                           // m, tolerance of cage balls; 0 if the pair style
-                                                // sets it
+  double cage_ = 0.0;                           // m, tolerance of cage balls; 0 to use the pair
+                                                // style's
   double relative_ = NAN;                       // NAN if the pair style sets it
   std::optional<bool> estimate_;                // empty if the pair style sets it
-  double sampling_ = 0.0, oversampling_ = 4;    // Hz, of the signal; record samples per sample of
-                                                // the signal
+  double sampling_ = 0.0, oversampling_ = 4;    // Hz, sampling rate of the signal; oversampling
   std::vector<FixBearingRing *> rings_;         // fixes whose rings are integrated by this fix
   std::vector<Fix *> gravity_;                  // gravity fixes that act on all atoms of the group
   std::vector<double> forces_;                  // forces saved while gravity is evaluated

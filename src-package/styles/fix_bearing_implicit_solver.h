@@ -22,10 +22,8 @@ struct FixBearingImplicit::OwnBearing {
 };
 
 struct FixBearingImplicit::Solver {
-  raceway::BearingIntegrator::Settings settings, fine;    // settings for the current step; settings
-                                                          // given in the deck
-  raceway::BearingIntegrator::Energy energy;              // total of the bearings before the last
-                                                          // build
+  raceway::BearingIntegrator::Settings settings, fine;    // of the current step; of the deck
+  raceway::BearingIntegrator::Energy energy;              // total before the last build
   bearing::HomeBearings bearings;
   std::vector<OwnBearing> own;    // one entry per bearing whose home is on this rank
   std::vector<std::unique_ptr<raceway::BearingIntegrator>> integrators;

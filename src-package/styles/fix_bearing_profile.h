@@ -24,8 +24,7 @@ class FixBearingProfile : public Fix {
   void init() override;
   void pre_force(int) override;
 
-  bool departs() const { return settings_.departs(); }    // whether the surfaces deviate from a
-                                                          // torus or sphere
+  bool departs() const { return settings_.departs(); }    // from a torus or sphere
   bool of_balls() const { return settings_.of_balls; }
   const std::string &said() const { return said_; }    // keywords and values of the command
 
@@ -33,8 +32,7 @@ class FixBearingProfile : public Fix {
     bearing::tag_t tag;
     int type, turns_alone;    // 1 if it spins and no fix bearing/ring tracks its angle
   };
-  std::vector<FlawedRing> rings(PairBearingHertz &) const;    // Returns the rings of the group on
-                                                              // all ranks.
+  std::vector<FlawedRing> rings(PairBearingHertz &) const;    // rings of the group on all ranks
   struct FlawedBall {
     bearing::tag_t tag;
     int type;

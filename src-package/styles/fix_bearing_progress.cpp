@@ -63,7 +63,7 @@ void FixBearingProgress::show()
 {
   if (update->ntimestep == shown_) return;
   shown_ = update->ntimestep;
-  if (!headed_) {    // not at the set-up, when the host prints lines of its own
+  if (!headed_) {    // not at the set-up, when the host prints its own lines
     say(title_);
     say("  done %    left s      step      time s    ring um  loaded     load N    p GPa"
         "  cage rad/s");
