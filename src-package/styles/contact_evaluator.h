@@ -51,8 +51,7 @@ class ContactEvaluator : protected LAMMPS_NS::Pointers {
 
   Setting set_ = {};
   RacewayContact *rows_ = nullptr;       // rows of the table
-  std::vector<int> by_groove_, near_;    // indices of all rows, and of those near contact in a
-                                         // groove
+  std::vector<int> by_groove_, near_;    // rows of all grooves; rows near contact in one groove
   std::vector<raceway::ContactForces> found_;
   std::vector<double> energies_;
   std::vector<raceway::FlawedPlace> flaws_;    // empty if all surfaces are smooth

@@ -35,8 +35,7 @@ class CreateBearing : public bearing::CommandBase {
     double phase = 0.0;                             // rad, azimuth of the first ball
     double inner_speed = 0.0, outer_speed = 0.0;    // rad/s
     int seat =
-        0;    // +1 or -1: the inner ring touches all balls, displaced forward or backward along the
-              // axis
+        0;    // +1 or -1: the inner ring starts forward or backward in contact with all balls
     double thrust = 0.0;                   // N, on the inner ring
     double middle = 0.0;                   // m, radius midway between the raceways
     double pitch = 0.0;                    // m, radius of the circle through the balls' centres

@@ -206,8 +206,7 @@ void FixBearingCheckpoint::end_of_step()
   if (!waits()) take_sample();
   int signal = StopSignal::caught();
   if (comm->nprocs > 1)
-    MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, world);    // on all ranks at the same
-                                                                         // step
+    MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, world);    // on all ranks
   if (!signal) return;
   StopSignal::set(signal);
   bearing::end_run_after_this_step(lmp);

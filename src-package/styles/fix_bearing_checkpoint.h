@@ -55,8 +55,7 @@ class FixBearingCheckpoint : public Fix, public bearing::WaitsForRun {
   int every_restart_ = 0;
   double keep_ = 0.0;    // number of samples between restart files, in run_bearing
   bool resume_ = false, resumed_ = false;
-  std::vector<std::string> files_;                // files to be monitored, which grow with every
-                                                  // sample
+  std::vector<std::string> files_;                // files that grow with every sample
   std::vector<double> length_;                    // sizes in bytes at the step of the restart file
   std::vector<double> seen_;                      // sizes in bytes at the last sample
   bool last_ = false;                             // also write a restart file at the end of a run

@@ -97,8 +97,7 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   std::set<std::string> readers_;    // commands that have requested instants
   double largest_ = HUGE_VAL;        // s, largest substep
   double creep_ = 0.01;
-  double cage_ = 0.0;                           // m, tolerance of cage balls; 0 to use the pair
-                                                // style's
+  double cage_ = 0.0;                           // m, tolerance of cage balls, or 0
   double relative_ = NAN;                       // NAN if the pair style sets it
   std::optional<bool> estimate_;                // empty if the pair style sets it
   double sampling_ = 0.0, oversampling_ = 4;    // Hz, sampling rate of the signal; oversampling
