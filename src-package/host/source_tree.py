@@ -2,8 +2,8 @@
 """Put the styles into a source tree of a host, or remove them.
 
 Everything is checked before anything is written. All changes are listed in a manifest, and
-uninstall reverts exactly these changes. A `Host` describes the source tree of a host and the changes
-to it (liggghts_tree.py, lammps_tree.py).
+uninstall reverts exactly these changes. A `Host` describes the source tree of a host and the
+changes to it (liggghts_tree.py, lammps_tree.py).
 """
 
 import hashlib
