@@ -9,8 +9,8 @@ using raceway::FixedPoint;
 
 RECORD(FixedPointNext, double residual, distance, contraction;)
 
-// The next start and the norms after `starts` starts of a map of n numbers and their values, in
-// order.
+// Computes the next start and the norms after `starts` starts of a map of n numbers and the values
+// of the map, in order.
 EXPORT(void, fixed_point,
        (int starts, int n, double reach, const double *x, const double *g, const double *weights,
         double *next, FixedPointNext *out))
