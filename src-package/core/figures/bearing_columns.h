@@ -56,9 +56,9 @@ enum {
 };
 const Column list[N] = {
     {"ring", "", "atom number of the ring", raceway::has_none, as_whole},
-    {"x", "m", "displacement of the ring along x since the start"},
-    {"y", "m", "displacement of the ring along y since the start"},
-    {"z", "m", "displacement of the ring along z since the start"},
+    {"x", "m", "displacement of the ring along x, relative to the start"},
+    {"y", "m", "displacement of the ring along y, relative to the start"},
+    {"z", "m", "displacement of the ring along z, relative to the start"},
     {"vx", "m/s", "velocity of the ring along x"},
     {"vy", "m/s", "velocity of the ring along y"},
     {"vz", "m/s", "velocity of the ring along z"},
@@ -73,9 +73,12 @@ const Column list[N] = {
     {"my", "N m", "moment of balls and cage on the ring about y"},
     {"mz", "N m", "moment of balls and cage on the ring about z"},
     {"torque", "N m", "moment of balls and cage about the ring's axis, i.e. the friction torque"},
-    {"ax", "m/s^2", "acceleration of the ring along x; 0 if the displacement is not free"},
-    {"ay", "m/s^2", "acceleration of the ring along y; 0 if the displacement is not free"},
-    {"az", "m/s^2", "acceleration of the ring along z; 0 if the displacement is not free"},
+    {"ax", "m/s^2",
+     "acceleration of the ring along x, which is 0 if this displacement is not free"},
+    {"ay", "m/s^2",
+     "acceleration of the ring along y, which is 0 if this displacement is not free"},
+    {"az", "m/s^2",
+     "acceleration of the ring along z, which is 0 if this displacement is not free"},
 };
 }    // namespace of_ring
 
