@@ -111,7 +111,7 @@ void FixBearingCapacitance::read_options(Arguments &args)
       model_.permittivity_outlet > model_.permittivity)
     args.fail("'surroundings cavitated': relative permittivity of the outlet is " +
               bearing::text(model_.permittivity_outlet) +
-              ", must be between 1 and the lubricant's, " + bearing::text(model_.permittivity));
+              ", must be from 1 to the lubricant's, " + bearing::text(model_.permittivity));
   if (!pair_->coefficients().lubricated())
     args.fail("a dry contact has no capacitance: use pair_style bearing/ehd");
 }

@@ -86,7 +86,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   // numbered as in RingProgram; the bearing axis is the third component.
   struct Values {
     double of[RingProgram::N_VALUE] = {};
-    raceway::Vec3 leverage;         // N m, moment of the loads distributed along the shaft
+    raceway::Vec3 leverage;         // N m, moment of the loads along the shaft
     std::vector<double> bending;    // N, loads on the modes of a shaft, before the ramp is applied
   };
   // Force (N) and moment (N m) of balls and cage on a ring, in the lab frame.
