@@ -139,7 +139,7 @@ double ball_pass_time(LAMMPS *lmp, const std::string &command, double angle)
       BRG_ALL_OF(lmp, command + ": no fix bearing/ring imposes the spin of ring " +
                           std::to_string(static_cast<long>(row.ring[0]->tag)) + " or " +
                           std::to_string(static_cast<long>(row.ring[1]->tag)) +
-                          ", from which its ball pass follows");
+                          ", which determines its ball pass");
     const double pass = row.pass(angle);
     if (std::isfinite(pass)) longest = std::max(longest, pass);
   }

@@ -59,7 +59,7 @@ void ComputeBearingBall::init()
   for (const Column &c : columns_)
     if (c.own >= 0 && of_ball::needs_turn(c.own) && !pair_->profiles().any_ball())
       BRG_ALL(name + ": attribute '" + of_ball::list[c.own].name +
-              "' needs a fix bearing/profile with a profile of balls, which follows how they turn");
+              "' needs a fix bearing/profile with a profile of balls, which tracks their rotation");
 }
 
 // All values are 0 for atoms other than balls. The values of a contact are 0 if the ball does not

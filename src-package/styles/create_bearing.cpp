@@ -35,7 +35,7 @@ void CreateBearing::command_named(Arguments &args)
   if (!pair)
     args.fail("bearing " + b.name +
               " needs pair_style bearing before it, not below hybrid; particles beside bearings "
-              "have 'pair_coeff I J grain' and fix bearing/grains");
+              "need 'pair_coeff I J grain' and fix bearing/grains");
   double speed[2] = {0.0, 0.0}, thrust = 0.0;
   bool groups = true;
   std::string more, phase = "0";
@@ -249,7 +249,7 @@ void CreateBearing::seat(Arguments &args, const Groove &inner, const Groove &out
               "contact angles are " +
               text(std::acos(inner.middle_cosine())) + " and " +
               text(std::acos(outer.middle_cosine())) +
-              " rad: make them equal, or the clearance larger than " + text(clearance) + " m");
+              " rad: make them equal, or make the clearance larger than " + text(clearance) + " m");
   p.cosine = cosine;
   p.pitch = outer.centre_circle() + out_gap * cosine;
   p.ball_z = p.seat * (out_gap * sine - out_offset);

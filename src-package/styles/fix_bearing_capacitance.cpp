@@ -110,8 +110,8 @@ void FixBearingCapacitance::read_options(Arguments &args)
   if (model_.surroundings == Surroundings::cavitated &&
       model_.permittivity_outlet > model_.permittivity)
     args.fail("'surroundings cavitated': relative permittivity of the outlet is " +
-              bearing::text(model_.permittivity_outlet) +
-              ", must be from 1 to the lubricant's, " + bearing::text(model_.permittivity));
+              bearing::text(model_.permittivity_outlet) + ", must be from 1 to the lubricant's, " +
+              bearing::text(model_.permittivity));
   if (!pair_->coefficients().lubricated())
     args.fail("a dry contact has no capacitance: use pair_style bearing/ehd");
 }
@@ -145,7 +145,7 @@ void FixBearingCapacitance::take_usual_data()
       if (!there[type] || of(type) == 0.0) continue;
       if (value != 0.0 && value != of(type))
         BRG_ALL(bearing::name_of(*this) + ": its balls have more than one " + what +
-                ": give each bearing its own fix, or give the value");
+                ": use a separate fix for each bearing, or specify the value");
       value = of(type);
     }
   };

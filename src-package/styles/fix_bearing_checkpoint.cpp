@@ -249,7 +249,7 @@ void FixBearingCheckpoint::stop()
   output->write_restart(update->ntimestep);
   if (comm->me == 0 && !written_)
     BRG_ONE(command_ + ": stopped without a restart file: a 'restart' command after this fix has " +
-            "taken its place");
+            "replaced it");
   publish();
   if (comm->me == 0) {
     const std::string say = std::string("Stopped by signal ") + strsignal(StopSignal::caught()) +

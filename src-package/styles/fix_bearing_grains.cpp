@@ -126,9 +126,10 @@ void FixBearingGrains::check_step() const
           shortest = std::min(shortest, law->duration(mass[a] * mass[b] / (mass[a] + mass[b])));
   }
   const std::string say = bearing::name_of(*this) + ": timestep " + text(update->dt) +
-                          " s, a collision of the lightest grains takes " + text(shortest) + " s: ";
+                          " s, but a collision of the lightest grains takes " + text(shortest) +
+                          " s: ";
   if (update->dt * fewest_steps > shortest)
-    BRG_ALL(say + "at most " + text(shortest / fewest_steps) + " s");
+    BRG_ALL(say + "the timestep must be at most " + text(shortest / fewest_steps) + " s");
   if (update->dt * few_steps > shortest && comm->me == 0)
     BRG_WARN(say + "use " + text(shortest / few_steps) + " s or less");
 }

@@ -115,7 +115,7 @@ void FixBearingHeat::find_bearing()
     const bearing::NamedBearing *of = bearing::bearing_of_type(lmp, type);
     if (!of)
       BRG_ALL(bearing::name_of(*this) + ": balls of type " + std::to_string(type) +
-              " belong to no bearing with a name");
+              " do not belong to a bearing with a name");
     if (bearing_ && of != bearing_)
       BRG_ALL(bearing::name_of(*this) + ": its balls belong to bearings " + bearing_->name +
               " and " + of->name + ": give each its own fix");
@@ -155,7 +155,7 @@ void FixBearingHeat::find_network()
       missing += (missing.empty() ? "" : ", ") + std::string(size);
   if (!missing.empty())
     BRG_ALL(bearing::name_of(*this) + ": bearing " + b.name + " has no " + missing +
-            ", which determines the heat capacities of its rings: give the data with -var");
+            ", which determines the heat capacities of its rings; specify the data with -var");
   const double bore = b.number("bore_diameter"), outside = b.number("outside_diameter"),
                width = b.number("bearing_width");
   network_.housing = cooling_ > 0.0 ? cooling_ : iso_15312_conductance(bore, outside, width);
@@ -326,7 +326,8 @@ void FixBearingHeat::end_pass()
                          text(seen.power()) + " W";
   if (end == HeatEnd::seizes)
     BRG_ALL(at + ": it seizes. Losses grow with temperature " + text(heat.gain) +
-            " times as fast as cooling: thermal runaway. Improve cooling, or give more clearance");
+            " times as fast as cooling: thermal runaway. Improve the cooling, or increase the "
+            "clearance");
   if (end == HeatEnd::hot)
     BRG_ALL(at + ": hotter than " + text(control_.hottest) + " C. Improve cooling");
 }

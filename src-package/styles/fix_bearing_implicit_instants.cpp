@@ -21,7 +21,7 @@ void FixBearingImplicit::want_instants(const Instants &i, const std::string &com
   if (others && capacitor && instants_.capacitor.permittivity > 0.0 &&
       i.capacitor != instants_.capacitor)
     BRG_ALL(command + ": two fixes request different data between the steps of fix " + id +
-            " bearing/implicit; give them the same permittivity, film_floor, permittivity_at, "
+            " bearing/implicit; use the same permittivity, film_floor, permittivity_at, "
             "surroundings, shoulders and roughness");
   const bool states = instants_.states || i.states;
   if (capacitor || !others) instants_ = i;

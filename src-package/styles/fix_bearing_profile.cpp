@@ -141,7 +141,8 @@ void FixBearingProfile::check_pits(bearing::tag_t ring, const ProfileShape &shap
       if (apart < 0.5 * (all[i].length + all[k].length))
         BRG_ALL(name_of(*this) + ": two notches with a width overlap on ring " +
                 std::to_string(ring) + ", at " + text(all[i].azimuth) + " and " +
-                text(all[k].azimuth) + " rad; give the longer one the width 'full', or one notch");
+                text(all[k].azimuth) +
+                " rad; give the longer one the width 'full', or replace them by one notch");
     }
 }
 
@@ -173,7 +174,7 @@ void FixBearingProfile::add_rings(PairBearingHertz &pair,
     for (const FlawedRing &r : rings) {
       if (r.turns_alone)
         BRG_ALL(name_of(*f) + ": ring " + std::to_string(r.tag) +
-                " spins without a fix bearing/ring, which counts its angle");
+                " spins without a fix bearing/ring, which tracks its angle");
       bool found = false;
       for (const RacewayPhysics *p : pair.coefficients().raceways_of(r.type)) {
         if (p->number != f->settings_.groove) continue;

@@ -251,7 +251,7 @@ void FixBearingRecord::check_time_step() const
 {
   if (update->dt != step_length_)
     BRG_ALL(command_ + ": the time step was " + bearing::text(step_length_) + " s and is now " +
-            bearing::text(update->dt) + " s; samples of a record are evenly spaced");
+            bearing::text(update->dt) + " s; the samples of a record must be evenly spaced");
 }
 
 // Stops with an error if the host's step number changed between two runs, because the record would

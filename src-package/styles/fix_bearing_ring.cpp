@@ -193,7 +193,7 @@ void FixBearingRing::find_holder()
   if (!holder_moves_by_->settings_.holder.empty())
     BRG_ALL(me + ": " + ring + ", which holds its ring, must itself be held to the ground");
   bearing::require_order(lmp, *this, *holder_moves_by_,
-                         "its last half step comes after the supports' forces");
+                         "its last half step must follow the forces of the supports");
   holder_ = all.front();
 }
 
@@ -355,7 +355,7 @@ void FixBearingRing::check_jumps()
                          : " m") +
               " in step " + std::to_string(update->ntimestep - 1) + ", with " +
               bearing::text(before) + " and " + bearing::text(moved) +
-              " in the steps before and after: a ring needs a continuous formula");
+              " in the steps before and after: the motion of a ring needs a continuous formula");
     }
     before = last;
     last = moved;

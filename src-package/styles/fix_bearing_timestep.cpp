@@ -67,7 +67,8 @@ void FixBearingTimestep::check()
     const double wanted = std::min({safety_ * limit_, 1.2 * update->dt, largest_});
     if (!(wanted >= shortest_step))
       BRG_ALL(std::string("fix ") + id + " bearing/timestep: " + limit.why() + " allows only " +
-              text(limit_) + " s, less than " + text(shortest_step) + " s: time stands still");
+              text(limit_) + " s, less than " + text(shortest_step) +
+              " s; the time would no longer advance");
     if (wanted != update->dt) set_step(wanted);
     return;
   }

@@ -56,7 +56,7 @@ const NamedBearing &bearing_of(LAMMPS_NS::LAMMPS *lmp, const Arguments &args,
   std::vector<std::string> names;
   for (const NamedBearing *one : bearings_of(lmp)) names.push_back(one->name);
   args.fail("there is no bearing '" + name + "'; there is: " +
-            (names.empty() ? "none, the command 'bearing' gives one a name" : joined(names)));
+            (names.empty() ? "none; the command 'bearing' names a bearing" : joined(names)));
 }
 
 }    // namespace bearing

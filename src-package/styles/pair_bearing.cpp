@@ -65,7 +65,7 @@ void PairBearing::settings(int narg, char **arg)
     else if (args.take("inputs")) folder_ = args.word("folder of the data files");
     else more_ += " " + args.word("keyword");
   }
-  if (oil_name_.empty()) args.fail("'oil NAME' is missing; 'oil dry' for dry contacts");
+  if (oil_name_.empty()) args.fail("'oil NAME' is missing; use 'oil dry' for dry contacts");
   const auto &names = bearing::model_names;
   if (std::find(names.begin(), names.end(), choice_.models) == names.end()) {
     const std::string file = folder_ + "/models/" + choice_.models;

@@ -94,16 +94,19 @@ void PairBearingHertz::init_style()
     BRG_ALL(std::string("pair_style bearing needs 'units si', not 'units ") + update->unit_style +
             "'");
   if (!atom->radius_flag || !atom->rmass_flag || !atom->torque_flag || !atom->omega_flag)
-    BRG_ALL("pair_style bearing needs atom_style sphere (granular in LIGGGHTS): balls turn");
+    BRG_ALL(
+        "pair_style bearing needs atom_style sphere (granular in LIGGGHTS), because balls rotate");
   if (force->newton_pair)
-    BRG_ALL("pair_style bearing needs 'newton off': the owner of a ball computes its contacts");
+    BRG_ALL(
+        "pair_style bearing needs 'newton off', because the owner of a ball computes its contacts");
   if (domain->xperiodic || domain->yperiodic || domain->zperiodic)
-    BRG_ALL("pair_style bearing needs 'boundary f f f' (or m, s): a bearing is not periodic");
+    BRG_ALL(
+        "pair_style bearing needs 'boundary f f f' (or m, s), because a bearing is not periodic");
   if (!coefficients_.any_raceway())
     BRG_ALL("pair_style bearing: no raceway; give pair_coeff BALL RING inner|outer ...");
   if (!(update->dt >= shortest_step))
     BRG_ALL("timestep is " + text(update->dt) + " s, must be at least " + text(shortest_step) +
-            " s: time would stand still");
+            " s; otherwise the time would not advance");
   time_.go_on(*update);
   comm->ghost_velocity = 1;
   BRG_REQUEST_HALF();
@@ -241,8 +244,8 @@ void PairBearingHertz::check_atoms() const
   if (now != atoms_)
     BRG_ALL("lost " + std::to_string(atoms_ - now) + " of " + std::to_string(atoms_) +
             " balls, cage balls and rings at step " + std::to_string(update->ntimestep) +
-            ": they have left the box. Speed or step too large, a cage without rails "
-            "(fix bearing/cage), or a ring without a fix");
+            ": they have left the box. Either the speed or step is too large, a cage has no rails "
+            "(fix bearing/cage), or a ring has no fix");
 }
 
 double PairBearingHertz::init_one(int i, int j)

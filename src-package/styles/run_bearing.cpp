@@ -58,9 +58,9 @@ void RunBearing::read(Arguments &args)
     }
   }
   if (!settles)
-    args.fail("'settle N', 'settle auto' or 'settle orbit' is missing: ball passes before the "
-              "measurement");
-  if (to.passes == 0.0) args.fail("'passes P' is missing: ball passes to measure");
+    args.fail("'settle N', 'settle auto' or 'settle orbit' is missing (ball passes before the "
+              "measurement)");
+  if (to.passes == 0.0) args.fail("'passes P' is missing (ball passes to measure)");
 }
 
 // Returns the settings that a continued run must share with the previous one.
@@ -79,7 +79,7 @@ void RunBearing::command(int narg, char **arg)
   Arguments args(lmp, command_name, narg, arg, 0);
   read(args);
   take_usual();
-  if (domain->box_exist == 0) args.fail("there is no box yet, and no bearing in it");
+  if (domain->box_exist == 0) args.fail("there is no box yet, and therefore no bearing");
   for (const FixBearingRecord *f : bearing::fixes_of<FixBearingRecord>(lmp))
     if (f->samples_a_pass() > 0.0 && !f->waits())
       args.fail(bearing::name_of(*f) + " has been measured already: start another record");
@@ -144,7 +144,7 @@ void RunBearing::plan_samples()
     if (samples != 0.0 && (f->samples_a_pass() != samples || f->within_asked() != asked))
       BRG_ALL(std::string(command_name) + ": " + bearing::name_of(*f) + " requests " +
               text(f->samples_a_pass()) + " samples in a ball pass, but another record requests " +
-              text(samples) + ": give both the same samples and 'within'");
+              text(samples) + ": use the same samples and 'within' for both");
     samples = f->samples_a_pass();
     asked = f->within_asked();
   }
@@ -325,12 +325,12 @@ void RunBearing::measure()
   const double steps = samples * every / within;
   if (!(steps >= 1.0 && steps <= 2e9 && steps == std::floor(steps)))
     BRG_ALL(std::string(command_name) + ": host steps of the measurement is " + text(steps) +
-            ", must be a whole number from 1 to 2e9: give fewer passes or samples; within must "
+            ", must be a whole number from 1 to 2e9: use fewer passes or samples; within must "
             "divide them");
   if (steps < static_cast<double>(update->ntimestep))
     BRG_ALL(std::string(command_name) + ": the run to resume has reached step " +
             std::to_string(update->ntimestep) + ", beyond these passes, " + text(steps) +
-            " steps: give more passes");
+            " steps: use more passes");
   set_step(now().step_length);
   start_fixes();
   if (!implicit())

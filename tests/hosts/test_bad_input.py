@@ -199,8 +199,8 @@ DECKS = {
         + CREATE.replace("9 diam", "13 diam")
         + "create_atoms 1 single 0.0303 0.004 0 units box\nset type 1 diameter 12.6e-3\nrun 0\n",
         (
-            r"overlapping balls: atoms \d+ and \d+ are 0.00\d* m apart, but the sum of their radii is"
-            r" 0.0126 m"
+            r"overlapping balls: atoms \d+ and \d+ are 0.00\d* m apart, but the sum of their radii"
+            r" is 0.0126 m"
         ),
     ),
     "balls of two sizes": (

@@ -243,9 +243,9 @@ def test_bad_words(tmp_path, words, message):
 @pytest.mark.parametrize(
     "text, message",
     [
-        ("0 1\n1 2 3\n", "line 2: a row of a voltage table is two numbers, s and V"),
+        ("0 1\n1 2 3\n", "line 2: a row of a voltage table must contain two numbers, s and V"),
         ("0 1\n\n0 2\n", "line 3: times of a voltage table must increase"),
-        ("0 1\nx\n", "line 2: a row of a voltage table is two numbers"),
+        ("0 1\nx\n", "line 2: a row of a voltage table must contain two numbers"),
         ("0 1\n", "needs at least two rows of s and V"),
     ],
 )

@@ -26,7 +26,7 @@ void read_table(const Arguments &args, Waveform &w, const std::string &name)
     const bool number = bool(words >> t);
     if (!number && words.eof()) continue;
     if (!number || !(words >> v) || words >> more || !std::isfinite(t) || !std::isfinite(v))
-      args.fail(where + ": a row of a voltage table is two numbers, s and V");
+      args.fail(where + ": a row of a voltage table must contain two numbers, s and V");
     if (!w.times.empty() && t <= w.times.back())
       args.fail(where + ": times of a voltage table must increase");
     w.times.push_back(t);

@@ -99,7 +99,7 @@ FolderClaim claim_folder(const std::string &folder)
         return result;
       }
       result.warning = "the file system of '" + folder + "' has no locks (" + strerror(errno) +
-                       "): nothing keeps a second run from writing there";
+                       "): a second run could write there at the same time";
     } else if (!same_file(claim)) {    // its owner has exited and removed it in the meantime
       close(descriptor);
       continue;

@@ -45,7 +45,7 @@ void PairCoefficients::read_coeff(Arguments &args, int types)
   if (role == 4) return read_grains(args, i, j);
   if (i == j) args.fail("ball and ring need different atom types");
   if (raceway(j, i))
-    args.fail("the ball type must come first, but an earlier pair_coeff has it second");
+    args.fail("the ball type must come first, but it comes second in an earlier pair_coeff");
   RacewayPhysics p = defaults_;
   p.groove.side = role == 0 ? Side::inner : Side::outer;
   p.groove.raceway_radius = args.positive("raceway radius (m)");
@@ -64,8 +64,9 @@ void PairCoefficients::read_coeff(Arguments &args, int types)
     args.fail("bearing/ehd needs 'lubricant VISCOSITY PRESSURE_VISCOSITY' here or in pair_style; "
               "without a lubricant use bearing/hertz");
   if (with_film_ && p.ring_roughness == 0.0)
-    args.fail("bearing/ehd needs 'roughness RACEWAY BALL' (m) here or in pair_style: it sets the "
-              "lambda ratio and the floor of the film damper");
+    args.fail(
+        "bearing/ehd needs 'roughness RACEWAY BALL' (m) here or in pair_style: it determines the "
+        "lambda ratio and the floor of the film damper");
   raceways_.erase({i, j, 1});
   p.groove.offset = -arch;
   raceways_[{i, j, 0}] = p;
