@@ -154,7 +154,7 @@ def install(host, tree):
     patches = host.patches(src)
     if (src / MANIFEST).exists():
         raise Refused(
-            f"{tree} already contains Raceway: make uninstall-tree {host.variable}={tree} removes"
+            f"{tree} already contains Raceway; make uninstall-tree {host.variable}={tree} removes"
             " it"
         )
     for name, patch in patches.items():
@@ -173,7 +173,9 @@ def install(host, tree):
     new = host.added(src)
     for name in new:
         if (src / name).exists():
-            raise Refused(f"{src / name} exists and is not from this script; nothing was changed")
+            raise Refused(
+                f"{src / name} exists but was not created by this script; nothing was changed"
+            )
     for folder in {(src / name).parent for name in (MANIFEST, *patches, *new)}:
         there = next(above for above in (folder, *folder.parents) if above.exists())
         if not os.access(there, os.W_OK):
@@ -253,8 +255,8 @@ def uninstall(host, tree):
     except OSError as error:
         raise Refused(f"{error}; repeat make uninstall-tree to continue") from None
     print(
-        f"Raceway was removed from {tree}. Objects and programs that were built are left"
-        f" ({host.hint(tree)[1]})."
+        f"Raceway was removed from {tree}. To remove the compiled objects and programs,"
+        f" run {host.hint(tree)[1]}."
     )
 
 

@@ -21,7 +21,7 @@ namespace bearing {
 namespace {
 
 struct Body {
-  double tag, type, radius, spin;    // rad/s; NAN unless a fix imposes it
+  double tag, type, radius, spin;    // spin in rad/s, NAN unless a fix imposes it
   Vec3 x;
 };
 

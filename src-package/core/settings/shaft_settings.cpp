@@ -31,7 +31,8 @@ bool ShaftSettings::take(Arguments &args)
   return true;
 }
 
-// Unbalances are added as vectors, because they rotate together.
+// Returns the unbalance with these components. Unbalances are added by components, because they
+// rotate together.
 static raceway::Unbalance polar(double x, double y) { return {std::hypot(x, y), std::atan2(y, x)}; }
 
 void ShaftSettings::add_unbalances(double about, RingProgram &p) const
