@@ -13,7 +13,8 @@
 #if BEARING_IS_LIGGGHTS
 #include "atom_vec.h"
 #else
-#include "library.h"    // the wheel lacks atom_vec.h; the C interface can create atoms
+#include "library.h"    // the wheel does not contain atom_vec.h, so atoms are created through the C
+                        // interface
 #endif
 
 namespace bearing {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A one-piece cage and the balls of this rank in its pockets.
+// A one-piece cage, and the balls of this rank that are in its pockets.
 #ifndef BEARING_CAGE_POCKETS_H
 #define BEARING_CAGE_POCKETS_H
 

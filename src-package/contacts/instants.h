@@ -21,7 +21,7 @@ struct Instants {
   bool states = false;    // true if contact states are requested, too
 };
 
-// A possible contact of a ball and a groove.
+// A possible contact between a ball and a groove.
 struct InstantContact {
   tag_t ball, ring;
   const raceway::RacewayPhysics &raceway;

@@ -26,7 +26,7 @@ SIZES = ("LAMMPS_SMALLBIG", "LAMMPS_BIGBIG", "LAMMPS_SMALLSMALL")
 
 
 class Refused(Exception):
-    """This LAMMPS cannot be used; the message gives the reason."""
+    """Raised if this LAMMPS cannot be used. The message states the reason."""
 
 
 def number(date):

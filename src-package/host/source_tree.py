@@ -19,7 +19,7 @@ MANIFEST = "raceway.manifest"
 
 
 class Refused(Exception):
-    """The script leaves the tree unchanged; the message gives the reason."""
+    """Raised if the script leaves the tree unchanged. The message states the reason."""
 
 
 class Replace:

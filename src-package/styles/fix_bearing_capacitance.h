@@ -120,7 +120,7 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
 }    // namespace LAMMPS_NS
 
 namespace bearing {
-// The active fixes bearing/capacitance of a run.
+// Returns the active fixes bearing/capacitance of a run.
 std::vector<LAMMPS_NS::FixBearingCapacitance *> capacitances_of(LAMMPS_NS::LAMMPS *);
 }    // namespace bearing
 

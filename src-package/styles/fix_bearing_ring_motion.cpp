@@ -30,7 +30,7 @@ void FixBearingRing::write(int i, const RingAtom &r)
   axes_.lab(r.w).to(atom->omega[i]);
 }
 
-// Changes the velocities by the effect of the forces over half a step.
+// Advances the velocities by half a step under the current forces.
 void FixBearingRing::kick()
 {
   const double half = 0.5 * update->dt * force->ftm2v;

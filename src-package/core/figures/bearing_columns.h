@@ -138,7 +138,7 @@ inline bool of_two_grooves(int k) { return k == INNER_ARCH || k == OUTER_ARCH; }
 
 // ---- balls, cage balls and rings as stored by the host
 namespace of_atom {
-enum { MOTION = 2 };    // first of position, velocity and spin
+enum { MOTION = 2 };    // index of the first of position, velocity and spin
 const Column list[] = {
     {"id", "", "atom number", raceway::has_none, as_whole},
     {"type", "", "1 ball, 2 cage ball, 3 inner ring, 4 outer ring", raceway::has_none, as_whole},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A one-piece cage: estimated data, and couples that the oil exerts on the cage (cage_drag.h).
+// Exports estimated data of a one-piece cage, and the couples that the oil exerts on the cage
+// (cage_drag.h).
 #include "../geometry/cage_ring.h"
 #include "exports.h"
 

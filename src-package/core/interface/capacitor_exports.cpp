@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Capacitance of a contact ellipse (capacitance.h) and of the gap around it (gap_integral.h).
+// Exports the capacitance of a contact ellipse (capacitance.h) and of the gap around it
+// (gap_integral.h).
 #include "../electric/capacitance.h"
 #include "../electric/gap_integral.h"
 #include "exports.h"

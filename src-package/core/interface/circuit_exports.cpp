@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The circuit of a bearing with given films (circuit.h), its discharges (film_breakdown.h) and its
-// driving voltages (waveform.h).
+// Exports the circuit of a bearing with given films (circuit.h), its discharges (film_breakdown.h)
+// and its driving voltages (waveform.h).
 #include "../electric/circuit.h"
 #include "../electric/waveform.h"
 #include "exports.h"

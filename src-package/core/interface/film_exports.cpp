@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Film thickness by power laws (film.h) and in all lubrication regimes (film_regimes.h), factors on
-// the film thickness (film_factors.h), and film damping (film_branch.h).
+// Exports the film thickness by power laws (film.h) and in all lubrication regimes
+// (film_regimes.h), factors on the film thickness (film_factors.h), and film damping
+// (film_branch.h).
 #include "../laws/film_branch.h"
 #include "../laws/film_factors.h"
 #include "../laws/film_regimes.h"

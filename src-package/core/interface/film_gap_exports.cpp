@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The film in the gap (film_gap.h, gap_film.h) of a contact that is given by its parameters.
+// Exports the film in the gap (film_gap.h, gap_film.h) of a contact that is given by its
+// parameters.
 #include "../raceway/gap_film.h"
 #include "exports.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Starting points of Anderson acceleration (fixed_point.h).
+// Exports the starting points of Anderson acceleration (fixed_point.h).
 #include "../numbers/fixed_point.h"
 #include "exports.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Damping, mixed friction, slip, spin, rolling resistance and drag of one contact.
+// Exports damping, mixed friction, slip, spin, rolling resistance and drag of a single contact.
 #include "../laws/asperities.h"
 #include "../laws/ball_drag.h"
 #include "../laws/damping.h"

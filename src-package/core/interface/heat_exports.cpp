@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Heat of a bearing (heat.h), the network of its nodes (heat_network.h) and the jumps of their
-// temperatures (heat_jumps.h).
+// Exports the heat of a bearing (heat.h), the network of its nodes (heat_network.h) and the jumps
+// of their temperatures (heat_jumps.h).
 #include "../geometry/ring_capacity.h"
 #include "../laws/heat_jumps.h"
 #include "exports.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Hertz contact, and the radii of a ball in its groove.
+// Exports Hertz contacts, and the radii of a ball in its groove.
 #include "../laws/hertz.h"
 #include "exports.h"
 

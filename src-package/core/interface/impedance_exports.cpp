@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Impedance of films and bearings (impedance.h).
+// Exports the impedance of films and bearings (impedance.h).
 #include "../electric/impedance.h"
 #include "exports.h"
 

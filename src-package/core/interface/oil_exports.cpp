@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Oil data as functions of temperature (oil_data.h), SKF's starvation factor (starvation.h) and
-// pure rolling (rolling.h).
+// Exports oil data as functions of temperature (oil_data.h), SKF's starvation factor (starvation.h)
+// and pure rolling (rolling.h).
 #include "../laws/oil_data.h"
 #include "../laws/rolling.h"
 #include "../laws/starvation.h"

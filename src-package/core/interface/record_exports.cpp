@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The checksum of records and their headers.
+// Exports the checksum of records and their headers.
 #include "../numbers/checksum.h"
 #include "exports.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The settling of a recorded run (settling.h).
+// Exports the settling of a recorded run (settling.h).
 #include "../figures/settling.h"
 #include "exports.h"
 
