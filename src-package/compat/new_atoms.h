@@ -13,8 +13,7 @@
 #if BEARING_IS_LIGGGHTS
 #include "atom_vec.h"
 #else
-#include "library.h"    // the wheel does not contain atom_vec.h, so atoms are created through the C
-                        // interface
+#include "library.h"    // the wheel has no atom_vec.h, so the C interface creates atoms
 #endif
 
 namespace bearing {

@@ -36,7 +36,7 @@ int FixBearingState::setmask() { return PRE_NEIGHBOR | END_OF_STEP | POST_RUN; }
 void FixBearingState::pre_neighbor()
 {
   pair_->indices_changed();
-  axes_sent_ = -1;    // the ghosts may now be other atoms
+  axes_sent_ = -1;    // the ghosts may now be different atoms
 }
 
 // Runs after all other fixes. If this run continues the previous one, restores the forces of its

@@ -23,7 +23,7 @@ std::string RunBearing::why_no_orbit()
   if (settings_.rate > 0.0) return "samples per second do not divide a ball pass";
   if (bearing::ball_rows(lmp, "run_bearing") != 1) return "there are several rows of balls";
   for (const FixBearingProfile *f : fixes_of<FixBearingProfile>(lmp))
-    if (f->departs()) return bearing::name_of(*f) + " makes balls or places differ";
+    if (f->departs()) return bearing::name_of(*f) + " makes balls or positions differ";
   for (const FixBearingRing *f : fixes_of<FixBearingRing>(lmp))
     if (!f->constant())
       return "loads or speeds of " + bearing::name_of(*f) + " change or turn with the ring";
