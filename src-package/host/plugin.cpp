@@ -33,8 +33,7 @@
 #elif defined(MPICH_VERSION) || defined(MPICH_NUMVERSION) || defined(I_MPI_VERSION)
 #define MPI_FAMILY "MPICH"
 #else
-#error \
-    "the styles need Open MPI, MPICH or a derivative; LAMMPS without MPI (STUBS) is not supported"
+#error "the styles need Open MPI, MPICH or a derivative; LAMMPS without MPI (STUBS) cannot be used"
 #endif
 #endif
 
