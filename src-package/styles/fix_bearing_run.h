@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Internal fix of run_bearing. It stores the progress of a run, in memory and in restart files, and
-// the data from which it is decided whether the bearings have settled. It exists only while that
-// command runs.
+// the data that show whether the bearings have settled. It exists only while that command runs.
 #ifdef FIX_CLASS
 FixStyle(bearing/run,FixBearingRun)
 #else
