@@ -8,7 +8,8 @@
 #include "timer.h"
 
 namespace bearing {
-static_assert(sizeof(tag_t) == sizeof(LAMMPS_NS::tagint), "LAMMPS_BIGBIG as the host has it");
+static_assert(sizeof(tag_t) == sizeof(LAMMPS_NS::tagint),
+              "LAMMPS_BIGBIG must be defined as in the host");
 typedef LAMMPS_NS::Command CommandBase;
 
 // Ends the run after the current step, with output. All ranks must call it in the same step.
@@ -27,7 +28,7 @@ inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *lmp) { lmp->timer->force_
 #define BRG_UNUSED_RESTART_ARGS \
   do {                          \
   } while (0)
-// the total; LIGGGHTS expects values per atom
+// returns the total; LIGGGHTS expects the number of values per atom
 #define BRG_COMM_RETURN(total, peratom) ((void)(peratom), (total))
 #define BRG_ARRAYS_ARE_SET() \
   do {                       \

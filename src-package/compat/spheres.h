@@ -10,12 +10,12 @@ namespace bearing {
 inline bool is_liggghts() { return std::string(BRG_HOST_KIND) == "liggghts"; }
 
 inline const char *sphere_style() { return is_liggghts() ? "granular" : "sphere"; }
-// Command with which ghost atoms have velocities
+// Returns the command that makes ghost atoms have velocities.
 inline const char *ghost_velocities()
 {
   return is_liggghts() ? "communicate single vel yes" : "comm_modify mode single vel yes";
 }
-// Keyword of dump_modify that precedes the format of a line
+// Returns the keyword of dump_modify that precedes the format of a line.
 inline const char *line_format() { return is_liggghts() ? "format" : "format line"; }
 
 }    // namespace bearing

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A one-piece cage and the balls of this rank in its pockets.
+// A one-piece cage, and the balls of this rank that are in its pockets.
 #ifndef BEARING_CAGE_POCKETS_H
 #define BEARING_CAGE_POCKETS_H
 
@@ -14,7 +14,7 @@ struct CagePockets {
   struct Cell {
     int i, i_cage;    // local indices of a ball and of its cage
     tag_t ball, cage;
-    int claim;    // in RingSum; -1: not made yet
+    int claim;    // index in RingSum; -1 if not yet claimed
   };
   struct Land {
     int i_cage, i_ring;    // local indices of a cage of this rank and of the ring that guides it
@@ -22,8 +22,8 @@ struct CagePockets {
     int claim, ring_claim;
   };
   raceway::CageRing of;
-  std::vector<Cell> cells;    // in order of the ball's tag
-  std::vector<Land> lands;    // in order of the cage's tag
+  std::vector<Cell> cells;    // sorted by the tag of the ball
+  std::vector<Land> lands;    // sorted by the tag of the cage
 };
 
 }    // namespace bearing

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The rails of one cage and the cage balls of this rank that they hold.
+// The rails of one cage, and the cage balls of this rank that they hold.
 #ifndef BEARING_CAGE_RAILS_H
 #define BEARING_CAGE_RAILS_H
 
@@ -14,12 +14,12 @@ struct CageRails {
   struct CageBall {
     int i, i_ring;    // local indices of the cage ball and of the ring that carries the rails
     tag_t tag, ring;
-    int claim;            // in RingSum; -1: not made yet
-    double loss = 0.0;    // W, lost at the rails in the last step
+    int claim;            // index in RingSum; -1 if not yet claimed
+    double loss = 0.0;    // W, dissipated at the rails in the last step
   };
   std::vector<raceway::Rail> rails;
-  std::vector<double> stiffness;    // N/m^1.5, of each rail
-  std::vector<CageBall> balls;      // by tag
+  std::vector<double> stiffness;    // N/m^1.5, one value per rail
+  std::vector<CageBall> balls;      // sorted by tag
 };
 
 }    // namespace bearing

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// State of the bearings at instants within a host step, from fix bearing/implicit; vectors are in
-// the lab frame.
+// State of the bearings at instants within a host step, as provided by fix bearing/implicit.
+// Vectors are in the lab frame.
 #ifndef BEARING_INSTANTS_H
 #define BEARING_INSTANTS_H
 
@@ -13,23 +13,23 @@
 
 namespace bearing {
 
-// Requested instants, at the fractions k/number of a host step, k = 1 to number - 1. If number is
-// 0, no instants are requested; if the permittivity is 0, no capacitances are.
+// Requested instants at the fractions k/number of a host step, with k = 1 to number - 1. If number
+// is 0, no instants are requested; if the permittivity is 0, no capacitances are requested.
 struct Instants {
   int number = 0;
   raceway::CapacitorModel capacitor;
-  bool states = false;    // contact states are requested, too
+  bool states = false;    // true if contact states are requested, too
 };
 
-// A possible contact of a ball and a groove.
+// A possible contact between a ball and a groove.
 struct InstantContact {
   tag_t ball, ring;
   const raceway::RacewayPhysics &raceway;
   double orbit;    // rad/s, orbital speed of the ball about the ring's axis
   bool live;
   double load;                                         // N
-  const raceway::FilmCapacitorT<double> &capacitor;    // 0 if not requested
-  const raceway::ContactState &state;                  // if states are requested and it is live
+  const raceway::FilmCapacitorT<double> &capacitor;    // 0 if it was not requested
+  const raceway::ContactState &state;                  // valid if live and requested
 };
 
 struct InstantBody {
@@ -38,23 +38,23 @@ struct InstantBody {
 };
 
 struct InstantRing {
-  double of[of_ring::AZ + 1];    // starting at of_ring::RING
+  double of[of_ring::AZ + 1];    // values from of_ring::RING onwards
 };
 
-// Called for the parts of a bearing: first for the contacts, ball by ball, then for the bodies.
+// Called for the parts of a bearing, first for the contacts, ball by ball, and then for the bodies.
 struct InstantReader {
   std::function<void(const InstantContact &)> contact;
-  std::function<void(const InstantBody &)> body;    // or null
-  std::function<void(const InstantRing &)> ring;    // or null
+  std::function<void(const InstantBody &)> body;    // may be null
+  std::function<void(const InstantRing &)> ring;    // may be null
 };
 
-// A fix with its own substeps within the host step (fix bearing/implicit).
+// A fix that makes its own substeps within the host step (fix bearing/implicit).
 class InstantSource {
  public:
-  // To be called in the setup() of another fix; the instants are then available after every step.
+  // Must be called in the setup() of another fix. The instants are then available after every step.
   // Error messages name `command`.
   virtual void want_instants(const Instants &, const std::string &command) = 0;
-  // Reads the k-th instant (from 1) of the bearings at home on this rank.
+  // Reads the k-th instant (counted from 1) of the bearings whose home is on this rank.
   virtual void read_instant(int k, const InstantReader &) const = 0;
 
  protected:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// An object that changes the contact law between steps, such as a fix with temperatures.
+// An object that changes the contact law between steps, such as a fix that computes temperatures.
 #ifndef BEARING_LAW_FOLLOWER_H
 #define BEARING_LAW_FOLLOWER_H
 
@@ -7,7 +7,7 @@ namespace bearing {
 
 class LawFollower {
  public:
-  // Called before the bodies move in a step; acts only once per step, however often it is called.
+  // Called before the bodies move in a step. Acts only once per step, however often it is called.
   virtual void begin_step() = 0;
 
  protected:

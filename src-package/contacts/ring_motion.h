@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// State of a ring that is stored from step to step besides the position, velocity and spin of its
-// atom.
+// State of a ring that is stored from step to step in addition to the position, velocity and spin
+// of its atom.
 #ifndef BEARING_RING_MOTION_H
 #define BEARING_RING_MOTION_H
 
@@ -12,15 +12,15 @@ namespace bearing {
 
 struct RingMotion {
   raceway::Vec3 axis;
-  raceway::Vec3 origin;           // m, position of the ring at the start
+  raceway::Vec3 origin;           // m, initial position of the ring
   double angle = 0.0;             // rad, rotation about its axis
-  double tilt[2] = {0.0, 0.0};    // rad, imposed, about the two transverse axes
-  raceway::Vec3 acceleration;     // m/s^2, of the last step
-  double step = 0.0;    // s, next substep requested by fix bearing/implicit, stored at the first
-                        // ring; 0: none yet
+  double tilt[2] = {0.0, 0.0};    // rad, imposed tilts about the two transverse axes
+  raceway::Vec3 acceleration;     // m/s^2, in the last step
+  double step = 0.0;    // s, next substep requested by fix bearing/implicit (first ring only), or 0
 };
 
-// Conversion from and to the ring atom i and its motion, which are in the lab frame.
+// Read the place of the ring atom i from the atom and its motion, which are in the lab frame, and
+// write it back.
 inline void read_place(const LAMMPS_NS::Atom &atom, int i, const RingMotion &m,
                        const raceway::LabAxes &axes, raceway::RingPlace &p)
 {

@@ -34,8 +34,8 @@ static void keep_smaller(StepLimit &limit, double k, double c, double m, int cau
   limit = StepLimit{step, cause, ball, k, c};
 }
 
-// N s/m. Slope of the smoothed friction at zero sliding, where it is steepest. The slope at the
-// present sliding speed would hide an instability.
+// Returns the slope (N s/m) of the smoothed friction at zero sliding, where it is steepest. The
+// slope at the current sliding speed would hide an instability.
 static double steepest_friction(const raceway::ContactState &c)
 {
   return c.v_0 > 0.0 ? c.mu * c.normal / c.v_0 : c.ct;
@@ -53,7 +53,7 @@ StepLimit step_limit(LAMMPS *lmp, const ContactTable &table)
     double k = 0.0, c = 0.0, kt = 0.0, ct = 0.0, k0 = 0.0;
     FilmBranches film;
     for (; i < rows.size() && rows[i].ball == first.ball; ++i) {
-      k0 += 1.5 * rows[i].raceway->law.radial().K * 1e-3;    // sqrt(1 um) in m^0.5
+      k0 += 1.5 * rows[i].raceway->law.radial().K * 1e-3;    // factor sqrt(1 um) in m^0.5
       if (!rows[i].live) continue;
       k += rows[i].state.stiffness;
       c += rows[i].state.damping;
@@ -75,7 +75,7 @@ StepLimit step_limit(LAMMPS *lmp, const ContactTable &table)
       keep_smaller(limit, 2.0 * p.stiffness, 2.0 * p.damping, p.mass, StepLimit::cage, p.ball);
   if (unloaded < limit.step) limit = StepLimit{unloaded, StepLimit::unloaded, 0, 0.0, 0.0};
 
-  // the rank with the smallest step broadcasts its limit (on a tie, the lowest rank)
+  // the rank with the smallest step broadcasts its limit (on a tie, the lowest of these ranks does)
   struct {
     double step;
     int rank;

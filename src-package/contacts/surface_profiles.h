@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Profiles of raceways, by ring, and of balls: deviations of the surfaces from a torus or a sphere.
+// Profiles of raceways, by ring, and of balls, i.e. deviations of the surfaces from a torus or a
+// sphere.
 #ifndef BEARING_SURFACE_PROFILES_H
 #define BEARING_SURFACE_PROFILES_H
 
@@ -30,7 +31,7 @@ class SurfaceProfiles {
     of_balls_.try_emplace({ball, p}, shape, p->groove.ball_radius, p->rolling_radius(1.0),
                           p->law.radial().a, p->law.radial().K);
   }
-  // The profile of a ring's raceway; null if there is none.
+  // Returns the profile of a ring's raceway, or null if there is none.
   const raceway::RacewayProfile *of_ring(tag_t ring, Raceway p) const
   {
     return get(of_rings_, ring, p);

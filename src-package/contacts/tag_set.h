@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A set of atom tags with a lookup that is fast enough for every contact.
+// A set of atom tags whose lookup is fast enough to be done for every contact.
 #ifndef BEARING_TAG_SET_H
 #define BEARING_TAG_SET_H
 
@@ -29,7 +29,7 @@ class TagSet {
 
  private:
   tag_t first_ = 0;
-  std::vector<char> in_;    // one entry per tag from the first to the last
+  std::vector<char> in_;    // one entry per tag, from the first to the last
 };
 
 }    // namespace bearing

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Contacts outside the validity range of the models (core/raceway/validity.h), collected over a
-// run; each kind of violation is reported once.
+// Collects contacts outside the validity range of the models (core/raceway/validity.h) during a
+// run. Each kind of violation is reported once.
 #ifndef BEARING_VALIDITY_CHECK_H
 #define BEARING_VALIDITY_CHECK_H
 
@@ -16,13 +16,13 @@ namespace bearing {
 
 class ValidityCheck {
  public:
-  // Shoulders of the grooves in which a group's balls run, if the deck gives them
+  // Set the shoulders of the grooves in which a group's balls run, if the deck specifies them.
   void forget_shoulders() { shoulders_.clear(); }
   void add_shoulders(int groupbit, const raceway::CapacitorModel &m)
   {
     if (m.inner_shoulder > 0.0 || m.outer_shoulder > 0.0) shoulders_.push_back({groupbit, m});
   }
-  // Checks the contacts of this rank in this step; `mask` contains the groups of each atom.
+  // Checks the contacts of this rank in this step. `mask` contains the groups of each atom.
   void look(const ContactTable &, const int *mask, bool film);
   // Warns of violations found since the last call, once per kind. Collective.
   void report(LAMMPS_NS::LAMMPS *, bool capacitance);

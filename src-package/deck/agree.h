@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Broadcasts the result of a file check on rank 0 to every rank.
+// Broadcasts the result of a file check on rank 0 to all ranks.
 #ifndef BEARING_AGREE_H
 #define BEARING_AGREE_H
 
@@ -8,7 +8,7 @@
 
 namespace bearing {
 
-// Returns the text that rank 0 has; empty: no error.
+// Returns the text of rank 0, which is empty if there is no error.
 inline std::string agree(std::string complaint, MPI_Comm world)
 {
   int n = static_cast<int>(complaint.size());

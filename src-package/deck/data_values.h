@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Numbers and words by name, for laws that derive some of the values from others. Numbers are
-// stored as text with fifteen digits, as the hosts write the value of a formula.
+// stored as text with fifteen digits, like the results of formulas in the hosts.
 #ifndef BEARING_DATA_VALUES_H
 #define BEARING_DATA_VALUES_H
 
@@ -14,7 +14,8 @@ class DataValues {
  public:
   typedef std::map<std::string, std::string> Map;
 
-  // Values of `map`; `whose` describes it in messages: "'6208' of 'inputs/bearings'".
+  // Uses the values of `map`. In messages they are described by `whose`, e.g. "'6208' of
+  // 'inputs/bearings'".
   DataValues(const Arguments &args, Map &map, const std::string &whose) :
       args_(args), map_(map), whose_(whose)
   {
@@ -34,13 +35,13 @@ class DataValues {
     return at->second;
   }
   double number(const std::string &name) const { return args_.number_in(word(name), name); }
-  // Error unless the number is 0; the message gives the reason `why`.
+  // Stops with an error unless the number is 0. The message gives the reason `why`.
   void zero(const std::string &name, const std::string &why) const
   {
     if (number(name) != 0.0)
       fail(name + " is " + text(number(name)) + ", must be from 0 to 0 (" + why + ")");
   }
-  // Sets a value unless a value with that name exists.
+  // Sets a value unless there is already a value with that name.
   void suggest(const std::string &name, double value) { map_.emplace(name, written(value)); }
   void set(const std::string &name, double value) { map_[name] = written(value); }
   void set(const std::string &name, const std::string &words) { map_[name] = words; }

@@ -18,8 +18,8 @@ std::string missing_line(const std::vector<std::string> &list,
   return "";
 }
 
-// Shortens two command lines to the words from their first to their last difference, after the name
-// of the command.
+// Shortens two command lines to the name of the command and the words from their first to their
+// last difference.
 void leave_difference(std::string &one, std::string &other)
 {
   std::vector<std::string> words[2];
@@ -33,7 +33,7 @@ void leave_difference(std::string &one, std::string &other)
   while (first < shorter && words[0][first] == words[1][first]) ++first;
   while (last < shorter - first && words[0].end()[-1 - last] == words[1].end()[-1 - last]) ++last;
   for (int k = 0; k < 2; ++k) {
-    // starts a few words before the first difference, unless they include the command itself
+    // start a few words before the first difference, unless that would include the command itself
     const size_t from = first > 6 ? first - 3 : 0;
     const size_t end = words[k].size() - last, to = std::min(end, from + longest_difference);
     *lines[k] = from ? words[k][0] + " ..." : "";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The first difference between two decks, given as lists of command lines
+// Finds the first difference between two decks that are given as lists of command lines.
 #ifndef RACEWAY_DIFFERENT_LINES_H
 #define RACEWAY_DIFFERENT_LINES_H
 
@@ -9,8 +9,8 @@
 
 namespace bearing {
 
-// The first line of each list that the other list lacks; empty if there is none. If each list has
-// such a line, the two lines are shortened to the words that differ.
+// Returns the first line of each list that is missing in the other list, or an empty string if
+// there is none. If each list has such a line, both lines are shortened to the words that differ.
 std::pair<std::string, std::string> different_lines(const std::vector<std::string> &one,
                                                     const std::vector<std::string> &other);
 

@@ -31,8 +31,8 @@ static Data data_file(const fs::path &file)
   return data;
 }
 
-// A message lists all names if there are at most `longest_list`, otherwise only the `nearest_names`
-// names nearest to the given one.
+// A message lists all names if there are at most `longest_list` of them; otherwise it lists only
+// the `nearest_names` names that are most similar to the given one.
 static constexpr size_t longest_list = 12, nearest_names = 6;
 
 Data find_data(std::string folder, std::string name)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Finds the data of a bearing or an oil: a file in a folder, or a row of a table FOLDER/*.csv.
+// Finds the data of a bearing or an oil, either in a file in a folder or in a row of a table
+// FOLDER/*.csv.
 #ifndef BEARING_FIND_DATA_H
 #define BEARING_FIND_DATA_H
 
@@ -12,7 +13,8 @@ struct Data {
   std::string complaint = {}, label = {}, lines = {};
 };
 
-// `name` may also be the path of a file, with a '/'. The function reads files: call it on one rank.
+// `name` may also be the path of a file if it contains a '/'. The function reads files, so it
+// should be called on only one rank.
 Data find_data(std::string folder, std::string name);
 
 std::string joined(const std::vector<std::string> &names, const char *between = ", ");

@@ -11,7 +11,8 @@ using namespace LAMMPS_NS;
 namespace bearing {
 
 // The hosts evaluate formulas, but have no function that returns the text of a formula or the style
-// of a variable. The private members are reached by an explicit instantiation, which may name them.
+// of a variable. The private members are accessed by an explicit instantiation, which may name
+// them.
 typedef char ***Variable::*Texts;
 typedef int *Variable::*Styles;
 Texts texts_of_variables();
@@ -23,11 +24,11 @@ template <Texts texts, Styles styles> struct Opened {
 };
 template struct Opened<&Variable::data, &Variable::style>;
 
-constexpr int INDEX_STYLE = 0, STRING_STYLE = 5;    // in variable.cpp or variable.h of all hosts
+constexpr int INDEX_STYLE = 0, STRING_STYLE = 5;    // as in variable.cpp or variable.h of all hosts
 
 static bool in_name(char c) { return isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-// Text of a variable; empty if no variable has that name
+// Returns the text of a variable, or an empty string if no variable has that name.
 static std::string text_of(LAMMPS *lmp, const std::string &name)
 {
   Variable &all = *lmp->input->variable;

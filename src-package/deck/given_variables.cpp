@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace bearing {
 
-// Command line of the program, of which the host stores no copy
+// Returns the command line of the program, of which the host stores no copy.
 static std::vector<std::string> command_line()
 {
   std::ifstream file("/proc/self/cmdline");
@@ -31,7 +31,8 @@ Names words_after(const char *option, const char *other)
   return found;
 }
 
-// Words of a command, with the lines on which `&` continues it and without its comment
+// Returns the words of a command without its comment, including those on lines that are continued
+// by `&`.
 static std::vector<std::string> command_words(std::istream &file, std::string line)
 {
   std::vector<std::string> words;
@@ -44,7 +45,7 @@ static std::vector<std::string> command_words(std::istream &file, std::string li
   return words;
 }
 
-// Name of the variable if the word ends with ${NAME}; empty for any other word
+// Returns the name of the variable if the word ends with ${NAME}, and an empty string otherwise.
 static std::string named_in(const std::string &word)
 {
   const size_t at = word.find("${");
@@ -52,7 +53,7 @@ static std::string named_in(const std::string &word)
                                                        : word.substr(at + 2, word.size() - at - 3);
 }
 
-// Collects the words of a command that pass a variable to it under the variable's name in the table
+// Collects the variables that are passed to a command under the names that they have in the table.
 static void collect_passed(const std::vector<std::string> &words, Names &passed)
 {
   std::string keyword;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Variables that a user sets with -var, and variables that a deck defines.
+// Finds the variables that a user sets with -var and the variables that a deck defines.
 #ifndef BEARING_GIVEN_VARIABLES_H
 #define BEARING_GIVEN_VARIABLES_H
 
@@ -11,35 +11,37 @@ namespace bearing {
 
 typedef std::set<std::string> Names;
 
-// Words that follow either of two options on the program's command line
+// Returns the words that follow either of two options on the program's command line.
 Names words_after(const char *option, const char *other);
 
-// Variables of a deck
+// Variables of a deck.
 struct DeckNames {
-  Names settable;    // with -var: variables of styles that store such a value, words after `vars`
-  Names index;       // variables of lines `variable NAME index VALUE`
-  Names passed;      // passed to a command: after `vars`, or as `NAME ${NAME}`, `NA ${NA_ME}`
+  Names settable;    // variables that -var can set, and words after `vars`
+  Names index;       // variables defined by lines `variable NAME index VALUE`
+  Names passed;      // passed to a command after `vars`, or as `NAME ${NAME}` or `NA ${NA_ME}`
 };
 
-// Adds the variables of a deck in a file. False if the file cannot be read.
+// Adds the variables of the deck in a file. Returns false if the file cannot be read.
 bool collect(const std::filesystem::path &, DeckNames &);
 
-// Variables of lines `variable NAME index VALUE` in the deck with which the program was started
+// Returns the variables defined by lines `variable NAME index VALUE` in the deck with which the
+// program was started.
 Names set_by_deck();
 
-// Collects the settable variables of all files and tables in a folder.
+// Collects the variables that can be set in all files and tables of a folder.
 void collect_folder(const std::string &folder, Names &);
 
-// Name of the file that the host reads; empty for the standard input
+// Returns the name of the file that the host reads, or an empty string for the standard input.
 std::string deck_name(FILE *infile);
 
-// Adds the variables of the deck that the host reads, `infile` (or null), and of the decks given by
+// Adds the variables of the deck `infile` (or null) that the host reads, and of the decks given by
 // -in, which may include that deck.
 void collect_deck(FILE *infile, DeckNames &);
 
 std::string nearest(const std::string &name, const Names &);
 
-// Error message if a value of -var is empty or has a unit after its number; otherwise empty
+// Returns an error message if a value of -var is empty or has a unit after its number, and an empty
+// string otherwise.
 std::string wrong_with(const std::string &value);
 
 }    // namespace bearing

@@ -15,7 +15,7 @@ namespace bearing {
 
 namespace {
 
-// Names of data that the user sets with -var or in the deck
+// Returns the names of data that the user sets with -var or in the deck.
 Names given_names(const Names &set, const DataValues::Map &of_file)
 {
   Names found;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Data of a bearing or an oil as names and values, from a file or a row of a catalogue. Values
+// Data of a bearing or an oil as names and values, read from a file or a row of a catalogue. Values
 // given by the user take precedence.
 #ifndef BEARING_NAMED_DATA_H
 #define BEARING_NAMED_DATA_H
@@ -9,25 +9,28 @@
 namespace bearing {
 
 // Data from lines `variable NAME index VALUE` of the file INPUTS/SORT/NAME, from a row NAME of the
-// tables in that folder, or from the file NAME if it has a '/'. For each name the first line
-// counts; -var and the deck's own `variable` take precedence. Collective.
+// tables in that folder, or from the file NAME if it contains a '/'. If a name occurs more than
+// once, the first line is used; -var and the deck's own `variable` commands take precedence.
+// Collective.
 struct NamedData {
   std::string label;    // for messages
   DataValues::Map values;
-  DataValues::Map of_file;             // values of the file alone
+  DataValues::Map of_file;             // values from the file alone
   std::vector<std::string> of_deck;    // names that the deck sets
 };
 NamedData read_data(LAMMPS_NS::LAMMPS *, const Arguments &, const std::string &inputs,
                     const std::string &sort, const std::string &name);
 
-// Data of these kinds that differ from those of the file, as NAME=VALUE
+// Returns the data of these kinds that differ from those in the file, as NAME=VALUE.
 std::vector<std::string> given_of(const NamedData &, const std::vector<std::string> &kinds);
 
-// Note to the user about data of the file that the deck replaces; empty if it replaces none.
+// Returns a note to the user about data of the file that the deck replaces, or an empty string if
+// it replaces none.
 std::string note_of_deck(const NamedData &);
 
-// Sets the defaults of those variables in the table that belong to `of`, and checks all of them;
-// error if a variable without default is missing. Returns the names of the variables that were set.
+// Sets the defaults of those variables in the table that belong to `of`, and checks all of them.
+// Stops with an error if a variable without a default is missing. Returns the names of the
+// variables that were set.
 std::vector<std::string> check_data(const Arguments &, NamedData &, const std::string &of);
 
 }    // namespace bearing

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Table written by a fix. The file is opened on rank 0; if that fails, there is an error on all
-// ranks. Without a file name nothing is written.
+// Table written by a fix. The file is opened on rank 0; if that fails, the run stops with an error
+// on all ranks. If there is no file name, nothing is written.
 #ifndef BEARING_TEXT_FILE_H
 #define BEARING_TEXT_FILE_H
 
@@ -23,8 +23,8 @@ class TextFile {
   TextFile(const TextFile &) = delete;
   TextFile &operator=(const TextFile &) = delete;
 
-  bool wanted() const { return wanted_; }    // on every rank
-  FILE *file() const { return file_; }       // on rank 0; null on other ranks
+  bool wanted() const { return wanted_; }    // valid on every rank
+  FILE *file() const { return file_; }       // open on rank 0; null on other ranks
   void open(const Arguments &args, const std::string &name, const char *head, MPI_Comm world)
   {
     int rank, trouble = 0;

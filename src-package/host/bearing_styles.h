@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The single list of styles, from which every loader registers them.
+// The single list of the styles, from which every loader registers them.
 #ifndef BEARING_STYLES_H
 #define BEARING_STYLES_H
 

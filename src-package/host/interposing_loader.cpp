@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Loads the styles into an unmodified LIGGGHTS, or into a LAMMPS without plugins: this shared
-// object precedes the host's library in the symbol search order. It thereby interposes
+// Loads the styles into an unmodified LIGGGHTS, or into a LAMMPS without plugins. This shared
+// object precedes the host's library in the symbol search order and thereby interposes
 // LAMMPS::post_create(), which the host calls when it starts and after every `clear`. The object
 // can be linked (build/liggghts, build/lammps), preloaded, or loaded from Python with RTLD_GLOBAL.
 #ifndef _GNU_SOURCE
@@ -15,7 +15,7 @@
 
 #include <dlfcn.h>
 
-// Can also be called directly, for a LAMMPS object created elsewhere.
+// Can also be called directly for a LAMMPS object that was created elsewhere.
 extern "C" __attribute__((visibility("default"))) void raceway_register(void *lmp)
 {
   Registry registry{static_cast<LAMMPS *>(lmp)};
@@ -32,7 +32,7 @@ __attribute__((visibility("default"))) void LAMMPS::post_create()
             "raceway: this is not the host it was built for: LAMMPS::post_create() not found\n");
     abort();
   }
-  // the host ends a failed rank with MPI_Abort, which drops buffered output; buffer only by line
+  // the host ends a failed rank with MPI_Abort, which drops buffered output, so buffer only by line
   setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   raceway_register(this);
   next(this);

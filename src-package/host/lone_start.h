@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Fast start of Open MPI for a process without a launcher. Such a process has no peers, but Open
-// MPI would start a daemon for it (0.2 s) and probe all its networks (0.1 s).
+// Speeds up the start of Open MPI for a process without a launcher. Such a process has no peers,
+// but Open MPI would start a daemon for it (0.2 s) and probe all networks (0.1 s).
 #ifndef LONE_START_H
 #define LONE_START_H
 
@@ -12,18 +12,19 @@
 
 class LoneStart {
  public:
-  // To be created before MPI_Init. Settings of the user are kept; under a launcher nothing is set.
+  // Must be created before MPI_Init. Settings of the user are kept, and nothing is set under a
+  // launcher.
   LoneStart()
   {
     if (launched()) return;
     offer("OMPI_MCA_ess_singleton_isolated", "1");    // no daemon
     offer("OMPI_MCA_pml", "ob1");                     // no search for fast networks
-    // no session folder below /tmp, which simultaneous processes would delete from one another
+    // no session folder in /tmp, because simultaneous processes would delete each other's folders
     offer("OMPI_MCA_orte_create_session_dirs", "0");
   }
 
-  // To be called after MPI_Init: programs started by a deck (`shell mpirun ...`) must not inherit
-  // the settings.
+  // Must be called after MPI_Init, so that programs started by a deck (`shell mpirun ...`) do not
+  // inherit the settings.
   void forget()
   {
     for (const std::string &name : set) unsetenv(name.c_str());
@@ -40,7 +41,7 @@ class LoneStart {
     set.push_back(name);
   }
 
-  // environment variables that mpirun of Open MPI or MPICH, srun, aprun and flux set
+  // environment variables that are set by mpirun of Open MPI or MPICH, srun, aprun and flux
   static bool launched()
   {
     for (char **entry = environ; *entry; ++entry)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Accepts the arguments of the stock executable; the styles come from the shared object to which it
-// is linked.
+// Accepts the arguments of the stock executable. The styles are provided by the shared object to
+// which this program is linked.
 #include <mpi.h>
 
 #include "input.h"
@@ -10,8 +10,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-// The mpirun of MPICH, which may come from an activated .venv, starts this Open MPI program as
-// independent processes of one rank each.
+// Returns true if this Open MPI program was started by the mpirun of MPICH, which may come from an
+// activated .venv and would start independent processes of one rank each.
 static bool started_by_mpich()
 {
   int size;

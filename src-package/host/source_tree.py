@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Put the styles into a source tree of a host, or remove them.
 
-Everything is checked before anything is written. A manifest lists all changes, and uninstall undoes
-exactly these changes. A `Host` describes the source tree of a host and the changes to it
-(liggghts_tree.py, lammps_tree.py).
+Everything is checked before anything is written. All changes are listed in a manifest, and
+uninstall reverts exactly these changes. A `Host` describes the source tree of a host and the
+changes to it (liggghts_tree.py, lammps_tree.py).
 """
 
 import hashlib
@@ -19,11 +19,11 @@ MANIFEST = "raceway.manifest"
 
 
 class Refused(Exception):
-    """The script leaves the tree unchanged; the message gives the reason."""
+    """Raised if the script leaves the tree unchanged. The message states the reason."""
 
 
 class Replace:
-    """Replacement of a passage that occurs exactly once in a file of the host."""
+    """A patch that replaces a passage that occurs exactly once in a file of the host."""
 
     def __init__(self, before, after):
         self.before, self.after = before, after
@@ -42,7 +42,7 @@ class Replace:
 
 
 class Wrap:
-    """A line before and a line after a whole file of the host."""
+    """A patch that adds a line before and a line after the whole text of a file of the host."""
 
     def __init__(self, first, last):
         self.first, self.last = first + "\n", last + "\n"
@@ -61,7 +61,7 @@ class Wrap:
 
 
 class Both:
-    """Two patches of one file; the second is applied to the result of the first."""
+    """Two patches of the same file; the second is applied to the result of the first."""
 
     def __init__(self, first, second):
         self.first, self.second = first, second
@@ -80,33 +80,34 @@ class Both:
 
 
 class Host:
-    """A host whose source tree is known: its names, and methods that act on such a tree."""
+    """A host with a known source tree: its names, and methods that act on such a tree."""
 
     name = variable = version = ""
 
     def base(self, tree):
-        """Folder to which names in the manifest are relative. Any other kind of tree is refused."""
+        """Return the folder to which the names in the manifest are relative, or raise `Refused` if
+        `tree` is not a source tree of this host."""
         raise NotImplementedError
 
     def patches(self, base):
-        """Patches of files of the host, {name: patch}."""
+        """Return the patches of files of the host as {name: patch}."""
         raise NotImplementedError
 
     def added(self, base):
-        """New files, {name: text}."""
+        """Return the new files as {name: text}."""
         raise NotImplementedError
 
     def hint(self, tree):
-        """Commands that build the host, and commands that remove the results of the build."""
+        """Return the commands that build the host, and those that remove the build results."""
         raise NotImplementedError
 
     def in_use(self, base):
-        """Reason why the package cannot be removed now; empty if it can."""
+        """Return the reason why the package cannot be removed now, or "" if it can be removed."""
         return ""
 
 
 def flat_sources():
-    """Sources of the package, {name: text}, with the folders removed from their includes."""
+    """Return the sources of the package as {name: text}, with the folders removed from includes."""
     found = {}
     for room in ROOMS:
         for source in sorted(PACKAGE.glob(f"{room}/*")):
@@ -135,7 +136,7 @@ def read(path):
 
 
 def write(path, text, stat=None):
-    """Write the file atomically, with the file times of `stat` if given."""
+    """Write the file atomically, with the file times from `stat` if it is given."""
     temporary = path.with_name(path.name + ".raceway-new")
     try:
         with open(temporary, "w", encoding="utf-8", newline="") as file:
@@ -153,7 +154,7 @@ def install(host, tree):
     patches = host.patches(src)
     if (src / MANIFEST).exists():
         raise Refused(
-            f"{tree} already contains Raceway: make uninstall-tree {host.variable}={tree} removes"
+            f"{tree} already contains Raceway; make uninstall-tree {host.variable}={tree} removes"
             " it"
         )
     for name, patch in patches.items():
@@ -172,7 +173,9 @@ def install(host, tree):
     new = host.added(src)
     for name in new:
         if (src / name).exists():
-            raise Refused(f"{src / name} exists and is not from this script; nothing was changed")
+            raise Refused(
+                f"{src / name} exists but was not created by this script; nothing was changed"
+            )
     for folder in {(src / name).parent for name in (MANIFEST, *patches, *new)}:
         there = next(above for above in (folder, *folder.parents) if above.exists())
         if not os.access(there, os.W_OK):
@@ -190,7 +193,7 @@ def install(host, tree):
             folder.mkdir(parents=True, exist_ok=True)
         for name, text in new.items():
             write(src / name, text)
-        # with their old file times, so that make does not compile the host again
+        # keep the old file times, so that make does not compile the whole host again
         for name, patch in patches.items():
             write(src / name, patch.apply(read(src / name)), (src / name).stat())
     except BaseException as error:
@@ -202,8 +205,8 @@ def install(host, tree):
 
 
 def take_out(src, manifest, patches):
-    """Undo the entries of `manifest`, except those that an interrupted installation had not
-    reached."""
+    """Revert the changes listed in `manifest`, except for those that an interrupted installation
+    had not yet made."""
     for name in manifest["patched"]:
         path, patch = src / name, patches[name]
         if path.is_file() and patch.is_in(read(path)):
@@ -244,7 +247,7 @@ def uninstall(host, tree):
     if changed:
         raise Refused(
             f"changed since the installation: {', '.join(sorted(changed))} in {src}; nothing was"
-            " removed. Save what you need of an added file elsewhere and delete the file; undo"
+            " removed. Save elsewhere what you need from an added file and delete the file; revert"
             " changes to a patched file"
         )
     try:
@@ -252,8 +255,8 @@ def uninstall(host, tree):
     except OSError as error:
         raise Refused(f"{error}; repeat make uninstall-tree to continue") from None
     print(
-        f"Raceway was removed from {tree}. Objects and programs that were built are left"
-        f" ({host.hint(tree)[1]})."
+        f"Raceway was removed from {tree}. To remove the compiled objects and programs,"
+        f" run {host.hint(tree)[1]}."
     )
 
 

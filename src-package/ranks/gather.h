@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Gathers all ranks' vectors of plain structs, in rank order, on every rank.
+// Gathers the vectors of plain structs of all ranks, in rank order, on every rank.
 #ifndef BEARING_GATHER_H
 #define BEARING_GATHER_H
 
@@ -31,7 +31,8 @@ template <class T> std::vector<T> gather_all(const std::vector<T> &mine, MPI_Com
   return all;
 }
 
-// As above, but on a single rank without a copy; on several ranks `space` holds the result.
+// Does the same without a copy if there is only one rank; otherwise the result is stored in
+// `space`.
 template <class T>
 const std::vector<T> &gather_all(const std::vector<T> &mine, std::vector<T> &space, MPI_Comm world)
 {
@@ -42,8 +43,8 @@ const std::vector<T> &gather_all(const std::vector<T> &mine, std::vector<T> &spa
   return space;
 }
 
-// Gathers the numbers of all ranks into `all` on rank 0, in rank order. On rank 0, returns the
-// offset of each rank's numbers, then the total; on other ranks, an empty vector.
+// Gathers the numbers of all ranks into `all` on rank 0, in rank order. Returns the offset of each
+// rank's numbers followed by the total on rank 0, and an empty vector on other ranks.
 inline std::vector<size_t> gather_to_first(const std::vector<double> &mine,
                                            std::vector<double> &all, MPI_Comm world)
 {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The bearings in the box, each of them whole on one rank: the implicit integrator solves for all
-// bodies of a bearing at once.
+// The bearings in the box. Each of them is complete on one rank, because the implicit integrator
+// solves for all bodies of a bearing at once.
 //
-// A bearing is everything connected through possible contacts. Its home is the rank that owns its
-// ring of lowest tag. build() finds the bearings after a neighbour build and sends their pieces to
-// their homes; in every step gather() brings the state of the bodies home and scatter() returns it
-// to the owners of the atoms. A model lists everything by tag, so its results do not depend on the
-// number of ranks. Messages go only from owner to home and back, one per pair of ranks; a bearing
-// that lies entirely on its home rank needs none.
+// A bearing consists of everything that is connected through possible contacts. Its home is the
+// rank that owns its ring with the lowest tag. After a neighbour build, build() finds the bearings
+// and sends their pieces to their homes. In every step, gather() sends the state of the bodies to
+// the homes, and scatter() returns it to the owners of the atoms. A model lists everything by tag,
+// so its results do not depend on the number of ranks. Messages are sent only between owners and
+// homes, one per pair of ranks; a bearing that lies entirely on its home rank needs none.
 #ifndef BEARING_HOME_BEARINGS_H
 #define BEARING_HOME_BEARINGS_H
 
@@ -28,48 +28,49 @@ namespace bearing {
 struct BearingSources {
   struct MovedRing {
     int i;        // owned atom
-    int mover;    // index of the fix that moves it, the same on all ranks
+    int mover;    // index of the fix that moves it, which is the same on all ranks
     std::vector<raceway::RingValue> own;
-    tag_t shaft = 0;     // first ring on the shaft of the ring, 0: no shaft
-    double at = 0.0;     // m, position on the shaft, from its centre
-    tag_t holder = 0;    // ring to which its supports connect, 0: ground
+    tag_t shaft = 0;     // first ring on the shaft of the ring; 0 if there is no shaft
+    double at = 0.0;     // m, position on the shaft relative to its centre
+    tag_t holder = 0;    // ring to which its supports connect; 0 for the ground
   };
   const ContactTable *table = nullptr;
   int states = 0;    // number of state variables of the contact law per contact
   raceway::LabAxes axes;
-  std::vector<const CageRails *> cages;           // the same in the same order on all ranks
+  std::vector<const CageRails *> cages;           // the same list in the same order on all ranks
   std::vector<const CagePockets *> cage_rings;    // as for cages
   std::vector<MovedRing> moved;
   std::function<bool(int type)> is_ring, is_ball;
   std::function<const raceway::RacewayPhysics *(int ball_type, int ring_type, int groove)> raceway;
   std::function<const raceway::RacewayProfile *(tag_t ring, const raceway::RacewayPhysics *)>
-      profile;    // profile of a raceway, or null; may be empty
+      profile;    // returns the profile of a raceway or null; may be empty
   std::function<const raceway::BallProfile *(tag_t ball, const raceway::RacewayPhysics *)>
-      ball_profile;                                    // profile of a ball, or null; may be empty
-  std::function<raceway::Quaternion &(int i)> turn;    // orientation of a ball, if needed
-  std::function<RingMotion &(int i)> motion;           // motion of a ring
+      ball_profile;                                    // profile of a ball or null; may be empty
+  std::function<raceway::Quaternion &(int i)> turn;    // orientation of a ball; may be empty
+  std::function<RingMotion &(int i)> motion;           // returns the motion of a ring
 };
 
 class HomeBearings : protected LAMMPS_NS::Pointers {
  public:
-  // command: prefix of messages
+  // `command` is the prefix of messages.
   HomeBearings(LAMMPS_NS::LAMMPS *lmp, const std::string &command) :
       Pointers(lmp), command_(command)
   {
   }
 
-  // Finds all bearings with atoms of the group. Error if an atom of the group is in no bearing, or
-  // if a bearing is only partly in the group.
+  // Finds all bearings with atoms of the group. Stops with an error if an atom of the group is in
+  // no bearing, or if a bearing is only partly in the group.
   void build(const BearingSources &, int groupbit);
 
-  // Bearings at home on this rank, by name.
+  // Bearings whose home is on this rank, sorted by name.
   int size() const { return static_cast<int>(bearings_.size()); }
   const raceway::BearingModel &model(int p) const { return bearings_[p].model; }
   std::vector<raceway::BodyPose> &bodies(int p) { return bearings_[p].bodies; }
   std::vector<raceway::RingPose> &rings(int p) { return bearings_[p].rings; }
   // State variables of the contacts of bearing p, in the order of the grooves in its model.
   std::vector<double> &states(int p) { return bearings_[p].states; }
-  // s, next substep requested by the step control; stored with the first ring of the bearing
+  // Next substep (s) requested by the step control, which is stored with the first ring of the
+  // bearing.
   double &wished_step(int p) { return bearings_[p].steps.front(); }
 
   void gather();     // sends the state from the atoms of all ranks to the homes
@@ -87,24 +88,24 @@ class HomeBearings : protected LAMMPS_NS::Pointers {
     tag_t name;
     int home;
     bool inside;
-  };    // known on all ranks; inside: has atoms of the group
-  struct Piece;    // piece of a model, in transit to the home rank
+  };    // known on all ranks; inside: it has atoms of the group
+  struct Piece;    // piece of a model that is sent to the home rank
   struct Place {
     int bearing, at;
   };
   struct Local {
     int i;
     Place place;
-  };    // an atom owned and at home on this rank
+  };    // an atom that is owned by this rank and whose home is here
   struct LocalContact {
     double *kept;
     Place place;
-  };    // contact of a ball owned and at home on this rank
-  struct Letter {    // message to or from another rank: bodies, rings, contact states
+  };    // contact of a ball that is owned by this rank and whose home is here
+  struct Letter {    // message to or from another rank with bodies, rings and contact states
     int rank;
-    std::vector<int> body_atom, ring_atom;                       // at the owner
-    std::vector<double *> kept;                                  // at the owner
-    std::vector<Place> body_place, ring_place, contact_place;    // at home
+    std::vector<int> body_atom, ring_atom;                       // of the owner
+    std::vector<double *> kept;                                  // of the owner
+    std::vector<Place> body_place, ring_place, contact_place;    // of the home
     std::vector<double> text;
     void size_text(int states);
   };
@@ -119,7 +120,7 @@ class HomeBearings : protected LAMMPS_NS::Pointers {
   struct SentRing {
     raceway::RingPose pose;
     double step;
-  };    // data of a ring, in transit
+  };    // data of a ring that are sent
   raceway::BodyPose read_body(int i) const;
   SentRing read_ring(int i) const;
   void write_body(int i, const raceway::BodyPose &) const;
@@ -133,8 +134,8 @@ class HomeBearings : protected LAMMPS_NS::Pointers {
   std::vector<HomeBearing> bearings_;
   std::vector<Local> own_bodies_, own_rings_;
   std::vector<LocalContact> own_contacts_;
-  std::vector<Letter> away_;      // atoms owned here, at home elsewhere
-  std::vector<Letter> guests_;    // atoms owned elsewhere, at home here
+  std::vector<Letter> away_;      // atoms owned here whose home is elsewhere
+  std::vector<Letter> guests_;    // atoms owned elsewhere whose home is here
 };
 
 }    // namespace bearing

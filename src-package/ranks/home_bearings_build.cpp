@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// After a neighbour build: finds the bearings and their home ranks, and sends their pieces there.
+// After a neighbour build, finds the bearings and their home ranks, and sends their pieces there.
 #include "home_bearings.h"
 
 #include "exchange.h"
@@ -13,25 +13,26 @@ using raceway::BearingModel;
 
 namespace bearing {
 
-// Connection that a rank sends to all others: the atom `tag` is in the same piece of a bearing as
-// the atom `piece`.
+// Connection that a rank sends to all others, which states that the atom `tag` is in the same piece
+// of a bearing as the atom `piece`.
 struct Node {
   tag_t piece, tag;
-  int owner;     // rank, -1: owned by another rank
-  int ring;      // 1: `tag` is a ring
-  int inside;    // 1: the piece has atoms of the group
+  int owner;     // rank of the owner; -1 if another rank owns the atom
+  int ring;      // 1 if `tag` is a ring
+  int inside;    // 1 if the piece has atoms of the group
 };
 
 struct HomeBearings::Piece {
   enum Kind { body, ring, value, groove, pocket, seat, cell } kind;
   tag_t name;    // name of the bearing
   tag_t a, b;
-  // types of ball and ring; or `first` is the number of a cage, of the fix that moves a ring, or of
-  // a value given for a single ring
+  // types of ball and ring; or `first` is the index of a cage, of the fix that moves a ring, or of
+  // a value that is given for a single ring
   int first, second;
-  int number;    // number of a groove; 1 for a ring on a shaft
-  int inside;    // 1: the atom is in the group
-  // `radius` is also the reach of a pocket; K is also a ring's own value or position on its shaft
+  int number;    // index of a groove; 1 for a ring on a shaft
+  int inside;    // 1 if the atom is in the group
+  // `radius` is also the reach of a pocket; K is also a value that is given for a single ring, or
+  // the position of a ring on its shaft
   double radius, mass, K;
 };
 
@@ -43,9 +44,10 @@ void HomeBearings::build(const BearingSources &sources, int groupbit)
   assemble(bearing::exchange(cut(bearing_of, bearings, groupbit), world));
 }
 
-// Bearing number of each owned atom; -1: no bearing with atoms of the group. Every rank joins the
-// bodies of the possible contacts of its own balls to pieces; the pieces of several ranks are
-// connected by rings and by balls in contact across a subdomain boundary.
+// Returns the bearing number of each owned atom, or -1 for an atom in no bearing with atoms of the
+// group. Every rank joins the bodies of the possible contacts of its own balls to pieces. The
+// pieces of several ranks are connected by rings and by balls in contact across a subdomain
+// boundary.
 std::vector<int> HomeBearings::find_bearings(int groupbit, std::vector<NamedBearing> &bearings)
 {
   const int nlocal = atom->nlocal, nall = nlocal + atom->nghost;
@@ -58,7 +60,7 @@ std::vector<int> HomeBearings::find_bearings(int groupbit, std::vector<NamedBear
   for (const CagePockets *c : sources_.cage_rings)
     for (const CagePockets::Cell &b : c->cells) local.join(b.i, b.i_cage);
 
-  std::vector<tag_t> piece(nall, 0);    // lowest tag, at the root
+  std::vector<tag_t> piece(nall, 0);    // lowest tag, stored at the root
   std::vector<int> inside(nall, 0);
   for (int i = 0; i < nall; ++i) {
     const int root = local.find(i);
@@ -73,7 +75,7 @@ std::vector<int> HomeBearings::find_bearings(int groupbit, std::vector<NamedBear
   };
   for (int i = 0; i < nall; ++i)
     if (sources_.is_ring(atom->type[i])) tell(i);
-  for (const BearingSources::MovedRing &m : sources_.moved)    // shafts and supports join
+  for (const BearingSources::MovedRing &m : sources_.moved)    // shafts and supports join rings
     for (tag_t other : {m.shaft, m.holder})
       if (other != 0) nodes.push_back({other, atom->tag[m.i], comm->me, 1, 0});
   for (const SphereContact &s : table.sphere)
@@ -94,7 +96,7 @@ std::vector<int> HomeBearings::find_bearings(int groupbit, std::vector<NamedBear
     const int a = of(n.piece), b = of(n.tag);    // both exist before they are joined
     all.join(a, b);
   }
-  bearings.assign(all.size(), {0, -1, false});    // at the roots
+  bearings.assign(all.size(), {0, -1, false});    // stored at the roots
   for (const Node &n : nodes) {
     NamedBearing &b = bearings[all.find(of(n.tag))];
     b.inside = b.inside || n.inside;
@@ -117,8 +119,8 @@ std::vector<int> HomeBearings::find_bearings(int groupbit, std::vector<NamedBear
   return bearing_of;
 }
 
-// The pieces of bearings that this rank owns, by home rank. The lists of atoms whose state is sent
-// to a home have the same order as the pieces.
+// Returns the pieces of bearings that this rank owns, by home rank. The lists of atoms whose state
+// is sent to a home have the same order as the pieces.
 std::vector<std::vector<HomeBearings::Piece>>
 HomeBearings::cut(const std::vector<int> &bearing_of, const std::vector<NamedBearing> &bearings,
                   int groupbit)
@@ -171,7 +173,7 @@ HomeBearings::cut(const std::vector<int> &bearing_of, const std::vector<NamedBea
   }
   for (const SphereContact &s : sources_.table->sphere) {
     if (s.i >= atom->nlocal || bearing_of[s.i] < 0)
-      continue;    // known to two ranks; the owner of the first sends it
+      continue;    // known on two ranks; the owner of the first atom sends it
     Piece &p = add(s.i, Piece::pocket, s.tag_i, s.tag_j);
     p.radius = s.reach;
     p.mass = s.mass;
@@ -207,7 +209,7 @@ static bool before(const BearingModel::Groove &a, const BearingModel::Groove &b)
   return a.ring != b.ring ? a.ring < b.ring : a.physics->number < b.physics->number;
 }
 
-// Index in the model of the groove to which a piece belongs.
+// Returns the index in the model of the groove to which a piece belongs.
 int HomeBearings::groove_of(const BearingModel &m, int body, int ring, const Piece &p) const
 {
   const BearingModel::Groove wanted = {body, ring, sources_.raceway(p.first, p.second, p.number),
@@ -216,7 +218,7 @@ int HomeBearings::groove_of(const BearingModel &m, int body, int ring, const Pie
                           m.grooves.begin());
 }
 
-// Rings on a common shaft.
+// Finds the rings on a common shaft.
 static void find_shafts(BearingModel &m)
 {
   for (int k = 0; k < static_cast<int>(m.rings.size()); ++k) {
@@ -229,7 +231,7 @@ static void find_shafts(BearingModel &m)
   }
 }
 
-// Rings that support other rings.
+// Finds the rings that support other rings.
 static void find_holders(BearingModel &m)
 {
   for (BearingModel::Ring &ring : m.rings)
@@ -237,7 +239,7 @@ static void find_holders(BearingModel &m)
       if (m.rings[k].tag == ring.held_by) ring.holder = k;
 }
 
-// The ring whose land guides a cage; -1: none.
+// Returns the ring whose land guides a cage, or -1 if there is none.
 static int land_of(const BearingModel &m, const BearingModel::Cage &cage)
 {
   if (cage.of->guide == raceway::CageRing::by_balls) return -1;
@@ -248,7 +250,8 @@ static int land_of(const BearingModel &m, const BearingModel::Cage &cage)
   return -1;
 }
 
-// On the home rank: builds the models in the order of names, with their atoms in the order of tags.
+// Builds the models on the home rank, in the order of names and with their atoms in the order of
+// tags.
 void HomeBearings::assemble(const std::vector<std::vector<Piece>> &from)
 {
   std::vector<Piece> pieces;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Commands stored in a restart file of the host and repeated when it is read.
+// Commands that are stored in a restart file of the host and repeated when it is read.
 #ifndef BEARING_KEPT_COMMANDS_H
 #define BEARING_KEPT_COMMANDS_H
 
@@ -10,8 +10,8 @@
 
 namespace bearing {
 
-// Layout of the package's data in restart files: increase the number with every change to what any
-// class writes. Files of builds before layout 2 have no number.
+// Layout of the package's data in restart files. The number must be increased with every change to
+// what any class writes. Files of builds before layout 2 have no number.
 constexpr int RESTART_LAYOUT = 4;
 
 constexpr const char *CUT_OR_DAMAGED = "the restart file ends early or is damaged";
@@ -19,7 +19,8 @@ constexpr const char *CUT_OR_DAMAGED = "the restart file ends early or is damage
 using Commands = std::vector<std::vector<std::string>>;    // words of each command
 
 void write_commands(FILE *, const Commands &);
-// Rank 0 reads the file. All ranks return the same text: empty, or what is wrong with the file.
+// Reads the file on rank 0. All ranks return the same text, which is empty or says what is wrong
+// with the file.
 std::string read_commands(FILE *, MPI_Comm, Commands &);
 
 }    // namespace bearing

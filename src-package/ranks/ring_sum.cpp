@@ -11,7 +11,7 @@ using raceway::Vec3;
 
 namespace bearing {
 
-static constexpr int sum_letters = 6209;    // MPI message tag, used in this file only
+static constexpr int sum_letters = 6209;    // MPI message tag, used only in this file
 
 void RingSum::reset()
 {
@@ -38,7 +38,7 @@ int RingSum::claim(tag_t ring, int owner, Source source, tag_t partner)
   return claims() - 1;
 }
 
-// Sets up the messages between ranks, and the terms in the sum of every ring, in order.
+// Sets up the messages between ranks and the ordered terms in the sum of every ring.
 void RingSum::find_ways()
 {
   const int np = comm->nprocs, me = comm->me;
@@ -86,7 +86,7 @@ void RingSum::find_ways()
   ways_known_ = true;
 }
 
-// Sends said(claim), `width` numbers for each claim, to the owners of the rings.
+// Sends said(claim), i.e. `width` numbers for each claim, to the owners of the rings.
 template <class Said> void RingSum::send(int width, Said said)
 {
   for (Letter &l : out_) {

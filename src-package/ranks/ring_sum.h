@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Sums the forces and torques of balls and cage on a ring, in an order that does not depend on the
+// Sums the forces and torques of balls and cage on a ring in an order that does not depend on the
 // number of ranks.
 //
 // Only the owner of a ball computes the ball's contacts, so their forces must be sent if the ring
-// is on another rank. After a neighbour build every contact claims a term in the sum of its ring. A
-// rank sends its claims on the rings of another rank once, and then only six numbers per claim in
-// each step. The owner of the ring adds the terms by source, then by ascending tag of the partner.
-// A ring whose claims are all on its own rank is summed directly, in the order of the calls, which
-// is the same order.
+// is on another rank. After a neighbour build, every contact claims a term in the sum of its ring.
+// A rank sends its claims on the rings of another rank once, and then only six numbers per claim in
+// each step. The owner of the ring adds the terms by source, and then by ascending tag of the
+// partner. A ring whose claims are all on its own rank is summed directly in the order of the
+// calls, which is the same order.
 #ifndef BEARING_RING_SUM_H
 #define BEARING_RING_SUM_H
 
@@ -25,10 +25,10 @@ class RingSum : protected LAMMPS_NS::Pointers {
   enum Source { rail, pocket, land, ball };    // in the order in which they are added
   explicit RingSum(LAMMPS_NS::LAMMPS *lmp) : Pointers(lmp) {}
 
-  void reset();    // to be called after a neighbour build, on all ranks: clears all claims
+  void reset();    // must be called after a neighbour build on all ranks; clears all claims
   void own(int i_ring, tag_t ring);
-  // Claims a term in the sum of a ring owned by the rank `owner`; valid until reset(). All claims
-  // must be made before the first flush().
+  // Claims a term in the sum of a ring owned by the rank `owner`, and returns its index, which is
+  // valid until reset(). All claims must be made before the first flush().
   int claim(tag_t ring, int owner, Source source, tag_t partner);
 
   void add(int claim, const raceway::Vec3 &force, const raceway::Vec3 &torque)
@@ -42,16 +42,17 @@ class RingSum : protected LAMMPS_NS::Pointers {
       torque.to(p.said + 3);
     }
   }
-  void flush();    // adds to atom->f and atom->torque of owned rings; collective
+  void flush();    // adds the sums to atom->f and atom->torque of owned rings; collective
 
-  // Owned rings in the order of tags: local index, force and torque at the last flush().
+  // Owned rings in the order of tags, with their local index and the force and torque at the last
+  // flush().
   int rings() const { return static_cast<int>(rings_.size()); }
   int ring(int n) const { return rings_[n].i; }
   const raceway::Vec3 &force(int n) const { return rings_[n].summed[0]; }
   const raceway::Vec3 &torque(int n) const { return rings_[n].summed[1]; }
-  // Sends other numbers along the same ways: `said` has `width` numbers per claim; heard(n, source,
-  // numbers) is called for every claim on the n-th owned ring, ring by ring in the order of the
-  // sums. To be called on all ranks, after a flush().
+  // Sends other numbers along the same paths. `said` has `width` numbers per claim; heard(n,
+  // source, numbers) is called for every claim on the n-th owned ring, ring by ring in the order of
+  // the sums. Must be called on all ranks after a flush().
   void collect(int width, const std::vector<double> &said,
                const std::function<void(int n, Source, const double *)> &heard);
   int claims() const { return static_cast<int>(shares_.size()); }
@@ -65,11 +66,11 @@ class RingSum : protected LAMMPS_NS::Pointers {
   struct Share {
     double said[force_and_torque];
     int direct;
-  };    // direct: index of a ring with local claims only; else -1
+  };    // direct: index of a ring with local claims only, or -1
   struct Term {
     tag_t partner;
     int source, letter, at;
-  };    // letter -1: a claim of this rank
+  };    // letter: -1 for a claim of this rank
   struct OwnedRing {
     int i;
     tag_t tag;
@@ -91,7 +92,7 @@ class RingSum : protected LAMMPS_NS::Pointers {
   std::vector<Claim> claims_;
   std::vector<int> owner_;    // rank that owns the ring of each claim
   std::vector<Share> shares_;
-  std::vector<OwnedRing> rings_;    // owned, by tag
+  std::vector<OwnedRing> rings_;    // owned rings, sorted by tag
   std::vector<Letter> out_, in_;
 };
 

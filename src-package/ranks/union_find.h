@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Connected components of n elements (union-find).
+// Finds the connected components of n elements (union-find).
 #ifndef BEARING_UNION_FIND_H
 #define BEARING_UNION_FIND_H
 

@@ -21,11 +21,11 @@ namespace bearing {
 namespace {
 
 struct Body {
-  double tag, type, radius, spin;    // spin (rad/s): NAN unless a fix imposes it
+  double tag, type, radius, spin;    // spin in rad/s, NAN unless a fix imposes it
   Vec3 x;
 };
 
-// Balls and rings of all ranks, in order of their tags.
+// Returns the balls and rings of all ranks, sorted by tag.
 std::vector<Body> bodies_of(LAMMPS *lmp, const PairCoefficients &coefficients)
 {
   const Atom &atom = *lmp->atom;
@@ -47,8 +47,7 @@ std::vector<Body> bodies_of(LAMMPS *lmp, const PairCoefficients &coefficients)
   return all;
 }
 
-// Groove of the ring whose surface is nearest to a ball; d is the ball's position relative to the
-// ring's centre.
+// The groove of a ring whose surface is nearest to a ball.
 struct Place {
   const RacewayPhysics *raceway = nullptr;
   double gap = HUGE_VAL, cosine = 1.0;    // m; cosine of the contact angle
@@ -76,8 +75,8 @@ struct Row {
   const RacewayPhysics *raceway[2] = {};
   double balls = 0.0, ball_radius = 0.0, cosine = 1.0;
 
-  // Duration of a ball pass, s; not finite if the balls do not move. A ring without an imposed spin
-  // is at rest.
+  // Returns the duration of a ball pass in s, which is not finite if the balls do not move. A ring
+  // without an imposed spin is assumed to be at rest.
   double pass(double angle) const
   {
     const double pitch = written(
@@ -91,7 +90,7 @@ struct Row {
   }
 };
 
-// Assigns each ball to the nearest inner and the nearest outer ring.
+// Assigns each ball to the nearest inner ring and the nearest outer ring.
 std::vector<Row> rows_of(const PairCoefficients &coefficients, const std::vector<Body> &bodies)
 {
   std::map<std::pair<double, double>, Row> rows;
@@ -140,7 +139,7 @@ double ball_pass_time(LAMMPS *lmp, const std::string &command, double angle)
       BRG_ALL_OF(lmp, command + ": no fix bearing/ring imposes the spin of ring " +
                           std::to_string(static_cast<long>(row.ring[0]->tag)) + " or " +
                           std::to_string(static_cast<long>(row.ring[1]->tag)) +
-                          ", from which its ball pass follows");
+                          ", which determines its ball pass");
     const double pass = row.pass(angle);
     if (std::isfinite(pass)) longest = std::max(longest, pass);
   }

@@ -12,8 +12,8 @@ CommandStyle(bearing_resume,BearingResume)
 namespace LAMMPS_NS {
 
 // bearing_resume FILE resume yes|no [overwrite yes|no]: creates and claims the folder of the
-// restart file, and sets the host's variable b_resumed to 1 if the run continues from the restart
-// file, else to 0.
+// restart file. It sets the host's variable b_resumed to 1 if the run continues from the restart
+// file, and to 0 otherwise.
 class BearingResume : public bearing::CommandBase {
  public:
   explicit BearingResume(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}

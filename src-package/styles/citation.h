@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The paper whose model the styles implement, for the host's list of citations.
+// The paper that describes the model implemented by these styles, for the host's list of citations.
 #ifndef CITATION_H
 #define CITATION_H
 
@@ -22,9 +22,9 @@ constexpr char citation[] =
     " pages =   {506}\n"
     "}\n\n";
 
-// LAMMPS prints the first line of the citation with the run's citations and writes the whole
-// citation to the log. LIGGGHTS would write a file log.cite into the folder in which it was
-// started, so no citation is registered there.
+// LAMMPS prints the first line of the citation at the end of the run and writes the whole citation
+// to the log. LIGGGHTS would write a file log.cite to the folder in which it was started, so no
+// citation is registered there.
 inline void cite_paper(LAMMPS_NS::LAMMPS *lmp)
 {
 #if BEARING_IS_LIGGGHTS

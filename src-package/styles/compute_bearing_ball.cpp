@@ -59,16 +59,16 @@ void ComputeBearingBall::init()
   for (const Column &c : columns_)
     if (c.own >= 0 && of_ball::needs_turn(c.own) && !pair_->profiles().any_ball())
       BRG_ALL(name + ": attribute '" + of_ball::list[c.own].name +
-              "' needs a fix bearing/profile with a profile of balls, which follows how they turn");
+              "' needs a fix bearing/profile with a profile of balls, which tracks their rotation");
 }
 
-// All values are 0 for atoms other than balls; values of a contact are 0 if the ball does not touch
-// that raceway.
+// All values are 0 for atoms other than balls. The values of a contact are 0 if the ball does not
+// touch that raceway.
 void ComputeBearingBall::compute_peratom()
 {
   invoked_peratom = update->ntimestep;
   pair_ = PairBearingHertz::find(
-      lmp, "compute bearing/ball");    // it may have been replaced between runs
+      lmp, "compute bearing/ball");    // the pair style may have been replaced between runs
   const int n = static_cast<int>(columns_.size());
   if (atom->nmax > nmax_) {
     nmax_ = atom->nmax;
@@ -89,7 +89,7 @@ void ComputeBearingBall::compute_peratom()
     for (int k = 0; k < n; ++k) {
       double &v = array_[c.i_ball][k];
       if (columns_[k].attribute == nullptr && v != 0.0 && c.side() == Side::inner)
-        continue;    // values of the ball itself refer to the outer ring
+        continue;    // values of the ball itself are relative to the outer ring
       if (columns_[k].own >= 0) {
         v = own_value(columns_[k].own, c);
       } else if ((c.live || columns_[k].attribute->needs_surroundings()) &&

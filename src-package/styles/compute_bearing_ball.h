@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// compute bearing/ball: per-atom data of rolling balls, from their contacts with both raceways.
+// compute bearing/ball: per-atom data of rolling balls, taken from their contacts with both
+// raceways.
 #ifdef COMPUTE_CLASS
 ComputeStyle(bearing/ball,ComputeBearingBall)
 #else
@@ -23,9 +24,9 @@ class ComputeBearingBall : public Compute, public bearing::ColumnList {
 
  private:
   struct Column {
-    int own;                                    // column of the ball's own values; -1: of a contact
-    bool inner;                                 // the contact is with the inner raceway
-    const bearing::ContactColumn *attribute;    // column of a contact
+    int own;                                    // column of the ball's own values, or -1
+    bool inner;                                 // true if the contact is with the inner raceway
+    const bearing::ContactColumn *attribute;    // column of a contact, or null
   };
   double own_value(int own, const bearing::RacewayContact &) const;
 

@@ -18,7 +18,7 @@ ComputeBearingContact::ComputeBearingContact(BRG_COMPUTE_ARGS) :
   while (args.more());
   local_flag = 1;
   size_local_rows = 0;
-  // the host expects a vector for one column, an array for several
+  // the host expects a vector if there is one column, and an array if there are several
   size_local_cols = columns_.size() == 1 ? 0 : static_cast<int>(columns_.size());
 }
 
@@ -33,7 +33,7 @@ void ComputeBearingContact::compute_local()
 {
   invoked_local = update->ntimestep;
   pair_ = PairBearingHertz::find(
-      lmp, "compute bearing/contact");    // it may have been replaced between runs
+      lmp, "compute bearing/contact");    // the pair style may have been replaced between runs
   values_.clear();
   for (const RacewayContact &c : pair_->table().raceway) {
     if (!c.live || !(atom->mask[c.i_ball] & groupbit)) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// compute bearing/contact: local data, a row with the requested columns per active raceway contact.
+// compute bearing/contact: local data with one row of requested columns per active raceway contact.
 #ifdef COMPUTE_CLASS
 ComputeStyle(bearing/contact,ComputeBearingContact)
 #else

@@ -18,7 +18,8 @@ using bearing::RacewayContact;
 using bearing::RingSum;
 namespace of_ring = bearing::of_ring;
 
-// Values that a contact sends to its ring: its figures, then the orbital direction over the radius.
+// Values that a contact sends to its ring: its results, then the orbital direction divided by the
+// radius.
 static constexpr size_t ALONG = BallFigures::numbers(), N_SAID = ALONG + 3;
 
 // compute ID group bearing/ring all|value ...
@@ -56,7 +57,7 @@ ComputeBearingRing::ComputeBearingRing(BRG_COMPUTE_ARGS) :
   } while (args.more());
   local_flag = 1;
   size_local_rows = 0;
-  // the host expects a vector for one column, an array for several
+  // the host expects a vector if there is one column, and an array if there are several
   size_local_cols = columns_.size() == 1 ? 0 : static_cast<int>(columns_.size());
 }
 
@@ -74,14 +75,15 @@ void ComputeBearingRing::init()
   }
 }
 
-// Fills the numbers of each claim, the index under which a contact sends data to its ring's owner.
+// Sets the values of each claim, i.e. of the index under which a contact sends data to the owner of
+// its ring.
 void ComputeBearingRing::tell()
 {
   said_.assign(static_cast<size_t>(pair_->ring_sum().claims()) * N_SAID, 0.0);
   const std::vector<RacewayContact> &table = pair_->table().raceway;
   const bearing::ContactContext context = {pair_->coefficients().axis_index(), capacitor_};
   for (size_t first = 0, end; first < table.size(); first = end) {
-    BallFigures ball;    // over all rings
+    BallFigures ball;    // totals over all rings
     std::vector<BallFigures> each;
     for (end = first; end < table.size() && table[end].ball == table[first].ball; ++end) {
       const bearing::ContactView view = context.view(table[end]);
@@ -93,10 +95,10 @@ void ComputeBearingRing::tell()
     for (size_t k = first; k < end; ++k) {
       const RacewayContact &c = table[k];
       BallFigures &own = each[k - first];
-      // figures that combine both contacts of a ball count once per ball and ring
+      // results that combine both contacts of a ball are counted once per ball and ring
       if (k == first || table[k - 1].ring != c.ring) own.take_pairs(ball);
       else own.take_pairs(BallFigures());
-      // the owner subtracts the ring's velocity, because a ghost's velocity is half a step old
+      // the owner subtracts the ring's velocity, because the velocity of a ghost is half a step old
       const GroovePosition g = locate(Vec3::from(atom->x[c.i_ball]) - Vec3::from(atom->x[c.i_ring]),
                                       pair_->state()->axis(c.i_ring), c.raceway->centre_circle);
       own.balls = 1.0;
@@ -112,7 +114,7 @@ void ComputeBearingRing::compute_local()
 {
   invoked_local = update->ntimestep;
   pair_ = PairBearingHertz::find(
-      lmp, "compute bearing/ring");    // it may have been replaced between runs
+      lmp, "compute bearing/ring");    // the pair style may have been replaced between runs
   tell();
   const RingSum &rings = pair_->ring_sum();
   std::vector<BearingFigures> sums(rings.rings());

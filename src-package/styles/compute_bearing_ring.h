@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// compute bearing/ring: a row per ring of a group, with its motion, the total force and moment on
-// it, and sums and extremes over its contacts. A group of inner rings gives a row per bearing.
+// compute bearing/ring: one row per ring of a group, with the motion of the ring, the total force
+// and moment on it, and sums and extremes over its contacts. A group of inner rings yields one row
+// per bearing.
 #ifdef COMPUTE_CLASS
 ComputeStyle(bearing/ring,ComputeBearingRing)
 #else
@@ -33,10 +34,10 @@ class ComputeBearingRing : public Compute, public bearing::ColumnList {
   struct Output {
     raceway::Column is;
     int motion;                       // index in of_ring::list, used if `figure` is null
-    const bearing::Figure *figure;    // otherwise this figure, taken over the contacts
+    const bearing::Figure *figure;    // otherwise this result, evaluated over the contacts
   };
   std::vector<Output> columns_;
-  std::vector<double> said_;    // sent by the contacts of this rank
+  std::vector<double> said_;    // values sent by the contacts of this rank
   std::vector<double> values_;
   std::vector<double *> rows_;
 };

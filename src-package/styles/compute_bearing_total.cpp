@@ -31,8 +31,8 @@ void ComputeBearingTotal::compute_vector()
 {
   invoked_vector = update->ntimestep;
   pair_ = PairBearingHertz::find(
-      lmp, "compute bearing/total");    // it may have been replaced between runs
-  // summed in the order of tags, so that the sums have the same bits on any number of ranks; a
+      lmp, "compute bearing/total");    // the pair style may have been replaced between runs
+  // summed in the order of tags, so that the sums are bitwise identical on any number of ranks; a
   // contact between two balls, or between a ball and a cage ball, is sorted by both tags
   struct Share {
     bearing::tag_t tag, other;
@@ -46,8 +46,8 @@ void ComputeBearingTotal::compute_vector()
     const size_t first = i;
     for (; i < rows.size() && rows[i].ball == ball.tag; ++i)
       if (rows[i].live) ball.of.contact(context.view(rows[i]));
-    // the orbital speed is relative to the outer ring if the ball touches one, as in compute
-    // bearing/ball
+    // the orbital speed is measured relative to the outer ring if the ball touches one, as in
+    // compute bearing/ball
     const RacewayContact &c = rows[first].side() == Side::outer ? rows[first] : rows[i - 1];
     ball.of.balls = 1.0;
     ball.of.orbit = bearing::orbit_of(*atom, *pair_, c);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Input of contact columns besides the contact itself, from the pair style and the fixes of a run.
+// Data that contact columns need in addition to the contact itself, from the pair style and the
+// fixes of a run.
 #ifndef BEARING_CONTACT_CONTEXT_H
 #define BEARING_CONTACT_CONTEXT_H
 
@@ -12,24 +13,29 @@ class PairBearingHertz;
 
 namespace bearing {
 
-// Data available from the commands so far: the pair style's film, and a fix's capacitances.
+// Returns the data that the commands so far make available: the film of the pair style and the
+// capacitances of a fix.
 Offer offer_of(LAMMPS_NS::LAMMPS *, const LAMMPS_NS::PairBearingHertz &);
 
-// Capacitor of a contact, from the fix bearing/capacitance whose group contains the ball; 0 if no
-// group does. An open contact has the capacitance of its surroundings if that fix computes it.
-// Error naming `asked_by` and `wants` if there is no such fix.
+// Returns a function that computes the capacitor of a contact with the fix bearing/capacitance
+// whose group contains the ball, or 0 if no group does. An open contact has the capacitance of its
+// surroundings if that fix computes it. Stops with an error that names `asked_by` and `wants` if
+// there is no such fix.
 std::function<raceway::FilmCapacitorT<double>(const RacewayContact &)>
 capacitor_of(LAMMPS_NS::LAMMPS *, const std::string &asked_by, const std::string &wants);
 
-// Error naming `asked_by` and `wants` if no fix bearing/capacitance computes surroundings.
+// Stops with an error that names `asked_by` and `wants` if no fix bearing/capacitance computes
+// surroundings.
 void check_surroundings(LAMMPS_NS::LAMMPS *, const LAMMPS_NS::PairBearingHertz &,
                         const std::string &asked_by, const std::string &wants);
 
-// Context for these columns; error naming `asked_by` if a fix that they need is missing.
+// Returns the context for these columns. Stops with an error that names `asked_by` if a fix that
+// the columns need is missing.
 ContactContext context_of(LAMMPS_NS::LAMMPS *, const LAMMPS_NS::PairBearingHertz &,
                           const ContactSelection &, const std::string &asked_by);
 
-// Orbital speed of a ball about the ring of a contact, rad/s; the surfaces need not touch.
+// Returns the speed (rad/s) at which a ball orbits about the ring of a contact; the surfaces need
+// not touch.
 double orbit_of(const LAMMPS_NS::Atom &, const LAMMPS_NS::PairBearingHertz &,
                 const RacewayContact &);
 

@@ -10,7 +10,7 @@ using namespace raceway;
 
 namespace bearing {
 
-// Four contacts in lanes, and room for the results of spare lanes.
+// Four contacts in the lanes of vector registers, and room for the results of spare lanes.
 struct ContactEvaluator::InLanes {
   ContactLanes four;
   ContactState state;
@@ -54,7 +54,7 @@ void ContactEvaluator::evaluate(ContactTable &of, const Setting &set)
     const RacewayPhysics &p = *of_all.raceway;
     four.groove = groove_of(of_all);
     four.dt = advances(of_all) ? update->dt : 0.0;
-    if (set.facts->decides) {    // the law has a reach: contacts that touched before come first
+    if (set.facts->decides) {    // the law has a reach, so contacts that touched before come first
       near_.clear();
       for (const bool touched : {true, false})
         for (int n = first; n < next; ++n)
@@ -84,8 +84,9 @@ void ContactEvaluator::evaluate(ContactTable &of, const Setting &set)
   }
 }
 
-// True if this step advances the state of a contact. The forces of a set-up belong to a completed
-// step; contacts in groups of fixes that advance the state themselves are excluded.
+// Returns true if this step advances the state of a contact. The forces of a set-up belong to a
+// step that is already complete, and contacts in the groups of fixes that advance the state
+// themselves are excluded.
 bool ContactEvaluator::advances(const RacewayContact &c) const
 {
   return !update->setupflag && !(atom->mask[c.i_ball] & set_.implicit_bits);
@@ -97,7 +98,7 @@ BallState ContactEvaluator::ball_of(const RacewayContact &c) const
           Vec3::from(atom->omega[c.i_ball])};
 }
 
-// State of the ring at the groove, which may be offset from the ring's mid-plane.
+// Returns the state of the ring at the groove, which may be offset from the ring's mid-plane.
 RingState ContactEvaluator::groove_of(const RacewayContact &c) const
 {
   RingState ring = {Vec3::from(atom->x[c.i_ring]), Vec3::from(atom->v[c.i_ring]),
@@ -110,7 +111,8 @@ RingState ContactEvaluator::groove_of(const RacewayContact &c) const
   return ring;
 }
 
-// Finds the possible contacts of one groove, which are the entries `first` to `end` of by_groove_.
+// Finds the possible contacts of one groove, whose rows are the entries `first` to `end` of
+// by_groove_.
 void ContactEvaluator::find_near(int first, int end)
 {
   near_.clear();
@@ -156,7 +158,7 @@ void ContactEvaluator::take(const int *rows, int count)
   }
 }
 
-// Position of a contact whose raceway or ball has a profile; true if it may touch.
+// Locates a contact whose raceway or ball has a profile. Returns true if the surfaces may touch.
 bool ContactEvaluator::touch_profile(int row)
 {
   RacewayContact &c = rows_[row];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Fills the contact table: the contact law of all raceways, four contacts of a groove at a time.
+// Fills the contact table by evaluating the contact law of all raceways, four contacts of a groove
+// at a time.
 #ifndef BEARING_CONTACT_EVALUATOR_H
 #define BEARING_CONTACT_EVALUATOR_H
 
@@ -19,19 +20,19 @@ class ContactEvaluator : protected LAMMPS_NS::Pointers {
  public:
   struct Setting {
     LAMMPS_NS::FixBearingState *state;
-    const raceway::LawFacts *facts;    // facts about the contact law
+    const raceway::LawFacts *facts;    // properties of the contact law
     int axis;
-    int implicit_bits;    // groups of fixes that advance contact states themselves
-    bool gaps;            // also evaluate the motion of surfaces that do not touch
+    int implicit_bits;    // groups of the fixes that advance contact states themselves
+    bool gaps;            // evaluate also the motion of surfaces that do not touch
     bool energies;
-    bool profiled;    // some surface has a profile
+    bool profiled;    // true if at least one surface has a profile
   };
 
   explicit ContactEvaluator(LAMMPS_NS::LAMMPS *);
-  void set_order(const ContactTable &);    // after every search for contacts
+  void set_order(const ContactTable &);    // called after every search for contacts
   void evaluate(ContactTable &, const Setting &);
 
-  // Results for row n of the table, valid for live contacts only.
+  // Results for row n of the table, which are valid for live contacts only.
   const raceway::ContactForces &forces(size_t n) const { return found_[n]; }
   double energy(size_t n) const { return energies_.empty() ? 0.0 : energies_[n]; }    // J, stored
   // State of the ring at the groove, which may be offset from the ring's mid-plane.
@@ -50,7 +51,7 @@ class ContactEvaluator : protected LAMMPS_NS::Pointers {
 
   Setting set_ = {};
   RacewayContact *rows_ = nullptr;       // rows of the table
-  std::vector<int> by_groove_, near_;    // indices of all rows; of some rows of one groove
+  std::vector<int> by_groove_, near_;    // rows of all grooves; rows near contact in one groove
   std::vector<raceway::ContactForces> found_;
   std::vector<double> energies_;
   std::vector<raceway::FlawedPlace> flaws_;    // empty if all surfaces are smooth

@@ -27,7 +27,7 @@ void CreateBearing::command(int narg, char **arg)
   create(args);
 }
 
-// Creates a named bearing from its data; after a restart its atoms already exist.
+// Creates a named bearing from its data. After a restart its atoms already exist.
 void CreateBearing::command_named(Arguments &args)
 {
   const bearing::NamedBearing &b = bearing::bearing_of(lmp, args, args.word("name of a bearing"));
@@ -35,7 +35,7 @@ void CreateBearing::command_named(Arguments &args)
   if (!pair)
     args.fail("bearing " + b.name +
               " needs pair_style bearing before it, not below hybrid; particles beside bearings "
-              "have 'pair_coeff I J grain' and fix bearing/grains");
+              "need 'pair_coeff I J grain' and fix bearing/grains");
   double speed[2] = {0.0, 0.0}, thrust = 0.0;
   bool groups = true;
   std::string more, phase = "0";
@@ -80,24 +80,25 @@ void CreateBearing::command_named(Arguments &args)
 void CreateBearing::create(Arguments &args)
 {
   if (!domain->box_exist)
-    args.fail("the simulation box does not exist yet: create_box comes first");
+    args.fail("the simulation box does not exist yet: create_box must come first");
   PairBearingHertz &pair = *PairBearingHertz::find(lmp, "create_bearing");
   if (!atom->radius_flag || !atom->rmass_flag)
     args.fail("needs atom_style sphere (granular in LIGGGHTS)");
   Plan plan = parse(args);
   if (!plan.resumed) {
     if (modify->nfix_restart_peratom)
-      args.fail("comes before read_restart, not after: the restart file has the bearing");
+      args.fail(
+          "comes before read_restart, not after, because the restart file contains the bearing");
     check(args, pair, plan);
     place(plan, pair);
     if (plan.cage_type) pair.expect_sphere(plan.ball_type, plan.cage_type);
   } else if (atom->natoms == 0) {
-    args.fail("'resumed yes' needs the atoms of a restart file: read_restart comes first");
+    args.fail("'resumed yes' needs the atoms of a restart file: read_restart must come first");
   }
   if (plan.groups) make_groups(plan);
 }
 
-// The groups are shared by the bearings of all commands.
+// The bearings of all commands share these groups.
 void CreateBearing::make_groups(const Plan &p)
 {
   const auto add = [this](const char *name, int type) {
@@ -211,9 +212,10 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
                             ? 2.0 * p.pitch * std::sin(0.5 * 3.14159265358979323846 / p.balls)
                             : 2.0 * p.pitch;
     if (half < R + p.cage_radius)
-      args.fail("cage ball of diameter " + text(2.0 * p.cage_radius) +
-                " m is too large for the gap between two balls: at most " + text(2.0 * (half - R)) +
-                " m fits");
+      args.fail(
+          "cage ball of diameter " + text(2.0 * p.cage_radius) +
+          " m is too large for the gap between two balls; the largest diameter that fits is " +
+          text(2.0 * (half - R)) + " m");
   }
   const double reach = Re + R;
   const double *lo = domain->boxlo, *hi = domain->boxhi;
@@ -225,29 +227,29 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
                 " to " + text(hi[k]) + " m");
 }
 
-// Moves the inner ring along the axis until the load-carrying grooves, one of each ring, are in
-// contact with the balls. If a ring has two grooves, the load-carrying groove is the one centred
-// ahead on the inner ring and behind on the outer ring. With preload all grooves are already in
-// contact, and the ring does not move.
+// Moves the inner ring along the axis until the load-carrying grooves, one in each ring, are in
+// contact with the balls. In a ring with two grooves, the load-carrying one is the groove whose
+// centre lies forward on the inner ring and backward on the outer ring. With preload all grooves
+// are already in contact, and the ring does not move.
 void CreateBearing::seat(Arguments &args, const Groove &inner, const Groove &outer,
                          double clearance, Plan &p)
 {
   const double in_gap = inner.slack(), out_gap = outer.slack(), gaps = in_gap + out_gap;
   const double in_offset = std::fabs(inner.offset), out_offset = std::fabs(outer.offset);
-  // the line through both centres of curvature is inclined by the contact angle (docs/theory)
+  // the line through both centres of curvature is inclined by the contact angle (see docs/theory)
   const double arches =
       (in_gap * (1.0 - inner.middle_cosine()) + out_gap * (1.0 - outer.middle_cosine())) / gaps;
   const double cosine = std::min(1.0, 1.0 - arches - 0.5 * clearance / gaps);
   const double sine = std::sqrt(1.0 - cosine * cosine);
   const double way = gaps * sine - (in_offset + out_offset);
   if (way < 0.0) return;
-  const double room = 1.0 + 1e-9;    // equal angles without clearance, up to rounding
+  const double room = 1.0 + 1e-9;    // without clearance the angles are equal up to rounding errors
   if (in_gap * sine * room < in_offset || out_gap * sine * room < out_offset)
     args.fail("'seat': a ball would lie in both grooves of one ring and one of the other; their "
               "contact angles are " +
               text(std::acos(inner.middle_cosine())) + " and " +
               text(std::acos(outer.middle_cosine())) +
-              " rad: make them equal, or the clearance larger than " + text(clearance) + " m");
+              " rad: make them equal, or make the clearance larger than " + text(clearance) + " m");
   p.cosine = cosine;
   p.pitch = outer.centre_circle() + out_gap * cosine;
   p.ball_z = p.seat * (out_gap * sine - out_offset);
@@ -259,11 +261,12 @@ static double mass(double R, double rho)
   return 4.0 / 3.0 * 3.14159265358979323846 * R * R * R * rho;
 }
 
-// Rotation of a ball: for a law with friction against spin, the rotation with the least loss;
-// otherwise a rotation about the bearing's axis.
+// Returns the rotation of a ball. For a law with friction against spin, this is the rotation that
+// dissipates the least power; otherwise the ball rotates about the bearing's axis.
 BallRotation CreateBearing::rotation(const Plan &p, const PairBearingHertz &pair)
 {
-  // distance of a contact from the ball's spin axis: ball radius times cosine of the contact angle
+  // distance of a contact from the ball's spin axis: ball radius times the cosine of the contact
+  // angle
   const Rolling roll =
       pure_rolling(p.ball_radius * p.cosine, p.pitch, p.inner_speed, p.outer_speed);
   const bool seated = p.inner_z != 0.0;
@@ -288,13 +291,13 @@ void CreateBearing::place(const Plan &p, const PairBearingHertz &pair)
 
   const double pi = 3.14159265358979323846;
   const Vec3 e = pair.axis(), centre = Vec3::from(p.centre);
-  const Vec3 a = {e.z, e.x, e.y}, b = {e.y, e.z, e.x};    // azimuth 0 and 90 degrees
+  const Vec3 a = {e.z, e.x, e.y}, b = {e.y, e.z, e.x};    // azimuths 0 and 90 degrees
   const BallRotation roll = rotation(p, pair);
   for (int cage = 0; cage < (p.cage_type ? 2 : 1); ++cage)
     for (int k = 0; k < p.balls; ++k) {
       const double phi = p.phase + 2.0 * pi * (k + 0.5 * cage) / p.balls;
       const Vec3 u = a * std::cos(phi) + b * std::sin(phi);
-      // cage balls start between the rails, half-way between the raceways
+      // cage balls start between the rails, midway between the raceways
       const Vec3 at = centre + (cage ? u * p.middle : u * p.pitch + e * p.ball_z);
       const Vec3 v = cross(e, u) * (roll.orbit * (cage ? p.middle : p.pitch));
       if (cage) add(p.cage_type, at, p.cage_radius, mass(p.cage_radius, p.cage_density), v, Vec3());
@@ -302,7 +305,7 @@ void CreateBearing::place(const Plan &p, const PairBearingHertz &pair)
         add(p.ball_type, at, p.ball_radius, mass(p.ball_radius, p.ball_density), v,
             u * roll.radial + e * roll.axial);
     }
-  // a ring is one small atom at its centre; fix bearing/ring gives it mass and inertia
+  // a ring is one small atom at its centre; fix bearing/ring assigns its mass and inertia
   add(p.inner_type, centre + e * p.inner_z, 1e-4, 1.0, Vec3(), e * p.inner_speed);
   add(p.outer_type, centre, 1e-4, 1.0, Vec3(), e * p.outer_speed);
   if (p.ring_cage) add(p.ring_cage, centre + e * p.ball_z, 1e-4, 1.0, Vec3(), e * roll.orbit);

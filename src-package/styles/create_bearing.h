@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// create_bearing: creates balls, cage balls and one atom per ring of one bearing, rolling or at
-// rest.
+// create_bearing: creates the balls, the cage balls and one atom per ring of a bearing, which
+// starts rolling or at rest.
 #ifdef COMMAND_CLASS
 CommandStyle(create_bearing,CreateBearing)
 #else
@@ -27,7 +27,7 @@ class CreateBearing : public bearing::CommandBase {
  private:
   struct Plan {
     int ball_type, cage_type, inner_type, outer_type;
-    int ring_cage = 0;    // type of a one-piece cage, 0: none
+    int ring_cage = 0;    // type of a one-piece cage; 0 if there is none
     int balls = 0;
     double ball_radius = 0.0, ball_density = 7800.0;
     double cage_radius = 0.0, cage_density = 1140.0;
@@ -35,14 +35,14 @@ class CreateBearing : public bearing::CommandBase {
     double phase = 0.0;                             // rad, azimuth of the first ball
     double inner_speed = 0.0, outer_speed = 0.0;    // rad/s
     int seat =
-        0;    // +1, -1: the inner ring touches all balls, displaced forward or back along the axis
+        0;    // +1 or -1: the inner ring starts forward or backward in contact with all balls
     double thrust = 0.0;                   // N, on the inner ring
-    double middle = 0.0;                   // m, radius half-way between the raceways
-    double pitch = 0.0;                    // m, radius of the circle of the balls' centres
-    double ball_z = 0.0, inner_z = 0.0;    // m, along the axis
+    double middle = 0.0;                   // m, radius midway between the raceways
+    double pitch = 0.0;                    // m, radius of the circle through the balls' centres
+    double ball_z = 0.0, inner_z = 0.0;    // m, positions along the axis
     double cosine = 1.0;                   // cosine of the contact angle
-    bool groups = false;                   // create the groups
-    bool resumed = false;                  // the atoms already exist, from a restart file
+    bool groups = false;                   // whether to create the groups
+    bool resumed = false;                  // true if the atoms come from a restart file
   };
 
   void command_named(bearing::Arguments &);

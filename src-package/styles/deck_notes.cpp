@@ -24,14 +24,14 @@ namespace {
 typedef NetcdfHeader::Attributes Attributes;
 typedef std::map<std::string, std::string> Words;
 
-// The integrator: implicit, damping, vibration or verlet
+// Returns the name of the integrator: implicit, damping, vibration or verlet.
 std::string integrator_of(LAMMPS *lmp)
 {
   const auto fixes = fixes_of<FixBearingImplicit>(lmp);
   return fixes.empty() ? "verlet" : std::string(fixes.front()->style).substr(8);
 }
 
-// The cage of the first bearing of the deck: ring, chain or no
+// Returns the kind of cage of the first bearing of the deck: ring, chain or no.
 std::string cage_of(LAMMPS *lmp)
 {
   for (const NamedBearing *b : bearings_of(lmp))
@@ -39,7 +39,7 @@ std::string cage_of(LAMMPS *lmp)
   return "no";
 }
 
-// Values that the run chooses if the deck leaves them open
+// Returns values that the run chooses if the deck does not set them.
 Words chosen(LAMMPS *lmp, double within)
 {
   Words of = {{"within", digits(within)}, {"cage", cage_of(lmp)}};
@@ -53,14 +53,14 @@ Words chosen(LAMMPS *lmp, double within)
   return of;
 }
 
-// NAME=VALUE of every variable needed to repeat the run of the deck; empty if the deck does not
-// define one of those that determine the motion
+// Returns NAME=VALUE for every variable needed to repeat the run of the deck, or an empty string if
+// the deck does not define one of the variables that determine the motion.
 std::string variables_of(LAMMPS *lmp, double within)
 {
   static const char *const head[] = {"bearing", "lubricant", "models", "integrator", "load", "rpm"};
   for (const char *name : head)
     if (!host_variable(lmp, name)) return "";
-  // variables that concern the folder or the length of the run, or are stated elsewhere in the
+  // variables that concern the folder or the length of the run, or that are stated elsewhere in the
   // record
   static const std::vector<std::string> others = {
       "out",   "inputs", "overwrite",  "resume",     "keep",      "record",
@@ -89,7 +89,7 @@ std::string variables_of(LAMMPS *lmp, double within)
   return list;
 }
 
-// The data of a bearing and its oil, as words KEY=VALUE
+// Returns the data of a bearing and its oil as words KEY=VALUE.
 std::string words_of(const NamedBearing &b, const PairBearing &pair)
 {
   const auto [oil, temperature] = pair.oil_of(b.name);
@@ -103,7 +103,7 @@ std::string words_of(const NamedBearing &b, const PairBearing &pair)
   return words;
 }
 
-// Atom type of the first ball of each bearing of a record. Collective.
+// Returns the atom type of the first ball of each bearing of a record. Collective.
 std::vector<int> ball_types(LAMMPS *lmp, const RecordLayout &layout)
 {
   std::vector<int> own(layout.bearings.size(), 0), all(own.size());
@@ -156,7 +156,7 @@ void add_deck_notes(LAMMPS *lmp, const PairBearingHertz &pair, const RecordLayou
       }))
     add("bearing", b.word("bearing"));
   if (list.size() > 1) {
-    std::string lines, numbers;    // a line per name; its value for each bearing of the record
+    std::string lines, numbers;    // a line per name, and its index for each bearing of the record
     for (const NamedBearing *one : list)
       lines += (lines.empty() ? "" : "\n") + words_of(*one, *named);
     for (const int type : ball_types(lmp, layout)) {

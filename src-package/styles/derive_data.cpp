@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Variables derived from the data of a bearing or an oil.
+// Derives variables from the data of a bearing or an oil.
 #include "../core/geometry/gothic_arch.h"
 #include "../core/geometry/usual_data.h"
 #include "../core/laws/oil_data.h"
@@ -68,7 +68,7 @@ void vogel(DataValues &deck)
                                    at));
 }
 
-// Data of a four-point bearing; if `four_point` is 0, a ring has one groove.
+// Sets the data of a four-point bearing. If `four_point` is 0, each ring has one groove.
 void four_point(DataValues &deck)
 {
   const double angle = deck.number("four_point") * degree,

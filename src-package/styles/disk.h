@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Output files on the disk. The hosts do not check whether their writes succeed.
+// Checks of output files on the disk, because the hosts do not check whether their writes succeed.
 #ifndef RACEWAY_DISK_H
 #define RACEWAY_DISK_H
 
@@ -7,12 +7,13 @@
 
 namespace bearing {
 
-double file_size(const std::string &file);    // bytes; -1 without such a file
+double file_size(const std::string &file);    // size in bytes; -1 if the file does not exist
 
-// Reason why the disk is full; empty if another 64 kB can be written beside `file`.
+// Returns the reason why the disk is full, or an empty string if another 64 kB can be written to
+// the folder of `file`.
 std::string disk_is_full(const std::string &file);
 
-// Flushes `file` to the disk; true if that succeeded.
+// Flushes `file` to the disk and returns true on success.
 bool flush_to_disk(const std::string &file);
 
 }    // namespace bearing

@@ -23,12 +23,12 @@ namespace bearing {
 
 namespace {
 
-// Data of a bearing that its home sends to all ranks.
+// Data of a bearing that its home rank sends to all ranks.
 struct Piece {
   enum Kind { kind, ball, cage, ring } what;
-  double bearing, tag;    // name of the bearing; tag
+  double bearing, tag;    // name of the bearing as a number; tag of the atom
   int raceway;
-  double of[of_kind::N];    // data of a bearing; for a ring: origin, pocket play, guide, phase
+  double of[of_kind::N];    // data of a bearing; for a ring: origin, pocket play, guide and phase
 };
 
 bool before(const Piece &a, const Piece &b)
@@ -36,11 +36,11 @@ bool before(const Piece &a, const Piece &b)
   return std::make_tuple(a.what, a.bearing, a.tag) < std::make_tuple(b.what, b.bearing, b.tag);
 }
 
-// Relative permittivity of the oil at each ball, from the first fix bearing/capacitance whose group
-// has the ball.
+// Returns the relative permittivity of the oil at each ball, from the first fix bearing/capacitance
+// whose group contains the ball.
 std::map<double, double> permittivities(LAMMPS *lmp)
 {
-  std::vector<double> mine, space;    // mine: ball and permittivity alternate
+  std::vector<double> mine, space;    // in `mine`, tags of balls and permittivities alternate
   for (const FixBearingCapacitance *f : capacitances_of(lmp))
     for (int i = 0; i < lmp->atom->nlocal; ++i)
       if (f->covers(i)) {
@@ -53,7 +53,7 @@ std::map<double, double> permittivities(LAMMPS *lmp)
   return of;
 }
 
-// Inner and outer raceway of a bearing, null if missing.
+// Inner and outer raceway of a bearing; null if missing.
 struct Raceways {
   const RacewayPhysics *of[2] = {};
 };
@@ -79,7 +79,7 @@ void describe(const BearingModel &m, const Raceways &both, double permittivity, 
     of[of_kind::OUTER_GROOVE] = outer->groove.groove_radius;
     if (outer->groove.offset != 0.0) of[of_kind::OUTER_ARCH] = std::fabs(outer->groove.offset);
   }
-  // rounded to a picometre, so that the rounding error of the radii does not count as clearance
+  // rounded to a picometre, so that rounding errors of the radii do not appear as clearance
   if (inner && outer)
     of[of_kind::CLEARANCE] =
         std::round(2e12 * (outer->groove.middle_radius() - inner->groove.middle_radius() -

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Finds the layout of the record of a group's bearings, the same on all ranks.
+// Finds the layout of the record of a group's bearings, which is the same on all ranks.
 #ifndef BEARING_FIND_RECORD_LAYOUT_H
 #define BEARING_FIND_RECORD_LAYOUT_H
 
@@ -12,8 +12,8 @@ class PairBearingHertz;
 
 namespace bearing {
 
-// To be called after the forces have been computed. Error naming `command` if an atom of the group
-// is outside all bearings, or if a ball runs on two raceways of the same side.
+// Must be called after the forces have been computed. Stops with an error that names `command` if
+// an atom of the group is outside all bearings, or if a ball runs on two raceways of the same side.
 RecordLayout find_record_layout(LAMMPS_NS::LAMMPS *, LAMMPS_NS::PairBearingHertz &, int groupbit,
                                 const std::string &command);
 

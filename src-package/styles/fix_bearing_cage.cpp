@@ -63,7 +63,7 @@ FixBearingCage::FixBearingCage(LAMMPS *lmp, int narg, char **arg) :
   }
 }
 
-// The named bearing whose ring carries the rails; null if there is none
+// Returns the named bearing whose ring carries the rails, or null if there is none.
 const bearing::NamedBearing *FixBearingCage::named() const
 {
   for (const bearing::NamedBearing *b : bearing::bearings_of(lmp))
@@ -71,13 +71,14 @@ const bearing::NamedBearing *FixBearingCage::named() const
   return nullptr;
 }
 
-// True for an atom of the group; with named bearings, for a cage ball of the bearing with that ring
+// Returns true for an atom of the group and, with named bearings, only for a cage ball of the
+// bearing to which that ring belongs.
 bool FixBearingCage::holds(int i) const
 {
   return (atom->mask[i] & groupbit) && (cage_type_ == 0 || atom->type[i] == cage_type_);
 }
 
-// False for a bearing whose deck states that it has no cage.
+// Returns false for a bearing whose deck states that it has no cage.
 bool FixBearingCage::expected() const
 {
   const bearing::NamedBearing *const b = named();
@@ -91,7 +92,7 @@ void FixBearingCage::init()
   pair_ = PairBearingHertz::find(lmp, "fix bearing/cage");
   const bearing::NamedBearing *const b = named();
   cage_type_ = b ? b->cage : 0;
-  // one ball radius and one pitch circle for the whole cage, as in create_bearing
+  // the whole cage has one ball radius and one pitch circle, as in create_bearing
   double radius = 0.0;
   for (int i = 0; i < atom->nlocal; ++i)
     if (holds(i)) radius = std::max(radius, atom->radius[i]);
@@ -110,16 +111,16 @@ void FixBearingCage::init()
     cage_.stiffness.push_back(rail_stiffness(r, radius, pitch_, E));
     play = std::max(play, std::hypot(r.circle - pitch_, r.offset) - r.tube - radius);
   }
-  pocket_ = 0.25 * radius + 2.0 * play;    // a ball held by rails stays within 0.002 radii
+  pocket_ = 0.25 * radius + 2.0 * play;    // balls held by rails stay within 0.002 radii
 }
 
 void FixBearingCage::setup_pre_neighbor() { find_balls(); }
 void FixBearingCage::pre_neighbor() { find_balls(); }
 
 // A cage ball is carried by the ring whose pitch circle is nearest and whose centre is within two
-// pitch radii; the centre of a housing may be nearer than the centre of the ring. The local indices
-// found are valid until the next neighbour build. Only rings in a slab about the ball are searched;
-// the slab is normal to the direction in which the rings are spread furthest.
+// pitch radii; the nearest centre may be that of a housing. The local indices found are valid until
+// the next neighbour build. Only rings in a slab about the ball are searched; the slab is normal to
+// the direction in which the rings are spread furthest.
 void FixBearingCage::find_balls()
 {
   cage_.balls.clear();
@@ -169,8 +170,8 @@ void FixBearingCage::find_balls()
 
 void FixBearingCage::setup_pre_force(int vflag) { pre_force(vflag); }
 
-// Evaluates all cage balls rail by rail, in lanes of four. Four balls that touch no rail cost one
-// comparison.
+// Evaluates all cage balls, one rail after another, in lanes of four. Four balls that touch no rail
+// cost only one comparison.
 void FixBearingCage::pre_force(int)
 {
   pair_->state()->forward_axes();
@@ -226,10 +227,11 @@ void FixBearingCage::left_pocket(const CageRails::CageBall &ball, double off) co
           "inwards under gravity or vibration at low speed");
 }
 
-// Lanes from `first` on hold no ball: they copy the previous lane but lie far from any rail.
+// The lanes from `first` onwards hold no ball: they copy the previous lane, but are placed far from
+// any rail.
 void FixBearingCage::Four::spare(int first)
 {
-  constexpr double far = 1.0e30;    // m^2: r is squared here
+  constexpr double far = 1.0e30;    // m^2, because r holds the squared radius here
   for (int k = first; k < lanes; ++k) {
     for (Lane *a : {&z, &vr, &ve, &mass, &radius}) (*a)[k] = (*a)[first - 1];
     r[k] = far;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/cage: torus rails that hold the cage balls of a group; elastic, frictionless,
-// critically damped. The rails sit on a ring (usually the outer one) and pass their reaction to it.
+// fix bearing/cage: torus rails that hold the cage balls of a group. The contacts are elastic,
+// frictionless and critically damped. The rails are fixed to a ring (usually the outer one) and
+// pass their reactions to it.
 #ifdef FIX_CLASS
 FixStyle(bearing/cage,FixBearingCage)
 #else
@@ -42,15 +43,15 @@ class FixBearingCage : public Fix {
 
   PairBearingHertz *pair_;
   int ring_type_ = 0;
-  int cage_type_ = 0;    // type of the balls on the rails; 0: all balls of the group
+  int cage_type_ = 0;    // type of the balls on the rails; 0 if these are all balls of the group
   bearing::CageRails cage_;
   double tube_ = 1e-3, gap_ = 0.0;
   double young_[2] = {3.3e9, 3.3e9}, poisson_[2] = {0.41, 0.41};    // PA66 on PA66
-  bool seats_ = true;    // default pair of rails, placed to fit the cage balls
+  bool seats_ = true;    // use the default pair of rails, placed to fit the cage balls
   double pitch_ = 0.0;
   double pocket_ = 0.0;    // m, largest distance of a cage ball from the pitch circle
-  // Four cage balls: position and velocity relative to the ring (radial, axial), mass, radius, rail
-  // force, loss.
+  // Position and velocity (radial, axial) of four cage balls relative to the ring, with their mass,
+  // radius, rail force and dissipated power.
   struct alignas(32) Four {
     raceway::Lane r, z, vr, ve, mass, radius, fr, fe, loss;
     void spare(int first);
@@ -58,7 +59,7 @@ class FixBearingCage : public Fix {
   void find_forces();
   void left_pocket(const bearing::CageRails::CageBall &, double off) const;
   std::vector<Four> fours_;
-  double force_sum_ = 0.0, force_max_ = 0.0;    // N, values of this rank in the last step
+  double force_sum_ = 0.0, force_max_ = 0.0;    // N, values on this rank in the last step
 };
 
 }    // namespace LAMMPS_NS

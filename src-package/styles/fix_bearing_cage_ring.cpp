@@ -20,7 +20,8 @@ using bearing::RingSum;
 using bearing::tag_t;
 using bearing::text;
 
-// Overlap of ball and pocket that causes an error, over the ball's radius.
+// Overlap of a ball and its pocket that stops the run with an error, as a fraction of the ball
+// radius.
 static constexpr double out_of_pocket = 0.1;
 
 // fix ID group bearing/cage/ring BALL_TYPE pockets Z play J mass M inertia I_a I_t [across J]
@@ -35,7 +36,7 @@ FixBearingCageRing::FixBearingCageRing(LAMMPS *lmp, int narg, char **arg) :
   const bearing::NamedBearing *const b =
       args.more() ? bearing::find_bearing(lmp, args.next()) : nullptr;
   if (b) bearing_ = args.word("name of a bearing");
-  if (b) only_type_ = b->cage;    // bearings of different names may share a group
+  if (b) only_type_ = b->cage;    // bearings with different names may share a group
   ball_type_ = b ? b->balls : args.integer("ball type", 1, atom->ntypes);
   if (!pair_->coefficients().is_ball(ball_type_))
     args.fail("type " + std::to_string(ball_type_) +
@@ -55,7 +56,7 @@ int FixBearingCageRing::setmask() { return FixBearingRing::setmask() | PRE_NEIGH
 void FixBearingCageRing::init()
 {
   FixBearingRing::init();
-  state_->follow_axes();    // the pockets turn with the cage's angle
+  state_->follow_axes();    // the pockets turn with the cage
   const std::string me = bearing::name_of(*this);
   for (int i = 0; i < atom->nlocal; ++i)
     if (moves(i) && !pair_->coefficients().is_cage(atom->type[i]))
@@ -75,8 +76,8 @@ void FixBearingCageRing::init()
   turn_to_balls();
 }
 
-// Turns the cages of a named bearing so that a pocket starts at the first ball; the state in a
-// restart file contains the angles by which they have turned since the start.
+// Turns the cages of a named bearing so that a pocket starts at the first ball. The state in a
+// restart file contains the angles by which the cages have turned since the start.
 void FixBearingCageRing::turn_to_balls()
 {
   const bearing::NamedBearing *const b = bearing::find_bearing(lmp, bearing_);
@@ -94,7 +95,7 @@ CageMotion FixBearingCageRing::motion(int i) const
           axes_.third(state_->axis(i)), axes_.third(Vec3::from(atom->omega[i])), state_->angle(i)};
 }
 
-// Local indices are valid until the next neighbour build.
+// The local indices are valid until the next neighbour build.
 void FixBearingCageRing::pre_neighbor()
 {
   find_cells();
@@ -116,7 +117,7 @@ void FixBearingCageRing::pre_neighbor()
   }
 }
 
-// Local indices of the atoms for which `fits` is true, ghosts included.
+// Returns the local indices of the atoms, including ghosts, for which `fits` is true.
 template <class Fits> static std::vector<int> atoms_that(const Atom &atom, const Fits &fits)
 {
   std::vector<int> found;
@@ -125,8 +126,8 @@ template <class Fits> static std::vector<int> atoms_that(const Atom &atom, const
   return found;
 }
 
-// The atom of `others` nearest to atom i, at most `reach` (m) away; -1 if there is none. Of two
-// equally near atoms, the one with the lower tag counts.
+// Returns the atom of `others` that is nearest to atom i and at most `reach` (m) away, or -1 if
+// there is none. If two atoms are equally near, the one with the lower tag is returned.
 static int nearest(const Atom &atom, int i, double reach, const std::vector<int> &others)
 {
   int found = -1;
@@ -175,7 +176,7 @@ void FixBearingCageRing::find_lands()
       l.i_ring = nearest(*atom, i, all_.of.pitch, guides);
       if (l.i_ring < 0)
         BRG_ONE(bearing::name_of(*this) + ": cage " + std::to_string(l.cage) +
-                " has no ring with its guiding land within a pitch radius");
+                " has no ring with a guiding land within a pitch radius");
       l.ring = atom->tag[l.i_ring];
     }
     all_.lands.push_back(l);
@@ -184,7 +185,7 @@ void FixBearingCageRing::find_lands()
             [](const auto &a, const auto &b) { return a.cage < b.cage; });
 }
 
-// Error unless every pocket has exactly one ball.
+// Stops with an error unless every pocket contains exactly one ball.
 void FixBearingCageRing::check_cells() const
 {
   struct Taken {
@@ -215,7 +216,7 @@ void FixBearingCageRing::check_cells() const
     while (end < taken.size() && taken[end].cage == taken[first].cage) ++end;
     if (static_cast<int>(end - first) != all_.of.pockets)
       BRG_ALL(me + "cage " + std::to_string(taken[first].cage) + " has " +
-              std::to_string(all_.of.pockets) + " pockets, its bearing " +
+              std::to_string(all_.of.pockets) + " pockets, but its bearing " +
               std::to_string(end - first) + " balls");
     first = end;
   }
@@ -311,7 +312,7 @@ double FixBearingCageRing::compute_vector(int k)
     of.push_back({rows[r].ball, rows[r].cage, which == LOSS ? rows[r].loss : rows[r].force});
   if (which == ECCENTRICITY) of = {{0, 0, eccentricity_}};
   of = bearing::gather_all(of, world);
-  // sorted, so that the sum is the same on any number of ranks
+  // sorted, so that the sum is bitwise identical on any number of ranks
   std::sort(of.begin(), of.end(), [](const One &a, const One &b) {
     return a.ball != b.ball ? a.ball < b.ball : a.cage < b.cage;
   });

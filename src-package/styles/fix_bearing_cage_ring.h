@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/cage/ring: a one-piece rigid cage for each bearing, which is an atom of its own
-// (core/geometry/cage_ring.h). The fix is a fix bearing/ring whose rings are the cages; they are
-// free in space, or in the plane. It adds the forces of pockets, guiding land and churning.
+// fix bearing/cage/ring: a rigid one-piece cage for each bearing, represented by one atom
+// (core/geometry/cage_ring.h). The fix is a fix bearing/ring whose rings are the cages, which move
+// freely in space or in a plane. It adds the forces of pockets, guiding land and churning.
 #ifdef FIX_CLASS
 FixStyle(bearing/cage/ring,FixBearingCageRing)
 #else
@@ -43,7 +43,7 @@ class FixBearingCageRing : public FixBearingRing {
   double ball_radius_ = 0.0;
   bearing::CageSettings cage_;
   bearing::CagePockets all_;
-  size_t first_row_ = 0;         // in the contact table: cells, then lands
+  size_t first_row_ = 0;         // position in the contact table: cells come first, then lands
   double eccentricity_ = 0.0;    // largest value on this rank, relative to the clearance
 };
 

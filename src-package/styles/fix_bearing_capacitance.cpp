@@ -135,7 +135,7 @@ FixBearingCapacitance::~FixBearingCapacitance()
   memory->destroy(per_ball_);
 }
 
-// Settings that follow from the pair style if it has a named bearing and its oil
+// Takes settings from the pair style if it has a named bearing with its oil.
 void FixBearingCapacitance::take_usual_data()
 {
   const std::vector<int> there = ball_types();
@@ -145,7 +145,7 @@ void FixBearingCapacitance::take_usual_data()
       if (!there[type] || of(type) == 0.0) continue;
       if (value != 0.0 && value != of(type))
         BRG_ALL(bearing::name_of(*this) + ": its balls have more than one " + what +
-                ": give each bearing its own fix, or give the value");
+                ": use a separate fix for each bearing, or specify the value");
       value = of(type);
     }
   };
@@ -166,7 +166,8 @@ void FixBearingCapacitance::take_usual_data()
 
 int FixBearingCapacitance::setmask() { return idle_ ? 0 : END_OF_STEP; }
 
-// Samples as often as the run does; error if the run samples more rarely than `within` requires.
+// Samples as often as the run does. Stops with an error if the run samples less often than `within`
+// requires.
 void FixBearingCapacitance::begin(const bearing::Sampling &sampling)
 {
   if (within_ > 1 && sampling.every > 1)
@@ -186,7 +187,7 @@ void FixBearingCapacitance::init()
   if (model_.surrounded()) check_shoulders();
 }
 
-// Atom types of the balls of the group, the same on all ranks.
+// Returns the atom types of the balls of the group, which are the same on all ranks.
 std::vector<int> FixBearingCapacitance::ball_types() const
 {
   std::vector<int> there(atom->ntypes + 1, 0);
@@ -232,13 +233,14 @@ void FixBearingCapacitance::end_of_step()
   if (!waits()) sample(true);
 }
 
-// Finds the integrators that provide the instants, and their balls that belong to the group.
+// Finds the integrators that provide the instants, and those of their balls that belong to the
+// group.
 void FixBearingCapacitance::find_integrators()
 {
   integrators_ = bearing::fixes_of<bearing::InstantSource>(lmp);
   if (integrators_.empty())
     BRG_ALL(std::string("fix ") + id + " bearing/capacitance: 'within " + std::to_string(within_) +
-            "' needs fix bearing/implicit, which has the states within a step; with other "
+            "' needs fix bearing/implicit, which provides the states within a step; with other "
             "integrators sample every step");
   for (bearing::InstantSource *f : integrators_)
     f->want_instants(instants(within_), std::string("fix ") + id + " bearing/capacitance");
@@ -283,7 +285,7 @@ FixBearingCapacitance::Row FixBearingCapacitance::row_of(int instant, tag_t ball
   return row;
 }
 
-// Adds the instants within the step of the bearings at home on this rank.
+// Adds the instants within the step for the bearings whose home is on this rank.
 void FixBearingCapacitance::add_instants()
 {
   for (bearing::InstantSource *f : integrators_)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/capacitance: electrical capacitance of every raceway contact, of every ball (contacts
-// in series) and of the bearing (sum over balls), sampled every N steps, or at several instants
-// within every step of fix bearing/implicit; nothing is computed in between.
+// fix bearing/capacitance: electrical capacitance of every raceway contact, of every ball (its
+// contacts in series) and of the bearing (the sum over its balls). The capacitance is sampled every
+// N steps, or at several instants within every step of fix bearing/implicit; nothing is computed
+// between samples.
 #ifdef FIX_CLASS
 FixStyle(bearing/capacitance,FixBearingCapacitance)
 #else
@@ -41,19 +42,19 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
 
   // Tags of the balls in the fix's group, on all ranks.
   std::vector<bearing::tag_t> find_members() const;
-  // Request for `number` instants per step.
+  // Returns the request for `number` instants per step.
   bearing::Instants instants(int number) const { return {number, model_, ask_.any()}; }
   bool covers(int i) const { return atom->mask[i] & groupbit; }
   const raceway::CapacitorModel &model() const { return model_; }
   std::string said() const { return said_; }    // words of the command after N
-  bool idle() const { return idle_; }           // dry contacts, chosen by the deck
-  // Capacitor of a contact in the table of the pair style. An open contact has the capacitor of its
-  // surroundings, or 0.
+  bool idle() const { return idle_; }           // true if the deck has chosen dry contacts
+  // Returns the capacitor of a contact in the table of the pair style. For an open contact this is
+  // the capacitor of its surroundings, or 0.
   raceway::FilmCapacitorT<double> capacitor(const bearing::RacewayContact &);
 
  private:
   void begin(const bearing::Sampling &) override;
-  struct Sum {    // F, of all balls of the group at one instant of a step
+  struct Sum {    // F, sums over all balls of the group at one instant of a step
     double all, largest;
   };
   struct Total {
@@ -62,19 +63,19 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
     double hertz_area;    // m^2
     raceway::FilmFigures figures;
   };
-  struct Spread {    // F, over the instants of a step
+  struct Spread {    // F, range over the instants of a step
     double mean, least, most;
     void add(double value, bool first);
   };
   struct Row {
-    int instant;    // number of the instant, up to within_
+    int instant;    // number of the instant, from 1 to within_
     bearing::tag_t ball;
     raceway::Side side;
     int groove;
     bool live;
     double load;    // N
     raceway::FilmCapacitorT<double> of;
-    double area, roughness;    // m^2, m; only if the outputs need them
+    double area, roughness;    // m^2 and m, computed only if the outputs need them
   };
 
   void read_options(bearing::Arguments &);
@@ -99,27 +100,27 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
   bool idle_ = false;
   double background_ = 0.0;
   raceway::FilmQuestions ask_;
-  bearing::CapacitorTable table_;    // capacitors with surroundings
-  int planned_ = -1;                 // numbers of the contact table's build and filling
+  bearing::CapacitorTable table_;    // capacitors including their surroundings
+  int planned_ = -1;                 // counters of the contact table's builds and fillings
   bigint filled_ = -1;
-  double **per_ball_ = nullptr;    // inner, outer, series; the same three with surroundings
-  int within_ = 1;                 // instants per step, the last at its end
-  std::vector<bearing::InstantSource *> integrators_;    // provide the instants within steps
-  bearing::TagSet members_;    // balls of the group; set if there are integrators_
-  std::vector<Row> mine_;      // rows of this step; reused buffer
+  double **per_ball_ = nullptr;    // inner, outer and series; the same with surroundings
+  int within_ = 1;                 // number of instants per step; the last is at its end
+  std::vector<bearing::InstantSource *> integrators_;    // sources of the instants within steps
+  bearing::TagSet members_;    // balls of the group, filled only if there are integrators_
+  std::vector<Row> mine_;      // balls of this rank in this step; reused buffer
   bearing::TextFile totals_, contacts_;
-  bool grooves_ = false;                       // the second file lists the grooves separately
+  bool grooves_ = false;                       // list the grooves separately in the second file
   bool between_ = false, summed_ = true;       // content of mine_; the sums below are up to date
   Total total_ = {};                           // values at the end of the step
   std::vector<raceway::SampledBall> balls_;    // balls of one instant; reused buffer
   bigint written_ = -1;                        // step of the last row in the files
-  Spread plates_ = {}, whole_ = {};            // over the instants, of the sum
+  Spread plates_ = {}, whole_ = {};            // ranges of the sum over the instants
 };
 
 }    // namespace LAMMPS_NS
 
 namespace bearing {
-// The active fixes bearing/capacitance of a run.
+// Returns the active fixes bearing/capacitance of a run.
 std::vector<LAMMPS_NS::FixBearingCapacitance *> capacitances_of(LAMMPS_NS::LAMMPS *);
 }    // namespace bearing
 

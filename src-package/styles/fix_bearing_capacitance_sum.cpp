@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The output of fix bearing/capacitance: sums over the contacts, its vector and its tables.
+// Output of fix bearing/capacitance: sums over the contacts, the global vector and the tables.
 #include "../core/figures/fix_columns.h"
 #include "../ranks/gather.h"
 #include "fix_bearing_capacitance.h"
@@ -27,8 +27,8 @@ double figure(const FilmFigures &f, double hertz_area, int k)
 }
 }    // namespace
 
-// Sums instant by instant in the order of ball tags, so that bits do not depend on the number of
-// ranks.
+// Sums instant by instant in the order of ball tags, so that the sums are bitwise identical on any
+// number of ranks.
 void FixBearingCapacitance::sum_up()
 {
   if (summed_) return;
@@ -59,7 +59,7 @@ void FixBearingCapacitance::sum_up()
   whole_.mean /= within_ - first_instant + 1;
 }
 
-// Until all instants are added, `mean` contains their sum.
+// Until all instants have been added, `mean` contains their sum.
 void FixBearingCapacitance::Spread::add(double value, bool first)
 {
   if (first) *this = {0.0, value, value};
@@ -68,8 +68,8 @@ void FixBearingCapacitance::Spread::add(double value, bool first)
   most = std::max(most, value);
 }
 
-// The contacts of a ball are adjacent rows. Capacitances between a ball and the same ring add up; a
-// ball in contact with only one ring contributes nothing.
+// The contacts of a ball are adjacent rows. Capacitances between a ball and the same ring add up,
+// and a ball in contact with only one ring contributes nothing.
 FixBearingCapacitance::Total FixBearingCapacitance::add_up(const Row *row, const Row *end)
 {
   Total t = {};

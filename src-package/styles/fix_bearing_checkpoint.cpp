@@ -76,9 +76,9 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
   for (int k = 0; k < modify->nfix; ++k)
     if (const Fix *f = modify->fix[k])
       if (f != this && dynamic_cast<const FixBearingCheckpoint *>(f))
-        args.fail(std::string("fix ") + f->id + " already has this style: the host keeps one " +
-                  "kind of restart files");
-  if (means_.empty()) means_.emplace_back();    // an empty mean, since counters come second
+        args.fail(std::string("fix ") + f->id +
+                  " already has this style: the host writes only one series of restart files");
+  if (means_.empty()) means_.emplace_back();    // an empty mean, because the counters come second
   sums_.assign(means_.size() + (ring_id_.empty() ? 0 : 6), 0.0);
   before_.assign(counters_.size(), 0.0);
   length_.assign(files_.size(), 0.0);
@@ -91,7 +91,7 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
   write_every(every_restart_);
 }
 
-// The host writes under a temporary name; publish() renames the complete file. If `steps` is 0, a
+// The host writes to a temporary name, and publish() renames the complete file. If `steps` is 0, a
 // restart file is written only when the run is stopped.
 void FixBearingCheckpoint::write_every(int steps)
 {
@@ -101,7 +101,8 @@ void FixBearingCheckpoint::write_every(int steps)
   output->create_restart(3, list);
 }
 
-// Restart files are also written while settling, which may take longer than the measurement.
+// Restart files are also written while the bearing settles, which may take longer than the
+// measurement.
 void FixBearingCheckpoint::settle(const bearing::Sampling &sampling)
 {
   if (every_restart_ == 0)
@@ -136,13 +137,13 @@ void FixBearingCheckpoint::init()
             " of this style");
   check_deck();
   if (!resumed_ && comm->me == 0 && !begun_)
-    unlink(file_.c_str());    // restart file of an earlier run that this run replaces
+    unlink(file_.c_str());    // the restart file of an earlier run that this run replaces
   begun_ = true;
 }
 
-// Commands that determine a run: the bearings (first line), the pair style, data of named bearings,
-// the package's fixes except those that only write or watch, and the formulas of variables in these
-// commands.
+// Returns the commands that determine a run: the bearings (first line), the pair style, the data of
+// named bearings, the fixes of the package except those that only write or monitor, and the
+// formulas of variables in these commands.
 std::vector<std::string> FixBearingCheckpoint::deck() const
 {
   std::vector<std::string> lines = {bearing::noted_words(lmp, "create_bearing")};
@@ -163,8 +164,8 @@ std::vector<std::string> FixBearingCheckpoint::deck() const
   return lines;
 }
 
-// Error if the deck of a continued run has other data than the restart file. The deck need not
-// repeat create_bearing.
+// Stops with an error if the data in the deck of a continued run differ from those in the restart
+// file. The deck need not repeat create_bearing.
 void FixBearingCheckpoint::check_deck()
 {
   if (deck_.empty()) return;
@@ -205,7 +206,7 @@ void FixBearingCheckpoint::end_of_step()
   if (!waits()) take_sample();
   int signal = StopSignal::caught();
   if (comm->nprocs > 1)
-    MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, world);    // stop at the same step
+    MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, world);    // on all ranks
   if (!signal) return;
   StopSignal::set(signal);
   bearing::end_run_after_this_step(lmp);
@@ -226,12 +227,12 @@ void FixBearingCheckpoint::take_sample()
 
 void FixBearingCheckpoint::post_run()
 {
-  // a signal after the last sample may have reached some ranks only, so the ranks agree on one
-  // value
+  // a signal received after the last sample may have reached only some of the ranks, so the ranks
+  // agree on one value
   int signal = StopSignal::caught();
   if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, world);
   StopSignal::set(signal);
-  if (resumed_ && !cut_) cut_files();    // a run of zero steps
+  if (resumed_ && !cut_) cut_files();    // happens in a run of zero steps
   if (signal) stop();
   if (last_ && !waits()) output->write_restart(update->ntimestep);
   if (written_) publish();
@@ -241,14 +242,14 @@ void FixBearingCheckpoint::post_run()
   }
 }
 
-// Called when the run has ended after a complete step and its output is written: saves the state
-// and exits.
+// Called when the run has ended after a complete step and its output has been written. Saves the
+// state and exits.
 void FixBearingCheckpoint::stop()
 {
   output->write_restart(update->ntimestep);
   if (comm->me == 0 && !written_)
     BRG_ONE(command_ + ": stopped without a restart file: a 'restart' command after this fix has " +
-            "taken its place");
+            "replaced it");
   publish();
   if (comm->me == 0) {
     const std::string say = std::string("Stopped by signal ") + strsignal(StopSignal::caught()) +
@@ -266,7 +267,7 @@ void FixBearingCheckpoint::publish()
   written_ = false;
   if (comm->me != 0) return;
   for (const std::string &f : files_) bearing::flush_to_disk(f);
-  // the host does not check its writes; if the disk accepts more data, they succeeded
+  // the host does not check its writes; they have succeeded if the disk accepts more data
   std::string why = bearing::disk_is_full(file_);
   if (why.empty() && !bearing::write_sum(part_)) why = "its checksum cannot be added";
   if (why.empty() && !bearing::flush_to_disk(part_)) why = strerror(errno);
@@ -278,7 +279,8 @@ void FixBearingCheckpoint::publish()
           ". The previous one, if any, is intact: make room and continue from it");
 }
 
-// Output files may have grown since the restart file was written, but must not be shorter.
+// Checks that no output file is shorter than when the restart file was written; files may have
+// grown since.
 void FixBearingCheckpoint::check_files()
 {
   if (comm->me != 0) return;
@@ -296,16 +298,16 @@ void FixBearingCheckpoint::cut_files()
   cut_ = true;
   if (comm->me != 0) return;
   for (size_t k = 0; k < files_.size(); ++k) {
-    if (length_[k] < 0.0) {    // file not yet begun when the restart file was written
+    if (length_[k] < 0.0) {    // the file did not exist yet when the restart file was written
       unlink(files_[k].c_str());
     } else if (truncate(files_[k].c_str(), static_cast<off_t>(length_[k])) != 0)
       BRG_ONE(command_ + ": cannot cut " + files_[k] + ": " + strerror(errno));
-    seen_[k] = -1.0;    // a dump has its next sample after the next check of its length
+    seen_[k] = -1.0;    // the next sample of a dump is written after the next check of its length
   }
 }
 
-// Detects a full disk from a file that has stopped growing, since the host does not check its
-// writes.
+// Detects a full disk by finding a file that has stopped growing, because the host does not check
+// its writes.
 void FixBearingCheckpoint::watch_files()
 {
   for (size_t k = 0; k < files_.size(); ++k) {
@@ -324,7 +326,7 @@ void FixBearingCheckpoint::watch_files()
   }
 }
 
-// Fraction of the mean load on the ring that its contacts do not carry
+// Returns the mean residual force on the ring as a fraction of the mean load.
 double FixBearingCheckpoint::compute_scalar()
 {
   if (ring_id_.empty() || samples_ == 0.0) return 0.0;
@@ -332,13 +334,14 @@ double FixBearingCheckpoint::compute_scalar()
   return std::hypot(of[3], of[4], of[5]) / std::hypot(of[0], of[1], of[2]);
 }
 
-// Means over the samples, then counters; both cover all parts of an interrupted run
+// Returns the means over the samples, followed by the counters. Both cover all parts of an
+// interrupted run.
 double FixBearingCheckpoint::compute_vector(int n)
 {
   size_t k = static_cast<size_t>(n);
   if (k < means_.size()) return samples_ > 0.0 ? sums_[k] / samples_ : 0.0;
   k -= means_.size();
-  // between runs a redefined variable may have a new index
+  // a variable that is redefined between runs may have a new index
   counters_[k].check(lmp, command_);
   return before_[k] + counters_[k].now(lmp);
 }
@@ -352,7 +355,7 @@ void FixBearingCheckpoint::write_restart(FILE *fp)
   for (size_t k = 0; k < counters_.size(); ++k)
     data.push_back(compute_vector(static_cast<int>(means_.size() + k)));
   if (comm->me != 0) return;
-  // a deck may write restart files of its own, which this fix ignores
+  // a deck may also write its own restart files, which this fix ignores
   struct stat theirs, ours;
   written_ = fstat(fileno(fp), &theirs) == 0 && stat(part_.c_str(), &ours) == 0 &&
              theirs.st_dev == ours.st_dev && theirs.st_ino == ours.st_ino;

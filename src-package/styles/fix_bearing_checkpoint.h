@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/checkpoint: lets a run be stopped, killed and continued with the same bits and the
-// same files as an uninterrupted run.
+// fix bearing/checkpoint: allows a run to be stopped or killed and continued, with results and
+// files that are bitwise identical to those of an uninterrupted run.
 //
-// The host writes the restart file, during or after a run; this fix adds what the host does not
-// store: the lengths of the output files at that step, and running sums. A restart file gets its
-// name only when it is complete.
+// The host writes the restart file, during or after a run. This fix adds what the host does not
+// store: the lengths of the output files at that step, and running sums. A restart file is renamed
+// to its final name only when it is complete.
 #ifdef FIX_CLASS
 FixStyle(bearing/checkpoint,FixBearingCheckpoint)
 #else
@@ -51,22 +51,22 @@ class FixBearingCheckpoint : public Fix, public bearing::WaitsForRun {
 
   bearing::StopSignal stop_signal_;
   std::string command_, file_, part_, settings_;
-  std::string deck_;    // deck() of the run that wrote the restart file, until compared
+  std::string deck_;    // deck() of the run that wrote the restart file, until it is compared
   int every_restart_ = 0;
-  double keep_ = 0.0;    // samples between restart files, in run_bearing
+  double keep_ = 0.0;    // number of samples between restart files, in run_bearing
   bool resume_ = false, resumed_ = false;
-  std::vector<std::string> files_;                // watched: each grows with every sample
-  std::vector<double> length_;                    // size in bytes at the restart file's step
-  std::vector<double> seen_;                      // size in bytes at the last sample
+  std::vector<std::string> files_;                // files that grow with every sample
+  std::vector<double> length_;                    // sizes in bytes at the step of the restart file
+  std::vector<double> seen_;                      // sizes in bytes at the last sample
   bool last_ = false;                             // also write a restart file at the end of a run
-  std::vector<bearing::DrivenValue> means_;       // averaged over samples
-  std::vector<bearing::DrivenValue> counters_;    // each restarts from 0 in every run
+  std::vector<bearing::DrivenValue> means_;       // values averaged over the samples
+  std::vector<bearing::DrivenValue> counters_;    // values that restart from 0 in every run
   double samples_ = 0.0;
-  std::string ring_id_;    // ID of a fix bearing/ring whose balance is averaged; empty: none
+  std::string ring_id_;    // ID of a fix bearing/ring whose force balance is averaged, or empty
   FixBearingRing *ring_ = nullptr;
   std::vector<double> sums_;      // sums for the means, then load and residual (N) of the ring
   std::vector<double> before_;    // counters of the previous runs
-  // rank 0: the host has written part_, which is not published yet
+  // on rank 0: true if the host has written part_, which has not been published yet
   bool written_ = false;
   bool begun_ = false, cut_ = false;
 };

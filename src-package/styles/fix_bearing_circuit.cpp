@@ -64,7 +64,7 @@ void FixBearingCircuit::init()
 void FixBearingCircuit::setup(int)
 {
   if (settings_.within > 1) find_integrators();
-  if (restored_) {    // recomputes values omitted from the restart file from values in it
+  if (restored_) {    // values omitted from the restart file are recomputed from those in it
     last_time_ = time_of(last_step_);
     static_cast<CircuitPoint &>(state_) = point(balls_, last_time_);
     restored_ = false;
@@ -81,7 +81,7 @@ void FixBearingCircuit::find_integrators()
   integrators_ = bearing::fixes_of<bearing::InstantSource>(lmp);
   if (integrators_.empty())
     BRG_ALL(who + ": 'within " + std::to_string(settings_.within) +
-            "' needs fix bearing/implicit, which has the states within a step; with other "
+            "' needs fix bearing/implicit, which provides the states within a step; with other "
             "integrators sample every step");
   bearing::Instants wanted = cap_->instants(settings_.within);
   wanted.states = needs_states();
@@ -95,7 +95,7 @@ FixBearingCircuit::Film FixBearingCircuit::film_of(const RacewayPhysics &raceway
   Film film;
   if (settings_.metal > 0.0 && !raceway.facts().asperities)
     BRG_ONE(bearing::name_of(*this) +
-            ": 'metal' needs 'friction mixed', which has the load share of asperities");
+            ": 'metal' needs 'friction mixed', which computes the load share of asperities");
   const bool whole = cap_->model().surrounded();
   if (!live && !whole) return film;
   film.capacitance = whole ? q.total() : q.capacitance;
@@ -107,7 +107,7 @@ FixBearingCircuit::Film FixBearingCircuit::film_of(const RacewayPhysics &raceway
   return film;
 }
 
-// The balls of the group and their present films, by tag, on every rank.
+// Returns the balls of the group and their current films, sorted by tag, on every rank.
 std::vector<FixBearingCircuit::BallFilms> FixBearingCircuit::find_balls()
 {
   std::vector<tag_t> mine;
@@ -131,7 +131,7 @@ std::vector<FixBearingCircuit::BallFilms> FixBearingCircuit::find_balls()
   return balls_of(tags, std::move(rows));
 }
 
-// The balls of the last sample, at an instant within the last step; `instant` counts from 1.
+// Returns the balls of the last sample at an instant within the last step; `instant` counts from 1.
 std::vector<FixBearingCircuit::BallFilms> FixBearingCircuit::balls_at(int instant)
 {
   std::vector<tag_t> tags;
@@ -167,7 +167,7 @@ void FixBearingCircuit::Film::add(const Film &beside)
   area += beside.area;
 }
 
-// Balls by tag, from the films sampled on all ranks.
+// Returns the balls sorted by tag, built from the films sampled on all ranks.
 std::vector<FixBearingCircuit::BallFilms>
 FixBearingCircuit::balls_of(const std::vector<tag_t> &tags, std::vector<Row> mine) const
 {
@@ -267,17 +267,17 @@ CircuitPoint FixBearingCircuit::point(const std::vector<BallFilms> &at, double t
   return {f, settings_.at(time, bearing_capacitance(f))};
 }
 
-// Refuses a charged ball without films.
+// Stops with an error if a charged ball has no films.
 void FixBearingCircuit::require_films(const std::vector<BallFilms> &at, double time) const
 {
   const int lost = charged_without_film(state_);
   if (lost >= 0)
     BRG_ALL(bearing::name_of(*this) + ": ball " + std::to_string(int(at[lost].tag)) +
             " has a charge of " + bearing::text(state_.charge.ball[lost]) + " C and no film at " +
-            bearing::text(time) + " s: give a stray capacitance");
+            bearing::text(time) + " s: specify a stray capacitance");
 }
 
-// Converts sampled films to films of the circuit.
+// Converts sampled films to films of the circuit model.
 BearingFilms FixBearingCircuit::films(const std::vector<BallFilms> &balls) const
 {
   const auto film = [this](const Film &f) {
@@ -296,8 +296,8 @@ BearingFilms FixBearingCircuit::films(const std::vector<BallFilms> &balls) const
   return all;
 }
 
-// Interpolates the films between two samples, at the fraction `share`. A film that is missing in
-// one of the samples has no thickness in the result.
+// Interpolates the films between two samples at the fraction `share`. A film that is missing in one
+// of the samples has no thickness in the result.
 std::vector<FixBearingCircuit::BallFilms>
 FixBearingCircuit::between(const std::vector<BallFilms> &from, const std::vector<BallFilms> &to,
                            double share)
@@ -372,8 +372,8 @@ double FixBearingCircuit::compute_vector(int k)
   return 0.0;
 }
 
-// Stores the last sample and the state of the circuit at that sample; films and outer circuit
-// follow from them.
+// Stores the last sample and the state of the circuit at that sample, from which the films and the
+// outer circuit follow.
 void FixBearingCircuit::write_restart(FILE *fp)
 {
   if (comm->me != 0) return;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/circuit: a bearing in an outer circuit, sampled every N steps or at several instants
-// within every step: bearing voltage, discharges, energy. The films come from a fix
-// bearing/capacitance. Every rank solves the whole circuit, so the results do not depend on the
-// number of ranks.
+// fix bearing/circuit: computes the bearing voltage, discharges and energy of a bearing in an outer
+// circuit, which is sampled every N steps or at several instants within every step. The films are
+// provided by a fix bearing/capacitance. Every rank solves the whole circuit, so the results do not
+// depend on the number of ranks.
 #ifdef FIX_CLASS
 FixStyle(bearing/circuit,FixBearingCircuit)
 #else
@@ -42,19 +42,19 @@ class FixBearingCircuit : public Fix {
   struct Film {
     double capacitance = 0.0;                                       // F
     double thickness = std::numeric_limits<double>::quiet_NaN();    // m
-    double rough = 0.0;    // m, film thickness lost to the roughness of the surfaces
-    double metal = 0.0;    // S, conductance of touching asperities
-    double area = 0.0;     // m^2, of the contact patch, only if the arc model needs it
+    double rough = 0.0;    // m, reduction of the film thickness by the roughness of the surfaces
+    double metal = 0.0;    // S, conductance of the asperities in contact
+    double area = 0.0;     // m^2, area of the contact patch; set only if the arc model needs it
 
-    // Adds another film between the same ball and ring; breakdown occurs in the locally thinner
-    // film.
+    // Adds another film between the same ball and ring; breakdown occurs in the film that is
+    // locally thinner.
     void add(const Film &beside);
   };
   struct BallFilms {
     double tag = 0.0, azimuth = 0.0;    // azimuth in rad
     Film film[2];                       // inner, outer
   };
-  // Film of a contact, to be sent to all ranks.
+  // Film of a contact, as sent to all ranks.
   struct Row {
     bearing::tag_t ball, ring;
     int side;
@@ -70,7 +70,8 @@ class FixBearingCircuit : public Fix {
   Film film_of(const raceway::RacewayPhysics &, bool live, const raceway::ContactState &,
                const raceway::FilmCapacitorT<double> &) const;
   bool needs_states() const { return settings_.metal > 0.0 || settings_.arc > 0.0; }
-  // Time since the first sample, s, at the instant that lies `back` steps before the end of `step`.
+  // Returns the time (s) since the first sample, at the instant that lies `back` steps before the
+  // end of `step`.
   double time_of(bigint step, double back = 0.0) const
   {
     return (static_cast<double>(step - first_step_) - back) * dt_;
@@ -88,13 +89,13 @@ class FixBearingCircuit : public Fix {
   bearing::CircuitSettings settings_;
   PairBearingHertz *pair_ = nullptr;
   FixBearingCapacitance *cap_ = nullptr;
-  std::vector<bearing::InstantSource *> integrators_;    // provide the instants within steps
+  std::vector<bearing::InstantSource *> integrators_;    // sources of the instants within steps
   bearing::TextFile events_;
   bool begun_ = false, restored_ = false;
   bigint first_step_ = 0, last_step_ = -1;    // steps of the first and the last sample
   double last_time_ = 0.0;                    // s, time of the last sample
-  double dt_ = 0.0;                           // s, length of each step between them
-  std::vector<BallFilms> balls_;              // at the last sample, by tag
+  double dt_ = 0.0;                           // s, length of the steps between them
+  std::vector<BallFilms> balls_;              // state at the last sample, sorted by tag
   raceway::CircuitState state_;
 };
 

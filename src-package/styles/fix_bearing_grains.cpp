@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Settings, state and output of fix bearing/grains; fix_bearing_grains_step.cpp has the forces.
+// Settings, state and output of fix bearing/grains; the forces are in fix_bearing_grains_step.cpp.
 #include "fix_bearing_grains.h"
 
 #include "../core/figures/fix_columns.h"
@@ -17,7 +17,7 @@ using bearing::Arguments;
 using bearing::text;
 using raceway::Vec3;
 
-// numbers of steps per collision below which there is an error or a warning
+// limits of the number of steps per collision below which the run stops or a warning is printed
 static constexpr double fewest_steps = 5.0, few_steps = 20.0;
 
 // fix ID group bearing/grains [drum SHAFT|none R Z1 Z2] [blades SHAFT|none N R1 R2 Z1 Z2]
@@ -90,7 +90,7 @@ void FixBearingGrains::init()
 {
   pair_ = PairBearingHertz::find(lmp, "fix bearing/grains");
   if (bearing::fixes_of<FixBearingGrains>(lmp).front() != this)
-    BRG_ALL(bearing::name_of(*this) + ": there already is a fix bearing/grains, only one can run");
+    BRG_ALL(bearing::name_of(*this) + ": there already is a fix bearing/grains; only one can run");
   build_ = -1;
   for (int i = 0; i < atom->nlocal; ++i)
     if ((atom->mask[i] & groupbit) && !pair_->coefficients().is_grain(atom->type[i]))
@@ -126,11 +126,12 @@ void FixBearingGrains::check_step() const
           shortest = std::min(shortest, law->duration(mass[a] * mass[b] / (mass[a] + mass[b])));
   }
   const std::string say = bearing::name_of(*this) + ": timestep " + text(update->dt) +
-                          " s, a collision of the lightest grains takes " + text(shortest) + " s: ";
+                          " s, but a collision of the lightest grains takes " + text(shortest) +
+                          " s: ";
   if (update->dt * fewest_steps > shortest)
-    BRG_ALL(say + "at most " + text(shortest / fewest_steps) + " s");
+    BRG_ALL(say + "the timestep must be at most " + text(shortest / fewest_steps) + " s");
   if (update->dt * few_steps > shortest && comm->me == 0)
-    BRG_WARN(say + "better " + text(shortest / few_steps) + " s or less");
+    BRG_WARN(say + "use " + text(shortest / few_steps) + " s or less");
 }
 
 std::vector<bearing::ColumnList::Item> FixBearingGrains::columns() const
@@ -141,7 +142,7 @@ std::vector<bearing::ColumnList::Item> FixBearingGrains::columns() const
   return list;
 }
 
-// Sums over all grains in order of tag.
+// Returns the sums over all grains, added in the order of tags.
 FixBearingGrains::Sums FixBearingGrains::sums() const
 {
   struct One {
@@ -257,7 +258,7 @@ int FixBearingGrains::size_restart(int i)
 
 int FixBearingGrains::maxsize_restart() { return 3 + numbers_kept * most_contacts; }
 
-// The last positions and loads of the shafts, in the order of the command.
+// Writes the last positions and loads of the shafts, in the order in which the command names them.
 void FixBearingGrains::write_restart(FILE *fp)
 {
   if (comm->me != 0) return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix bearing/grains: contacts of grains with each other and with walls, which may turn with a fix
-// bearing/shaft and exert load on it. Sums are taken in the order of tags, so the results do not
-// depend on the number of ranks.
+// bearing/shaft and load it. Sums are evaluated in the order of tags, so the results do not depend
+// on the number of ranks.
 #ifdef FIX_CLASS
 FixStyle(bearing/grains,FixBearingGrains)
 #else
@@ -51,7 +51,7 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
   double memory_usage() override;
 
  private:
-  // Contact with the grain of that tag or, if the tag is 0, with a part of the walls
+  // Contact with the grain that has this tag or, if the tag is 0, with a part of the walls.
   struct Contact {
     bearing::tag_t tag = 0;
     int part = 0;
@@ -59,36 +59,36 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
   };
   struct Grain {
     std::vector<Contact> contacts;
-    double lost = 0.0;    // J, since the start of the run; half the loss at contacts with grains
+    double lost = 0.0;    // J, dissipated so far; each contact with a grain counts half
   };
-  // A shaft with walls, known to all ranks; components have the bearing axis third.
+  // A shaft with walls, which is known on all ranks. The bearing axis is the third component.
   struct Shaft {
     std::string id;
     FixBearingShaft *fix = nullptr;
     raceway::RingAtom now, before;
-    raceway::Vec3 force, moment;    // N, N m, exerted by grains, at the shaft's centre
+    raceway::Vec3 force, moment;    // N and N m, exerted by grains at the shaft's centre
   };
   struct Velocity {
     raceway::Vec3 v, w;
   };
   struct Wall {
     raceway::TurningWall shape;
-    int shaft = -1;    // index in shafts_; -1: at rest
-    int first = 0;     // number of its first part
-    // State in the present step; components have the bearing axis third. The axes of the wall are
-    // its own axis pose.e, and e1 and e2, which do not rotate about pose.e.
+    int shaft = -1;    // index in shafts_; -1 for a wall at rest
+    int first = 0;     // index of its first part
+    // State in the current step, with the bearing axis as the third component. The axes of the wall
+    // are its own axis pose.e, and e1 and e2, which do not rotate about pose.e.
     raceway::RingAtom pose;
     Velocity moved;
     raceway::Vec3 e1, e2;
   };
   struct Neighbour {
-    int i, j;    // local indices, i is owned
+    int i, j;    // local indices; this rank owns i
   };
-  struct Push {    // load of a grain on a wall
+  struct Push {    // load exerted by a grain on a wall
     bearing::tag_t tag;
     int part, shaft;
     raceway::Vec3 force, moment;    // moment about the shaft's centre
-    double work;                    // J, work on the grain in the last step
+    double work;                    // J, work done on the grain in the last step
   };
   struct Sums {
     double lost = 0.0, kinetic = 0.0, elastic = 0.0, contacts = 0.0;
@@ -105,7 +105,8 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
                     raceway::Vec3 &force, raceway::Vec3 &torque) const;
   void touch_walls(int i, double dt, std::vector<Contact> &, double &lost, raceway::Vec3 &force,
                    raceway::Vec3 &torque);
-  // The contact in the previous step of grain i with that grain or part; null if there was none.
+  // Returns the contact of grain i with that grain or part in the previous step, or null if there
+  // was none.
   const raceway::GrainContact *kept(int i, bearing::tag_t, int part) const;
   bool touched_a_wall(int i) const;
   void load_shafts();
@@ -122,8 +123,8 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
   std::vector<Neighbour> neighbours_;
   std::vector<Push> pushes_;
   int build_ = -1;
-  double known_step_ = -1.0;    // step to which the contacts belong
-  double work_ = 0.0;           // J, work of the walls on the grains
+  double known_step_ = -1.0;    // step for which the contacts are valid
+  double work_ = 0.0;           // J, work done by the walls on the grains
   Sums start_, now_;
   bigint summed_ = -1;
 };

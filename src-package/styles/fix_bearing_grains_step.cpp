@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The step of fix bearing/grains. Each rank computes all contacts of its own grains; a contact that
-// two ranks compute is bitwise identical on both, because the grain of lower tag comes first.
+// The step of fix bearing/grains. Each rank computes all contacts of its own grains. A contact that
+// is computed on two ranks is bitwise identical on both, because the grain with the lower tag comes
+// first.
 #include "../core/settings/arguments.h"
 #include "../ranks/gather.h"
 #include "fix_bearing_grains.h"
@@ -47,9 +48,9 @@ void FixBearingGrains::find_shafts()
   }
 }
 
-// Mean velocity (m/s) and angular velocity (rad/s) of a shaft over the step. They follow from the
-// change of its position, so that the work of its walls equals the work of the shaft under either
-// integrator. Components have the bearing axis third.
+// Returns the mean velocity (m/s) and angular velocity (rad/s) of a shaft over the step. They
+// follow from the change of its position, so that the work of its walls equals the work of the
+// shaft with either integrator. The bearing axis is the third component.
 FixBearingGrains::Velocity FixBearingGrains::velocity(const Shaft *s) const
 {
   if (!s) return {};
@@ -111,7 +112,7 @@ void FixBearingGrains::touch_walls(int i, double dt, std::vector<Contact> &list,
     if (wall.shape.lost(p))
       BRG_ONE(bearing::name_of(*this) + ": grain " + std::to_string(atom->tag[i]) +
               " is beyond the walls of the drum at step " + std::to_string(update->ntimestep) +
-              ": walls too soft, step too large, or grain placed outside");
+              ": the walls are too soft, the step is too large, or the grain was placed outside");
     if (!touched && !wall.shape.near(p, R)) continue;
     for (int k = 0; k < wall.shape.parts(); ++k) {
       const raceway::WallTouch t = wall.shape.touch(k, p, R, wall.pose.angle);
@@ -139,8 +140,8 @@ void FixBearingGrains::touch_walls(int i, double dt, std::vector<Contact> &list,
   torque += axes_.lab(couple);
 }
 
-// Adds the forces of all contacts. Without `advance`, as at the start of a run, the states of the
-// contacts do not change.
+// Adds the forces of all contacts. If `advance` is false, as at the start of a run, the states of
+// the contacts do not change.
 void FixBearingGrains::act(bool advance)
 {
   find_neighbours();
@@ -166,7 +167,8 @@ void FixBearingGrains::act(bool advance)
     if (!keep) continue;
     if (list.size() > most_contacts)
       BRG_ONE(bearing::name_of(*this) + ": grain " + std::to_string(atom->tag[i]) + " has " +
-              std::to_string(list.size()) + " contacts, at most " + std::to_string(most_contacts));
+              std::to_string(list.size()) + " contacts, but at most " +
+              std::to_string(most_contacts) + " are possible");
     grains_[i].contacts.swap(list);
     if (advance) grains_[i].lost += lost;
   }

@@ -21,8 +21,8 @@ using bearing::Arguments;
 using bearing::text;
 namespace of = bearing::of_fix_heat;
 
-static constexpr double passes_at_first = 2.0;     // ball passes after the load ramp
-static constexpr double samples_a_pass = 200.0;    // most samples of losses per ball pass
+static constexpr double passes_at_first = 2.0;     // number of ball passes after the load ramp
+static constexpr double samples_a_pass = 200.0;    // maximum number per ball pass
 
 // fix ID group bearing/heat [heat yes|no] [ambient T] [cooling G] [shaft_cooling G] [seat G]
 // [housing_capacity C] [oil_flow Q] [oil_inlet T] [warm_start T] [warm_time S] [warm_change K]
@@ -76,7 +76,7 @@ void FixBearingHeat::init()
   pair_ = dynamic_cast<PairBearing *>(force->pair);
   if (!pair_)
     BRG_ALL(bearing::name_of(*this) +
-            " needs pair_style bearing, which has the sizes of the bearing and its oil");
+            " needs pair_style bearing, which provides the sizes of the bearing and its oil");
   find_bearing();
   check_oil();
   find_network();
@@ -93,14 +93,15 @@ void FixBearingHeat::init()
     for (const char *cold : {"paper", "film", "none"})
       if (pair_->models() == cold && comm->me == 0)
         BRG_WARN(bearing::name_of(*this) + ": models " + cold +
-                 " have no full-film friction and therefore little heat; models full have it");
+                 " have no full-film friction and therefore generate little heat; use models full");
     now_.oil = heat.oil();
   }
   apply_oil();
   apply_ = false;
 }
 
-// Finds the named bearing to which the group's balls belong, and the number of such bearings.
+// Finds the named bearing to which the group's balls belong, and the number of bearings with that
+// name.
 void FixBearingHeat::find_bearing()
 {
   std::vector<int> there(atom->ntypes + 1, 0);
@@ -114,7 +115,7 @@ void FixBearingHeat::find_bearing()
     const bearing::NamedBearing *of = bearing::bearing_of_type(lmp, type);
     if (!of)
       BRG_ALL(bearing::name_of(*this) + ": balls of type " + std::to_string(type) +
-              " belong to no bearing with a name");
+              " do not belong to a bearing with a name");
     if (bearing_ && of != bearing_)
       BRG_ALL(bearing::name_of(*this) + ": its balls belong to bearings " + bearing_->name +
               " and " + of->name + ": give each its own fix");
@@ -144,7 +145,7 @@ void FixBearingHeat::check_oil()
             " is dry");
 }
 
-// Finds conductances and heat capacities from the dimensions of the bearing.
+// Computes conductances and heat capacities from the dimensions of the bearing.
 void FixBearingHeat::find_network()
 {
   const bearing::NamedBearing &b = *bearing_;
@@ -154,7 +155,7 @@ void FixBearingHeat::find_network()
       missing += (missing.empty() ? "" : ", ") + std::string(size);
   if (!missing.empty())
     BRG_ALL(bearing::name_of(*this) + ": bearing " + b.name + " has no " + missing +
-            ", which determines the heat capacities of its rings: give the data with -var");
+            ", which determines the heat capacities of its rings; specify the data with -var");
   const double bore = b.number("bore_diameter"), outside = b.number("outside_diameter"),
                width = b.number("bearing_width");
   network_.housing = cooling_ > 0.0 ? cooling_ : iso_15312_conductance(bore, outside, width);
@@ -190,13 +191,13 @@ void FixBearingHeat::find_oil_flow()
   oil.wetted[2] = wets.outer;
 }
 
-// A property of the bearing's oil at its present temperature
+// Returns a property of the bearing's oil at its current temperature.
 double FixBearingHeat::oil_datum(const char *name) const
 {
   return std::atof(pair_->oil_datum(bearing_->name, name).c_str());
 }
 
-// Heat transfer coefficient of the oil, W/(m^2 K)
+// Returns the heat transfer coefficient of the oil in W/(m^2 K).
 double FixBearingHeat::convection() const
 {
   if (!network_.oil.flows()) return 0.0;
@@ -215,7 +216,7 @@ void FixBearingHeat::setup(int)
   for (const FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp))
     ramp_ = std::max(ramp_, f->ramp());
   stride_ = std::max(1, static_cast<int>(pass_ / update->dt / samples_a_pass));
-  if (rewrite_) {    // rows written before the restart file
+  if (rewrite_) {    // these rows were written before the restart file
     rewrite_ = false;
     if (FILE *f = file_.file(); f)
       for (const Row &row : rows_) write_row(row);
@@ -233,7 +234,7 @@ void FixBearingHeat::begin_step()
     grow(std::min(1.0, (now_.since + update->dt) / pass_));
 }
 
-// Sets the contact law at the temperature of the oil, and the expansion of the surfaces.
+// Sets the contact law for the temperature of the oil, and the expansion of the surfaces.
 void FixBearingHeat::apply_oil()
 {
   if (!dry_)
@@ -244,8 +245,8 @@ void FixBearingHeat::apply_oil()
   for (FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp)) f->laws_changed();
 }
 
-// Sets the clearance, at the fraction `share` of the way from its previous value to its value at
-// the present temperatures.
+// Sets the clearance to an intermediate value, at the fraction `share` of the way from its previous
+// value to its value at the current temperatures.
 void FixBearingHeat::grow(double share)
 {
   double strain[parts];
@@ -293,7 +294,7 @@ void FixBearingHeat::end_of_step()
   }
 }
 
-// Lets the temperatures jump according to the mean losses of the last ball pass.
+// Makes the temperatures jump according to the mean losses during the last ball pass.
 void FixBearingHeat::end_pass()
 {
   HeatPass seen = now_.sum;
@@ -325,7 +326,8 @@ void FixBearingHeat::end_pass()
                          text(seen.power()) + " W";
   if (end == HeatEnd::seizes)
     BRG_ALL(at + ": it seizes. Losses grow with temperature " + text(heat.gain) +
-            " times as fast as cooling: thermal runaway. Improve cooling, or give more clearance");
+            " times as fast as cooling: thermal runaway. Improve the cooling, or increase the "
+            "clearance");
   if (end == HeatEnd::hot)
     BRG_ALL(at + ": hotter than " + text(control_.hottest) + " C. Improve cooling");
 }
@@ -382,7 +384,8 @@ double FixBearingHeat::value(int column) const
   return 0.0;
 }
 
-// Temperature (C) of the oil at the outlet; without flow, of the oil in the contacts
+// Returns the temperature (C) of the oil at the outlet or, without flow, of the oil in the
+// contacts.
 double FixBearingHeat::outlet() const
 {
   const HeatState &h = now_.heat;
@@ -392,7 +395,7 @@ double FixBearingHeat::outlet() const
   return oil.outlet(h.at, h.start.heat[heat_nodes]);
 }
 
-// Diametral clearance (m) of the parts at their present temperatures
+// Returns the diametral clearance (m) of the parts at their current temperatures.
 double FixBearingHeat::clearance() const
 {
   const double *t = now_.heat.at, cold = network_.ambient;

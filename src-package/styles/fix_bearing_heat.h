@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/heat: temperatures of inner ring, balls, outer ring, housing and flowing oil of a
-// named bearing, heated by the losses of its contacts. Films, clearance and friction follow the
-// temperatures (docs/heat).
+// fix bearing/heat: temperatures of the inner ring, balls, outer ring, housing and flowing oil of a
+// named bearing, which is heated by the losses in its contacts. Films, clearance and friction
+// follow the temperatures (docs/heat).
 //
-// Temperatures change slowly and balls move fast, so temperatures jump (core/laws/heat_jumps.h):
-// during one ball pass a ramp takes the clearance to its value at the new temperatures, during the
-// next ball pass the losses are averaged, and then the temperatures jump again. All ranks have the
-// same state.
+// Because temperatures change slowly and balls move fast, the temperatures jump
+// (core/laws/heat_jumps.h): a ramp over one ball pass changes the clearance to its value at the new
+// temperatures, the losses are averaged over the next ball pass, and then the temperatures jump
+// again. The state is the same on all ranks.
 #ifdef FIX_CLASS
 FixStyle(bearing/heat,FixBearingHeat)
 #else
@@ -42,29 +42,29 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   void restart(char *) override;
 
   void begin_step() override;
-  // True if temperatures no longer change: they are steady, the requested time is over, or heat is
-  // off.
+  // True if the temperatures no longer change because they are steady, the requested time is over
+  // or heat is off.
   bool still() const { return idle_ || now_.stage == STAY; }
   bool idle() const { return idle_; }
-  // Present temperatures (C) of the contacts, as in core/figures/fix_columns.h from INNER to OIL.
+  // Current temperatures (C) of the contacts, from INNER to OIL as in core/figures/fix_columns.h.
   std::array<double, 5> temperatures() const;
   bool covers_type(int ball_type) const;
   double ambient() const { return network_.ambient; }    // C, at which the clearance is given
 
  private:
   enum Stage { WAIT, RAMP, WATCH, LAST, STAY };
-  static constexpr int parts = 3;    // strains of inner ring, balls, outer ring
-  // Contains doubles only, for restart files.
+  static constexpr int parts = 3;    // inner ring, balls and outer ring, whose strains are tracked
+  // Contains only doubles, so that it can be written to restart files.
   struct State {
     raceway::HeatState heat;
-    raceway::HeatPass sum;    // sum of values times time over the present ball pass
+    raceway::HeatPass sum;    // integrals of the values over the current ball pass so far
     double begun = 0.0, stage = WAIT;
-    double since = 0.0;                         // s, in this stage
-    double run = 0.0;                           // s, in total
-    double summed = 0.0;                        // s, time in `sum`
-    double oil = 0.0;                           // C, oil temperature of the present law
-    double begin[raceway::heat_nodes] = {};     // C, at the start
-    double from[parts] = {}, to[parts] = {};    // C, start and end of the present ramp of clearance
+    double since = 0.0;                         // s, time since this stage began
+    double run = 0.0;                           // s, total time
+    double summed = 0.0;                        // s, time covered by `sum`
+    double oil = 0.0;                           // C, oil temperature of the current contact law
+    double begin[raceway::heat_nodes] = {};     // C, temperatures at the start
+    double from[parts] = {}, to[parts] = {};    // C, at the start and end of the clearance ramp
     double jump = 0.0;                          // s, length of the last jump
     double rows = 0.0;                          // number of rows in the file
   };
@@ -92,14 +92,14 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   const bearing::NamedBearing *bearing_ = nullptr;
   bool idle_ = false, dry_ = false;
   double cooling_ = 0.0, start_ = NAN;
-  double oil_flow_ = 0.0, oil_inlet_ = NAN;    // m^3/s, C
+  double oil_flow_ = 0.0, oil_inlet_ = NAN;    // m^3/s and C
   raceway::HeatNetwork network_;
   raceway::HeatControl control_;
-  double bearings_ = 1.0;    // number of bearings that share the temperatures
+  double bearings_ = 1.0;    // number of bearings that share these temperatures
   double pass_ = 0.0;        // s, duration of a ball pass
   double ramp_ = 0.0;        // s, end of the load ramp
-  int stride_ = 1;           // steps between samples
-  bigint last_step_ = -1;    // last step that has begun
+  int stride_ = 1;           // number of steps between samples
+  bigint last_step_ = -1;    // last step that was begun
   bool apply_ = false, rewrite_ = false;
   State now_;
   std::vector<Row> rows_;    // rows of the file

@@ -14,15 +14,15 @@
 using namespace LAMMPS_NS;
 using raceway::HeatPass;
 
-// Half of a contact's loss heats each of its two bodies. Drag heats the oil if oil flows; oil that
-// stays in the bearing gives its heat to the surfaces that it wets. Losses of balls on the cage
-// heat the balls. Sums are taken in the order of tags, so that bits do not depend on the number of
-// ranks.
+// Half of the loss in a contact heats each of the two bodies. Drag heats the oil if oil flows; oil
+// that remains in the bearing transfers its heat to the surfaces that it wets. Losses in contacts
+// between balls and cage heat the balls. Sums are evaluated in the order of tags, so that they are
+// bitwise identical on any number of ranks.
 HeatPass FixBearingHeat::losses()
 {
   struct Share {
     bearing::tag_t first, second;
-    double place;                      // groove of a contact; -1 for a cage
+    double place;                      // groove of a contact; -1 for a contact with a cage
     double ball, inner, outer, oil;    // W
     double to_inner, to_outer;         // W/K
   };

@@ -36,7 +36,7 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
               ", must be 0 with 'solve damping', whose tolerance is the distance a ball may move");
   if (settings.dampers_only && settings.error > 1.0)
     args.fail("error is " + text(settings.error) +
-              ", must be 1 with 'solve damping', which estimates no errors");
+              ", must be 1 with 'solve damping', which does not estimate errors");
   const bool can_estimate = !settings.dampers_only && settings.order == 2;
   settings.estimate = estimate_.value_or(can_estimate && pair_->estimates_errors());
   if (settings.estimate && !can_estimate)
@@ -56,7 +56,8 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
   extscalar = extvector = 0;
 }
 
-// Reads one keyword and its value. A tolerance of 0 means that it is chosen automatically.
+// Reads one keyword and its value. A tolerance of 0 means that the tolerance is chosen
+// automatically.
 void FixBearingImplicit::read(Arguments &args)
 {
   BearingIntegrator::Settings &settings = solver_->settings;
@@ -139,11 +140,11 @@ void FixBearingImplicit::init()
 }
 
 // Finds the fixes whose rings are in the group. The list is the same on all ranks, although a rank
-// may own no ring or other rings than another rank.
+// may own no rings or different rings than another rank.
 void FixBearingImplicit::find_rings()
 {
   const std::vector<FixBearingRing *> all = bearing::fixes_of<FixBearingRing>(lmp);
-  std::vector<int> seen;    // per fix: has rings in the group, has rings outside
+  std::vector<int> seen;    // two per fix: has rings in the group, has rings outside it
   for (const FixBearingRing *r : all) {
     int mine = 0, others = 0;
     for (int i = 0; i < atom->nlocal; ++i)
@@ -165,8 +166,8 @@ void FixBearingImplicit::find_rings()
   }
 }
 
-// True for styles that act in a step without changing the motion of atoms; any other style may
-// change it.
+// Returns true for styles that act in a step without changing the motion of atoms. Any other style
+// may change it.
 static bool only_reads(const std::string &style)
 {
   for (const std::string known :
@@ -177,10 +178,12 @@ static bool only_reads(const std::string &style)
   return false;
 }
 
-// Error if another fix moves these atoms or applies forces that the step does not include.
+// Stops with an error if another fix moves these atoms or applies forces that the step does not
+// include.
 void FixBearingImplicit::check_fixes()
 {
-  // local index, plus one, of an atom that is in both this group and the group of fix f; 0: none
+  // returns the local index, plus one, of an atom that is in both this group and the group of fix
+  // f, or 0
   auto shared = [this](const Fix &f) {
     for (int i = 0; i < atom->nlocal; ++i)
       if ((atom->mask[i] & groupbit) && (atom->mask[i] & f.groupbit)) return i + 1;
@@ -195,7 +198,7 @@ void FixBearingImplicit::check_fixes()
       INITIAL_INTEGRATE | POST_INTEGRATE | PRE_FORCE | POST_FORCE | FINAL_INTEGRATE | END_OF_STEP;
   for (int k = 0; k < modify->nfix; ++k) {
     const Fix &f = *modify->fix[k];
-    // fixes of this package: the step accounts for their forces
+    // the step accounts for the forces of this package's fixes
     if (strncmp(f.style, "bearing/", 8) == 0) continue;
     if (strcmp(f.style, "gravity") == 0) {
       add_gravity(*modify->fix[k]);
@@ -205,10 +208,10 @@ void FixBearingImplicit::check_fixes()
                        : modify->fmask[k] & POST_FORCE ? "adds forces that "
                                                          "an implicit step does not include"
                                                        : "may change their motion";
-    // for fixes of any group, because recenter may move another group than its own
+    // applies to fixes of any group, because recenter may move a group other than its own
     const char *changes = BRG_CHANGES_BOX(f)                 ? "box"
                           : strcmp(f.style, "dt/reset") == 0 ? "timestep"
-                          : strcmp(f.style, "recenter") == 0 ? "place of its atoms"
+                          : strcmp(f.style, "recenter") == 0 ? "positions of its atoms"
                                                              : nullptr;
     if (changes)
       BRG_ALL(std::string("fix ") + id + " bearing/implicit: fix " + f.id + " (" + f.style +
@@ -220,7 +223,8 @@ void FixBearingImplicit::check_fixes()
   }
 }
 
-// Error unless gravity acts on all bodies of a bearing, since the step applies it to all of them.
+// Stops with an error unless gravity acts on all bodies of a bearing, because the step applies it
+// to all of them.
 void FixBearingImplicit::add_gravity(Fix &f)
 {
   int inside = 0;
@@ -233,15 +237,15 @@ void FixBearingImplicit::add_gravity(Fix &f)
   if (inside == 1) gravity_.push_back(&f);
 }
 
-// Acceleration of an atom by the gravity fixes in this step, m/s^2; components have the bearing
-// axis third. Collective, since a variable may be evaluated.
+// Returns the acceleration of an atom by the gravity fixes in this step, in m/s^2 with the bearing
+// axis as the third component. Collective, because a variable may be evaluated.
 raceway::Vec3 FixBearingImplicit::gravity()
 {
   if (gravity_.empty()) return {};
   const size_t n = 3 * static_cast<size_t>(atom->nlocal);
   if (n > 0) forces_.assign(&atom->f[0][0], &atom->f[0][0] + n);
   raceway::Vec3 fall;
-  double mass = 1.0;    // kg: rounding must not depend on which atom is the first on the rank
+  double mass = 1.0;    // kg, so that rounding does not depend on the first atom of the rank
   int one = 0;
   while (one < atom->nlocal && !(atom->mask[one] & groupbit)) ++one;
   if (one < atom->nlocal) {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/implicit: implicit steps for balls, cage balls and rings
+// fix bearing/implicit: implicit time integration of balls, cage balls and rings
 // (core/step/bearing_integrator.h).
 //
 // The whole host step is made in initial_integrate, in as many substeps as the step control
 // requires. The fix works on its own copy of the state and calls the contact functions itself. The
-// host's subsequent force evaluation fills the contact table at the end of the step. The reasons:
-// output is due at host steps, however the substeps vary; the table and all output from it belong
-// to the state that is written, not to a prediction; substeps and repeated substeps cost no
-// neighbour check, no calls of fixes and no clearing of arrays; and a restart needs only positions,
-// velocities and one step size.
+// host's subsequent force evaluation fills the contact table at the end of the step. This has four
+// advantages: output is written at host steps, however the substeps vary; the contact table and all
+// output based on it belong to the state that is written, not to a prediction; substeps and
+// repeated substeps require no neighbour checks, calls of fixes or clearing of arrays; and a
+// restart needs only positions, velocities and one step size.
 #ifdef FIX_CLASS
 FixStyle(bearing/implicit,FixBearingImplicit)
              FixStyle(bearing/damping,FixBearingImplicit)
@@ -45,34 +45,34 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   void initial_integrate(int) override;
   double compute_scalar() override;
   double compute_vector(int) override;
-  // Number of systems on all ranks. A system is a bearing, or all bearings on one shaft; each
-  // system has its own substeps.
+  // Returns the number of systems on all ranks. A system is a bearing, or all bearings on one
+  // shaft; each system has its own substeps.
   double systems() const;
   struct Control {
-    double tolerance, relative, cage;    // m; over the largest overlap; m, of cage balls
+    double tolerance, relative, cage;    // m; relative to the largest overlap; m, of cage balls
     bool estimate;
   };
   Control control() const;
-  // Sampling rate of a record as requested by fix bearing/vibration, Hz; 0: the record chooses the
-  // rate
+  // Sampling rate of a record in Hz, as requested by fix bearing/vibration. If it is 0, the record
+  // chooses the rate.
   double sampling_rate() const { return sampling_ * oversampling_; }
 
-  // Selects coarse implicit steps, which damp all vibration, while the bearing settles; or else the
-  // steps of the deck. A deck that measures vibration always uses its own steps.
+  // Selects coarse implicit steps, which damp all vibration, while the bearing settles, or
+  // otherwise the steps of the deck. A deck that measures vibration always uses its own steps.
   void coarse(bool);
   bool can_be_coarse() const { return sampling_ == 0.0; }
-  // False if the steps of the deck cost hardly more than coarse steps.
+  // Returns false if the steps of the deck cost hardly more than coarse steps.
   bool coarse_saves() const;
-  // To be called when the constants of the contact law change; the change applies from the next
-  // step.
+  // Must be called when the constants of the contact law change. The change applies from the next
+  // step on.
   void laws_changed() { laws_changed_ = true; }
 
   void want_instants(const bearing::Instants &, const std::string &command) override;
   void read_instant(int k, const bearing::InstantReader &) const override;
 
  private:
-  // The solver, its settings and the bearings at home on this rank. It is defined in the sources
-  // only, so that no other style depends on these types.
+  // The solver, its settings and the bearings whose home is on this rank. It is defined only in the
+  // sources, so that no other style depends on these types.
   struct Solver;
   struct OwnBearing;
 
@@ -90,23 +90,23 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   [[noreturn]] void give_up(const OwnBearing &, double h) const;
 
   PairBearingHertz *pair_;
-  double tolerance_ = 0.0;    // m, estimated local error of a position in a substep; 0 until known
+  double tolerance_ = 0.0;    // m, estimated local error of a position in a substep; 0 if unknown
   bool laws_changed_ = false;
-  bool energy_wanted_ = false, begun_ = false;    // begun_: stored_before_ is set
+  bool energy_wanted_ = false, begun_ = false;    // begun_: stored_before_ has been set
   bearing::Instants instants_;
   std::set<std::string> readers_;    // commands that have requested instants
   double largest_ = HUGE_VAL;        // s, largest substep
   double creep_ = 0.01;
-  double cage_ = 0.0;                           // m, tolerance of cage balls; 0: set by pair style
-  double relative_ = NAN;                       // NAN: set by the pair style
-  std::optional<bool> estimate_;                // none: set by the pair style
-  double sampling_ = 0.0, oversampling_ = 4;    // Hz, of the signal; record samples per sample
-  std::vector<FixBearingRing *> rings_;         // integrated by this fix
-  std::vector<Fix *> gravity_;                  // gravity fixes, acting on all atoms of the group
-  std::vector<double> forces_;                  // saved while gravity is evaluated
+  double cage_ = 0.0;                           // m, tolerance of cage balls, or 0
+  double relative_ = NAN;                       // NAN if the pair style sets it
+  std::optional<bool> estimate_;                // empty if the pair style sets it
+  double sampling_ = 0.0, oversampling_ = 4;    // Hz, sampling rate of the signal; oversampling
+  std::vector<FixBearingRing *> rings_;         // fixes whose rings are integrated by this fix
+  std::vector<Fix *> gravity_;                  // gravity fixes that act on all atoms of the group
+  std::vector<double> forces_;                  // forces saved while gravity is evaluated
   std::unique_ptr<Solver> solver_;
   int build_ = -1;
-  // totals of the bearings at home on this rank, since the start of the run
+  // totals of the bearings whose home is on this rank, since the start of the run
   double substeps_ = 0.0, corrections_ = 0.0, refused_ = 0.0, time_ = 0.0, smallest_ = HUGE_VAL;
   double worst_ = 0.0, stored_before_ = 0.0;
 };

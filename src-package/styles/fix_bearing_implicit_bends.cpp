@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Exchange of the state of flexible shafts between their fixes and the bearings at home on this
+// Exchanges the state of flexible shafts between their fixes and the bearings whose home is on this
 // rank.
 #include "../ranks/gather.h"
 #include "fix_bearing_implicit_solver.h"

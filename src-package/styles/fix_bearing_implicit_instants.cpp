@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// State of the bearings at instants within host steps: requests and readout.
+// State of the bearings at instants within host steps: requests for it and its readout.
 #include "fix_bearing_implicit_solver.h"
 #include "pair_bearing_hertz.h"
 #include "ring_values.h"
@@ -9,7 +9,7 @@ using bearing::Instants;
 using bearing::tag_t;
 using raceway::BearingModel;
 
-// All requests must be for the same instants, which are evaluated once.
+// All requests must specify the same instants, which are evaluated only once.
 void FixBearingImplicit::want_instants(const Instants &i, const std::string &command)
 {
   const bool others = instants_.number > 1;
@@ -21,7 +21,7 @@ void FixBearingImplicit::want_instants(const Instants &i, const std::string &com
   if (others && capacitor && instants_.capacitor.permittivity > 0.0 &&
       i.capacitor != instants_.capacitor)
     BRG_ALL(command + ": two fixes request different data between the steps of fix " + id +
-            " bearing/implicit; give them the same permittivity, film_floor, permittivity_at, "
+            " bearing/implicit; use the same permittivity, film_floor, permittivity_at, "
             "surroundings, shoulders and roughness");
   const bool states = instants_.states || i.states;
   if (capacitor || !others) instants_ = i;
@@ -56,7 +56,7 @@ void FixBearingImplicit::read_instant(int k, const bearing::InstantReader &tell)
     if (tell.body)
       for (int b = 0; b < static_cast<int>(m.bodies.size()); ++b) {
         const raceway::BodyPose pose = at.body(k, b);
-        // the step does not change the spin of a cage ball
+        // the spin of a cage ball does not change in the step
         const raceway::Vec3 &w = m.bodies[b].spins ? pose.w : solver_->bearings.bodies(p)[b].w;
         tell.body(
             {static_cast<tag_t>(m.bodies[b].tag), axes.lab(pose.x), axes.lab(pose.v), axes.lab(w)});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Output of fix bearing/implicit: its substeps and the energy balance.
+// Output of fix bearing/implicit: statistics of its substeps and the energy balance.
 #include "../core/figures/fix_columns.h"
 #include "fix_bearing_implicit_solver.h"
 
@@ -8,7 +8,7 @@
 using namespace LAMMPS_NS;
 using raceway::BearingIntegrator;
 
-// Energy stored before the first step of a run.
+// Computes the energy stored before the first step of a run.
 void FixBearingImplicit::begin_energy()
 {
   stored_before_ = 0.0;
@@ -29,8 +29,8 @@ double FixBearingImplicit::systems() const
   return n;
 }
 
-// Totals over all bearings since the start of the run (bearing::of_fix_implicit); energies are 0
-// unless requested.
+// Returns totals over all bearings since the start of the run (bearing::of_fix_implicit). Energies
+// are 0 unless they were requested.
 double FixBearingImplicit::compute_vector(int k)
 {
   BearingIntegrator::Energy e = solver_->energy;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The solver of fix bearing/implicit, its settings and the bearings at home on this rank. Only the
-// sources of that fix include this header, so that no other style depends on it.
+// The solver of fix bearing/implicit, its settings and the bearings whose home is on this rank.
+// Only the sources of that fix include this header, so that no other style depends on it.
 #ifndef BEARING_IMPLICIT_SOLVER_H
 #define BEARING_IMPLICIT_SOLVER_H
 
@@ -18,18 +18,18 @@ constexpr double smallest_step = 1e-12;    // s
 struct FixBearingImplicit::OwnBearing {
   raceway::BearingIntegrator *integrator;
   double step;                                    // s, next substep requested by the step control
-  raceway::BearingIntegrator::Outcome outcome;    // of the last attempted substep
+  raceway::BearingIntegrator::Outcome outcome;    // result of the last attempted substep
 };
 
 struct FixBearingImplicit::Solver {
-  raceway::BearingIntegrator::Settings settings, fine;    // of the present step; of the deck
-  raceway::BearingIntegrator::Energy energy;              // of bearings before the last build
+  raceway::BearingIntegrator::Settings settings, fine;    // of the current step; of the deck
+  raceway::BearingIntegrator::Energy energy;              // total before the last build
   bearing::HomeBearings bearings;
-  std::vector<OwnBearing> own;    // one per bearing at home on this rank
+  std::vector<OwnBearing> own;    // one entry per bearing whose home is on this rank
   std::vector<std::unique_ptr<raceway::BearingIntegrator>> integrators;
-  // Contacts of an instant. A single reader uses one buffer for all instants, which stays in the
-  // caches. For several readers the contacts are stored for the whole step: by instant, then by
-  // bearing.
+  // Contacts at an instant. A single reader uses one buffer for all instants, which stays in the
+  // caches. For several readers, the contacts of the whole step are stored, ordered by instant and
+  // then by bearing.
   struct Unpacked {
     bigint step = -1;
     std::vector<raceway::BearingInstants::ContactAtInstant> contacts;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The steps of fix bearing/implicit: finding the bearings after a neighbour build, loading their
-// state, substeps, and returning the state.
+// The steps of fix bearing/implicit: finds the bearings after a neighbour build, loads their state,
+// makes the substeps and returns the state.
 #include "../core/bodies/alike_bearings.h"
 #include "../core/settings/arguments.h"
 #include "fix_bearing_cage.h"
@@ -27,7 +27,7 @@ void FixBearingImplicit::build()
   if (build_ == pair_->table_build() && !laws_changed_) return;
   build_ = pair_->table_build();
   Solver &all = *solver_;
-  // totals of the bearings as of the last neighbour build
+  // totals of the bearings at the last neighbour build
   for (const auto &integrator : all.integrators) {
     all.energy.work += integrator->spent().work;
     all.energy.dissipated += integrator->spent().dissipated;
@@ -76,10 +76,11 @@ void FixBearingImplicit::build()
     return found == earlier.end() ? nullptr : std::move(*found);
   };
   all.unpacked.assign(readers_.size() > 1 ? (instants_.number - 1) * all.bearings.size() : 1, {});
-  // A solver shared by identical bearings stays in the caches. An energy balance and instants
-  // belong to one bearing and outlast its step; with them, each bearing has its own solver.
+  // A solver that is shared by identical bearings stays in the caches. An energy balance and
+  // instants belong to one bearing and outlast its step, so with them each bearing has its own
+  // solver.
   const bool shared = !energy_wanted_ && instants_.number < 2;
-  using Kind = std::tuple<const void *, size_t, int>;    // distinguishes most kinds
+  using Kind = std::tuple<const void *, size_t, int>;    // sufficient to distinguish most kinds
   std::map<Kind, std::vector<std::pair<int, BearingIntegrator *>>> kinds;
   for (int p = 0; p < all.bearings.size(); ++p) {
     const BearingModel &model = all.bearings.model(p);
@@ -108,7 +109,7 @@ void FixBearingImplicit::build()
   }
 }
 
-// Loads the state of a bearing and the programs of its rings in this step.
+// Loads the state of a bearing and the prescribed motions of its rings in this step.
 void FixBearingImplicit::load(int p, const raceway::Vec3 &fall)
 {
   bearing::HomeBearings &bearings = solver_->bearings;
@@ -143,7 +144,7 @@ void FixBearingImplicit::initial_integrate(int)
   for (int p = 0; p < bearings.size(); ++p) {
     load(p, fall);
     // the requested substep is stored with the first ring, so that it moves with the bearing to
-    // another home or into a restart file
+    // another home rank or into a restart file
     double &wish = bearings.wished_step(p);
     own[p].step = wish > 0.0 ? wish : largest_;
     advance(own[p]);
@@ -164,7 +165,7 @@ void FixBearingImplicit::advance(OwnBearing &p)
   double done = 0.0;
   while (done < whole) {
     const double left = whole - done;
-    // the edge of a flaw is an event: a substep ends there, and substeps across it are short
+    // the edge of a flaw is an event, so a substep ends there, and substeps across it are short
     const double flaws = p.integrator->longest_step();
     const double pieces = std::ceil(left / std::min(p.step, largest_) - 1e-9);
     const double free = pieces <= 1.0 ? left : left / pieces;
@@ -173,7 +174,7 @@ void FixBearingImplicit::advance(OwnBearing &p)
     p.outcome = p.integrator->step(settings, h, done / whole, last ? 1.0 : (done + h) / whole);
     const BearingIntegrator::Outcome &o = p.outcome;
     corrections_ += o.corrections;
-    // ratio of the error to its allowed value; it grows as h^2
+    // ratio of the error to its allowed value, which grows as h^2
     const double excess = std::max(o.error / o.tolerance, o.stability);
     const double fit = 0.9 / std::sqrt(std::max(excess, 1e-6));
     if (!o.solved() || !(excess <= 1.0)) {
@@ -189,7 +190,7 @@ void FixBearingImplicit::advance(OwnBearing &p)
     substeps_ += 1.0;
     smallest_ = std::min(smallest_, h);
     worst_ = std::max(worst_, o.error);
-    // increase again if the Newton iteration converged easily
+    // increase the substep again if the Newton iteration converged easily
     const double grow = std::min(2.0, std::max(0.5, fit));
     if (o.corrections <= settings.corrections &&
         (grow < 1.0 || (!held && (!last || h > 0.99 * p.step))))
@@ -206,7 +207,7 @@ static std::string cause(raceway::Failure f, const std::string &who)
     case Failure::outside_groove:
       return "the overlap of " + who +
              " is beyond the overlap limit, or its contact ellipse is as wide as the groove";
-    case Failure::turned_too_far: return "a body turns too far for one stage";
+    case Failure::turned_too_far: return "a body turns too far in one stage";
     case Failure::other_links: return "cage contacts open and close between corrections";
     default: return "corrections do not converge";
   }

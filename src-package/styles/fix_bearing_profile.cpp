@@ -84,7 +84,7 @@ std::vector<FixBearingProfile::FlawedBall> FixBearingProfile::balls(PairBearingH
   return bearing::gather_all(mine, world);
 }
 
-// Error unless a ball can follow the notch.
+// Stops with an error unless a ball can follow the notch.
 void FixBearingProfile::check_notch(const NotchShape &n, const char *what, double rolling) const
 {
   const double most = std::min(0.5 * n.length, std::sqrt(2.0 * rolling * n.depth));
@@ -141,7 +141,8 @@ void FixBearingProfile::check_pits(bearing::tag_t ring, const ProfileShape &shap
       if (apart < 0.5 * (all[i].length + all[k].length))
         BRG_ALL(name_of(*this) + ": two notches with a width overlap on ring " +
                 std::to_string(ring) + ", at " + text(all[i].azimuth) + " and " +
-                text(all[k].azimuth) + " rad; give the longer one the width 'full', or one notch");
+                text(all[k].azimuth) +
+                " rad; give the longer one the width 'full', or replace them by one notch");
     }
 }
 
@@ -173,7 +174,7 @@ void FixBearingProfile::add_rings(PairBearingHertz &pair,
     for (const FlawedRing &r : rings) {
       if (r.turns_alone)
         BRG_ALL(name_of(*f) + ": ring " + std::to_string(r.tag) +
-                " spins without a fix bearing/ring, which counts its angle");
+                " spins without a fix bearing/ring, which tracks its angle");
       bool found = false;
       for (const RacewayPhysics *p : pair.coefficients().raceways_of(r.type)) {
         if (p->number != f->settings_.groove) continue;
@@ -229,7 +230,8 @@ void FixBearingProfile::add_balls(PairBearingHertz &pair,
     for (const auto &one : ball.second) pair.profiles().add(ball.first, one.first, one.second);
 }
 
-// Error if two pits overlap in azimuth, because their strips in one contact would not add up.
+// Stops with an error if two pits overlap in azimuth, because their strips in one contact would not
+// add up.
 void FixBearingProfile::check_apart(bearing::tag_t ball, const BallShape &shape,
                                     double radius) const
 {
@@ -241,12 +243,12 @@ void FixBearingProfile::check_apart(bearing::tag_t ball, const BallShape &shape,
                                 all[k].length / std::cos(all[k].latitude));
       if (apart * radius < far)
         BRG_ALL(name_of(*this) + ": two pits of ball " + std::to_string(ball) +
-                " have azimuths in common, at " + text(all[i].azimuth) + " and " +
-                text(all[k].azimuth) + " rad; a contact may meet only one at a time");
+                " overlap in azimuth, at " + text(all[i].azimuth) + " and " + text(all[k].azimuth) +
+                " rad; a contact may meet only one at a time");
     }
 }
 
-// For velocity Verlet: rotates each ball over a step with its mid-step spin. Fix bearing/implicit
+// For velocity Verlet, rotates each ball over a step with its mid-step spin. Fix bearing/implicit
 // rotates its balls itself.
 void FixBearingProfile::pre_force(int)
 {

@@ -30,9 +30,9 @@ class FixBearingProfile : public Fix {
 
   struct FlawedRing {
     bearing::tag_t tag;
-    int type, turns_alone;    // 1: it spins, and no fix bearing/ring tracks its angle
+    int type, turns_alone;    // 1 if it spins and no fix bearing/ring tracks its angle
   };
-  std::vector<FlawedRing> rings(PairBearingHertz &) const;    // rings of the group, on all ranks
+  std::vector<FlawedRing> rings(PairBearingHertz &) const;    // rings of the group on all ranks
   struct FlawedBall {
     bearing::tag_t tag;
     int type;
@@ -52,7 +52,7 @@ class FixBearingProfile : public Fix {
 
   std::string said_;
   bearing::ProfileSettings settings_;
-  bool turns_ = false;    // this fix rotates the balls of all fixes of this style
+  bool turns_ = false;    // true if this fix rotates the balls of all fixes of this style
 };
 
 }    // namespace LAMMPS_NS

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/progress: a readable table of the progress of a run and the state of the bearings,
-// with names, units, finished share and remaining time. The host's own table has eight letters per
-// column and no units.
+// fix bearing/progress: prints a readable table of the progress of a run and the state of the
+// bearings, with names, units, the finished fraction and the remaining time. The host's own table
+// allows only eight letters per column and shows no units.
 #ifdef FIX_CLASS
 FixStyle(bearing/progress,FixBearingProgress)
 #else
@@ -23,15 +23,15 @@ class FixBearingProgress : public Fix {
   void post_run() override;
 
  private:
-  double share() const;    // finished share of the run, 0 to 1
+  double share() const;    // finished fraction of the run, 0 to 1
   void show();
   void say(const std::string &line) const;
 
   std::string title_, total_id_;
   bearing::DrivenValue share_;
   class ComputeBearingTotal *total_ = nullptr;
-  double began_ = 0.0;    // s, wall time at the start
-  bigint shown_ = -1;     // step of the last row
+  double began_ = 0.0;    // s, wall-clock time at the start
+  bigint shown_ = -1;     // step of the last row printed
   bool headed_ = false;
 };
 

@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 
 static constexpr size_t batch_bytes = 1 << 20, most_in_batch = 256;
 
-// A note becomes an attribute of the file. Names that scipy's netCDF reader uses itself would break
-// that reader; the header uses the name `checksum`.
+// A note becomes an attribute of the file. Names that scipy's netCDF reader uses internally would
+// break that reader, and the header itself uses the name `checksum`.
 static void check_note(const Arguments &args, const char *what, const std::string &name)
 {
   static const char *const taken[] = {
@@ -62,7 +62,7 @@ FixBearingRecord::FixBearingRecord(LAMMPS *lmp, int narg, char **arg) :
 }
 
 // Reads N, the number of steps between samples, or pass/N, where N is the number of samples per
-// ball pass while run_bearing measures.
+// ball pass during the measurement of run_bearing.
 void FixBearingRecord::read_rate(Arguments &args)
 {
   nevery = 1;
@@ -117,19 +117,20 @@ void FixBearingRecord::read_options(Arguments &args)
       args.unknown("contacts, content, within, single, overwrite, number, goal, text");
     }
   }
-  if (dumps_ && within_ == 0) within_ = 1;    // dumps are written at the ends of steps only
+  if (dumps_ && within_ == 0) within_ = 1;    // dumps are written only at the ends of steps
   if (within_ > 1 && nevery != 1)
     args.fail("'within' takes samples evenly within every step: N must be 1, not " +
               std::to_string(nevery));
   if (!chosen) bearing::select_columns(args, "usual", offer, columns_);
-  // values that are constant over the samples of a contact are coordinates, not columns
+  // values that are constant over the samples of a contact are stored as coordinates, not as
+  // columns
   columns_.erase(std::remove_if(columns_.begin(), columns_.end(),
                                 [](const bearing::ContactColumn *c) { return c->names_it; }),
                  columns_.end());
 }
 
-// Reads NAME VALUE, or any number of NAME=VARIABLE with the present value of a variable of the
-// deck.
+// Reads NAME VALUE, or any number of NAME=VARIABLE, which store the current value of a variable of
+// the deck.
 void FixBearingRecord::read_notes(Arguments &args, Note kind)
 {
   const char *what = kind == Note::text ? "name of a text" : "name of a number";
@@ -157,7 +158,7 @@ void FixBearingRecord::read_notes(Arguments &args, Note kind)
 
 int FixBearingRecord::setmask() { return END_OF_STEP | POST_RUN; }
 
-// Creates the folder of the record; error if that fails.
+// Creates the folder of the record, or stops with an error if that fails.
 void FixBearingRecord::check_path()
 {
   std::string why;
@@ -193,8 +194,8 @@ void FixBearingRecord::begin(const bearing::Sampling &sampling)
   if (dumps_) begin_dumps();
 }
 
-// Starts the host's text dumps of contacts, balls and rings at the ends of steps, in the folder of
-// the record. run.yaml names the columns of the dumps.
+// Starts text dumps by the host of contacts, balls and rings at the ends of steps, in the folder of
+// the record. The columns of the dumps are listed in run.yaml.
 void FixBearingRecord::begin_dumps()
 {
   const std::string every = std::to_string(nevery), resumed = resumed_ ? "yes" : "no";
@@ -250,10 +251,11 @@ void FixBearingRecord::check_time_step() const
 {
   if (update->dt != step_length_)
     BRG_ALL(command_ + ": the time step was " + bearing::text(step_length_) + " s and is now " +
-            bearing::text(update->dt) + " s; samples of a record are evenly spaced");
+            bearing::text(update->dt) + " s; the samples of a record must be evenly spaced");
 }
 
-// Error if the host's step number changed between two runs, because the record would have a gap.
+// Stops with an error if the host's step number changed between two runs, because the record would
+// have a gap.
 void FixBearingRecord::check_step() const
 {
   const double now = static_cast<double>(update->ntimestep);
@@ -262,7 +264,7 @@ void FixBearingRecord::check_step() const
             bearing::text(left_) + "; begin a record after reset_timestep, not before");
 }
 
-// Error if a fix bearing/profile was added, removed or changed between two runs.
+// Stops with an error if a fix bearing/profile was added, removed or changed between two runs.
 void FixBearingRecord::check_flaws() const
 {
   std::string noted;
@@ -272,10 +274,10 @@ void FixBearingRecord::check_flaws() const
   const auto shown = [](const std::string &f) { return f.empty() ? "none" : "'" + f + "'"; };
   if (now != noted)
     BRG_ALL(command_ + ": flaws of its raceways were " + shown(noted) + " and are now " +
-            shown(now) + "; begin another record");
+            shown(now) + "; start another record");
 }
 
-// Time since the first sample, s.
+// Returns the time (s) since the first sample.
 double FixBearingRecord::time_of(double step) const { return (step - first_step_) * step_length_; }
 
 void FixBearingRecord::open()
@@ -305,7 +307,7 @@ void FixBearingRecord::open()
   std::unique_ptr<RecordFile> file(new RecordFile(layout_, content));
   const size_t batch =
       std::min(most_in_batch, std::max<size_t>(1, batch_bytes / file->record_bytes()));
-  // several ranks synchronise once per batch; a single rank writes each sample at once
+  // several ranks communicate once per batch, whereas a single rank writes each sample at once
   rows_.begin(layout_, *file, columns_, comm->nprocs > 1 ? batch : 1);
   open_ = true;
   check_finished();
@@ -323,11 +325,11 @@ void FixBearingRecord::open()
   refuse(bearing::write_run_yaml(folder_, about_, {}));
 }
 
-// Finds the fix bearing/heat of each bearing; the list is empty if there is no such fix.
+// Finds the fix bearing/heat of each bearing. The list is empty if there is no such fix.
 void FixBearingRecord::find_heats()
 {
   heats_.clear();
-  std::vector<int> type(layout_.bearings.size(), 0);    // type of each bearing's balls
+  std::vector<int> type(layout_.bearings.size(), 0);    // atom type of each bearing's balls
   for (const bearing::RecordLayout::RecordBody &b : layout_.balls)
     if (const int i = atom->map(static_cast<bearing::tag_t>(b.tag)); i >= 0)
       type[b.bearing] = atom->type[i];
@@ -344,8 +346,8 @@ void FixBearingRecord::find_heats()
   if (any) heats_ = found;
 }
 
-// Before the first step: error if the folder contains a finished run, unless overwriting is
-// allowed.
+// Before the first step, stops with an error if the folder contains a finished run, unless
+// overwriting is allowed.
 void FixBearingRecord::check_finished()
 {
   if (allowed_) return;
@@ -355,7 +357,7 @@ void FixBearingRecord::check_finished()
             " holds a finished run: name another folder, or give 'overwrite yes'");
 }
 
-// Number of samples so far
+// Returns the number of samples so far.
 double FixBearingRecord::compute_scalar() { return samples_; }
 
 void FixBearingRecord::refuse(const std::string &complaint) const

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/record: a folder with all data of the bearings of a group, evenly sampled, in
-// one netCDF file (core/record/record_file.h).
+// fix bearing/record: writes all data of the bearings of a group, evenly sampled, to one netCDF
+// file in a folder (core/record/record_file.h).
 //
-// At the end of a step every rank samples the atoms that it owns; within a step, it samples the
-// bearings at home on it (core/record/record_rows.h). The rows of a batch of samples are sent
+// At the end of a step, every rank samples the atoms that it owns; within a step, it samples the
+// bearings whose home it is (core/record/record_rows.h). The rows of a batch of samples are sent
 // together to rank 0, which sorts them, sums over bearings and writes them. The restart file stores
-// the length of the record; a continued run truncates the record to that length and then writes the
+// the length of the record. A continued run truncates the record to that length and then writes the
 // same bytes as an uninterrupted run.
 #ifdef FIX_CLASS
 FixStyle(bearing/record,FixBearingRecord)
@@ -37,12 +37,14 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   void restart(char *) override;
   double memory_usage() override;
 
-  // Samples per ball pass, requested from run_bearing; 0: samples are N steps apart instead
+  // Number of samples per ball pass requested from run_bearing; 0 if samples are N steps apart
+  // instead.
   double samples_a_pass() const { return a_pass_; }
-  int within_asked() const { return within_; }    // 0: chosen by run_bearing
-  // Notes a number of samples per ball pass that differs from the requested number.
+  int within_asked() const { return within_; }    // 0 if run_bearing chooses it
+  // Stores a number of samples per ball pass that differs from the requested number.
   void set_samples_a_pass(double number) { a_pass_ = number; }
-  // Adds an attribute to the record's header; `changes`: a longer run may change the value.
+  // Adds an attribute to the record's header. If `changes` is true, a longer run may change its
+  // value.
   void note(bearing::NetcdfHeader::Attribute, bool changes = false);
 
  private:
@@ -74,26 +76,26 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   double time_of(double step) const;
   struct Spent {
     double wall = 0.0, processor = 0.0;       // s, times of this rank
-    double steps = 0.0, evaluations = 0.0;    // work of the integrator, per bearing
+    double steps = 0.0, evaluations = 0.0;    // work of the integrator per bearing
   };
   void start_clocks();
   void stop_clocks();
-  Spent made() const;    // spent in the present run
+  Spent made() const;    // work done in the current run
   Spent spent_now() const;
 
   class PairBearingHertz *pair_;
   std::string command_, folder_, path_;
   bool single_ = false, sampled_ = true, motion_ = true, overwrite_ = false;
-  bearing::NetcdfHeader::Attributes notes_, about_;    // of the command; with derived attributes
+  bearing::NetcdfHeader::Attributes notes_, about_;    // from the command; with derived attributes
   bearing::ContactSelection columns_;
   bearing::ContactContext context_;
   bool dumps_ = false;
   int within_ = 1;                                         // samples per step, the last at its end
-  double a_pass_ = 0.0;                                    // samples per ball pass, or 0
-  bool allowed_ = false;                                   // the record's folder may be overwritten
-  std::vector<class FixBearingImplicit *> integrators_;    // provide the instants within steps
-  std::vector<class FixBearingHeat *> heats_;    // by bearing, null: none; empty if all are null
-  bearing::TagSet capacitors_;                   // balls with a capacitance
+  double a_pass_ = 0.0;                                    // number of samples per ball pass, or 0
+  bool allowed_ = false;                                   // whether the folder may be overwritten
+  std::vector<class FixBearingImplicit *> integrators_;    // sources of the instants within steps
+  std::vector<class FixBearingHeat *> heats_;    // one per bearing or null; empty if all are null
+  bearing::TagSet capacitors_;                   // balls for which a capacitance is computed
 
   bool open_ = false;
   std::unique_ptr<bearing::RecordFile> file_;    // on rank 0 only
@@ -101,10 +103,10 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   bearing::RecordRows rows_;    // rows of this rank since the last flush
   double samples_ = 0.0;
   double first_step_ = 0.0, start_ = 0.0, last_step_ = -1.0, step_length_ = 0.0;
-  double left_ = -1.0;    // last step of the previous run, or step of the restart file
+  double left_ = -1.0;    // last step of the previous run, or the step of the restart file
   bool resumed_ = false, running_ = false;
-  Spent clocks_;    // at the start of the present run
-  Spent spent_;     // spent in the previous runs
+  Spent clocks_;    // clock readings at the start of the current run
+  Spent spent_;     // total of the previous runs
 };
 
 }    // namespace LAMMPS_NS

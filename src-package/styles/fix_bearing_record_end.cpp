@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Time and steps spent by a run: stops the clocks at its end and stores both in restart files.
+// Time and steps spent by a run. Stops the clocks at the end of the run and stores both in restart
+// files.
 #include "fix_bearing_record.h"
 #include "integrator_work.h"
 #include "record_settings.h"
@@ -10,7 +11,7 @@
 using namespace LAMMPS_NS;
 using bearing::NetcdfHeader;
 
-// Processor time of this process, s
+// Returns the processor time of this process in s.
 static double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 void FixBearingRecord::start_clocks()
@@ -20,8 +21,9 @@ void FixBearingRecord::start_clocks()
   running_ = true;
 }
 
-// Time from the first sample until the operating system has received the last sample. It excludes
-// flushing the files to disk, which takes about as long for a long record as for a short one.
+// Measures the time from the first sample until the operating system has received the last sample.
+// It excludes flushing the files to disk, which takes about as long for a long record as for a
+// short one.
 void FixBearingRecord::stop_clocks()
 {
   flush();
@@ -36,7 +38,7 @@ void FixBearingRecord::post_run()
   if (running_) stop_clocks();
   left_ = static_cast<double>(update->ntimestep);
   if (comm->me != 0) return;
-  const bool done = update->ntimestep == update->laststep;    // not stopped by a signal
+  const bool done = update->ntimestep == update->laststep;    // false if a signal stopped the run
   std::string why;
   if (file_) {
     why = file_->file().put_fixed(file_->finished(), done);
@@ -54,7 +56,7 @@ void FixBearingRecord::post_run()
          NetcdfHeader::attribute("wall_s", spent_.wall)}));
 }
 
-// Cost of the present run so far; collective.
+// Returns the cost of the current run so far. Collective.
 FixBearingRecord::Spent FixBearingRecord::made() const
 {
   Spent s;
@@ -66,7 +68,7 @@ FixBearingRecord::Spent FixBearingRecord::made() const
   return s;
 }
 
-// Time and steps spent so far; collective.
+// Returns the time and steps spent so far. Collective.
 FixBearingRecord::Spent FixBearingRecord::spent_now() const
 {
   if (!running_) return spent_;
@@ -79,7 +81,7 @@ FixBearingRecord::Spent FixBearingRecord::spent_now() const
   return sum;
 }
 
-// First writes every sample that the restart file counts to the record; collective.
+// First writes to the record all samples that the restart file counts. Collective.
 void FixBearingRecord::write_restart(FILE *fp)
 {
   flush();
@@ -108,5 +110,5 @@ void FixBearingRecord::restart(char *buf)
   spent_.evaluations = data[7];
   left_ = data[8];
   resumed_ = samples_ > 0.0;
-  allowed_ = true;    // overwriting was allowed in the run that wrote the restart file
+  allowed_ = true;    // the run that wrote the restart file was allowed to overwrite
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Samples of fix bearing/record: at the end of a step, each rank samples the atoms that it owns; at
-// instants within a step, the bearings at home on it.
+// Samples of fix bearing/record. At the end of a step, each rank samples the atoms that it owns; at
+// instants within a step, it samples the bearings whose home it is.
 #include "contact_context.h"
 #include "fix_bearing_cage.h"
 #include "fix_bearing_capacitance.h"
@@ -17,8 +17,8 @@ using bearing::RacewayContact;
 using raceway::Vec3;
 namespace of_ring = bearing::of_ring;
 
-// Finds the integrators that provide samples within steps, and the balls whose capacitance they
-// give.
+// Finds the integrators that provide samples within steps, and the balls for which they provide the
+// capacitance.
 void FixBearingRecord::find_integrators()
 {
   integrators_ = bearing::fixes_of<FixBearingImplicit>(lmp);
@@ -27,7 +27,7 @@ void FixBearingRecord::find_integrators()
         std::none_of(integrators_.begin(), integrators_.end(),
                      [&](const Fix *f) { return atom->mask[i] & f->groupbit; }))
       BRG_ONE(command_ + ": 'within " + std::to_string(within_) +
-              "' needs fix bearing/implicit, which has the states within a step; it does not "
+              "' needs fix bearing/implicit, which provides the states within a step; it does not "
               "move ball " +
               std::to_string(atom->tag[i]) + ". With other integrators sample every step");
   const std::vector<FixBearingCapacitance *> fixes = bearing::capacitances_of(lmp);
@@ -60,7 +60,7 @@ void FixBearingRecord::sample(bool between)
   samples_ += 1.0;
 }
 
-// Samples the bearings at home on this rank at the instants within the step.
+// Samples the bearings whose home is on this rank at the instants within the step.
 void FixBearingRecord::sample_instants()
 {
   bearing::InstantReader tell;
@@ -79,7 +79,7 @@ void FixBearingRecord::sample_instants()
   };
   tell.body = [this](const bearing::InstantBody &b) {
     const int ball = rows_.ball(b.tag);
-    if (ball >= 0) rows_.cage(ball, NAN, NAN);    // known at the ends of steps only
+    if (ball >= 0) rows_.cage(ball, NAN, NAN);    // known only at the ends of steps
     rows_.body(b.tag, b.x, b.v, b.w);
   };
   tell.ring = [this](const bearing::InstantRing &r) { rows_.ring(r.of); };
@@ -89,7 +89,7 @@ void FixBearingRecord::sample_instants()
   }
 }
 
-// Samples the contacts of this rank's balls.
+// Samples the contacts of the balls of this rank.
 void FixBearingRecord::sample_contacts()
 {
   for (const RacewayContact &c : pair_->table().raceway) {
@@ -101,13 +101,13 @@ void FixBearingRecord::sample_contacts()
   }
 }
 
-// Samples an open contact of a ball if a fix computes its surroundings.
+// Samples an open contact of a ball if a fix computes the capacitance of its surroundings.
 void FixBearingRecord::sample_gap(int ball, const bearing::ContactView &view)
 {
   if (view.capacitor.separation > 0.0) rows_.gap(ball, view);
 }
 
-// A ball is assigned half of the loss at its contacts with other balls and the whole loss at its
+// A ball is assigned half of the loss in its contacts with other balls and the whole loss in its
 // contacts with cage balls.
 void FixBearingRecord::sample_cage()
 {

@@ -17,7 +17,7 @@ void FixBearingRecord::end_sample(double step)
   if (rows_.full()) flush();
 }
 
-// Sends the rows of all ranks to rank 0, which writes them; to be called on all ranks.
+// Sends the rows of all ranks to rank 0, which writes them. Must be called on all ranks.
 void FixBearingRecord::flush()
 {
   const size_t samples = rows_.samples();
@@ -45,7 +45,7 @@ void FixBearingRecord::refuse_write(const std::string &complaint) const
   if (!complaint.empty()) BRG_ONE(command_ + ": " + path_ + ": " + complaint);
 }
 
-// Combines the rows that all ranks have for the same samples; on rank 0.
+// Combines the rows that the ranks have for the same samples. Called on rank 0.
 std::string FixBearingRecord::gather(const std::vector<double> &said, size_t samples)
 {
   std::vector<double> all;
@@ -56,7 +56,7 @@ std::string FixBearingRecord::gather(const std::vector<double> &said, size_t sam
   begin.pop_back();
   std::string why;
   for (size_t k = 0; why.empty() && k < samples; ++k) {
-    const double *last = nullptr;    // row that ends the sample
+    const double *last = nullptr;    // last row of the sample
     for (size_t p = 0; p < end.size(); ++p) {
       bool whole;
       const double *row = file_->take(rows + begin[p], rows + end[p], whole);

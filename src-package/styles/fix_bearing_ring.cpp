@@ -43,7 +43,8 @@ FixBearingRing::FixBearingRing(LAMMPS *lmp, int narg, char **arg, Words) :
   axes_.along = pair_->coefficients().axis_index();
 }
 
-// Mass and inertia of a named bearing's inner ring, the usual values; unknown for other rings
+// Returns the usual mass and inertia of the inner ring of a named bearing; they are unknown for
+// other rings.
 bearing::RingBody FixBearingRing::usual_body() const
 {
   std::vector<int> types;
@@ -65,7 +66,7 @@ bearing::RingBody FixBearingRing::usual_body() const
 void FixBearingRing::settings_are_read()
 {
   find_rings();
-  // a variable may be atom-style; its values then travel with the rings
+  // a variable may be atom-style, in which case its values travel with the rings
   called_back_ = std::any_of(settings_.value, settings_.value + RingProgram::N_VALUE,
                              [](const DrivenValue &v) { return v.is_variable(); });
   if (called_back_) {
@@ -74,7 +75,7 @@ void FixBearingRing::settings_are_read()
   }
 }
 
-// Finds the rings again for every run, since the group may change between two runs.
+// Finds the rings again in every run, because the group may change between two runs.
 void FixBearingRing::find_rings()
 {
   const std::string group_name = group->names[igroup];
@@ -119,11 +120,11 @@ std::vector<double> FixBearingRing::imposed_spin()
   return of;
 }
 
-// Error if another fix moves a ring of the group.
+// Stops with an error if another fix moves a ring of the group.
 void FixBearingRing::refuse_another_mover()
 {
   for (FixBearingRing *other : bearing::fixes_of<FixBearingRing>(lmp)) {
-    if (other == this) break;    // the later of two fixes reports the error
+    if (other == this) break;    // only the later of two fixes reports the error
     for (int i = 0; i < atom->nlocal; ++i)
       if (moves(i) && other->moves(i))
         BRG_ONE(bearing::name_of(*this) + " and " + bearing::name_of(*other) +
@@ -155,7 +156,7 @@ void FixBearingRing::init()
   for (int i = 0; i < atom->nlocal; ++i)
     if (moves(i) && pair_->is_implicit(i)) by_another = 1;
   MPI_Allreduce(MPI_IN_PLACE, &by_another, 1, MPI_INT, MPI_MAX,
-                world);    // the result is needed on ranks without rings, too
+                world);    // ranks without rings need the result, too
   by_another_ = by_another;
   time_integrate = by_another_ ? 0 : 1;
   find_holder();
@@ -164,8 +165,8 @@ void FixBearingRing::init()
       if (moves(i)) atom->rmass[i] = mass_of_atom();    // for the kinetic energy in thermo output
 }
 
-// Finds the ring at the other end of the supports. Another fix moves that ring; its final half step
-// must come after the forces of these supports are added.
+// Finds the ring at the other end of the supports. That ring is moved by another fix, whose final
+// half step must come after the forces of these supports have been added.
 void FixBearingRing::find_holder()
 {
   between_.clear();
@@ -188,16 +189,16 @@ void FixBearingRing::find_holder()
   if (!holder_moves_by_ || holder_moves_by_ == this)
     BRG_ALL(me + ": " + ring + ", which holds its ring, needs a fix bearing/ring of its own");
   if (holder_moves_by_->shaft() != 0)
-    BRG_ALL(me + ": " + ring + ", which holds its ring, is on a shaft, must move alone");
+    BRG_ALL(me + ": " + ring + ", which holds its ring, is on a shaft, but must move alone");
   if (!holder_moves_by_->settings_.holder.empty())
     BRG_ALL(me + ": " + ring + ", which holds its ring, must itself be held to the ground");
   bearing::require_order(lmp, *this, *holder_moves_by_,
-                         "its last half step comes after the supports' forces");
+                         "its last half step must follow the forces of the supports");
   holder_ = all.front();
 }
 
-// Driven speeds apply from the first instant; the load is added to the forces of the set-up, as in
-// any step.
+// Driven speeds apply from the first instant on. The load is added to the forces of the set-up, as
+// in any step.
 void FixBearingRing::setup(int vflag)
 {
   if (holder_moves_by_ && holder_moves_by_->by_another_ != by_another_)
@@ -215,23 +216,24 @@ void FixBearingRing::setup(int vflag)
       if (settings_.program.mode[RingProgram::SPIN] == Freedom::speed) {
         const Vec3 e = state_->axis(i), w = Vec3::from(atom->omega[i]);
         const double missing = target.of[RingProgram::SPIN] - dot(w, e);
-        // rounding is not corrected, so that a continued run has the bits of an uninterrupted one
+        // rounding errors are not corrected, so that a continued run is bitwise identical to an
+        // uninterrupted one
         if (std::fabs(missing) > 1e-12 * norm(w)) (w + e * missing).to(atom->omega[i]);
       }
     }
   post_force(vflag);
   hold(0.0);
-  noted_ = false;    // forces of later fixes are still missing
+  noted_ = false;    // the forces of later fixes are still missing
 }
 
-// Evaluates the values that are numbers or equal-style variables.
+// Evaluates the values given by numbers or equal-style variables.
 void FixBearingRing::evaluate(int first, int last)
 {
   for (int k = first; k < last; ++k) now_.of[k] = settings_.value[k].now(lmp);
 }
 
-// Atom-style variables are evaluated once per run, because evaluating them for every atom in every
-// step would cost more than the bearings.
+// Evaluates atom-style variables only once per run, because evaluating them for every atom in every
+// step would cost more than computing the bearings.
 void FixBearingRing::find_own_values()
 {
   for (int k : own_) {
@@ -305,7 +307,7 @@ RingProgram FixBearingRing::program(const std::vector<RingValue> &own) const
   return p;
 }
 
-// RingProgram for velocity Verlet, which needs it only at the end of a step.
+// Returns the RingProgram for velocity Verlet, which needs it only at the end of a step.
 RingProgram FixBearingRing::at_end(const Values &of) const
 {
   RingProgram p = settings_.program;
@@ -329,9 +331,9 @@ void FixBearingRing::begin_step()
   check_jumps();
 }
 
-// Error if an imposed position or spin speed jumped in the last step. A jump is a change that is
-// far larger than in the steps before and after and larger than contacts can follow: 1 um, or slip
-// of 1 %.
+// Stops with an error if an imposed position or spin speed jumped in the last step. A jump is a
+// change that is far larger than those in the steps before and after it, and larger than contacts
+// can follow (1 um, or a slip of 1 %).
 void FixBearingRing::check_jumps()
 {
   constexpr double far = 20.0;
@@ -353,7 +355,7 @@ void FixBearingRing::check_jumps()
                          : " m") +
               " in step " + std::to_string(update->ntimestep - 1) + ", with " +
               bearing::text(before) + " and " + bearing::text(moved) +
-              " in the steps before and after: a ring needs a continuous formula");
+              " in the steps before and after: the motion of a ring needs a continuous formula");
     }
     before = last;
     last = moved;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/ring: moves the ring atoms of a group; every degree of freedom is free, fixed or
+// fix bearing/ring: moves the ring atoms of a group. Every degree of freedom is free, fixed or
 // driven.
 #ifdef FIX_CLASS
 FixStyle(bearing/ring,FixBearingRing)
@@ -35,42 +35,43 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   void write_restart(FILE *) override;
   void restart(char *) override;
 
-  // True if the fix moves atom i; fix bearing/implicit itself moves the rings of its group.
+  // Returns true if the fix moves atom i. The rings in the group of a fix bearing/implicit are
+  // moved by that fix itself.
   bool moves(int i) const
   {
     return (atom->mask[i] & groupbit) && (only_type_ == 0 || atom->type[i] == only_type_);
   }
   bool tilts() const { return settings_.program.tilts(); }
   bool moves_axially() const { return settings_.program.mode[2] != raceway::Freedom::fixed; }
-  // Imposed spin at the present time by local atom index, rad/s; NAN for other atoms, or if no spin
-  // is imposed.
+  // Returns the currently imposed spin in rad/s by local atom index. It is NAN for other atoms, or
+  // if no spin is imposed.
   std::vector<double> imposed_spin();
   const bearing::StatedLoads &stated_loads() const { return settings_.stated; }
-  // True if the imposed loads and motions are constant after the ramp and do not depend on the
-  // ring's angle.
+  // Returns true if the imposed loads and motions are constant after the ramp and do not depend on
+  // the ring's angle.
   bool constant() const;
   double ramp() const { return settings_.program.ramp; }    // s, ramp time of the loads
-  // Tag of the first ring if all rings of the fix are on one shaft, otherwise 0; then the position
-  // of a ring on the shaft (m).
+  // Returns the tag of the first ring if all rings of the fix are on one shaft, and 0 otherwise;
+  // the second function returns the position (m) of a ring on the shaft.
   virtual bearing::tag_t shaft() const { return 0; }
   virtual double place_on_shaft(int) const { return 0.0; }
-  // This fix if it is a flexible shaft, otherwise null.
+  // Returns this fix if it is a flexible shaft, and null otherwise.
   virtual FixBearingShaft *bending() { return nullptr; }
-  // Tag of the ring to which the supports connect; 0: ground.
+  // Tag of the ring to which the supports connect; 0 if they connect to the ground.
   bearing::tag_t holder() const { return holder_; }
   void begin_step();
-  // Stores accelerations that follow from the forces of all fixes at the start of a run.
+  // Stores the accelerations that follow from the forces of all fixes at the start of a run.
   // Collective.
   void note_setup();
-  // Force balance of the fix's first ring along its free directions (N): the load on the ring, and
+  // Force balance (N) of the fix's first ring along its free directions: the load on the ring, and
   // the part of the load that contacts do not carry.
   struct Balance {
     raceway::Vec3 load, left;
   };
   Balance balance();
-  // Values of ring i that come from atom-style variables.
+  // Returns the values of ring i that come from atom-style variables.
   std::vector<raceway::RingValue> own_values(int i) const;
-  // Driven motion and loads in this step of a ring with these values.
+  // Returns the driven motion and the loads, in this step, of a ring with these values.
   raceway::RingProgram program(const std::vector<raceway::RingValue> &own) const;
 
   void grow_arrays(int) override;
@@ -81,12 +82,12 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
 
  protected:
   using RingProgram = raceway::RingProgram;
-  // Speeds, or positions at the end of the step; loads before the ramp is applied. The numbering is
-  // that of RingProgram; components have the bearing axis third.
+  // Speeds, or positions at the end of the step, and loads before the ramp is applied. They are
+  // numbered as in RingProgram; the bearing axis is the third component.
   struct Values {
     double of[RingProgram::N_VALUE] = {};
-    raceway::Vec3 leverage;         // N m, moment of the shaft's loads along it
-    std::vector<double> bending;    // N, loads on the modes of a shaft, before the ramp
+    raceway::Vec3 leverage;         // N m, moment of the loads along the shaft
+    std::vector<double> bending;    // N, loads on the modes of a shaft, before the ramp is applied
   };
   // Force (N) and moment (N m) of balls and cage on a ring, in the lab frame.
   struct ContactLoad {
@@ -94,9 +95,9 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
     raceway::Vec3 force, moment;
   };
   enum class Words { unread };
-  FixBearingRing(class LAMMPS *, int, char **, Words);    // for classes that read the settings
+  FixBearingRing(class LAMMPS *, int, char **, Words);    // for derived classes with more settings
   bearing::RingBody usual_body() const;
-  void settings_are_read();    // to be called after reading the settings
+  void settings_are_read();    // must be called after the settings have been read
   void find_rings();
   void refuse_another_mover();
   void find_own_values();
@@ -105,10 +106,11 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   RingProgram at_end(const Values &) const;
   RingProgram at_end(int i) const { return at_end(values(i)); }
   virtual double mass_of_atom() const { return settings_.program.mass; }
-  raceway::Vec3 load_of(const RingProgram &, int i) const;    // N, bearing axis third
+  raceway::Vec3 load_of(const RingProgram &, int i) const;    // N; the bearing axis is third
   raceway::RingAtom read(int i) const;
   void write(int i, const raceway::RingAtom &);
-  // Forces of the supports on a ring (RingProgram::SPIN values, N and N m), for given other forces.
+  // Computes the forces of the supports on a ring (RingProgram::SPIN values, N and N m) if the
+  // given other forces act on it.
   static void support_of(const RingProgram &, const raceway::RingAtom &, const raceway::Vec3 &push,
                          const raceway::Vec3 &moment, double half, double *on);
   virtual void kick();
@@ -125,34 +127,35 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   double reported(int row, int k);
 
   PairBearingHertz *pair_;
-  int only_type_ = 0;    // type of the atoms in the group that it moves, 0: all
+  int only_type_ = 0;    // atom type in the group that this fix moves; 0 for all types
   FixBearingState *state_ = nullptr;
   raceway::LabAxes axes_;
   bearing::RingSettings settings_;
   double time_ = 0.0;
-  // Imposed positions (m or rad) and spin speed (rad/s), for check_jumps(); NaN: not imposed in the
-  // previous step
+  // Imposed positions (m or rad) and spin speed (rad/s) for check_jumps(); NaN if they were not
+  // imposed in the previous step.
   struct Imposed {
     double at[RingProgram::N_DOF] = {NAN, NAN, NAN, NAN, NAN, NAN};
     double moved[RingProgram::N_DOF] = {},
            before[RingProgram::N_DOF] = {};    // changes in the last two steps
   } imposed_;
-  // count of numbers in a restart file
+  // number of values in a restart file
   static constexpr size_t numbers_kept = 1 + sizeof(Imposed) / sizeof(double);
-  Values now_, before_;                 // values of all rings in this and the previous step
-  std::vector<int> own_;                // indices of the values given for each ring
-  std::vector<Values> per_ring_;        // the values at these indices, by local atom
-  bool called_back_ = false;            // the host moves per_ring_ with the atoms
-  bool by_another_ = false;             // a fix bearing/implicit integrates these rings
-  std::vector<bearing::tag_t> tags_;    // tags of the rings, ascending
+  Values now_, before_;                 // values of all rings in this step and the previous one
+  std::vector<int> own_;                // indices of the values that are given for each ring
+  std::vector<Values> per_ring_;        // the values with these indices, by local atom
+  bool called_back_ = false;            // whether the host moves per_ring_ along with the atoms
+  bool by_another_ = false;             // whether a fix bearing/implicit integrates these rings
+  std::vector<bearing::tag_t> tags_;    // tags of the rings in ascending order
   bearing::tag_t holder_ = 0;
   FixBearingRing *holder_moves_by_ = nullptr;
-  // N, bearing axis third: forces on this fix's rings from supports between two rings, in this step
+  // Forces on this fix's rings from supports between two rings in this step, in N with the bearing
+  // axis as the third component.
   std::map<bearing::tag_t, raceway::Vec3> between_;
-  std::vector<ContactLoad> contacts_;    // on owned rings of the group, by tag, in the last step
+  std::vector<ContactLoad> contacts_;    // loads on owned rings in the last step, sorted by tag
   std::vector<double> report_;
   bigint reported_ = -1;
-  bool noted_ = true;    // the accelerations follow from the forces in atom->f
+  bool noted_ = true;    // whether the accelerations follow from the forces in atom->f
 };
 
 }    // namespace LAMMPS_NS

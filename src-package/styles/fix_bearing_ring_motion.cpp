@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Fix bearing/ring within the host's step: velocity Verlet for rings, and their loads under either
-// integrator.
+// The part of fix bearing/ring within the host's step: velocity Verlet for rings, and their loads
+// with either integrator.
 #include "fix_bearing_ring.h"
 
 #include "../contacts/ring_motion.h"
@@ -30,7 +30,7 @@ void FixBearingRing::write(int i, const RingAtom &r)
   axes_.lab(r.w).to(atom->omega[i]);
 }
 
-// Changes the velocities by the effect of the forces over half a step.
+// Advances the velocities by half a step under the current forces.
 void FixBearingRing::kick()
 {
   const double half = 0.5 * update->dt * force->ftm2v;
@@ -63,7 +63,8 @@ void FixBearingRing::coast()
 void FixBearingRing::post_force(int)
 {
   evaluate(RingProgram::FORCE, RingProgram::N_VALUE);
-  // uses the rings' sums, because other fixes may already have added to the forces in atom->f
+  // uses the sums over each ring, because other fixes may already have added to the forces in
+  // atom->f
   const bearing::RingSum &sums = pair_->ring_sum();
   contacts_.clear();
   for (int n = 0; n < sums.rings(); ++n)
@@ -96,7 +97,8 @@ void FixBearingRing::final_integrate()
   reported_ = -1;    // a variable may have evaluated the report within the step
 }
 
-// Adds force and moment of the supports after all other forces. Velocities are `half` seconds old.
+// Adds the force and moment of the supports after all other forces. The velocities are `half`
+// seconds old.
 void FixBearingRing::hold(double half)
 {
   if (!settings_.program.supported) return;
@@ -111,8 +113,8 @@ void FixBearingRing::hold(double half)
     }
 }
 
-// Like hold(), for supports to another ring. All ranks compute all such supports, because the two
-// rings may be on different ranks.
+// Does the same as hold() for supports that connect to another ring. All ranks compute all such
+// supports, because the two rings may be on different ranks.
 void FixBearingRing::hold_between(double half)
 {
   struct End {
@@ -159,7 +161,7 @@ void FixBearingRing::hold_between(double half)
   holder_moves_by_->add_support(holder_, all);
 }
 
-// Adds a support force and moment to the ring on the rank that owns it, and to the output.
+// Adds the force and moment of a support to the ring on the rank that owns it, and to the output.
 void FixBearingRing::add_support(bearing::tag_t ring, const double *on)
 {
   const Vec3 force = {on[0], on[1], on[2]};

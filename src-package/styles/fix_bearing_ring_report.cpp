@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Output of fix bearing/ring: f_ID[k] and f_ID[row][k].
+// Output of fix bearing/ring: the values f_ID[k] and f_ID[row][k].
 #include "../contacts/ring_motion.h"
 #include "../core/figures/fix_columns.h"
 #include "fix_bearing_ring.h"
@@ -11,7 +11,8 @@ using namespace LAMMPS_NS;
 using raceway::RingProgram;
 using raceway::Vec3;
 
-// Each ring is owned by one rank, so the sum over ranks only collects the values.
+// Collects the values of all rings. Each ring is owned by one rank, so a sum over ranks is
+// sufficient.
 void FixBearingRing::make_report()
 {
   report_.assign(tags_.size() * bearing::of_fix_ring::N, 0.0);
@@ -19,7 +20,7 @@ void FixBearingRing::make_report()
     if (!moves(i)) continue;
     const auto known = std::lower_bound(tags_.begin(), tags_.end(), atom->tag[i]);
     if (known == tags_.end() || *known != atom->tag[i])
-      continue;    // ring that joined the group since the last run: included in the next run
+      continue;    // a ring that has joined the group since the last run is added in the next run
     using namespace bearing::of_fix_ring;
     double *r = &report_[(known - tags_.begin()) * N];
     const bearing::RingMotion &ring = state_->ring(i);
@@ -58,13 +59,13 @@ double FixBearingRing::compute_vector(int k) { return reported(0, k); }
 
 double FixBearingRing::compute_array(int row, int k)
 {
-  // rows of rings that joined the group exist from the next run on
+  // rows of rings that joined the group appear in the next run
   return static_cast<size_t>(row) < tags_.size() ? reported(row, k) : 0.0;
 }
 
 double FixBearingRing::reported(int row, int k)
 {
-  // no output before the first run or after the pair style was replaced
+  // there is no output before the first run or after the pair style was replaced
   if (!state_ || modify->find_fix(FixBearingState::fixed_id) < 0) return 0.0;
   if (reported_ != update->ntimestep) {
     note_setup();
@@ -89,7 +90,7 @@ FixBearingRing::Balance FixBearingRing::balance()
 
 std::vector<bearing::ColumnList::Item> FixBearingRing::columns() const
 {
-  // motion of the ring and forces on it; the load comes from the deck
+  // motion of the ring and the forces on it; the load is given by the deck
   std::vector<Item> list;
   for (int k = 0; k < bearing::of_fix_ring::LOAD_X; ++k)
     list.push_back({bearing::of_fix_ring::list[k].name, bearing::of_fix_ring::list[k].format});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Internal fix of run_bearing: stores the progress of a run, in memory and in restart files, and
+// Internal fix of run_bearing. It stores the progress of a run, in memory and in restart files, and
 // the data that show whether the bearings have settled. It exists only while that command runs.
 #ifdef FIX_CLASS
 FixStyle(bearing/run,FixBearingRun)
@@ -20,25 +20,25 @@ class FixBearingRun : public Fix {
  public:
   static constexpr const char *fixed_id = bearing::fix_of_run;
 
-  // Contains doubles only, for restart files.
+  // Contains only doubles, so that it can be written to restart files.
   struct State {
-    double measures = 0.0;               // 1: settled
-    double step_length = 0.0;            // s; with adaptive steps, step of the measurement
-    double every = 1.0, within = 1.0;    // host steps per sample, samples per step
+    double measures = 0.0;               // 1 if the bearings have settled
+    double step_length = 0.0;            // s; with adaptive steps, the step of the measurement
+    double every = 1.0, within = 1.0;    // host steps per sample; samples per step
     double pass = 0.0;                   // s, duration of a ball pass
     double start = 0.0;                  // s, time at step 0
-    double a_pass = 0.0;                 // samples per ball pass
-    double begin = 0.0;                  // s, length of the first settling: the load ramp
-    double begin_steps = 0.0;            // its number of steps; 0: adaptive, not finished
-    double passes = 0.0;                 // ball passes evaluated after that settling
-    double steps = 0.0;                  // steps per ball pass, a multiple of `every`; 0: unset
-    double samples = 0.0;                // samples in the present ball pass
-    double settled = 0.0;                // `settle orbit` ends at changes below this value
-    double evaluations = 0.0;            // force evaluations while settling
-    double may_be_coarse = 0.0;          // 1: steps while settling may be coarse
-    double coarse = 0.0;                 // 1: the steps of the present ball pass are coarse
+    double a_pass = 0.0;                 // number of samples per ball pass
+    double begin = 0.0;                  // s, duration of the first settling, with the load ramp
+    double begin_steps = 0.0;            // its number of steps; 0 until adaptive steps end
+    double passes = 0.0;                 // number of ball passes evaluated since then
+    double steps = 0.0;                  // steps per ball pass, a multiple of `every`; 0 if unset
+    double samples = 0.0;                // number of samples in the current ball pass
+    double settled = 0.0;                // `settle orbit` ends when changes are below this value
+    double evaluations = 0.0;            // number of force evaluations while settling
+    double may_be_coarse = 0.0;          // 1 if the steps may be coarse while settling
+    double coarse = 0.0;                 // 1 if the steps of the current ball pass are coarse
     bearing::SettlingSample sum;         // sum of the samples
-    bearing::SettlingChanges changes;    // between the last two ball passes, of `settle orbit`
+    bearing::SettlingChanges changes;    // between the last two ball passes, for `settle orbit`
     bearing::SettlingChanges rest;       // estimated remaining changes
   };
 
@@ -51,17 +51,18 @@ class FixBearingRun : public Fix {
   void restart(char *) override;
 
   bool resumed() const { return resumed_; }
-  // Largest number of pockets of any one-piece cage; 0: no such cage. Also valid before a run.
+  // Returns the largest number of pockets of any one-piece cage, or 0 if there is no such cage. It
+  // may also be called before a run.
   double pockets() const;
   State &now() { return now_; }
   bearing::OrbitSearch &orbit() { return orbit_; }
 
  private:
-  std::string words_;    // words of the command that must be unchanged when a run is continued
+  std::string words_;    // words of the command that must not change when a run is continued
   State now_;
   bool resumed_ = false;
   bool has_pockets_ = false;
-  std::vector<bearing::SettlingSample> passes_;    // mean over each ball pass
+  std::vector<bearing::SettlingSample> passes_;    // means over each ball pass
   bearing::OrbitSearch orbit_;
   class PairBearingHertz *pair_ = nullptr;
   class ComputeBearingTotal *total_ = nullptr;

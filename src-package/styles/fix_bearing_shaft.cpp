@@ -16,7 +16,7 @@ using raceway::RingAtom;
 using raceway::RingProgram;
 using raceway::Vec3;
 
-static constexpr double exact = 1e-9;    // m and m/s, deviation from a rigid shaft at the start
+static constexpr double exact = 1e-9;    // m and m/s, allowed initial deviation from a rigid shaft
 
 FixBearingShaft::FixBearingShaft(LAMMPS *lmp, int narg, char **arg) :
     FixBearingRing(lmp, narg, arg, Words::unread)
@@ -35,7 +35,7 @@ FixBearingShaft::FixBearingShaft(LAMMPS *lmp, int narg, char **arg) :
   words.finish({});
   for (const bearing::ShaftSettings::Unbalance &u : shaft_.unbalances)
     if (u.of.moment > 0.0 && settings_.program.mode[RingProgram::SPIN] != Freedom::speed)
-      args.fail("unbalance needs 'spin speed W': the mass off centre turns with an imposed spin");
+      args.fail("unbalance needs 'spin speed W': the eccentric mass turns with an imposed spin");
   settings_are_read();
 }
 
@@ -70,7 +70,8 @@ double FixBearingShaft::mass_of_atom() const
   return settings_.program.mass / static_cast<double>(tags_.size());
 }
 
-// Error unless the rings start on a common axis that is parallel to the axis of the bearings.
+// Stops with an error unless the rings start on a common axis that is parallel to the axis of the
+// bearings.
 void FixBearingShaft::check_axis() const
 {
   const std::vector<MountedRing> all = rings();
@@ -83,7 +84,8 @@ void FixBearingShaft::check_axis() const
   }
 }
 
-// Error unless positions and velocities of the rings match a rigid body at the start of a run.
+// Stops with an error unless the positions and velocities of the rings match those of a rigid body
+// at the start of a run.
 void FixBearingShaft::check_places() const
 {
   const std::vector<MountedRing> all = rings();
@@ -95,7 +97,7 @@ void FixBearingShaft::check_places() const
     const double off = norm(r.now.x - seat.x), fast = norm(r.now.v - seat.v),
                  turned = norm(r.now.e - seat.e), spun = norm(r.now.w - seat.w);
     if (off > exact)
-      BRG_ALL(who + " is " + text(off) + " m off its place on the shaft of ring atom " + first);
+      BRG_ALL(who + " is " + text(off) + " m off its position on the shaft of ring atom " + first);
     if (turned > exact)
       BRG_ALL(who + " is tilted " + text(turned) + " rad relative to ring atom " + first);
     if (fast > exact + 1e-9 * norm(seat.v))
@@ -105,8 +107,8 @@ void FixBearingShaft::check_places() const
   }
 }
 
-// Error if there is a fix gravity: its force would act at the rings, whereas the centre of mass of
-// the shaft may be elsewhere.
+// Stops with an error if there is a fix gravity, because its force would act at the rings, whereas
+// the centre of mass of the shaft may be elsewhere.
 void FixBearingShaft::check_gravity() const
 {
   for (int k = 0; k < modify->nfix; ++k) {
@@ -115,7 +117,7 @@ void FixBearingShaft::check_gravity() const
     for (int i = 0; i < atom->nlocal; ++i)
       if (moves(i) && (atom->mask[i] & f.groupbit))
         BRG_ONE(bearing::name_of(*this) + ": fix " + f.id +
-                " (gravity) pulls its rings. Without fix bearing/implicit give the weight with "
+                " (gravity) pulls its rings. Without fix bearing/implicit, specify the weight with "
                 "'load Z FX FY FZ' at the centre of mass");
   }
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/shaft: the ring atoms of a group on one rigid shaft. It is a fix bearing/ring whose
-// rings move as one: degrees of freedom, inertia and loads belong to the shaft. The shaft has no
-// atom; its first ring defines its position (core/bodies/shaft_ring.h). A flexible shaft also has
-// elastic modes (core/bodies/shaft_modes.h), whose state is stored here.
+// fix bearing/shaft: mounts the ring atoms of a group on one rigid shaft. It is a fix bearing/ring
+// whose rings move as one body, so degrees of freedom, inertia and loads refer to the shaft. The
+// shaft has no atom of its own; its first ring defines its position (core/bodies/shaft_ring.h). A
+// flexible shaft also has elastic modes (core/bodies/shaft_modes.h), whose state is stored here.
 #ifdef FIX_CLASS
 FixStyle(bearing/shaft,FixBearingShaft)
 #else
@@ -25,17 +25,17 @@ class FixBearingShaft : public FixBearingRing {
   void write_restart(FILE *) override;
   void restart(char *) override;
 
-  // For fix bearing/implicit. After each host step, every rank has the bending state of the shaft
-  // at the end of that step.
+  // Used by fix bearing/implicit. After each host step, the bending state of the shaft at the end
+  // of that step is known on every rank.
   FixBearingShaft *bending() override { return shaft_.of_file ? this : nullptr; }
   const raceway::ShaftModes &modes() const { return shaft_.of_file->modes; }
   const raceway::BendState &bend() const { return bend_; }
   void set_bend(const raceway::BendState &b) { bend_ = b; }
   raceway::BendProgram bend_program() const;
 
-  // For fix bearing/grains: the present state of the rigid shaft, on all ranks (bearing axis
-  // third); and the load of the grains at the shaft's centre, N and N m, which acts from the next
-  // step on. Collective.
+  // Used by fix bearing/grains: the current state of the rigid shaft on all ranks (the bearing axis
+  // is the third component), and the load of the grains at the shaft's centre in N and N m, which
+  // acts from the next step on. Collective.
   raceway::RingAtom pose() const { return whole().shaft; }
   void set_grain_load(const raceway::Vec3 &force, const raceway::Vec3 &moment);
 
@@ -43,19 +43,19 @@ class FixBearingShaft : public FixBearingRing {
   double place_on_shaft(int i) const override;
 
  private:
-  // A ring of the shaft, sent by its owner to all ranks; components have the bearing axis third.
+  // A ring of the shaft, sent by its owner to all ranks. The bearing axis is the third component.
   struct MountedRing {
     bearing::tag_t tag;
-    double at;    // m, from the shaft's centre
+    double at;    // m, position relative to the shaft's centre
     raceway::RingAtom now;
-    raceway::Vec3 force, moment;    // on the atom
-    raceway::Vec3 contact[2];       // force and moment of balls and cage
+    raceway::Vec3 force, moment;    // total on the atom
+    raceway::Vec3 contact[2];       // force and moment exerted by balls and cage
   };
   // State of the shaft and the loads at its centre.
   struct Whole {
     raceway::RingAtom shaft;
-    raceway::Vec3 push, moment;    // total on the rings' atoms
-    raceway::Vec3 contact[2];      // force and moment of balls and cage
+    raceway::Vec3 push, moment;    // total on the atoms of the rings
+    raceway::Vec3 contact[2];      // force and moment exerted by balls and cage
     std::vector<MountedRing> rings;
   };
 
@@ -67,16 +67,16 @@ class FixBearingShaft : public FixBearingRing {
   void hold(double half) override;
   void note_accelerations() override;
   void make_report() override;
-  void report_loads(int, double *) const override {}    // reported for the shaft
+  void report_loads(int, double *) const override {}    // loads are reported for the shaft
 
   double centre() const;
-  // State of the rigid shaft from a ring that is `at` metres from the shaft's centre, and the
-  // reverse.
+  // Convert the state of a ring that is `at` metres from the shaft's centre to the state of the
+  // rigid shaft, and vice versa.
   raceway::RingAtom straight(const raceway::RingAtom &ring, double at) const;
   raceway::RingAtom seat(const raceway::RingAtom &shaft, double at,
                          const raceway::Vec3 &origin) const;
   raceway::Deflection deflection(double at) const;
-  // State of the shaft at its centre, for the supports.
+  // Returns the state of the shaft at its centre, which the supports need.
   raceway::RingAtom at_centre(const raceway::RingAtom &shaft) const
   {
     return shaft_.of_file ? seat(shaft, 0.0, shaft.origin) : shaft;
@@ -90,7 +90,7 @@ class FixBearingShaft : public FixBearingRing {
   void check_axis() const;
   void check_places() const;
   void check_gravity() const;
-  int first_ring() const;    // local index; -1: not on this rank
+  int first_ring() const;    // local index; -1 if the ring is not on this rank
   std::vector<MountedRing> rings() const;
   Whole whole() const;
   void move_rings(const raceway::RingAtom &shaft);
@@ -100,7 +100,7 @@ class FixBearingShaft : public FixBearingRing {
   bearing::ShaftSettings shaft_;
   raceway::BendState bend_;
   std::vector<double> places_;    // m, positions of the rings from the shaft's centre, by tag
-  double middle_ = 0.0;           // m, middle of the rings' positions along the axis
+  double middle_ = 0.0;           // m, mean of the rings' positions along the axis
   raceway::RingAtom between_;     // state of the shaft between kick and drift
 };
 

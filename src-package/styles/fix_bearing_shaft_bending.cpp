@@ -35,7 +35,7 @@ void FixBearingShaft::check_station(const std::string &what, double at) const
   const double nearest = modes().station(at - centre()).at + centre();
   if (!(std::fabs(nearest - at) <= near_enough))
     BRG_ALL(bearing::name_of(*this) + ": " + what + " is at " + text(at) + " m, and '" +
-            shaft_.file + "' has no station there, the nearest is at " + text(nearest) +
+            shaft_.file + "' has no station there; the nearest is at " + text(nearest) +
             " m; 'raceway shaft --reduced FILE --places Z ...' writes stations");
 }
 
@@ -51,8 +51,8 @@ void FixBearingShaft::check_stations() const
     check_station("an unbalance", u.at);
 }
 
-// Adds the modal loads of a force and moment that act at the position `at` (m, from the shaft's
-// centre).
+// Adds the modal loads of a force and a moment that act at the position `at` (m, relative to the
+// shaft's centre).
 void FixBearingShaft::load_modes(double at, const Vec3 &force, const Vec3 &moment)
 {
   add_to_modes(modes().station(at), {0.0, 0.0, 1.0}, force, moment, now_.bending);
@@ -64,7 +64,7 @@ BendProgram FixBearingShaft::bend_program() const
       {before_.bending, now_.bending}, shaft_.unbalances_of_modes(), modes().station(0.0).moved};
 }
 
-// Forces on the modes, N, at the end of the step.
+// Returns the forces (N) on the modes at the end of the step.
 std::vector<double> FixBearingShaft::forces_on_modes(const std::vector<MountedRing> &all,
                                                      const RingPose &shaft) const
 {
@@ -77,7 +77,7 @@ std::vector<double> FixBearingShaft::forces_on_modes(const std::vector<MountedRi
   return of;
 }
 
-// Strain energy, then the two coordinates of each mode.
+// Returns the strain energy for k = 0, and then the two coordinates of each mode.
 double FixBearingShaft::bending_value(int k) const
 {
   if (k == 0) return strain_energy(modes(), bend_);
@@ -98,7 +98,7 @@ double FixBearingShaft::compute_array(int row, int k)
   return values[k - bearing::of_fix_ring::N];
 }
 
-// Stores the state of the fix as a fix bearing/ring, then the modes.
+// Stores the state of the fix like a fix bearing/ring, followed by the modes.
 void FixBearingShaft::write_restart(FILE *fp)
 {
   if (comm->me != 0) return;
@@ -123,7 +123,7 @@ void FixBearingShaft::restart(char *buf)
   const size_t n = bend_.place.size();
   if (modes != static_cast<double>(n))
     BRG_ALL(bearing::name_of(*this) + ": the restart file has " + text(modes / 2.0) +
-            " modes of the shaft, the deck has " + std::to_string(n / 2) +
+            " modes of the shaft, but the deck has " + std::to_string(n / 2) +
             (shaft_.of_file ? "" : ", a rigid shaft"));
   if (n == 0) return;
   memcpy(bend_.place.data(), buf, n * sizeof(double));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Fix bearing/shaft within the host's step: conversion from the states of rings to the state of the
-// shaft and back, velocity Verlet, and loads under either integrator.
+// The part of fix bearing/shaft within the host's step: conversion between the states of rings and
+// the state of the shaft, velocity Verlet, and loads with either integrator.
 #include "fix_bearing_shaft.h"
 
 #include "../contacts/ring_motion.h"
@@ -25,7 +25,7 @@ int FixBearingShaft::first_ring() const
   return -1;
 }
 
-// All rings on all ranks, by tag.
+// Returns all rings on all ranks, sorted by tag.
 std::vector<FixBearingShaft::MountedRing> FixBearingShaft::rings() const
 {
   std::vector<MountedRing> mine;
@@ -128,7 +128,7 @@ void FixBearingShaft::note_accelerations()
   const Whole w = whole();
   const RingProgram p = at_end(now_);
   const RingPose shaft = pose_of(w.shaft), held = pose_of(at_centre(w.shaft));
-  // the atoms' torques are not used, because they contain the effect of gravity on the rings
+  // the torques of the atoms are not used, because they contain the effect of gravity on the rings
   Vec3 moment = w.contact[1] + p.moment_at(1.0, shaft);
   if (p.supported) moment += p.support_moment(held, held.rate[0], held.rate[1]);
   std::vector<double> on_modes;
@@ -152,7 +152,7 @@ double FixBearingShaft::compute_vector(int k)
   return k < N ? reported(static_cast<int>(tags_.size()), k) : bending_value(k - N);
 }
 
-// A row for every ring, then one for the shaft.
+// Writes one row for every ring, and then one row for the shaft.
 void FixBearingShaft::make_report()
 {
   FixBearingRing::make_report();

@@ -16,7 +16,7 @@ FixBearingState::FixBearingState(LAMMPS *lmp, int narg, char **arg) :
   restart_peratom = 1;
   create_attribute = 1;
   comm_forward = 5;
-  nevery = 10;    // steps between checks of the contacts
+  nevery = 10;    // number of steps between checks of the contacts
   BRG_SET_MAXEXCHANGE(packed_size);
   grow_arrays(atom->nmax);
   atom->add_callback(0);
@@ -36,10 +36,10 @@ int FixBearingState::setmask() { return PRE_NEIGHBOR | END_OF_STEP | POST_RUN; }
 void FixBearingState::pre_neighbor()
 {
   pair_->indices_changed();
-  axes_sent_ = -1;    // ghosts may be other atoms now
+  axes_sent_ = -1;    // the ghosts may now be different atoms
 }
 
-// Runs after all other fixes: if this run continues the previous one, restores the forces of its
+// Runs after all other fixes. If this run continues the previous one, restores the forces of its
 // last step.
 void FixBearingState::setup(int)
 {
@@ -101,7 +101,7 @@ double *FixBearingState::kept(int i, bearing::tag_t ring, int groove)
 }
 
 // Called by the rails and then by the pair style; only the first call in a step sends data. If no
-// fix rotates axes, they are sent only after ghosts have changed.
+// fix rotates axes, they are sent only after the ghosts have changed.
 void FixBearingState::forward_axes()
 {
   if (comm->nprocs == 1 || axes_sent_ == update->ntimestep || (axes_sent_ >= 0 && !axes_turn_))
@@ -177,7 +177,7 @@ int FixBearingState::unpack_exchange(int i, double *buf)
 
 int FixBearingState::pack_restart(int i, double *buf)
 {
-  // during a run the forces of this step are still present; between runs they were saved
+  // during a run the forces of this step are still available; between runs they have been saved
   if (update->whichflag != 0 && i == 0) save_forces();
   const int m = 1 + pack_exchange(i, buf + 1);
   buf[0] = m;
@@ -193,8 +193,8 @@ void FixBearingState::unpack_restart(int i, int nth)
   const int read = 1 + unpack_exchange(i, &extra[i][m + 1]);
   if (size != read)
     BRG_ONE("the restart file has " + std::to_string(size) + " numbers of atom " +
-            std::to_string(atom->tag[i]) + ", this program reads " + std::to_string(read) +
-            ": it was written by a version with other contact laws");
+            std::to_string(atom->tag[i]) + ", but this program reads " + std::to_string(read) +
+            ": it was written by a version with different contact laws");
 }
 
 int FixBearingState::size_restart(int) { return packed_size; }
@@ -220,7 +220,7 @@ void FixBearingState::BRG_UNPACK_FORWARD(int n, int first, double *buf)
 }
 
 #if BEARING_IS_LIGGGHTS
-// LIGGGHTS sends ghosts only from a slab of half this width (plus skin/2); the factor 2 makes the
+// LIGGGHTS sends ghosts only from a slab of half this width (plus skin/2). The factor 2 makes the
 // slab wide enough for the centres of rings.
 double FixBearingState::extend_cut_ghost() { return 2.0 * reach_; }
 #endif

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Internal fix of the bearing pair styles. It stores the state of balls and rings other than
-// position and velocity from step to step, on any number of ranks and in restart files. The pair
-// style creates it; users need not define it.
+// Internal fix of the bearing pair styles. It stores the state of balls and rings, except for
+// position and velocity, from step to step, on any number of ranks and in restart files. The pair
+// style creates it, so users need not define it.
 //
 //   ball  contact state, by ring and groove; orientation, if a profile needs it
 //   ring  axis, spin angle, origin, imposed tilt
 //   all   force and torque at the end of a run
 //
-// The next run (or a continued run) starts its first half kick with these forces, which have the
-// bits of the previous step, instead of with forces at full-step velocities.
+// The next run, or a continued run, starts its first half kick with these forces, which are bitwise
+// identical to those of the previous step, instead of with forces at full-step velocities.
 #ifdef FIX_CLASS
 FixStyle(bearing/state,FixBearingState)
 #else
@@ -24,7 +24,7 @@ FixStyle(bearing/state,FixBearingState)
 
 namespace bearing {
 
-// The hooks of a fix that the pair style needs; fix bearing/state calls them.
+// The hooks of the pair style that only a fix can call; fix bearing/state calls them.
 class PairHooks {
  public:
   virtual raceway::Vec3 axis() const = 0;    // axis of the bearings at the start
@@ -45,7 +45,7 @@ class FixBearingState : public Fix {
  public:
   struct PerAtom;
   static constexpr const char *fixed_id = "BEARING_STATE";
-  static constexpr int max_grooves = 4;    // grooves with contact state per ball
+  static constexpr int max_grooves = 4;    // most grooves per ball with a contact state
   static constexpr int room = raceway::most_states;
 
   using RingMotion = bearing::RingMotion;
@@ -62,18 +62,18 @@ class FixBearingState : public Fix {
   const raceway::Vec3 &axis(int i) const { return per_atom_[i].ring.axis; }
   double angle(int i) const { return per_atom_[i].ring.angle; }    // rad, also for ghosts
   RingMotion &ring(int i) { return per_atom_[i].ring; }
-  // Rotation from the body axes of a ball to axes with the bearing axis third.
+  // Rotation from the body axes of a ball to axes of which the third is the bearing axis.
   raceway::Quaternion &turn(int i) { return per_atom_[i].turn; }
-  // Contact state of a ball in a groove; the state of a new contact starts at 0.
+  // Returns the contact state of a ball in a groove. The state of a new contact starts at 0.
   double *kept(int i_ball, bearing::tag_t ring, int groove);
-  void forward_axes();    // sends axes, angles and owners of rings to ghosts, once per step
+  void forward_axes();    // sends the axes, angles and owners of rings to ghosts, once per step
   int owner(int i) const
   {
     return i < atom->nlocal ? comm->me : per_atom_[i].owner;
-  }    // rank; for ghosts as of the last forward_axes()
+  }    // rank; for ghosts, as of the last forward_axes()
   std::vector<PerAtom> &per_atom() { return per_atom_; }
-  // Called in the set-up of a run: axes and angles of rings are constant unless a fix then calls
-  // follow_axes().
+  // Called in the set-up of a run: the axes and angles of rings are constant unless a fix then
+  // calls follow_axes().
   void keep_axes() { axes_turn_ = false; }
   void follow_axes() { axes_turn_ = true; }
   void ghost_reach(double cut)
@@ -104,10 +104,10 @@ class FixBearingState : public Fix {
     double kept[max_grooves][room] = {};
     RingMotion ring;
     raceway::Quaternion turn;
-    bool saved = false;    // force and torque are those of saved_step
+    bool saved = false;    // whether force and torque are those of saved_step
     double saved_step = -1.0;
     double force[3] = {}, torque[3] = {};
-    int owner = 0;    // rank that owns a ghost
+    int owner = 0;    // rank that owns the atom if it is a ghost
   };
 
  private:
@@ -118,8 +118,8 @@ class FixBearingState : public Fix {
   std::vector<PerAtom> per_atom_;
   bearing::PairHooks *pair_;
   double reach_ = 0.0;
-  bigint axes_sent_ = -1;    // step in which axes were last sent
-  bool axes_turn_ = true;    // a ring may tilt in this run, or its angle is needed
+  bigint axes_sent_ = -1;    // step in which the axes were last sent
+  bool axes_turn_ = true;    // whether a ring may tilt in this run or its angle is needed
 };
 
 }    // namespace LAMMPS_NS

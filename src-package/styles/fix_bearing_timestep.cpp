@@ -62,12 +62,13 @@ void FixBearingTimestep::check()
   limit_ = limit.step;
   smallest_limit_ = std::min(smallest_limit_, limit_);
   if (adapt_) {
-    // decrease at once, but increase by at most a fifth per check, because the limit does not
-    // include contacts that are about to close
+    // decrease the step at once, but increase it by at most a fifth per check, because the limit
+    // does not include contacts that are about to close
     const double wanted = std::min({safety_ * limit_, 1.2 * update->dt, largest_});
     if (!(wanted >= shortest_step))
       BRG_ALL(std::string("fix ") + id + " bearing/timestep: " + limit.why() + " allows only " +
-              text(limit_) + " s, less than " + text(shortest_step) + " s: time stands still");
+              text(limit_) + " s, less than " + text(shortest_step) +
+              " s; the time would no longer advance");
     if (wanted != update->dt) set_step(wanted);
     return;
   }
@@ -111,7 +112,7 @@ void FixBearingTimestep::write_restart(FILE *fp)
   fwrite(data, 1, size, fp);
 }
 
-// An adaptive run continues with its last step, without another check.
+// An adaptive run continues with its last step without checking it again.
 void FixBearingTimestep::restart(char *buf)
 {
   if (!adapt_) return;

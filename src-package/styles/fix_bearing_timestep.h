@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix bearing/timestep: compares the step of velocity Verlet with the stability limit set by
-// contact stiffness and film damping; adapts the step to the limit, warns, or stops.
+// contact stiffness and film damping, and adapts the step to the limit, prints a warning or stops
+// the run.
 #ifdef FIX_CLASS
 FixStyle(bearing/timestep,FixBearingTimestep)
 #else
@@ -33,10 +34,10 @@ class FixBearingTimestep : public Fix {
   PairBearingHertz *pair_ = nullptr;
   double safety_ = 0.3, largest_ = HUGE_VAL;
   bool adapt_ = false, warned_ = false;
-  bool goes_on_ = false;    // step and previous check are from a restart file
+  bool goes_on_ = false;    // whether the step and the previous check are from a restart file
   int exceed_ = warn;
   double limit_ = HUGE_VAL, smallest_limit_ = HUGE_VAL;
-  double run_start_ = 0.0;    // wall clock
+  double run_start_ = 0.0;    // s, wall-clock time
 };
 
 }    // namespace LAMMPS_NS

@@ -8,8 +8,8 @@
 using namespace LAMMPS_NS;
 using bearing::Arguments;
 
-// fix ID group bearing/verlet [tolerance T] ...: keywords for the tolerances of the implicit step
-// are ignored, so that the same line of a deck suits either integrator
+// fix ID group bearing/verlet [tolerance T] ... Keywords for the tolerances of the implicit step
+// are ignored, so that the same line of a deck works with either integrator.
 FixBearingVerlet::FixBearingVerlet(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
   Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);
@@ -47,7 +47,7 @@ void FixBearingVerlet::BRG_AFTER_CREATION()
 
 FixBearingVerlet::~FixBearingVerlet()
 {
-  // Modify may already be gone when the host shuts down
+  // Modify may already have been deleted when the host shuts down
   if (modify && modify->nfix && modify->find_fix(name().c_str()) >= 0)
     modify->delete_fix(name().c_str());
 }

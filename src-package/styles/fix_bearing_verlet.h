@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/verlet: velocity Verlet for the balls and cage balls of a group, by means of the
-// host's fix nve/sphere. Fix bearing/ring moves the rings of the group.
+// fix bearing/verlet: velocity Verlet for the balls and cage balls of a group, using the host's fix
+// nve/sphere. The rings of the group are moved by fix bearing/ring.
 #ifdef FIX_CLASS
 FixStyle(bearing/verlet,FixBearingVerlet)
 #else
@@ -20,7 +20,7 @@ class FixBearingVerlet : public Fix {
   void init() override;
 
  private:
-  std::string name() const { return std::string(id) + "_BALLS"; }    // name of group and host's fix
+  std::string name() const { return std::string(id) + "_BALLS"; }    // of the group and the fix
 };
 
 }    // namespace LAMMPS_NS

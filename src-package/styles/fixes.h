@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The fixes of one style, and the order in which the host calls fixes.
+// Finds the fixes of one style and checks the order in which the host calls fixes.
 #ifndef BEARING_FIXES_H
 #define BEARING_FIXES_H
 
@@ -9,7 +9,7 @@
 
 namespace bearing {
 
-// All fixes of class T, in the order of the deck: the same on all ranks.
+// Returns all fixes of class T in the order of the deck, which is the same on all ranks.
 template <class T> std::vector<T *> fixes_of(LAMMPS_NS::LAMMPS *lmp)
 {
   std::vector<T *> list;
@@ -18,14 +18,14 @@ template <class T> std::vector<T *> fixes_of(LAMMPS_NS::LAMMPS *lmp)
   return list;
 }
 
-// Name of a fix for messages: "fix ID style".
+// Returns the name of a fix for messages, "fix ID style".
 inline std::string name_of(const LAMMPS_NS::Fix &fix)
 {
   return std::string("fix ") + fix.id + " " + fix.style;
 }
 
-// Error unless the host calls `first` before `second` in every hook that both have; `why` ends the
-// message.
+// Stops with an error unless the host calls `first` before `second` in every hook that both have.
+// The message ends with `why`.
 inline void require_order(LAMMPS_NS::LAMMPS *lmp, const LAMMPS_NS::Fix &first,
                           const LAMMPS_NS::Fix &second, const std::string &why)
 {

@@ -73,7 +73,7 @@ void NameBearing::refuse_unknown(const Arguments &args, const std::string &input
       bearing::collect_folder(inputs + sort, names);
     const bearing::Names given = bearing::words_after("-var", "-v");
     for (const std::string &set : given) {
-      // the word after the option -v of another program, such as python, is not a variable
+      // the word after an option -v of another program, such as python, is not a variable
       const auto value = bearing::host_variable(lmp, set);
       if (deck.settable.empty() || !value) continue;
       const std::string wrong = names.count(set) ? bearing::wrong_with(*value)
@@ -81,10 +81,10 @@ void NameBearing::refuse_unknown(const Arguments &args, const std::string &input
                                                        bearing::nearest(set, names) + "'";
       if (!wrong.empty()) complaint += (complaint.empty() ? "-var " : "; -var ") + set + wrong;
     }
-    // variables of later commands are also checked, so that wrong values are found before anything
-    // runs
+    // variables of later commands are also checked, so that wrong values are found before the run
+    // starts
     const std::string file = bearing::deck_name(infile);
-    bool main = true;    // it has all variables of a main deck, which converts rpm by a formula
+    bool main = true;    // true for a complete main deck, which converts rpm by a formula
     for (const bearing::DeckVariable &v : bearing::deck_variables())
       if (v.taken_by("deck")) main = main && deck.settable.count(v.name);
     for (const bearing::DeckVariable &v : bearing::deck_variables()) {
@@ -103,7 +103,8 @@ void NameBearing::refuse_unknown(const Arguments &args, const std::string &input
   if (!complaint.empty()) args.fail(complaint);
 }
 
-// Error if the user set data of cage balls for a one-piece cage, which does not use them.
+// Stops with an error if the user set data of cage balls for a one-piece cage, which does not use
+// them.
 void NameBearing::refuse_chain_data(const Arguments &args, const NamedBearing &b)
 {
   for (const std::string &given : b.given)
@@ -113,7 +114,7 @@ void NameBearing::refuse_chain_data(const Arguments &args, const NamedBearing &b
                   " is a ring: give it cage_play, or choose 'cage chain'");
 }
 
-// Completes the data, and derives the raceways, including their clearance or arches.
+// Completes the data and derives the raceways, including their clearance or arches.
 void NameBearing::derive(const Arguments &args, NamedBearing &b)
 {
   DataValues::Map &map = b.data.values;
@@ -137,7 +138,7 @@ void NameBearing::derive(const Arguments &args, NamedBearing &b)
     laws.at("usual_data")(values);
   } else if (values.number("contact_angle") != 0.0) {
     args.fail("contact_angle is " + map["contact_angle"] +
-              ", must be 0 (needs a bearing with usual data, such as 7208)");
+              ", must be 0 (other angles need a bearing with usual data, such as 7208)");
   }
   bearing::check_data(args, b.data, "bearing data");
   // rounded to as many digits as the host's formula in earlier decks
@@ -169,6 +170,6 @@ void NameBearing::set_variables(const NamedBearing &b)
   number("skin", 0.4 * b.number("ball_diameter"));
   set("box", b.word("b_box"));
   set("cage_style", b.has_cage_ring ? "cage/ring" : "cage");
-  // numbering as in create_bearing: balls, cage balls, both rings, one-piece cage
+  // numbered as in create_bearing: balls, cage balls, both rings, one-piece cage
   number("inner_atom", b.number("balls") * (b.has_cage ? 2.0 : 1.0) + 1.0);
 }

@@ -6,8 +6,9 @@
 
 namespace bearing {
 
-// A new instance of the host may have the address of an old one, but it does not have the old one's
-// variables. Variables set by the command `bearing` show whether a name belongs to this instance.
+// A new instance of the host may have the same address as an earlier one, but it does not have its
+// variables. The variables set by the command `bearing` show whether a name belongs to this
+// instance.
 static std::map<std::pair<const LAMMPS_NS::LAMMPS *, std::string>, NamedBearing> &kept()
 {
   static std::map<std::pair<const LAMMPS_NS::LAMMPS *, std::string>, NamedBearing> bearings;
@@ -21,7 +22,7 @@ static bool is_alive(const LAMMPS_NS::LAMMPS *lmp, const std::string &name)
 
 void keep_bearing(const LAMMPS_NS::LAMMPS *lmp, const NamedBearing &bearing)
 {
-  if (lmp->domain->box_exist == 0)    // after `clear` another deck begins
+  if (lmp->domain->box_exist == 0)    // another deck begins after `clear`
     for (auto at = kept().begin(); at != kept().end();)
       at = at->first.first == lmp && at->second.in_use ? kept().erase(at) : std::next(at);
   kept()[{lmp, bearing.name}] = bearing;
@@ -55,7 +56,7 @@ const NamedBearing &bearing_of(LAMMPS_NS::LAMMPS *lmp, const Arguments &args,
   std::vector<std::string> names;
   for (const NamedBearing *one : bearings_of(lmp)) names.push_back(one->name);
   args.fail("there is no bearing '" + name + "'; there is: " +
-            (names.empty() ? "none, the command 'bearing' gives one a name" : joined(names)));
+            (names.empty() ? "none; the command 'bearing' names a bearing" : joined(names)));
 }
 
 }    // namespace bearing

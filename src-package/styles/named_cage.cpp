@@ -17,7 +17,8 @@ using namespace LAMMPS_NS;
 
 namespace bearing {
 
-// Contributions to a cage's friction and drag that are left out, from `names`, joined by +
+// Returns the contributions to a cage's friction and drag that are left out; in `names` they are
+// joined by +.
 static std::set<std::string> left_out(Arguments &args, const std::string &names)
 {
   const std::set<std::string> parts = {"friction", "shear", "land", "churning"};
@@ -49,7 +50,7 @@ std::vector<std::string> cage_words(LAMMPS *lmp, Arguments &args, const NamedBea
   if (!b.has_cage_ring)
     args.fail("the cage of bearing " + b.name + " is not a ring: give it 'cage ring'");
   const std::set<std::string> out = left_out(args, words["cage_without"]);
-  // rounded as by a deck's formulas
+  // rounded like the formulas of a deck
   const auto or_estimate = [&](const char *key, double estimate) {
     const double given = std::atof(words[key].c_str());
     return given != 0.0 ? given : written(estimate);
@@ -75,7 +76,7 @@ std::vector<std::string> cage_words(LAMMPS *lmp, Arguments &args, const NamedBea
     return ring->moves_axially() || ring->tilts();
   });
   line << " planar " << (plane ? "yes" : "no");
-  // oil in a pocket over its usual wrap angle
+  // oil in a pocket over the usual wrap angle
   const auto *pair = dynamic_cast<const PairBearing *>(lmp->force->pair);
   const std::string viscosity = pair ? pair->oil_datum(b.name, "viscosity") : "";
   if (!viscosity.empty())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The one-piece cage of a named bearing: its data, some of them estimated.
+// The one-piece cage of a named bearing and its data, some of which are estimated.
 #ifndef BEARING_NAMED_CAGE_H
 #define BEARING_NAMED_CAGE_H
 
@@ -7,13 +7,12 @@
 
 namespace bearing {
 
-// Keywords of fix bearing/cage/ring after the ball type, from [cage_play J] [cage_across J]
-// [cage_mass M] [cage_young E] [cage_poisson NU] [cage_friction MU] [cage_filled X]
-// [cage_guide balls|inner|outer] [cage_land R] [cage_clearance C] [cage_width B]
-// [cage_without PART+...] (friction, shear, land, churning). The estimate of the play is
-// `usual_play` times the ball diameter (docs/cage). The estimate of the mass is the mass of a
-// pressed steel cage, 10 g in a 6205, scaled by D^2 d_m. The cage moves in the plane if every ring
-// does.
+// Returns the keywords of fix bearing/cage/ring after the ball type, from [cage_play J]
+// [cage_across J] [cage_mass M] [cage_young E] [cage_poisson NU] [cage_friction MU] [cage_filled X]
+// [cage_guide balls|inner|outer] [cage_land R] [cage_clearance C] [cage_width B] [cage_without
+// PART+...] (friction, shear, land, churning). The play is estimated as `usual_play` times the ball
+// diameter (docs/cage). The mass is estimated as that of a pressed steel cage, 10 g in a 6205,
+// scaled by D^2 d_m. The cage moves in the plane if every ring does.
 std::vector<std::string> cage_words(LAMMPS_NS::LAMMPS *, Arguments &, const NamedBearing &);
 
 }    // namespace bearing

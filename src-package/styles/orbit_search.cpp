@@ -7,13 +7,13 @@
 
 namespace bearing {
 
-// Number of ball passes without progress after which there is taken to be no orbit, because balls
-// touch the cage or one another at different positions in every ball pass.
+// Number of ball passes without progress after which the bearing is assumed to have no orbit,
+// because balls touch the cage or one another at different positions in every ball pass.
 static constexpr double patience = 5.0;
 static constexpr double most_jumps = 8.0;
-// A jump is useful if an ordinary ball pass leaves more than this share of the residual.
+// A jump is useful if an ordinary ball pass leaves more than this fraction of the residual.
 static constexpr double slow = 0.6;
-// A ball pass is progress if its residual is below this share of the smallest one so far.
+// A ball pass counts as progress if its residual is below this fraction of the smallest one so far.
 static constexpr double less = 0.7;
 
 void OrbitSearch::begin(LAMMPS_NS::LAMMPS *lmp) { start_ = OrbitBalls(lmp).by_slot(0.0); }
@@ -33,9 +33,9 @@ void OrbitSearch::end_pass(LAMMPS_NS::LAMMPS *lmp, const SettlingChanges &change
   start_ = now_.jumped != 0.0 ? OrbitBalls(lmp).by_slot(now_.passes) : end;
 }
 
-// Judges a ball pass that is a value of the map. If a mode decays slowly, speeds are chosen for the
-// start of the next ball pass, in which the fast modes settle; that ball pass is not a value of the
-// map.
+// Evaluates a ball pass that is a value of the map. If a mode decays slowly, speeds are chosen for
+// the start of the next ball pass, during which the fast modes settle; that ball pass is not a
+// value of the map.
 void OrbitSearch::judge(const OrbitBalls &balls, const std::vector<double> &end,
                         const SettlingChanges &changes, double settled)
 {
@@ -46,14 +46,14 @@ void OrbitSearch::judge(const OrbitBalls &balls, const std::vector<double> &end,
   now_.residual = next.residual;
   now_.distance = next.distance;
   const double steady = 0.2 * settled, close = 0.1 * settled;
-  // a slow mode shows in two successive values of the map, but not across a jump
+  // a slow mode is visible in two successive values of the map, but not across a jump
   if (now_.values > 0.0 && changes.within({steady, steady, steady, settled, 1.0}) &&
       next.distance <= settled && std::fabs(now_.stretch - 1.0) <= settled) {
     now_.stage = FOUND;
     return;
   }
   const double keeps = map_.contraction(), progress = std::max(close, next.residual);
-  if (keeps < 0.0) map_.forget();    // the last jump went beyond the orbit: drop older values
+  if (keeps < 0.0) map_.forget();    // the last jump went beyond the orbit, so drop older values
   const bool jumps =
       (next.residual > close || next.distance > settled) && keeps > slow && now_.jumps < most_jumps;
   if (progress < less * now_.best || jumps) {

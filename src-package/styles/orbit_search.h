@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// `settle orbit` of run_bearing: finds the steady state of a bearing under constant load and speed,
-// in which after a ball pass every ball has the state that its neighbour had before it.
+// `settle orbit` of run_bearing: finds the steady state of a bearing under constant load and speed.
+// In this state, every ball has after a ball pass the state that its neighbour had before it.
 //
-// The unknowns are the length of a ball pass and, by slot, the orbital speeds and spins of the
+// The unknowns are the duration of a ball pass and, by slot, the orbital speeds and spins of the
 // balls (orbit_balls.h), which decay over many ball passes. All other quantities follow within a
 // ball pass. Each ball pass is a value of the map, and FixedPoint (core/numbers/fixed_point.h)
 // chooses the start of the next ball pass.
@@ -23,18 +23,18 @@ class OrbitSearch {
  public:
   enum { OFF, ON, FOUND, NONE };
 
-  // Contains doubles only, for restart files.
+  // Contains only doubles, so that it can be written to restart files.
   struct State {
     double stage = OFF;
-    double passes = 0.0;    // ball passes so far
+    double passes = 0.0;    // number of ball passes so far
     // Change of orbital speeds and spins in the last ball pass, relative and weighted by load, and
     // the estimated sum of all later changes.
     double residual = HUGE_VAL, distance = HUGE_VAL;
-    double best = HUGE_VAL, best_pass = 0.0;    // smallest residual; last useful ball pass
-    double values = 0.0;     // successive values of the map up to the last ball pass
-    double stretch = 1.0;    // next length of a ball pass, over the last
-    double jumps = 0.0;      // ball passes that began with chosen speeds
-    double jumped = 0.0;     // 1: the present ball pass began with chosen speeds
+    double best = HUGE_VAL, best_pass = 0.0;    // smallest residual; last ball pass with progress
+    double values = 0.0;     // number of successive values of the map up to the last ball pass
+    double stretch = 1.0;    // duration of the next ball pass relative to the last
+    double jumps = 0.0;      // number of ball passes that began with chosen speeds
+    double jumped = 0.0;     // 1 if the current ball pass began with chosen speeds
   };
 
   State &now() { return now_; }
@@ -42,14 +42,15 @@ class OrbitSearch {
   bool runs() const { return now_.stage == ON; }
   bool found() const { return now_.stage == FOUND; }
 
-  // Both are called at the end of a step, `begin` before the first ball pass and `end_pass` after
-  // each ball pass, and set the speeds of the balls; collective. The orbit is found if figures
-  // change by at most a fifth of `settled` from one ball pass to the next, and speeds and axes of
-  // the balls change by at most `settled` in all further ball passes together.
+  // Both functions are called at the end of a step and set the speeds of the balls: `begin` before
+  // the first ball pass and `end_pass` after each ball pass. Collective. The orbit has been found
+  // if torque, loads and cage speed change by at most a fifth of `settled` from one ball pass to
+  // the next, and the speeds and axes of the balls change by at most `settled` in all further ball
+  // passes together.
   void begin(LAMMPS_NS::LAMMPS *);
   void end_pass(LAMMPS_NS::LAMMPS *, const SettlingChanges &, double settled);
 
-  // All numbers of the state, for a restart file.
+  // Returns all values of the state for a restart file.
   std::vector<double> packed() const;
   void unpack(const std::vector<double> &);
 
@@ -58,7 +59,7 @@ class OrbitSearch {
              double settled);
 
   State now_;
-  std::vector<double> start_;    // numbers at the start of the present ball pass, by slot
+  std::vector<double> start_;    // values at the start of the current ball pass, by slot
   raceway::FixedPoint map_;
 };
 

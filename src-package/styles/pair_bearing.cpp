@@ -26,7 +26,7 @@ static std::vector<std::string> words_of(const std::string &line)
   return words;
 }
 
-// Words of a file of keywords, without its comments
+// Returns the words of a file of keywords, without its comments.
 static std::string keywords_of(const std::string &text)
 {
   std::istringstream lines(text);
@@ -48,7 +48,7 @@ void PairBearing::settings(int narg, char **arg)
   coeffs_.clear();
   choice_ = {};
   temperature_ = 40.0;
-  std::vector<std::string> of_style;    // for the base class
+  std::vector<std::string> of_style;    // words for the base class
   while (args.more()) {
     if (args.next() == "axis" || args.next() == "overlap_limit") {
       of_style.push_back(args.word("keyword"));
@@ -65,7 +65,7 @@ void PairBearing::settings(int narg, char **arg)
     else if (args.take("inputs")) folder_ = args.word("folder of the data files");
     else more_ += " " + args.word("keyword");
   }
-  if (oil_name_.empty()) args.fail("'oil NAME' is missing; 'oil dry' for dry contacts");
+  if (oil_name_.empty()) args.fail("'oil NAME' is missing; use 'oil dry' for dry contacts");
   const auto &names = bearing::model_names;
   if (std::find(names.begin(), names.end(), choice_.models) == names.end()) {
     const std::string file = folder_ + "/models/" + choice_.models;
@@ -91,7 +91,7 @@ void PairBearing::settings(int narg, char **arg)
   PairBearingHertz::settings(static_cast<int>(words.size()), words.data());
 }
 
-// The data of an oil at the temperature t (C); for a dry contact only the word `film`.
+// Returns the data of an oil at the temperature t (C); for a dry contact, only the word `film`.
 bearing::OilWords PairBearing::read_oil(const Arguments &args, const std::string &name, double t)
 {
   if (name == "dry") return {{"film", "dry"}};
@@ -111,7 +111,7 @@ bearing::OilWords PairBearing::read_oil(const Arguments &args, const std::string
   } else if (const auto at = oil.of_file.find("temperature");
              at != oil.of_file.end() && args.number_in(at->second, "temperature") != t)
     args.fail(oil.label + " has values for " + at->second + " C only, not for " + text(t) +
-              " C: take a lubricant with physical data, for example vg46");
+              " C: use a lubricant with physical data, for example vg46");
   const std::vector<std::string> more = check_data(args, oil, "oil data");
   assumed.insert(assumed.end(), more.begin(), more.end());
   assumed_.clear();
@@ -162,8 +162,8 @@ void PairBearing::coeff(int narg, char **arg)
   coeffs_.push_back(own);
 }
 
-// Passes the commands for both raceways and the cage, or for balls that may touch each other, to
-// the base class.
+// Passes to the base class the commands for both raceways and the cage, or for balls that may touch
+// each other.
 void PairBearing::resolve(Coeff &of)
 {
   Arguments args(lmp, "pair_coeff * * " + of.bearing, {});
@@ -290,8 +290,8 @@ double PairBearing::shoulder(int ball_type, raceway::Side side) const
   return b ? b->number_or(inner ? "inner_shoulder_diameter" : "outer_shoulder_diameter", 0.0) : 0.0;
 }
 
-// The restart file stores the commands with the numbers of data files, since these files may
-// change.
+// The restart file stores the commands with the numbers from the data files, because these files
+// may change.
 void PairBearing::write_restart(FILE *fp)
 {
   const Kept kept = {cage_share_, coefficients().lubricated(), estimate_};

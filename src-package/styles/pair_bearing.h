@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// pair_style bearing: contacts of named bearings, described by oil and models, with the laws of
+// pair_style bearing: contacts of bearings that are given by name, oil and models, with the laws of
 // bearing/ehd or, if dry, of bearing/hertz.
 #ifdef PAIR_CLASS
 PairStyle(bearing,PairBearing)
@@ -27,41 +27,44 @@ class PairBearing : public PairBearingHertz {
   double shoulder(int ball_type, raceway::Side) const override;
   bool dry_by_choice() const override { return !coefficients().lubricated(); }
 
-  // Relative speed of the rings of a named bearing (rad/s), for starvation of the oil. The first
-  // speed set for a bearing counts.
+  // Sets the relative speed (rad/s) of the rings of a named bearing, which determines the
+  // starvation of the oil. Only the first speed set for a bearing is used.
   void set_speed(const std::string &bearing, double);
-  // A datum of the oil of a bearing at its temperature, as text; empty if the oil lacks this datum.
+  // Returns a property of the oil of a bearing at its temperature as text, or an empty string if
+  // the oil lacks this property.
   std::string oil_datum(const std::string &bearing, const std::string &name) const;
-  // Share of oil in the space around the bearing's balls; 0 without oil, or with models without
-  // drag.
+  // Returns the fraction of the space around the bearing's balls that is filled with oil. It is 0
+  // without oil, or with models without drag.
   double oil_share(const std::string &bearing) const;
-  std::string oil() const;    // oil of all bearings; empty if oils differ
-  // Oil of a named bearing and the oil's temperature (C); empty and NaN without a pair_coeff.
+  std::string oil() const;    // oil of all bearings; empty if their oils differ
+  // Returns the oil of a named bearing and the oil's temperature (C), or an empty string and NaN
+  // without a pair_coeff.
   std::pair<std::string, double> oil_of(const std::string &bearing) const;
-  // True if data of the oil of a named bearing depend on temperature.
+  // Returns true if data of the oil of a named bearing depend on temperature.
   bool oil_follows(const std::string &bearing) const;
-  // Sets the temperature of a bearing's oil (C) during a run. Raceways then have the sizes of cold
-  // parts.
+  // Sets the temperature (C) of a bearing's oil during a run. The raceways then have the dimensions
+  // of the cold parts.
   void set_oil_temperature(const bearing::Arguments &, const std::string &bearing, double);
   const std::string &models() const { return choice_.models; }
   double temperature() const { return temperature_; }
-  const std::vector<std::string> &given() const { return given_; }    // oil data, NAME=VALUE
-  // Constants of the oil that the models use and that are missing in its file, NAME=VALUE,...
+  const std::vector<std::string> &given() const { return given_; }    // oil data as NAME=VALUE
+  // Constants of the oil that the models use although its file does not contain them, as
+  // NAME=VALUE,...
   const std::string &assumed() const { return assumed_; }
 
  private:
   struct Coeff {
     std::string bearing;
-    std::string oil;           // name
+    std::string oil;           // name of the oil
     double temperature;        // C
     bearing::OilWords data;    // data of the oil
     std::string law;           // further keywords of the raceways
-    bool printed = false;      // `spheres printed`, for balls and cage balls
+    bool printed = false;      // `spheres printed`, applied to balls and cage balls
     double speed = 0.0;        // rad/s
     size_t first = 0;          // index of its first line in commands()
-    double oil_share = 0.0;    // share of oil in the space around the balls
+    double oil_share = 0.0;    // fraction of the space around the balls that is filled with oil
   };
-  struct Kept {    // in restart files, stored before the commands
+  struct Kept {    // stored in restart files before the commands
     double cage_share;
     int film, estimate;
   };
@@ -73,12 +76,12 @@ class PairBearing : public PairBearingHertz {
   double temperature_ = 40.0, cage_share_ = 1.0;
   bool estimate_ = true;
   bearing::ModelChoice choice_;
-  std::string own_model_;    // keywords of a file of models
+  std::string own_model_;    // keywords from a file of models
   std::vector<std::string> given_;
-  std::string noted_;    // printed note on data set by the deck
+  std::string noted_;    // note that was printed about data set by the deck
   std::string assumed_;
   std::vector<Coeff> coeffs_;
-  bool replays_ = false;    // it repeats commands of a restart file
+  bool replays_ = false;    // true while the commands of a restart file are repeated
 };
 
 }    // namespace LAMMPS_NS

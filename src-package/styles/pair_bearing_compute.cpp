@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The step of the pair style: fills the contact table and adds forces.
+// The step of the pair style, which fills the contact table and adds forces.
 #include "pair_bearing_hertz.h"
 
 #include "../core/laws/damped_hertz.h"
@@ -11,8 +11,8 @@ using bearing::RacewayContact;
 using bearing::SphereContact;
 using bearing::text;
 
-// Overlap on the far side of a groove above which there is an error, over r_c - R_b. Balls may
-// touch this side lightly before they have settled.
+// Overlap on the far side of a groove above which the run stops with an error, as a fraction of r_c
+// - R_b. Balls may touch this side lightly before they have settled.
 static constexpr double far_touch = 1e-2;
 
 void PairBearingHertz::compute(int eflag, int vflag)
@@ -47,7 +47,7 @@ void PairBearingHertz::add_forces(const RacewayContact &c, const ContactForces &
 void PairBearingHertz::tally(const RacewayContact &c, const ContactForces &forces, double energy)
 {
   const Vec3 d = Vec3::from(atom->x[c.i_ball]) - evaluator_.groove_of(c).x;
-  // only this rank has the pair, so it counts fully (newton = 1)
+  // only this rank computes the pair, so the pair counts in full (newton = 1)
   ev_tally_xyz(c.i_ball, c.i_ring, atom->nlocal, 1, eflag_either ? energy : 0.0, 0.0,
                forces.force.x, forces.force.y, forces.force.z, d.x, d.y, d.z);
 }
@@ -82,7 +82,7 @@ void PairBearingHertz::sphere_forces(bool tally)
   }
 }
 
-// "ball B on inner ring R at step S"
+// Returns "ball B on inner ring R at step S".
 static std::string place_of(const RacewayContact &c, bigint step)
 {
   return "ball " + std::to_string(c.ball) + " on " + (c.side() == Side::inner ? "inner" : "outer") +
@@ -91,8 +91,8 @@ static std::string place_of(const RacewayContact &c, bigint step)
          " at step " + std::to_string(step);
 }
 
-// Error for a ball on the far side of a groove: the torus of the groove extends beyond the
-// shoulders, where a ring has no surface.
+// Stops with an error because a ball is on the far side of a groove: the torus of the groove
+// extends beyond the shoulders, where a ring has no surface.
 void PairBearingHertz::far_side(const RacewayContact &c)
 {
   BRG_ONE(place_of(c, update->ntimestep) + ": force " + text(c.state.normal) +
@@ -107,6 +107,6 @@ void PairBearingHertz::lost(const RacewayContact &c)
   BRG_ONE(place_of(c, update->ntimestep) + ": overlap " + text(c.state.overlap) + " m, force " +
           text(c.state.normal) + " N, largest allowed overlap " + text(c.raceway->largest_overlap) +
           " m (" + c.raceway->limit() + "). The step " + text(update->dt) +
-          " s is too large, the load too high, or the start overlaps");
+          " s is too large, the load is too high, or bodies overlap at the start");
   std::abort();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Possible contacts of balls with raceways, cage balls and other balls, found once per neighbour
-// build.
+// Finds the possible contacts of balls with raceways, cage balls and other balls, once per
+// neighbour build.
 #include "pair_bearing_hertz.h"
 
 #include "../core/settings/arguments.h"
@@ -27,7 +27,7 @@ void PairBearingHertz::rebuild_contacts()
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
       if (coefficients_.is_ring(type[i]) || coefficients_.is_ring(type[j])) {
         const bool ring_first = coefficients_.is_ring(type[i]);
-        // the owner of the ball adds the contact
+        // the rank that owns the ball adds the contact
         if ((ring_first ? j : i) < nlocal) add_grooves(ring_first ? j : i, ring_first ? i : j);
         continue;
       }
@@ -46,7 +46,7 @@ void PairBearingHertz::rebuild_contacts()
       if (update->setupflag && norm(d) < 0.98 * s.reach)
         BRG_ONE("overlapping balls: atoms " + std::to_string(s.tag_i) + " and " +
                 std::to_string(s.tag_j) + " are " + text(norm(d)) +
-                " m apart, the sum of their radii is " + text(s.reach) + " m");
+                " m apart, but the sum of their radii is " + text(s.reach) + " m");
       const auto *spheres = coefficients_.spheres(type[i], type[j]);
       if (!spheres) continue;
       s.K = spheres->stiffness(atom->radius[i], atom->radius[j]);
@@ -69,7 +69,7 @@ void PairBearingHertz::rebuild_contacts()
   ++builds_;
 }
 
-// Adds the grooves of a ring that a ball may touch.
+// Adds those grooves of a ring that a ball may touch.
 void PairBearingHertz::add_grooves(int i_ball, int i_ring)
 {
   RacewayContact c;
@@ -93,8 +93,8 @@ void PairBearingHertz::add_grooves(int i_ball, int i_ring)
   }
 }
 
-// Sets the claims and states of the contacts. Error unless every ball is in exactly one ring on
-// each side on which its type has a raceway.
+// Sets the claims and states of the contacts. Stops with an error unless every ball is in exactly
+// one ring on each side on which its type has a raceway.
 void PairBearingHertz::add_raceway_contacts()
 {
   std::vector<int> sides(atom->nlocal, 0);
@@ -119,7 +119,8 @@ void PairBearingHertz::add_raceway_contacts()
           " at (" + text(atom->x[i][0]) + ", " + text(atom->x[i][1]) + ", " + text(atom->x[i][2]) +
           ") m is not in any groove of an " + (missing & 1 ? "inner" : "outer") + " ring at step " +
           std::to_string(update->ntimestep) +
-          (update->setupflag ? ": ring missing, at another place or at odds with the other ring"
-                             : ": step too large, load too high, or the rings have come apart"));
+          (update->setupflag
+               ? ": the ring is missing, at another position or at odds with the other ring"
+               : ": the step is too large, the load is too high, or the rings have come apart"));
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Set-up of the pair style: commands, coefficients, restart. The step is in
-// pair_bearing_compute.cpp, the contact search in pair_bearing_contacts.cpp.
+// Set-up of the pair style: commands, coefficients and restart. The step is in
+// pair_bearing_compute.cpp, and the contact search is in pair_bearing_contacts.cpp.
 #include "pair_bearing_hertz.h"
 
 #include "../contacts/instants.h"
@@ -28,7 +28,7 @@ PairBearingHertz::PairBearingHertz(LAMMPS *lmp, bool with_film) :
 
 PairBearingHertz::~PairBearingHertz()
 {
-  // Modify may already be gone when the host shuts down
+  // Modify may already have been deleted when the host shuts down
   if (modify && modify->nfix && modify->find_fix(FixBearingState::fixed_id) >= 0)
     modify->delete_fix(FixBearingState::fixed_id);
   if (allocated) {
@@ -42,7 +42,7 @@ PairBearingHertz *PairBearingHertz::find(LAMMPS *lmp, const std::string &asked_b
   PairBearingHertz *p = dynamic_cast<PairBearingHertz *>(lmp->force->pair);
   if (!p)
     BRG_ALL_OF(lmp, asked_by + " needs pair_style bearing, bearing/hertz or bearing/ehd before it, "
-                               "not below hybrid; particles beside bearings have 'pair_coeff I J "
+                               "not below hybrid; particles beside bearings use 'pair_coeff I J "
                                "grain' and fix bearing/grains");
   return p;
 }
@@ -53,7 +53,7 @@ void PairBearingHertz::allocate()
   allocated = 1;
   memory->create(setflag, n, n, "pair:setflag");
   memory->create(cutsq, n, n, "pair:cutsq");
-  // types that no pair_coeff names do not interact; their coefficients count as set
+  // types that no pair_coeff names do not interact, but their coefficients count as set
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {
       setflag[i][j] = 1;
@@ -94,16 +94,19 @@ void PairBearingHertz::init_style()
     BRG_ALL(std::string("pair_style bearing needs 'units si', not 'units ") + update->unit_style +
             "'");
   if (!atom->radius_flag || !atom->rmass_flag || !atom->torque_flag || !atom->omega_flag)
-    BRG_ALL("pair_style bearing needs atom_style sphere (granular in LIGGGHTS): balls turn");
+    BRG_ALL(
+        "pair_style bearing needs atom_style sphere (granular in LIGGGHTS), because balls rotate");
   if (force->newton_pair)
-    BRG_ALL("pair_style bearing needs 'newton off': the owner of a ball computes its contacts");
+    BRG_ALL(
+        "pair_style bearing needs 'newton off', because the owner of a ball computes its contacts");
   if (domain->xperiodic || domain->yperiodic || domain->zperiodic)
-    BRG_ALL("pair_style bearing needs 'boundary f f f' (or m, s): a bearing is not periodic");
+    BRG_ALL(
+        "pair_style bearing needs 'boundary f f f' (or m, s), because a bearing is not periodic");
   if (!coefficients_.any_raceway())
     BRG_ALL("pair_style bearing: no raceway; give pair_coeff BALL RING inner|outer ...");
   if (!(update->dt >= shortest_step))
     BRG_ALL("timestep is " + text(update->dt) + " s, must be at least " + text(shortest_step) +
-            " s: time would stand still");
+            " s; otherwise the time would not advance");
   time_.go_on(*update);
   comm->ghost_velocity = 1;
   BRG_REQUEST_HALF();
@@ -114,22 +117,22 @@ void PairBearingHertz::init_style()
   for (int k = 0; k < modify->nfix; ++k)
     if (dynamic_cast<bearing::InstantSource *>(modify->fix[k]))
       implicit_bits_ |= modify->fix[k]->groupbit;
-  // the fixes that follow contacts and fixes bearing/capacitance set these again
+  // the fixes that follow contacts and the fixes bearing/capacitance set these again
   followers_.clear();
   capacitors_ = gaps_ = false;
   validity_.forget_shoulders();
   check_ghosts();
   check_types(sizes.count);
   check_rails();
-  profiles_.clear();    // fixes bearing/profile set these again
+  profiles_.clear();    // the fixes bearing/profile set these again
   atoms_ = count_atoms();
   put_state_last();
   rebuild_ = true;
 }
 
 // The state fix must be the last fix, because it restores the forces of the previous step after the
-// set-up of every other fix. If fixes were defined since the previous run, the state fix is moved
-// to the end again, with its state.
+// set-up of every other fix. If fixes were defined after the previous run, the state fix is moved
+// to the end again, together with its state.
 void PairBearingHertz::put_state_last()
 {
   const int at = modify->find_fix(FixBearingState::fixed_id);
@@ -166,8 +169,8 @@ bearing::TypeSizes PairBearingHertz::type_sizes() const
   return s;
 }
 
-// The hosts take the larger of the deck's ghost cutoff and the pairs' cutoff; a smaller cutoff in
-// the deck is probably a mistake.
+// The hosts use the larger of the deck's ghost cutoff and the cutoff of the pair styles, so a
+// smaller cutoff in the deck is probably a mistake.
 void PairBearingHertz::check_ghosts()
 {
   const double reach = coefficients_.reach();
@@ -183,7 +186,7 @@ void PairBearingHertz::expect_sphere(int ball_type, int cage_type)
   cage_types_.insert(std::minmax(ball_type, cage_type));
 }
 
-// Types that no pair_coeff names do not interact, which is hardly intended: warns once per type.
+// Types that no pair_coeff names do not interact, which is hardly intended. Warns once per type.
 void PairBearingHertz::check_types(const std::vector<int> &count)
 {
   for (const auto &c : cage_types_) {
@@ -204,7 +207,7 @@ void PairBearingHertz::check_types(const std::vector<int> &count)
              ": its atoms pass through everything");
 }
 
-// Nothing holds cage balls without rails: warns whenever the number of such balls has changed.
+// Nothing holds cage balls without rails. Warns whenever the number of such balls has changed.
 void PairBearingHertz::check_rails()
 {
   int railed = 0;
@@ -233,16 +236,16 @@ bigint PairBearingHertz::count_atoms() const
   return all;
 }
 
-// Error if atoms are missing: the hosts delete an atom that leaves the box, LIGGGHTS without a
-// message.
+// Stops with an error if atoms are missing. The hosts delete an atom that leaves the box, LIGGGHTS
+// without a message.
 void PairBearingHertz::check_atoms() const
 {
   const bigint now = count_atoms();
   if (now != atoms_)
     BRG_ALL("lost " + std::to_string(atoms_ - now) + " of " + std::to_string(atoms_) +
             " balls, cage balls and rings at step " + std::to_string(update->ntimestep) +
-            ": they have left the box. Speed or step too large, a cage without rails "
-            "(fix bearing/cage), or a ring without a fix");
+            ": they have left the box. Either the speed or step is too large, a cage has no rails "
+            "(fix bearing/cage), or a ring has no fix");
 }
 
 double PairBearingHertz::init_one(int i, int j)
@@ -252,7 +255,7 @@ double PairBearingHertz::init_one(int i, int j)
   return cut;
 }
 
-// Writes the commands, then the simulated time.
+// Writes the commands, followed by the simulated time.
 void PairBearingHertz::write_restart(FILE *fp)
 {
   bearing::write_commands(fp, commands_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// pair_style bearing/hertz: dry elliptical Hertz contact of balls in the grooves of rings,
+// pair_style bearing/hertz: dry elliptical Hertz contacts of balls in the grooves of rings,
 // friction, and frictionless sphere contacts of the cage. It owns the contact table. bearing/ehd
 // adds the film.
 #ifdef PAIR_CLASS
@@ -35,23 +35,23 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   void read_restart BRG_READ_RESTART_SIG override;
   double memory_usage() override;
 
-  // For fixes, computes and commands of this package.
+  // Used by the fixes, computes and commands of this package.
   const bearing::PairCoefficients &coefficients() const { return coefficients_; }
   bearing::PairCoefficients &coefficients() { return coefficients_; }
   bearing::SurfaceProfiles &profiles() { return profiles_; }    // fixes set them in every init()
   const bearing::ContactTable &table() const { return table_; }
-  // Pairs of grains that may touch, as local indices, for fix bearing/grains. They are valid until
+  // Pairs of grains that may touch, as local indices for fix bearing/grains. They are valid until
   // the table is built again.
   const std::vector<std::pair<int, int>> &grains() const { return grains_; }
   std::vector<bearing::PocketRow> &pocket_rows() { return table_.pocket; }
   bearing::RingSum &ring_sum() { return ring_sum_; }
   FixBearingState *state() const { return state_; }
   raceway::Vec3 axis() const override { return coefficients_.axis(); }
-  // Called when a bearing with these types of balls and cage balls has been created: the types need
-  // a pair_coeff ... sphere.
+  // Called when a bearing with these types of balls and cage balls has been created, because the
+  // types need a pair_coeff ... sphere.
   void expect_sphere(int ball_type, int cage_type);
-  int table_build() const { return builds_; }     // number of times local indices have changed
-  bigint table_fill() const { return fills_; }    // number of times the table was filled
+  int table_build() const { return builds_; }     // number of times that local indices have changed
+  bigint table_fill() const { return fills_; }    // number of times that the table has been filled
 
   void indices_changed() override;
   void forces_known() override;
@@ -69,32 +69,33 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   // Called by fix bearing/capacitance in every init(), for the balls of a group.
   void add_capacitor(int groupbit, const raceway::CapacitorModel &);
 
-  // True for an atom in the group of a fix bearing/implicit, which advances the atom's contact
-  // states.
+  // Returns true for an atom in the group of a fix bearing/implicit, which advances the contact
+  // states of the atom.
   bool is_implicit(int i) const { return atom->mask[i] & implicit_bits_; }
-  // Defaults of fix bearing/implicit: tolerance relative to the largest overlap, ratio of the
-  // tolerance of cage balls to the tolerance of other bodies, and whether error estimates control
-  // the step.
+  // Defaults of fix bearing/implicit: the tolerance relative to the largest overlap, the ratio of
+  // the tolerance of cage balls to that of other bodies, and whether error estimates control the
+  // step.
   virtual double relative_tolerance() const { return 0.0; }
   virtual double cage_tolerance_share() const { return 1.0; }
   virtual bool estimates_errors() const { return false; }
-  // Data of the bearing and oil of a ball type, if the pair style has them: relative permittivity,
-  // and shoulder diameter (m) of the inner or the outer ring; 0: unknown.
+  // Data of the bearing and the oil of a ball type, if the pair style has them: relative
+  // permittivity, and shoulder diameter (m) of the inner or outer ring. Unknown values are 0.
   virtual double permittivity(int) const { return 0.0; }
   virtual double shoulder(int, raceway::Side) const { return 0.0; }
-  // True if a word of the deck selected dry contacts: the deck may then still contain fixes for
-  // films.
+  // Returns true if a word of the deck selected dry contacts. The deck may then still contain fixes
+  // for films.
   virtual bool dry_by_choice() const { return false; }
-  // Words of pair_style and of every pair_coeff of the deck.
+  // Words of the pair_style command and of every pair_coeff command of the deck.
   const bearing::Commands &commands() const { return commands_; }
 
-  // The pair style of the run; error naming `asked_by` if it is not a style of this package.
+  // Returns the pair style of the run. Stops with an error that names `asked_by` if it is not a
+  // style of this package.
   static PairBearingHertz *find(class LAMMPS *, const std::string &asked_by);
 
  protected:
-  // Selects contacts with a film or dry contacts; to be called before settings and coefficients
+  // Selects contacts with a film or dry contacts. Must be called before settings and coefficients.
   void set_film(bool film) { coefficients_ = bearing::PairCoefficients(film); }
-  // Puts the last command in the place of command k, if there is a command k.
+  // Moves the last command to the position of command k, if there is a command k.
   void move_last_command(size_t k);
 
  private:
@@ -119,25 +120,25 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bearing::SimulatedTime time_;
   bearing::PairCoefficients coefficients_;
   bearing::SurfaceProfiles profiles_;
-  bearing::Commands commands_;                  // commands so far; a restart repeats them
+  bearing::Commands commands_;                  // commands so far, which a restart repeats
   std::set<std::pair<int, int>> cage_types_;    // types of created bearings, smaller type first
   std::vector<bearing::LawFollower *> followers_;
-  std::set<int> silent_types_;    // types without pair_coeff that were warned of
+  std::set<int> silent_types_;    // types without pair_coeff for which a warning was printed
   bigint without_rails_ = 0;      // number of cage balls without rails
-  int implicit_bits_ = 0;         // groups of fixes that advance contact states themselves
+  int implicit_bits_ = 0;         // groups of the fixes that advance contact states themselves
   bearing::ContactTable table_;
   std::vector<std::pair<int, int>> grains_;
   bearing::ContactEvaluator evaluator_;
   bearing::RingSum ring_sum_;
   FixBearingState *state_ = nullptr;
   bearing::ValidityCheck validity_;
-  bigint atoms_ = 0;    // atoms of types named by pair_coeff, at the start of the run
+  bigint atoms_ = 0;    // atoms at the start of the run whose types have a pair_coeff
   bool rebuild_ = true;
   int builds_ = 0;
   bigint fills_ = 0;
-  bool capacitors_ = false;    // there is a fix bearing/capacitance
-  bool gaps_ = false;          // a fix bearing/capacitance needs surroundings of contacts
-  bool warned_ = false;        // the warning that the step is too long was given
+  bool capacitors_ = false;    // whether there is a fix bearing/capacitance
+  bool gaps_ = false;          // whether a fix bearing/capacitance needs surroundings
+  bool warned_ = false;        // whether the warning that the step is too long has been printed
 };
 
 }    // namespace LAMMPS_NS

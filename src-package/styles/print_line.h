@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Prints a line for the user, on the screen and in the log.
+// Prints a line for the user on the screen and to the log.
 #ifndef BEARING_PRINT_LINE_H
 #define BEARING_PRINT_LINE_H
 

@@ -29,8 +29,8 @@ static bool has(const Attributes &list, const std::string &name)
                      [&](const NetcdfHeader::Attribute &a) { return a.name == name; });
 }
 
-// Adds the data of the bearing, if a record has only one: names with units, as in the decks' data
-// files.
+// Adds the data of the bearing if the record contains only one. The names include units, as in the
+// data files of the decks.
 static void add_bearing(const RecordLayout &layout, Attributes &list)
 {
   static const std::map<std::string, const char *> suffix = {
@@ -42,7 +42,7 @@ static void add_bearing(const RecordLayout &layout, Attributes &list)
   };
   for (int k = 0; k < of_kind::N; ++k) {
     const raceway::Column &c = of_kind::list[k];
-    // outer radius of a bearing without clearance; the clearance is a separate value
+    // outer radius of a bearing without clearance, because the clearance is a separate value
     const double outside = k == of_kind::OUTER_RADIUS ? 0.5 * of[of_kind::CLEARANCE] : 0.0;
     add(c.name + std::string(suffix.at(c.unit)), of[k] - outside);
   }
@@ -98,7 +98,7 @@ Attributes record_settings(LAMMPS *lmp, PairBearingHertz &pair, const RecordLayo
     for (const std::string &w : words) commands += " " + w;
   }
   list.push_back(NetcdfHeader::attribute("pair_commands", commands));
-  std::string surroundings;    // surroundings of contacts, as used by columns
+  std::string surroundings;    // surroundings of contacts, as used by the columns
   for (const FixBearingCapacitance *f : capacitances_of(lmp))
     if (f->model().surrounded()) surroundings += (surroundings.empty() ? "" : "\n") + f->said();
   if (!surroundings.empty())
@@ -108,7 +108,7 @@ Attributes record_settings(LAMMPS *lmp, PairBearingHertz &pair, const RecordLayo
   return list;
 }
 
-// YAML scalar for text that may be ambiguous because of a file name.
+// Returns a YAML scalar for text that a file name may make ambiguous.
 static std::string scalar(const std::string &words)
 {
   if (words.find(": ") == std::string::npos && words.find(" #") == std::string::npos) return words;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Checks the folder of a run before anything runs: whether it can be written, whether another run
+// Checks the folder of a run before the run starts: whether it is writable, whether another run
 // writes to it, whether it contains a finished run, and whether its restart file is intact and was
 // written by this host. Collective.
 #ifndef BEARING_RESULT_FOLDER_H
@@ -11,7 +11,7 @@
 namespace bearing {
 
 // Creates the folder and its parents and claims it for this process (core/settings/folder_lock.h).
-// Errors name the command of `args`.
+// Error messages name the command of `args`.
 void claim_result_folder(LAMMPS_NS::LAMMPS *, const Arguments &args, const std::string &folder);
 
 struct ResumeRequest {
@@ -19,8 +19,8 @@ struct ResumeRequest {
   bool resume, overwrite;    // continue from `file`; a finished run next to it may be removed
 };
 
-// True if the run continues from the file. Prints that the run continues, or that the file is
-// missing.
+// Returns true if the run continues from the file. Prints that the run continues, or that the file
+// is missing.
 bool goes_on(LAMMPS_NS::LAMMPS *, const Arguments &args, const ResumeRequest &);
 
 }    // namespace bearing

@@ -13,7 +13,7 @@ class PairBearingHertz;
 
 namespace bearing {
 
-// A ring and its loads, with the bearing axis third.
+// A ring and its loads, with the bearing axis as the third component.
 struct RingView {
   double tag;
   const raceway::RingPlace &place;
@@ -24,10 +24,10 @@ struct RingView {
 // Sets of[of_ring::RING] to of[of_ring::AZ] (core/figures/bearing_columns.h).
 void ring_values(const RingView &, const raceway::LabAxes &, double *of);
 
-// Stores accelerations at the start of a run; to be called before ring_values().
+// Stores accelerations at the start of a run. Must be called before ring_values().
 void note_setup(LAMMPS_NS::LAMMPS *);
 
-// The same for the n-th ring of this rank in the RingSum of the pair style.
+// Does the same for the n-th ring of this rank in the RingSum of the pair style.
 void ring_values(const LAMMPS_NS::Atom &, LAMMPS_NS::PairBearingHertz &, int n, double *of);
 
 }    // namespace bearing

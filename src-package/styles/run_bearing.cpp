@@ -25,7 +25,7 @@ using bearing::text;
 using bearing::written;
 
 static constexpr const char *command_name = "run_bearing";
-// Fixes and a compute used only by this command
+// Fixes and a compute that are used only by this command.
 static const std::string total_id = FixBearingRun::fixed_id, step_id = "RUN_BEARING_STEP",
                          show_id = "RUN_BEARING_SHOW", share_id = "RUN_BEARING_SHARE";
 
@@ -58,12 +58,12 @@ void RunBearing::read(Arguments &args)
     }
   }
   if (!settles)
-    args.fail("'settle N', 'settle auto' or 'settle orbit' is missing: ball passes before the "
-              "measurement");
-  if (to.passes == 0.0) args.fail("'passes P' is missing: ball passes to measure");
+    args.fail("'settle N', 'settle auto' or 'settle orbit' is missing (ball passes before the "
+              "measurement)");
+  if (to.passes == 0.0) args.fail("'passes P' is missing (ball passes to measure)");
 }
 
-// Settings that a continued run must share with the previous one.
+// Returns the settings that a continued run must share with the previous one.
 std::string RunBearing::words() const
 {
   const Settings &s = settings_;
@@ -79,10 +79,10 @@ void RunBearing::command(int narg, char **arg)
   Arguments args(lmp, command_name, narg, arg, 0);
   read(args);
   take_usual();
-  if (domain->box_exist == 0) args.fail("there is no box yet, and no bearing in it");
+  if (domain->box_exist == 0) args.fail("there is no box yet, and therefore no bearing");
   for (const FixBearingRecord *f : bearing::fixes_of<FixBearingRecord>(lmp))
     if (f->samples_a_pass() > 0.0 && !f->waits())
-      args.fail(bearing::name_of(*f) + " has been measured already: begin another record");
+      args.fail(bearing::name_of(*f) + " has been measured already: start another record");
   if (output->thermo_every == 0)    // the table of fix bearing/progress shows more
     for (const char *line : {"thermo_style custom step", "thermo_modify lost error flush yes"})
       input->one(line);
@@ -100,7 +100,8 @@ void RunBearing::command(int narg, char **arg)
 
 bool RunBearing::implicit() const { return !bearing::fixes_of<FixBearingImplicit>(lmp).empty(); }
 
-// ---- the plan: ball pass, samples and steps. Numbers are rounded as a deck's formulas write them.
+// ---- The plan: ball pass, samples and steps. Numbers are rounded in the same way as by a deck's
+// formulas.
 
 // Takes default values from the scene: the sampling rate of fix bearing/vibration, and the nominal
 // contact angle of named bearings.
@@ -119,11 +120,11 @@ void RunBearing::plan()
   now().start = bearing::SimulatedTime::now(*update);
   if (update->ntimestep != 0) begin_at_step_0(now().start);
   now().pass = bearing::ball_pass_time(lmp, command_name, settings_.angle);
-  double ramp = 0.0;    // s, time until the full loads act
+  double ramp = 0.0;    // s, time after which the full loads act
   for (const FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp))
     ramp = std::max(ramp, f->ramp());
   begin_search();
-  // a whole ball pass with adaptive steps comes before even steps
+  // a whole ball pass with adaptive steps precedes the even steps
   const double before = automatic() ? (implicit() ? 0.0 : 1.0) : settings_.settle;
   const double least = fix_->orbit().runs() ? 1e-3 : 1e-2;    // s
   now().begin = written(before * now().pass + std::max(least, ramp));
@@ -132,9 +133,9 @@ void RunBearing::plan()
   if (implicit()) plan_steps();
 }
 
-// Sets the samples per ball pass as the records request them, and the samples per host step: ten,
-// five, two or one, chosen such that a ball pass is a whole number of steps and at least twenty
-// steps.
+// Sets the number of samples per ball pass requested by the records, and the number of samples per
+// host step. The latter is ten, five, two or one, such that a ball pass has a whole number of steps
+// and at least twenty.
 void RunBearing::plan_samples()
 {
   double samples = 0.0, asked = 0.0;
@@ -142,8 +143,8 @@ void RunBearing::plan_samples()
     if (!f->waits()) continue;
     if (samples != 0.0 && (f->samples_a_pass() != samples || f->within_asked() != asked))
       BRG_ALL(std::string(command_name) + ": " + bearing::name_of(*f) + " requests " +
-              text(f->samples_a_pass()) + " samples in a ball pass, another record for " +
-              text(samples) + ": give both the same samples and 'within'");
+              text(f->samples_a_pass()) + " samples in a ball pass, but another record requests " +
+              text(samples) + ": use the same samples and 'within' for both");
     samples = f->samples_a_pass();
     asked = f->within_asked();
   }
@@ -156,8 +157,8 @@ void RunBearing::plan_samples()
   now().within = asked != 0.0 ? asked : chosen;
 }
 
-// Sets the step of the implicit integrator near the requested step: a whole number of samples, or
-// an integer fraction of one sample.
+// Sets the step of the implicit integrator close to the requested step, such that it is a whole
+// number of samples or an integer fraction of one sample.
 void RunBearing::plan_steps()
 {
   fix_step(settings_.step == 0.0 ? sampled_length() : settings_.step);
@@ -165,15 +166,15 @@ void RunBearing::plan_steps()
   if (fix_->orbit().runs()) now().steps = steps_a_pass();
 }
 
-// Time of the samples within a host step, s
+// Returns the time (s) spanned by the samples within a host step.
 double RunBearing::sampled_length()
 {
   const double length = now().pass / now().a_pass * now().within;
   return implicit() ? written(length) : length;
 }
 
-// Sets a step of about the length `wanted`, with a whole number of steps per sample or per `within`
-// samples.
+// Sets a step close to `wanted`, such that a sample or `within` samples take a whole number of
+// steps.
 void RunBearing::fix_step(double wanted)
 {
   const double largest = sampled_length();
@@ -219,25 +220,26 @@ void RunBearing::settle()
   choose_steps();
   warm_up();
   if (automatic()) settle_until_still();
-  // even steps: time from the number of steps, so that a stopped run has the same rounding
+  // with even steps, the time follows from the number of steps, so that a stopped run has the same
+  // rounding errors
   const bool even = implicit() && !settings_.orbit;
-  // if a run was stopped after the last step of settling, LIGGGHTS refuses new fixes after
-  // reset_timestep until the restart file's data are released, which happens here
+  // if a run was stopped after the last step of settling, LIGGGHTS rejects new fixes after
+  // reset_timestep until the data of the restart file are released, which happens here
   if (fix_->resumed()) lmp->init();
   begin_at_step_0(even ? now().start + update->ntimestep * now().step_length
                        : bearing::SimulatedTime::now(*update));
   now().measures = 1.0;
 }
 
-// Settling and measurement each count steps from 0; the simulated time is not reset.
+// Settling and measurement each count steps from 0, but the simulated time is not reset.
 void RunBearing::begin_at_step_0(double time)
 {
   input->one("reset_timestep 0");
   bearing::SimulatedTime::set(*update, time);
 }
 
-// For velocity Verlet: settles with steps at a fraction of the stability limit, then sets the step
-// of the measurement from the smallest limit found.
+// For velocity Verlet, settles with steps at a fraction of the stability limit, and then sets the
+// step of the measurement from the smallest limit found.
 void RunBearing::settle_adaptively()
 {
   constexpr double chunk = 5000.0;    // steps
@@ -262,7 +264,7 @@ void RunBearing::settle_adaptively()
   now().begin_steps = static_cast<double>(update->ntimestep);
 }
 
-// Runs ball pass by ball pass until the temperatures of fixes bearing/heat no longer change.
+// Runs ball pass by ball pass until the temperatures of the fixes bearing/heat no longer change.
 void RunBearing::warm_up()
 {
   const std::vector<FixBearingHeat *> heats = bearing::fixes_of<FixBearingHeat>(lmp);
@@ -285,7 +287,7 @@ double RunBearing::steps_a_pass()
   return now().every * std::max(1.0, std::round(now().a_pass / now().within));
 }
 
-// ---- the measurement
+// ---- The measurement.
 
 void RunBearing::start_fixes()
 {
@@ -323,12 +325,12 @@ void RunBearing::measure()
   const double steps = samples * every / within;
   if (!(steps >= 1.0 && steps <= 2e9 && steps == std::floor(steps)))
     BRG_ALL(std::string(command_name) + ": host steps of the measurement is " + text(steps) +
-            ", must be a whole number from 1 to 2e9: give fewer passes or samples; within must "
+            ", must be a whole number from 1 to 2e9: use fewer passes or samples; within must "
             "divide them");
   if (steps < static_cast<double>(update->ntimestep))
     BRG_ALL(std::string(command_name) + ": the run to resume has reached step " +
             std::to_string(update->ntimestep) + ", beyond these passes, " + text(steps) +
-            " steps: give more passes");
+            " steps: use more passes");
   set_step(now().step_length);
   start_fixes();
   if (!implicit())
@@ -339,8 +341,8 @@ void RunBearing::measure()
   if (!implicit()) input->one(("unfix " + step_id).c_str());
 }
 
-// Error unless the contacts of a ring carry its load on average: otherwise the run had not settled
-// and gives no figures.
+// Stops with an error unless the contacts of a ring carry its load on average. Otherwise the run
+// had not settled and its results are meaningless.
 void RunBearing::check_balance() const
 {
   for (FixBearingCheckpoint *f : bearing::fixes_of<FixBearingCheckpoint>(lmp))

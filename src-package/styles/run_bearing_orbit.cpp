@@ -15,14 +15,15 @@ using bearing::fixes_of;
 using bearing::print_line;
 using bearing::text;
 
-// Reason why no ball pass of this scene can repeat the previous ball pass; empty if one may.
+// Returns the reason why no ball pass of this scene can repeat the previous one, or an empty string
+// if one may.
 std::string RunBearing::why_no_orbit()
 {
   if (!implicit()) return "the steps of velocity Verlet follow its stability limit";
   if (settings_.rate > 0.0) return "samples per second do not divide a ball pass";
   if (bearing::ball_rows(lmp, "run_bearing") != 1) return "there are several rows of balls";
   for (const FixBearingProfile *f : fixes_of<FixBearingProfile>(lmp))
-    if (f->departs()) return bearing::name_of(*f) + " makes balls or places differ";
+    if (f->departs()) return bearing::name_of(*f) + " makes balls or positions differ";
   for (const FixBearingRing *f : fixes_of<FixBearingRing>(lmp))
     if (!f->constant())
       return "loads or speeds of " + bearing::name_of(*f) + " change or turn with the ring";
@@ -48,7 +49,7 @@ void RunBearing::say_search()
   const bearing::OrbitSearch::State &s = fix_->orbit().now();
   char line[160];
   if (s.jumped == 0.0)
-    snprintf(line, sizeof line, "  speeds of the balls %.1e, %.1e in all ball passes to come",
+    snprintf(line, sizeof line, "  speeds of the balls %.1e, %.1e in all later ball passes",
              s.residual, s.distance);
   else snprintf(line, sizeof line, "  speeds of the balls %.1e; the next are chosen", s.residual);
   print_line(lmp, line);
@@ -56,5 +57,5 @@ void RunBearing::say_search()
   if (fix_->orbit().found()) print_line(lmp, "Orbit after " + after);
   else if (!fix_->orbit().runs())
     print_line(lmp, "No orbit: no ball pass of " + after +
-                        " repeats the one before. Settling until they agree");
+                        " repeats the previous one. Settling until they agree");
 }

@@ -10,7 +10,7 @@ namespace bearing {
 // ID of the internal fix that exists while run_bearing runs.
 inline constexpr const char *fix_of_run = "RUN_BEARING";
 
-// Samples of a measurement: one at every `every`-th host step, or `within` samples per step.
+// Samples of a measurement, taken once every `every` host steps or `within` times per step.
 struct Sampling {
   int every = 1, within = 1;
 };
@@ -18,7 +18,7 @@ struct Sampling {
 class WaitsForRun {
  public:
   bool waits() const { return waits_; }
-  // Called before settling, if the steps are already known.
+  // Called before settling if the steps are already known.
   virtual void settle(const Sampling &) {}
   // Called when run_bearing has settled the bearings, before the set-up of the run that measures.
   void measure(const Sampling &sampling)
@@ -31,7 +31,8 @@ class WaitsForRun {
   ~WaitsForRun() = default;
   void wait() { waits_ = true; }
   virtual void begin(const Sampling &) = 0;
-  // Error if the host's own command starts a run, in which this fix would never sample.
+  // Stops with an error if a run was started by the host's own command, because this fix would
+  // never sample in it.
   void refuse_plain_run(LAMMPS_NS::LAMMPS *, const std::string &command) const;
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Continues the simulated time from one run to the next and through restart files, for formulas
-// with the host's keyword `time`. Some hosts do not store the time in restart files; reset_timestep
-// sets it to 0 in some hosts and makes it jump in others.
+// that contain the host's keyword `time`. Some hosts do not store the time in restart files;
+// reset_timestep sets it to 0 in some hosts and makes it jump in others.
 #ifndef BEARING_SIMULATED_TIME_H
 #define BEARING_SIMULATED_TIME_H
 
@@ -13,10 +13,10 @@ namespace bearing {
 
 class SimulatedTime {
  public:
-  // Contents of a restart file: the time is `since` s at step `from` and grows by `step_length` s
+  // Contents of a restart file. The time is `since` s at step `from` and grows by `step_length` s
   // per step.
   struct State {
-    double since, from, step_length, step;    // `step`: the present step
+    double since, from, step_length, step;    // `step`: the current step
     double now() const { return since + (step - from) * step_length; }
   };
 
@@ -37,8 +37,8 @@ class SimulatedTime {
     left_ = s, known_ = read_ = true;
     set(u, s.now());
   }
-  // To be called before a run or before a restart file is written, so that a continued run has the
-  // bits of an uninterrupted run.
+  // Must be called before a run or before a restart file is written, so that a continued run is
+  // bitwise identical to an uninterrupted run.
   void go_on(LAMMPS_NS::Update &u) const
   {
     if (!known_) return;

@@ -14,8 +14,8 @@ class StopSignal {
   StopSignal(const StopSignal &) = delete;
   StopSignal &operator=(const StopSignal &) = delete;
 
-  static int caught();    // number of the last signal; 0: none since the first object was made
-  static void set(int signal);    // the signal on which all ranks agreed
+  static int caught();            // number of the last signal, or 0 if there was none
+  static void set(int signal);    // sets the signal on which all ranks agreed
 };
 
 }    // namespace bearing

@@ -67,7 +67,7 @@ MAIN_DECK = {
         {"cage_ball_diameter": 9e-3},
         (
             r"create_bearing b: cage ball of diameter 0.009 m is too large for the gap between two"
-            r" balls: at most 0.0084\d* m"
+            r" balls; the largest diameter that fits is 0.0084\d* m"
         ),
     ),
     "output not writable": (
@@ -199,8 +199,8 @@ DECKS = {
         + CREATE.replace("9 diam", "13 diam")
         + "create_atoms 1 single 0.0303 0.004 0 units box\nset type 1 diameter 12.6e-3\nrun 0\n",
         (
-            r"overlapping balls: atoms \d+ and \d+ are 0.00\d* m apart, the sum of their radii is"
-            r" 0.0126 m"
+            r"overlapping balls: atoms \d+ and \d+ are 0.00\d* m apart, but the sum of their radii"
+            r" is 0.0126 m"
         ),
     ),
     "balls of two sizes": (

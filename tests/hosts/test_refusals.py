@@ -43,7 +43,7 @@ FIXES = {
     "temp/csld 300 300 0.1 1": (MAY, WHEEL),
     "heat 1 0.1": (MAY, LAMMPS),
     "oneway 1 box -x": (MAY, WHEEL),
-    "recenter INIT INIT INIT": ("may not change the place of its atoms", LAMMPS),
+    "recenter INIT INIT INIT": ("may not change the positions of its atoms", LAMMPS),
     "deform 1 x final -0.06 0.061 units box": ("may not change the box", EVERYWHERE),
     "dt/reset 1 1e-7 1e-5 0.1": ("may not change the timestep", EVERYWHERE),
     "ave/time 1 1 10 c_thermo_temp": (None, EVERYWHERE),

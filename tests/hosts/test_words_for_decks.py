@@ -135,7 +135,7 @@ def test_dump_refused(tmp_path, words, says):
     [
         ("groups maybe", "groups is 'maybe', must be one of: no, yes"),
         ("resumed 2", "resumed is '2', must be one of: no, yes, 0, 1"),
-        ("resumed yes", "'resumed yes' needs the atoms of a restart file: read_restart comes"),
+        ("resumed yes", "'resumed yes' needs the atoms of a restart file: read_restart must come"),
     ],
 )
 def test_create_refused(tmp_path, words, says):

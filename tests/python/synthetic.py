@@ -245,12 +245,12 @@ def _fill(file, data, end):
 
     put("raceway", ("raceway", "letters"), np.array(["inner", "outer"]), kind="S1")
     file["raceway"].setncattr("_Encoding", "utf-8")
-    fixed("finished", (), int(end), "1: the run has come to its end")
+    fixed("finished", (), int(end), "1 if the run has reached its end")
     atoms = {"ball": np.arange(z) + 1, "cage_ball": np.arange(z) + z + 1, "ring": 2 * z + 1}
     for kind, ids in ((kind, ids) for kind, ids in atoms.items() if kind in sizes):
         fixed(kind, (kind,), ids + np.arange(2) if kind == "ring" else ids, _ATOM[kind])
         fixed(f"{kind}_bearing", (kind,), 1, "its bearing")
-    fixed("ring_raceway", ("ring",), [0, 1], "0 inner, 1 outer, 2 a cage that is one ring")
+    fixed("ring_raceway", ("ring",), [0, 1], "0 inner, 1 outer, 2 one-piece cage")
     for axis in "xyz":
         where = "position of the ring at the start"
         fixed(f"ring_origin_{axis}", ("ring",), 0.0, where, "m", "f8")

@@ -225,7 +225,7 @@ def test_the_cases_have_discharges(pair):
         ("floating 1 breakdown 1e6 arc 1", "'arc' needs 'events'"),
         ("floating 1 within 0", "samples per step is 0"),
         ("floating 1 metal 5", "share of the load on asperities above which a film is metallic"),
-        ("floating 1 metal 5 0.1", "'metal' needs 'friction mixed', which has the load share"),
+        ("floating 1 metal 5 0.1", "'metal' needs 'friction mixed', which computes the load share"),
         ("floating 1 loud yes", "voltage, second, second_factor, beside, stray, breakdown"),
         ("source 1 voltage common_mode 9 80 50 1", "a carrier of 80 Hz must have at least twice"),
         (
@@ -244,9 +244,9 @@ def test_bad_words(tmp_path, words, message):
 @pytest.mark.parametrize(
     "text, message",
     [
-        ("0 1\n1 2 3\n", "line 2: a row of a voltage table is two numbers, s and V"),
+        ("0 1\n1 2 3\n", "line 2: a row of a voltage table must contain two numbers, s and V"),
         ("0 1\n\n0 2\n", "line 3: times of a voltage table must increase"),
-        ("0 1\nx\n", "line 2: a row of a voltage table is two numbers"),
+        ("0 1\nx\n", "line 2: a row of a voltage table must contain two numbers"),
         ("0 1\n", "needs at least two rows of s and V"),
     ],
 )

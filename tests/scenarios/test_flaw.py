@@ -312,7 +312,7 @@ def test_mistakes_are_named(tmp_path, words, says):
         ("pit 0 2 1e-3 1e-3 1e-4 1e-5", "latitude of the pit (rad) is 2"),
         ("pit 0 0 1e-2 1e-3 1e-4 1e-5", "length of the pit (m) is 0.01 on the equator"),
         ("pit 0 0 1e-3 1e-3 1e-4 1e-3", "edge of the pit (m) is 0.001, must be below 0.0005"),
-        ("pit 0 0 1e-3 1e-3 1e-4 1e-5 pit 0.1 0 1e-3 1e-3 1e-4 1e-5", "azimuths in common"),
+        ("pit 0 0 1e-3 1e-3 1e-4 1e-5 pit 0.1 0 1e-3 1e-3 1e-4 1e-5", "overlap in azimuth"),
         ("wave 500 1e-5 0", "amplitude of the wave (m) of order 500 is 1e-05, must be below"),
         ("none wave 9 1e-6 0", "'none' stands alone"),
         ("file nowhere.txt", "cannot read 'nowhere.txt'"),

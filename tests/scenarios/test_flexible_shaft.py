@@ -409,7 +409,7 @@ def test_restart_with_other_modes(whole, half, tmp_path):
     words = f"mass 4 inertia 2e-3 2e-2 {LOADED}"
     extra = {**whole[1], "from": half, "words": words}
     failed = run(DECK, out=tmp_path, begin="resume", **extra, steps=1)
-    assert failed.code != 0 and "the restart file has 8 modes of the shaft, the deck has 0" in (
+    assert failed.code != 0 and "the restart file has 8 modes of the shaft, but the deck has 0" in (
         failed.error
     )
 

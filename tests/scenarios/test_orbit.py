@@ -41,9 +41,15 @@ def test_figures_are_those_of_a_settled_run(scene, settle, share, tmp_path):
     "words, why",
     [
         ({"unbalance": 1e-4}, "change or turn with the ring"),
-        ({"flaw_outer": "notch -1.5708 1.0e-3 full 1.0e-5 2.0e-4"}, "makes balls or places differ"),
+        (
+            {"flaw_outer": "notch -1.5708 1.0e-3 full 1.0e-5 2.0e-4"},
+            "makes balls or positions differ",
+        ),
         ({"integrator": "verlet", "rpm": 5000}, "velocity Verlet"),
-        ({"clearance": 0, "load": 5000, "models": "full", "rpm": 477.5}, "repeats the one before"),
+        (
+            {"clearance": 0, "load": 5000, "models": "full", "rpm": 477.5},
+            "repeats the previous one",
+        ),
     ],
     ids=["unbalance", "flaw", "verlet", "cage"],
 )

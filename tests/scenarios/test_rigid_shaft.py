@@ -397,7 +397,7 @@ FREE = "mass 4 inertia 2e-3 2e-2 y free z free spin speed 100"
         (
             "fix m balls nve/sphere\nrun 0\ngroup two id 21\ndisplace_atoms two move 0 1e-6 0\n"
             "fix s inner bearing/shaft\nrun 0",
-            "m off its place on the shaft of ring atom 10",
+            "m off its position on the shaft of ring atom 10",
             "0",
         ),
         (

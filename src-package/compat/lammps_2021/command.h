@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Missing in Debian's liblammps-dev of 29Sep2021: the class Command as LAMMPS declares it.
+// The class Command as declared by LAMMPS, which is missing in Debian's liblammps-dev of 29Sep2021.
 #ifndef LMP_COMMAND_H
 #define LMP_COMMAND_H
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Columns for balls, for the motion of rings and for the constant data of a bearing, one line per
-// column, in numerical order; sums and extremes are in bearing_figures.h. Independent of the host.
+// Columns for balls, for the motion of rings and for the constant data of a bearing, with one line
+// per column in numerical order. Sums and extremes are in bearing_figures.h. Independent of the
+// host.
 #ifndef BEARING_BEARING_COLUMNS_H
 #define BEARING_BEARING_COLUMNS_H
 
@@ -15,13 +16,14 @@ using raceway::Column;
 namespace of_ball {
 enum { AZIMUTH, ORBIT, TURN_W, TURN_X, TURN_Y, TURN_Z, N };
 const Column list[N] = {
-    {"azimuth", "rad", "azimuth of the ball about the bearing's axis, from the lab's x"},
+    {"azimuth", "rad", "azimuth of the ball about the bearing axis, measured from the lab x axis"},
     {"orbit", "rad/s", "speed of the ball's centre about the ring's axis"},
-    {"turn_w", "", "turn of the ball since the start, a unit quaternion: cosine of half the angle"},
+    {"turn_w", "",
+     "rotation of the ball since the start as a unit quaternion: cosine of half the angle"},
     {"turn_x", "",
-     "component along x of that quaternion's vector: sine of half the angle times axis"},
-    {"turn_y", "", "component along y of that quaternion's vector"},
-    {"turn_z", "", "component along z of that quaternion's vector"},
+     "x component of the vector part of that quaternion: sine of half the angle times the axis"},
+    {"turn_y", "", "y component of the vector part of that quaternion"},
+    {"turn_z", "", "z component of the vector part of that quaternion"},
 };
 inline bool needs_turn(int k) { return k >= TURN_W; }
 }    // namespace of_ball
@@ -54,26 +56,29 @@ enum {
 };
 const Column list[N] = {
     {"ring", "", "atom number of the ring", raceway::has_none, as_whole},
-    {"x", "m", "displacement of the ring along x, from the start"},
-    {"y", "m", "displacement of the ring along y, from the start"},
-    {"z", "m", "displacement of the ring along z, from the start"},
+    {"x", "m", "displacement of the ring along x, relative to the start"},
+    {"y", "m", "displacement of the ring along y, relative to the start"},
+    {"z", "m", "displacement of the ring along z, relative to the start"},
     {"vx", "m/s", "velocity of the ring along x"},
     {"vy", "m/s", "velocity of the ring along y"},
     {"vz", "m/s", "velocity of the ring along z"},
     {"spin", "rad/s", "spin of the ring about its axis"},
-    {"angle", "rad", "rotation about its axis since the start"},
-    {"tilt_1", "rad", "tilt of the ring about the first axis across the bearing's (x for z)"},
-    {"tilt_2", "rad", "tilt of the ring about the second axis across the bearing's (y for z)"},
+    {"angle", "rad", "rotation of the ring about its axis since the start"},
+    {"tilt_1", "rad", "tilt of the ring about the first transverse axis (x for bearing axis z)"},
+    {"tilt_2", "rad", "tilt of the ring about the second transverse axis (y for bearing axis z)"},
     {"fx", "N", "force of balls and cage on the ring along x"},
     {"fy", "N", "force of balls and cage on the ring along y"},
     {"fz", "N", "force of balls and cage on the ring along z"},
     {"mx", "N m", "moment of balls and cage on the ring about x"},
     {"my", "N m", "moment of balls and cage on the ring about y"},
     {"mz", "N m", "moment of balls and cage on the ring about z"},
-    {"torque", "N m", "moment of balls and cage about the ring's axis, its friction"},
-    {"ax", "m/s^2", "acceleration of the ring along x, 0 if the displacement is not free"},
-    {"ay", "m/s^2", "acceleration of the ring along y, 0 if the displacement is not free"},
-    {"az", "m/s^2", "acceleration of the ring along z, 0 if the displacement is not free"},
+    {"torque", "N m", "moment of balls and cage about the ring's axis, i.e. the friction torque"},
+    {"ax", "m/s^2",
+     "acceleration of the ring along x, which is 0 if this displacement is not free"},
+    {"ay", "m/s^2",
+     "acceleration of the ring along y, which is 0 if this displacement is not free"},
+    {"az", "m/s^2",
+     "acceleration of the ring along z, which is 0 if this displacement is not free"},
 };
 }    // namespace of_ring
 
@@ -123,15 +128,17 @@ const Column list[N] = {
     {"permittivity", "", "relative permittivity of the lubricant at ambient pressure"},
     {"ring_roughness", "m", "roughness of the inner raceway"},
     {"ball_roughness", "m", "roughness of the balls"},
-    {"inner_arch", "m", "distance of two grooves' centres from the inner ring's middle plane"},
-    {"outer_arch", "m", "distance of two grooves' centres from the outer ring's middle plane"},
+    {"inner_arch", "m",
+     "distance of the two groove centres from the middle plane of the inner ring"},
+    {"outer_arch", "m",
+     "distance of the two groove centres from the middle plane of the outer ring"},
 };
 inline bool of_two_grooves(int k) { return k == INNER_ARCH || k == OUTER_ARCH; }
 }    // namespace of_kind
 
 // ---- balls, cage balls and rings as stored by the host
 namespace of_atom {
-enum { MOTION = 2 };    // first of position, velocity and spin
+enum { MOTION = 2 };    // index of the first of position, velocity and spin
 const Column list[] = {
     {"id", "", "atom number", raceway::has_none, as_whole},
     {"type", "", "1 ball, 2 cage ball, 3 inner ring, 4 outer ring", raceway::has_none, as_whole},

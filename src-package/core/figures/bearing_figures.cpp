@@ -72,7 +72,7 @@ void BearingFigures::add(const BallFigures &b)
   orbit += b.orbit;
   for (int k = 0; k < raceway::most_loss_columns; ++k) loss[k] += b.loss[k];
   cage_loss += b.cage_loss;
-  if (!(b.cage_force <= cage_force)) cage_force = b.cage_force;    // one NaN makes the result NaN
+  if (!(b.cage_force <= cage_force)) cage_force = b.cage_force;    // NaN if any value is NaN
   const double series = raceway::series_capacitance(b.capacitance[0], b.capacitance[1]),
                surrounded = raceway::series_capacitance(b.whole[0], b.whole[1]);
   capacitance += series;
@@ -95,13 +95,13 @@ double thinnest(F f, int) { return f.contacts > 0.0 ? f.h_min : 0.0; }
 double smallest_lambda(F f, int) { return f.contacts > 0.0 ? f.lambda : 0.0; }
 
 const Figure cage_force = {
-    {"cage_force", "N", "largest contact force of balls with cage balls or one another"},
+    {"cage_force", "N", "largest contact force between balls and cage balls or between balls"},
     [](F f, int) { return f.cage_force; },
     Needs::nothing,
     0,
     true};
 
-// Set of the parts with this property.
+// Returns the set of the parts with this property.
 unsigned parts_with(bool raceway::LawFacts::*fact)
 {
   unsigned parts = 0;
@@ -110,8 +110,8 @@ unsigned parts_with(bool raceway::LawFacts::*fact)
   return parts;
 }
 
-// Adds the losses with the given `usual`. A law with rolling friction has all of these losses; the
-// loss of an absent part is 0.
+// Adds the losses with the given value of `usual`. A law with rolling friction has all of these
+// losses; the loss of a part that is absent is 0.
 void add_losses(std::vector<Figure> &list, bool usual)
 {
   const unsigned couples = parts_with(&raceway::LawFacts::couples);
@@ -143,8 +143,9 @@ void add(std::vector<Figure> &list, std::initializer_list<Figure> more)
 std::vector<Figure> of_record()
 {
   std::vector<Figure> list = {
-      {{"contacts", "", "contacts of balls with raceways", has_none, as_whole}, contacts},
-      {{"loaded_balls", "", "balls in contact with both raceways", has_none, as_whole},
+      {{"contacts", "", "number of contacts between balls and raceways", has_none, as_whole},
+       contacts},
+      {{"loaded_balls", "", "number of balls in contact with both raceways", has_none, as_whole},
        loaded_balls},
       {{"load_inner", "N", "largest elastic contact load on the inner raceway"}, load_inner},
       {{"load_outer", "N", "largest elastic contact load on the outer raceway"}, load_outer},
@@ -152,10 +153,10 @@ std::vector<Figure> of_record()
        [](F f, int) { return f.pressure[0]; }},
       {{"pressure_outer", "Pa", "largest Hertz pressure on the outer raceway"},
        [](F f, int) { return f.pressure[1]; }},
-      {{"h_min", "m", "smallest film thickness of the contacts"},
+      {{"h_min", "m", "smallest film thickness of all contacts"},
        [](F f, int) { return f.contacts > 0.0 ? f.h_min : NAN; },
        Needs::film},
-      {{"lambda", "", "smallest lambda ratio of the contacts"},
+      {{"lambda", "", "smallest lambda ratio of all contacts"},
        [](F f, int) { return f.contacts > 0.0 ? f.lambda : NAN; },
        Needs::film},
       {{"cage_speed", "rad/s", "mean speed of the balls about the axis of the outer ring"},
@@ -176,13 +177,14 @@ std::vector<Figure> of_record()
        {{"capacitance", "F", "capacitance of the bearing, without background"},
         [](F f, int) { return f.capacitance; },
         Needs::capacitance},
-       {{"capacitance_top", "F", "largest capacitance of one ball, its two contacts in series"},
+       {{"capacitance_top", "F", "largest capacitance of one ball with its two contacts in series"},
         [](F f, int) { return f.capacitance_top; },
         Needs::capacitance}});
   add_losses(list, false);
   add(list,
       {cage_force,
-       {{"asperity_share_top", "", "share of asperities at the largest load on the inner raceway"},
+       {{"asperity_share_top", "",
+         "fraction of the load on asperities at the largest load on the inner raceway"},
         [](F f, int) { return f.asperity_share; },
         Needs::nothing,
         parts_with(&raceway::LawFacts::asperities)},
@@ -199,40 +201,43 @@ std::vector<Figure> of_record()
 std::vector<Figure> of_ring()
 {
   std::vector<Figure> list = {
-      {{"contacts", "", "contacts of balls with the ring", has_none, as_whole}, contacts},
-      {{"balls", "", "balls on the ring in contact with both raceways", has_none, as_whole},
+      {{"contacts", "", "number of contacts between balls and the ring", has_none, as_whole},
+       contacts},
+      {{"balls", "", "number of balls on the ring in contact with both raceways", has_none,
+        as_whole},
        loaded_balls},
       {{"load", "N", "largest elastic contact load"},
        [](F f, int) { return std::max(f.load[0], f.load[1]); }},
       {{"pressure", "Pa", "largest Hertz pressure"}, pressure},
-      {{"h_min", "m", "smallest minimum film thickness of the contacts"}, thinnest, Needs::film},
-      {{"lambda", "", "smallest lambda ratio of the contacts"}, smallest_lambda, Needs::film},
+      {{"h_min", "m", "smallest minimum film thickness of all contacts"}, thinnest, Needs::film},
+      {{"lambda", "", "smallest lambda ratio of all contacts"}, smallest_lambda, Needs::film},
       {{"orbit", "rad/s", "mean speed of the balls about the ring's axis"}, cage_speed}};
   add_losses(list, true);
   add_losses(list, false);
-  list.pop_back();    // loss of the cage
-  add(list,
-      {{{"capacitance", "F", "sum over balls that touch both raceways, both contacts in series"},
-        [](F f, int) { return f.capacitance; },
-        Needs::capacitance},
-       {{"capacitance_total", "F",
-         "sum over all balls with their surroundings, both contacts in series"},
-        [](F f, int) { return f.whole; },
-        Needs::surroundings}});
+  list.pop_back();    // removes the loss of the cage
+  add(list, {{{"capacitance", "F",
+               "sum over balls that touch both raceways, with both contacts in series"},
+              [](F f, int) { return f.capacitance; },
+              Needs::capacitance},
+             {{"capacitance_total", "F",
+               "sum over all balls with their surroundings, with both contacts in series"},
+              [](F f, int) { return f.whole; },
+              Needs::surroundings}});
   return list;
 }
 
 std::vector<Figure> of_total()
 {
   std::vector<Figure> list = {
-      {{"contacts", "", "contacts of balls with raceways", has_none, as_whole}, contacts},
-      {{"loaded_balls", "", "balls in contact with both raceways", has_none, as_whole},
+      {{"contacts", "", "number of contacts between balls and raceways", has_none, as_whole},
+       contacts},
+      {{"loaded_balls", "", "number of balls in contact with both raceways", has_none, as_whole},
        loaded_balls},
       {{"load_inner", "N", "largest elastic contact load on the inner raceway"}, load_inner},
       {{"load_outer", "N", "largest elastic contact load on the outer raceway"}, load_outer},
       {{"pressure", "Pa", "largest Hertz pressure"}, pressure},
-      {{"h_min", "m", "smallest minimum film thickness of the contacts; 0 when dry"}, thinnest},
-      {{"lambda", "", "smallest lambda ratio of the contacts; 0 when dry"}, smallest_lambda},
+      {{"h_min", "m", "smallest minimum film thickness of all contacts; 0 when dry"}, thinnest},
+      {{"lambda", "", "smallest lambda ratio of all contacts; 0 when dry"}, smallest_lambda},
       {{"cage_speed", "rad/s", "mean speed of the balls about the axis of their ring"},
        cage_speed}};
   add_losses(list, true);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Figures of a bearing or a ring: sums and extremes over the contacts of its balls. Records and
-// computes use them; the losses by column come from the parts of the law (loss_table.h).
-// Independent of the host.
+// Results for a bearing or a ring: sums and extremes over the contacts of its balls. They are used
+// by records and computes. The losses in each column are defined by the parts of the law
+// (loss_table.h). Independent of the host.
 #ifndef BEARING_BEARING_FIGURES_H
 #define BEARING_BEARING_FIGURES_H
 
@@ -10,8 +10,8 @@
 
 namespace bearing {
 
-// Figures of the contacts of one ball. The struct has doubles only, for transfer between ranks.
-// Arrays of two belong to the inner and the outer raceway.
+// Results of the contacts of one ball. The struct contains only doubles, so that it can be sent
+// between ranks. Arrays of two refer to the inner and the outer raceway.
 struct BallFigures {
   double balls = 0.0, contacts = 0.0, loaded[2] = {}, load[2] = {}, pressure[2] = {};
   double h_min = HUGE_VAL, lambda = HUGE_VAL;
@@ -19,16 +19,17 @@ struct BallFigures {
   double loss[raceway::most_loss_columns] = {};    // W
   double cage_loss = 0.0, cage_force = 0.0;        // W, N
   double capacitance[2] = {}, whole[2] = {};       // F, without and with surroundings
-  // values at the inner contact with the largest load
+  // values at the most heavily loaded inner contact
   double entrainment = 0.0, asperity_share = NAN;
   double film[3] = {NAN, NAN, NAN};    // h_min, lambda, h_c
 
   static constexpr size_t numbers() { return sizeof(BallFigures) / sizeof(double); }
   void contact(const ContactView &);    // adds a loaded contact
-  void gap(const ContactView &);        // surfaces without contact: adds only the surroundings
-  // Adds a contact with a cage ball or another ball: this ball's share of the loss (W), force (N).
+  void gap(const ContactView &);        // adds only the surroundings of surfaces without contact
+  // Adds a contact with a cage ball or another ball. The loss (W) is the part that is assigned to
+  // this ball; the force is in N.
   void cage(double loss, double force);
-  // Adds the combined figures of both contacts of a ball: capacitances in series, and whether both
+  // Adds the results that combine both contacts of a ball: capacitances in series, and whether both
   // raceways are loaded.
   void take_pairs(const BallFigures &);
 };
@@ -47,19 +48,19 @@ struct BearingFigures {
   double cage_speed() const { return balls > 0.0 ? orbit / balls : 0.0; }    // rad/s
 };
 
-// A figure as a column of an output.
+// A result as a column of an output.
 struct Figure {
   raceway::Column is;
   double (*of)(const BearingFigures &, int);
   raceway::Needs needs = raceway::Needs::nothing;
-  unsigned parts = 0;      // parts of which at least one must be in the law; 0: any law
-  bool spheres = false;    // only if balls touch cage balls or one another
-  int loss = 0;            // second argument of `of`: a column of loss_table()
+  unsigned parts = 0;      // parts of which the law must contain at least one; 0 for any law
+  bool spheres = false;    // available only if balls touch cage balls or one another
+  int loss = 0;            // second argument of `of`, a column of loss_table()
   const char *key = "";    // key of a loss in losses_W of `raceway summary`
 
   double value(const BearingFigures &f) const { return of(f, loss); }
-  // True if the figure is available in a run with these properties: film, capacitance,
-  // surroundings, law, contacts of spheres.
+  // Returns true if the result is available in a run with these properties, i.e. film, capacitance,
+  // surroundings, law, and contacts of spheres.
   bool given(bool film, bool capacitance, bool surroundings, unsigned law, bool touches) const
   {
     using raceway::Needs;
@@ -69,9 +70,9 @@ struct Figure {
   }
 };
 
-const std::vector<Figure> &record_figures();    // of each bearing in a record
-const std::vector<Figure> &ring_figures();      // compute bearing/ring, after the ring's motion
-const std::vector<Figure> &total_figures();     // compute bearing/total
+const std::vector<Figure> &record_figures();    // for each bearing in a record
+const std::vector<Figure> &ring_figures();      // for compute bearing/ring, after the ring's motion
+const std::vector<Figure> &total_figures();     // for compute bearing/total
 
 }    // namespace bearing
 

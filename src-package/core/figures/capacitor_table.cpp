@@ -23,7 +23,8 @@ void CapacitorTable::plan(const ContactTable &table, const CapacitorModel &model
   }
 }
 
-// Contacts that touch are grouped, because four of one kind cost less than a mix of both kinds.
+// Contacts that touch are grouped, because four contacts of the same kind cost less than a mix of
+// both kinds.
 void CapacitorTable::fill(const ContactTable &table)
 {
   for (Batch &b : batches_) {
@@ -44,7 +45,7 @@ RACEWAY_LANES void CapacitorTable::fill(const ContactTable &table, const Batch &
       of_[batch.rows[first]] = batch.raceway.capacitor(one.state, one.live, one.orbit);
       break;
     }
-    const RacewayContact *four[lanes];    // the last contact fills empty lanes
+    const RacewayContact *four[lanes];    // empty lanes are filled with the last contact
     for (int i = 0; i < lanes; ++i)
       four[i] = &table.raceway[batch.rows[std::min(first + i, n - 1)]];
     const auto take = [&four](auto of) __attribute__((always_inline)) {

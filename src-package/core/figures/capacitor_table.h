@@ -13,12 +13,12 @@ namespace bearing {
 
 class CapacitorTable {
  public:
-  // Selects the contacts; call it when the indices of the table have changed.
+  // Selects the contacts. Must be called when the indices of the table have changed.
   void plan(const ContactTable &, const raceway::CapacitorModel &,
             const std::function<bool(const RacewayContact &)> &counts);
-  // Call it after the table has been filled.
+  // Must be called after the table has been filled.
   void fill(const ContactTable &);
-  // Capacitor of a row of the table; 0 for a contact that does not count.
+  // Returns the capacitor of a row of the table, which is 0 for a contact that is not selected.
   const raceway::FilmCapacitorT<double> &operator[](size_t row) const { return of_[row]; }
 
  private:

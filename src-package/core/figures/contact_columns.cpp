@@ -45,7 +45,7 @@ const PlaceColumn place_columns[] = {
      Needs::nothing,
      true,
      true},
-    {{"azimuth", "rad", "azimuth of the ball about the ring's axis, from the lab's x"},
+    {{"azimuth", "rad", "azimuth of the ball about the ring's axis, measured from the lab x axis"},
      [](C c) { return azimuth(c.state.u, c.axis); }},
     {{"h_c", "m", "central film thickness"},
      [](C c) { return c.capacitor.h_c; },
@@ -53,18 +53,20 @@ const PlaceColumn place_columns[] = {
     {{"capacitance", "F", "capacitance of the contact ellipse", vanishes},
      [](C c) { return c.capacitor.capacitance; },
      Needs::capacitance},
-    {{"separation", "m", "distance of the surfaces, also without contact"},
+    {{"separation", "m", "distance between the surfaces (also defined when there is no contact)"},
      [](C c) { return c.capacitor.separation; },
      Needs::surroundings},
-    {{"capacitance_outside", "F", "capacitance outside the contact ellipse, also without contact"},
+    {{"capacitance_outside", "F",
+      "capacitance outside the contact ellipse (also defined when there is no contact)"},
      [](C c) { return c.capacitor.outside; },
      Needs::surroundings},
-    {{"capacitance_total", "F", "capacitance of ball and raceway, also without contact"},
+    {{"capacitance_total", "F",
+      "capacitance between ball and raceway (also defined when there is no contact)"},
      [](C c) { return c.capacitor.total(); },
      Needs::surroundings},
 };
 
-// Outputs keep the column order of versions in which parts had no columns; all other columns follow
+// Outputs keep the column order of versions in which parts had no columns. All other columns follow
 // in the order of the parts.
 const char *const first[] = {
     "ball",       "ring",           "raceway",       "azimuth", "angle",    "overlap",

@@ -12,17 +12,17 @@
 
 namespace bearing {
 
-// A contact as input of a column.
+// A contact as the input of a column.
 struct ContactView {
   double ball, ring;    // atom numbers
   const raceway::RacewayPhysics &raceway;
   const raceway::ContactState &state;
-  int axis;                                     // axis of the bearing: 0 x, 1 y, 2 z
+  int axis;                                     // axis of the bearing: 0 for x, 1 for y, 2 for z
   raceway::FilmCapacitorT<double> capacitor;    // 0 if no column uses it
 };
 
-// Azimuth of a direction about the bearing axis, rad, in (-pi, pi], measured from the lab axis that
-// follows the bearing axis (x for axis z).
+// Returns the azimuth (rad) of a direction about the bearing axis, in (-pi, pi], measured from the
+// lab axis that follows the bearing axis (x for axis z).
 double azimuth(const raceway::Vec3 &u, int axis);
 
 class ContactColumn {
@@ -45,22 +45,22 @@ class ContactColumn {
   }
   bool needs_film() const { return needs != raceway::Needs::nothing; }
   bool needs_capacitance() const { return needs >= raceway::Needs::capacitance; }
-  // True if the column also has a value for surfaces without contact
+  // Returns true if the column has a value also for surfaces without contact.
   bool needs_surroundings() const { return needs == raceway::Needs::surroundings; }
 
   raceway::Column is;
   raceway::Needs needs;
-  bool usual;                      // included in records by default
-  bool names_it = false;           // identifies the contact: the same in all samples
-  bool of_many_grooves = false;    // not part of `all` if rings have one groove each
+  bool usual;                      // whether records include it by default
+  bool names_it = false;           // identifies the contact, so it is the same in all samples
+  bool of_many_grooves = false;    // not part of `all` if every ring has only one groove
 
  private:
   OfState of_state_ = nullptr;
   OfView of_view_ = nullptr;
 };
 
-const std::vector<ContactColumn> &contact_columns();    // in the order of every output
-const ContactColumn *find_contact_column(const std::string &name);    // or null
+const std::vector<ContactColumn> &contact_columns();                  // in the order of all outputs
+const ContactColumn *find_contact_column(const std::string &name);    // null if there is none
 std::string contact_column_names();
 
 }    // namespace bearing

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The contact columns requested by a command, and their values.
+// The contact columns that a command requests, and their values.
 #ifndef BEARING_CONTACT_READER_H
 #define BEARING_CONTACT_READER_H
 
@@ -13,21 +13,21 @@ namespace bearing {
 
 using ContactSelection = std::vector<const ContactColumn *>;
 
-// Data available from a pair style and its fixes.
+// Data that a pair style and its fixes provide.
 struct Offer {
   bool film, capacitance, surroundings, many_grooves;
   bool gives(const ContactColumn &) const;
 };
 
-// Adds the column `name`, or the available columns of `all` or `usual`. Error for an unknown name,
-// or in a dry bearing for a column that needs a lubricant.
+// Adds the column `name`, or the available columns of `all` or `usual`. Stops with an error if the
+// name is unknown, or if the bearing is dry and the column needs a lubricant.
 void select_columns(const Arguments &, const std::string &name, const Offer &, ContactSelection &);
 
 // Input for the columns in addition to the contact.
 struct ContactContext {
   int axis = 2;
-  std::function<raceway::FilmCapacitorT<double>(const RacewayContact &)> capacitor;    // or none
-  bool surroundings = false;    // surfaces without contact have values, too
+  std::function<raceway::FilmCapacitorT<double>(const RacewayContact &)> capacitor;    // optional
+  bool surroundings = false;    // true if also surfaces without contact have values
 
   ContactView view(const RacewayContact &c) const
   {
@@ -37,8 +37,8 @@ struct ContactContext {
   }
 };
 
-// Orbital speed of a ball about a ring, rad/s, from its position and velocity relative to the
-// ring's centre, also without contact.
+// Returns the speed (rad/s) at which a ball orbits about a ring, from its position and velocity
+// relative to the ring's centre. It is also defined without contact.
 double orbit(const raceway::Vec3 &d, const raceway::Vec3 &dv, const raceway::Vec3 &axis,
              const raceway::RacewayPhysics &);
 

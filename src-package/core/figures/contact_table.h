@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The central data: one row per ball and raceway that may touch, filled once per step by the pair
-// style. Forces, step control, capacitance and every output read it, so no contact is computed
-// twice.
+// The central data, with one row per ball and raceway that may touch. The pair style fills the
+// table once per step. Forces, step control, capacitance and all output read it, so no contact is
+// computed twice.
 #ifndef BEARING_CONTACT_TABLE_H
 #define BEARING_CONTACT_TABLE_H
 
@@ -13,19 +13,19 @@
 
 namespace bearing {
 
-// A ball and a groove: a ring may have several grooves per ball (raceway->number).
+// A ball and a groove. A ring may have several grooves per ball (raceway->number).
 struct RacewayContact {
   tag_t ball = 0, ring = 0;
   int i_ball = -1, i_ring = -1;    // local indices, valid until the next neighbour build
-  int claim = -1;                  // in RingSum
+  int claim = -1;                  // index in RingSum
   const raceway::RacewayPhysics *raceway = nullptr;
-  const raceway::RacewayProfile *profile = nullptr;      // null: the raceway is a torus
-  const raceway::BallProfile *ball_profile = nullptr;    // null: the ball is a sphere
+  const raceway::RacewayProfile *profile = nullptr;      // null if the raceway is a torus
+  const raceway::BallProfile *ball_profile = nullptr;    // null if the ball is a sphere
   double *kept = nullptr;                                // state variables of the law
-  bool live = false;                                     // surfaces overlap
+  bool live = false;                                     // whether the surfaces overlap
   raceway::ContactState state;    // at this step; if not live, only the frame is set
-  // Speed of the ball about the ring, rad/s, if the pair style evaluates gaps. Without contact the
-  // state then has frame, overlap and entrainment speed.
+  // Speed (rad/s) of the ball about the ring, if the pair style evaluates gaps. Without contact,
+  // the state then consists of frame, overlap and entrainment speed.
   double orbit = 0.0;
 
   bool flawed() const { return profile || ball_profile; }
@@ -33,29 +33,29 @@ struct RacewayContact {
   int groove() const { return raceway->number; }
 };
 
-// Two spheres in frictionless contact: ball and cage ball, or ball and ball without a cage.
+// Two spheres in frictionless contact, either a ball and a cage ball, or two balls without a cage.
 struct SphereContact {
   tag_t tag_i = 0, tag_j = 0;    // tag_i < tag_j
   int i = -1, j = -1;
   double K = 0.0;                                        // N/m^1.5
   double reach = 0.0;                                    // m, sum of the radii
-  double mass = 0.0;                                     // kg, reduced
-  double stiffness = 0.0, damping = 0.0, force = 0.0;    // at this step: N/m, N s/m, N
-  double loss = 0.0;                                     // W, to damping
+  double mass = 0.0;                                     // kg, reduced mass
+  double stiffness = 0.0, damping = 0.0, force = 0.0;    // at this step, in N/m, N s/m and N
+  double loss = 0.0;                                     // W, dissipated by damping
 };
 
 // A ball in its pocket of a one-piece cage.
 struct PocketRow {
   tag_t ball = 0, cage = 0;
-  double mass = 0.0;                                     // kg, reduced
-  double stiffness = 0.0, damping = 0.0, force = 0.0;    // at this step: N/m, N s/m, N
-  double loss = 0.0;                                     // W, in wall, friction and oil
+  double mass = 0.0;                                     // kg, reduced mass
+  double stiffness = 0.0, damping = 0.0, force = 0.0;    // at this step, in N/m, N s/m and N
+  double loss = 0.0;                                     // W, dissipated in wall, friction and oil
 };
 
 struct ContactTable {
-  std::vector<RacewayContact> raceway;    // by ball tag, ring tag, groove
-  std::vector<SphereContact> sphere;      // by smaller tag, then larger
-  std::vector<PocketRow> pocket;          // of the balls of this rank, by cage fix, then ball
+  std::vector<RacewayContact> raceway;    // sorted by ball tag, ring tag and groove
+  std::vector<SphereContact> sphere;      // sorted by smaller tag, then by larger tag
+  std::vector<PocketRow> pocket;          // balls of this rank, sorted by cage fix, then by ball
 
   int live() const
   {
@@ -64,8 +64,8 @@ struct ContactTable {
     return n;
   }
 
-  // True for the row that represents its ball and ring if a single value is needed: of the
-  // consecutive rows of one ball and ring, one per groove, the row with the largest load.
+  // Returns true for the row that represents its ball and ring if a single value is needed. Of the
+  // consecutive rows of a ball and a ring (one per groove), this is the row with the largest load.
   bool leads(const RacewayContact &c) const
   {
     const RacewayContact *const first = raceway.data(), *const end = first + raceway.size();

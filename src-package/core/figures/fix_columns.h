@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Output of the fixes as f_ID[k], one line per value, in numerical order. The sizes of the vectors
-// and the tables on the pages are generated from this file. Independent of the host.
+// Output of the fixes as f_ID[k], with one line per value in numerical order. The sizes of the
+// vectors and the tables in the documentation are generated from this file. Independent of the
+// host.
 #ifndef BEARING_FIX_COLUMNS_H
 #define BEARING_FIX_COLUMNS_H
 
@@ -11,8 +12,8 @@ namespace bearing {
 using raceway::as_whole;
 using raceway::Column;
 
-// ---- fix bearing/ring, one row per ring; the radial axes are the two lab axes normal to the
-// bearing axis
+// ---- fix bearing/ring, one row per ring; the radial axes are the two lab axes that are normal to
+// the bearing axis
 namespace of_fix_ring {
 enum {
   X,
@@ -44,32 +45,32 @@ enum {
   N
 };
 const Column list[N] = {
-    {"x", "m", "displacement along x, from the start"},
-    {"y", "m", "displacement along y, from the start"},
-    {"z", "m", "displacement along z, from the start"},
+    {"x", "m", "displacement along x since the start"},
+    {"y", "m", "displacement along y since the start"},
+    {"z", "m", "displacement along z since the start"},
     {"vx", "m/s", "velocity along x"},
     {"vy", "m/s", "velocity along y"},
     {"vz", "m/s", "velocity along z"},
-    {"tilt_1", "rad", "tilt about the first axis across the bearing's"},
-    {"tilt_2", "rad", "tilt about the second axis across the bearing's"},
+    {"tilt_1", "rad", "tilt about the first transverse axis"},
+    {"tilt_2", "rad", "tilt about the second transverse axis"},
     {"spin", "rad/s", "spin about the ring's axis"},
     {"angle", "rad", "rotation about the ring's axis since the start"},
     {"fx", "N", "force of balls and cage on the ring along x, without the load"},
     {"fy", "N", "force of balls and cage on the ring along y, without the load"},
     {"fz", "N", "force of balls and cage on the ring along z, without the load"},
-    {"mx", "N m", "moment of balls and cage about x through the ring's centre"},
-    {"my", "N m", "moment of balls and cage about y through the ring's centre"},
-    {"mz", "N m", "moment of balls and cage about z through the ring's centre"},
-    {"torque", "N m", "moment of balls and cage about the ring's axis, its friction"},
+    {"mx", "N m", "moment of balls and cage about the x axis through the ring's centre"},
+    {"my", "N m", "moment of balls and cage about the y axis through the ring's centre"},
+    {"mz", "N m", "moment of balls and cage about the z axis through the ring's centre"},
+    {"torque", "N m", "moment of balls and cage about the ring's axis, i.e. the friction torque"},
     {"load_x", "N", "load on the ring along x: force, rotating force and unbalance"},
     {"load_y", "N", "load on the ring along y: force, rotating force and unbalance"},
     {"load_z", "N", "load on the ring along z"},
     {"support_x", "N", "force of the supports on the ring along x"},
     {"support_y", "N", "force of the supports on the ring along y"},
     {"support_z", "N", "force of the supports on the ring along z"},
-    {"ax", "m/s^2", "acceleration along x, 0 if the displacement is not free"},
-    {"ay", "m/s^2", "acceleration along y, 0 if the displacement is not free"},
-    {"az", "m/s^2", "acceleration along z, 0 if the displacement is not free"},
+    {"ax", "m/s^2", "acceleration along x; 0 if the displacement is not free"},
+    {"ay", "m/s^2", "acceleration along y; 0 if the displacement is not free"},
+    {"az", "m/s^2", "acceleration along z; 0 if the displacement is not free"},
 };
 }    // namespace of_fix_ring
 
@@ -79,9 +80,9 @@ enum { X, Y, Z, TILT1, TILT2, N };
 const Column list[N] = {
     {"bend_x", "m", "displacement along x by bending, relative to the rigid shaft"},
     {"bend_y", "m", "displacement along y by bending"},
-    {"bend_z", "m", "displacement along z by bending, 0 along the shaft"},
-    {"bend_tilt_1", "rad", "slope by bending as a tilt about the first axis across the bearing's"},
-    {"bend_tilt_2", "rad", "slope by bending as a tilt about the second axis across the bearing's"},
+    {"bend_z", "m", "displacement along z by bending; 0 in the direction of the shaft"},
+    {"bend_tilt_1", "rad", "slope due to bending, as a tilt about the first transverse axis"},
+    {"bend_tilt_2", "rad", "slope due to bending, as a tilt about the second transverse axis"},
 };
 }    // namespace of_bend
 
@@ -91,8 +92,9 @@ enum { MAX, SUM, LOSS, ECCENTRICITY, N };
 const Column list[N] = {
     {"pocket_max", "N", "largest force of a ball on its pocket"},
     {"pocket_sum", "N", "sum of the forces of balls on their pockets"},
-    {"loss", "W", "power lost in pockets, at the guiding land and by churning"},
-    {"eccentricity", "", "eccentricity of the cage in the ring that guides it, over the clearance"},
+    {"loss", "W", "power dissipated in pockets, at the guiding land and by churning"},
+    {"eccentricity", "",
+     "eccentricity of the cage in the ring that guides it, relative to the clearance"},
 };
 }    // namespace of_cage
 
@@ -115,14 +117,18 @@ const Column list[N] = {
     {"mean_step", "s", "mean internal step"},
     {"smallest_step", "s", "smallest internal step"},
     {"steps", "", "number of internal steps", raceway::has_none, as_whole},
-    {"corrections", "", "corrections per internal step"},
-    {"refused", "", "internal steps refused and repeated", raceway::has_none, as_whole},
-    {"error", "m", "largest accepted estimated error; with *solve damping* the largest movement"},
-    {"work", "J", "work of loads and driven motions; this and the next 3: 0 without *energy yes*"},
+    {"corrections", "", "mean number of corrections per internal step"},
+    {"refused", "", "number of internal steps that were rejected and repeated", raceway::has_none,
+     as_whole},
+    {"error", "m",
+     "largest estimated error that was accepted; with *solve damping*, the largest movement"},
+    {"work", "J",
+     "work of loads and driven motions; this and the next 3 values are 0 without *energy yes*"},
     {"dissipated", "J",
      "energy dissipated in films, by hysteresis, by sliding, at the cage and in dampers"},
-    {"stored", "J", "growth of the energy of motion, of contact springs and of bent shafts"},
-    {"lost", "J", "energy lost by the integrator: work minus dissipated minus stored"},
+    {"stored", "J",
+     "increase of the kinetic energy and of the energy in contact springs and bent shafts"},
+    {"lost", "J", "energy lost by the integrator, i.e. work minus dissipated minus stored"},
 };
 }    // namespace of_fix_implicit
 
@@ -158,31 +164,33 @@ enum {
   HERTZ_AREA,
   N
 };
-constexpr int first_of_films = LEAK;    // LEAK and all after it are figures of the films
+constexpr int first_of_films = LEAK;    // LEAK and all values after it are results for the films
 const Column list[N] = {
     {"total", "F", "sum over the balls, with background, at the end of the step"},
     {"largest", "F", "largest value of one ball at the end of the step"},
-    {"balls", "", "balls in contact with both raceways", raceway::has_none, as_whole},
+    {"balls", "", "number of balls in contact with both raceways", raceway::has_none, as_whole},
     {"mean", "F", "mean of the total over the instants of the step"},
     {"least", "F", "smallest total over the instants of the step"},
     {"most", "F", "largest total over the instants of the step"},
-    {"capacitance_total", "F", "total with surroundings; this and the next 4: 0 unless requested"},
+    {"capacitance_total", "F",
+     "total with surroundings; this and the next 4 values are 0 unless requested"},
     {"capacitance_total_top", "F", "largest value of one ball with its surroundings"},
     {"capacitance_total_mean", "F", "mean of capacitance_total over the instants of the step"},
     {"capacitance_total_least", "F", "smallest capacitance_total over the instants of the step"},
     {"capacitance_total_most", "F", "largest capacitance_total over the instants of the step"},
     {"leak", "ohm", "resistance of the films to direct current; 0 without *resistivity*"},
-    {"impedance", "ohm", "modulus of the impedance; this and the phase: 0 without *frequency*"},
+    {"impedance", "ohm", "modulus of the impedance; this and the phase are 0 without *frequency*"},
     {"phase", "rad", "phase of the impedance"},
     {"threshold_voltage", "V", "smallest voltage at which a film fails; 0 without *strength*"},
-    {"threshold_voltage_local", "V", "threshold_voltage of films minus three times the roughness"},
+    {"threshold_voltage_local", "V",
+     "threshold_voltage of films reduced by three times the roughness"},
     {"threshold_energy", "J", "energy of the bearing and background at threshold_voltage"},
     {"hertz_area", "m2", "area of all contact ellipses; 0 without these three keywords"},
 };
 }    // namespace of_fix_capacitance
 
-// ---- fix bearing/circuit: at the last sample, after its discharge; work, heat and numbers since
-// the first sample
+// ---- fix bearing/circuit: at the last sample, after its discharge; work, heat and numbers are
+// totals since the first sample
 namespace of_fix_circuit {
 enum {
   VOLTAGE,
@@ -214,11 +222,12 @@ const Column list[N] = {
     {"failures", "", "number of films that failed", raceway::has_none, as_whole},
     {"discharge_energy", "J", "heat of discharges"},
     {"source_work", "J", "work of the driving voltage"},
-    {"mechanical_work", "J", "work put in by moving the plates of the films"},
+    {"mechanical_work", "J", "work done by moving the plates of the films"},
     {"leak_heat", "J", "heat in the conductance of films"},
     {"resistor_heat", "J", "heat in the resistance of the source"},
     {"stored_energy", "J", "energy stored in films, beside them and in the coupling"},
-    {"charge_error", "C", "largest difference between a node's charge by currents and by voltages"},
+    {"charge_error", "C",
+     "largest difference between the charges of a node from currents and from voltages"},
     {"energy_error", "J", "largest error of the energy balance of a step"},
     {"current", "A", "mean current into the inner ring's films in the last step of the circuit"},
 };
@@ -252,28 +261,31 @@ enum {
   N
 };
 const Column list[N] = {
-    {"thermal_time", "s", "time by which temperatures have advanced"},
+    {"thermal_time", "s", "time by which the temperatures have advanced"},
     {"temperature_inner", "C", "temperature of the inner ring"},
     {"temperature_balls", "C", "temperature of the balls"},
     {"temperature_outer", "C", "temperature of the outer ring"},
     {"temperature_housing", "C", "temperature of the housing"},
     {"temperature_oil", "C", "temperature of the oil in the contacts, mean of rings and balls"},
-    {"power", "W", "losses of a bearing, mean of the last ball pass"},
+    {"power", "W", "losses of a bearing, averaged over the last ball pass"},
     {"heat_inner", "W", "part of the losses that heats the inner ring"},
     {"heat_balls", "W", "part of the losses that heats the balls"},
     {"heat_outer", "W", "part of the losses that heats the outer ring"},
-    {"contacts_inner", "W/K", "conductance of the inner contacts, mean of the last ball pass"},
-    {"contacts_outer", "W/K", "conductance of the outer contacts, mean of the last ball pass"},
-    {"booked", "J", "heat of the losses over the thermal time"},
-    {"carried", "J", "heat carried away to ambient and by oil that flows"},
+    {"contacts_inner", "W/K",
+     "conductance of the inner contacts, averaged over the last ball pass"},
+    {"contacts_outer", "W/K",
+     "conductance of the outer contacts, averaged over the last ball pass"},
+    {"booked", "J", "heat generated by the losses over the thermal time"},
+    {"carried", "J", "heat carried away to ambient and by flowing oil"},
     {"stored", "J", "heat stored in rings, balls and housing"},
     {"clearance", "m", "diametral clearance of the warm parts; negative is preload"},
-    {"gain", "", "change of losses with temperature over conductance; from 1 on it runs away"},
+    {"gain", "",
+     "change of losses with temperature divided by the conductance; thermal runaway from 1 on"},
     {"jump", "s", "thermal time of the last jump"},
     {"correction", "K", "largest difference between predicted and final temperatures of that jump"},
     {"run_time", "s", "simulated time since the fix began"},
-    {"heat_oil", "W", "part of the losses that heats oil that flows"},
-    {"temperature_outlet", "C", "temperature at which oil that flows leaves"},
+    {"heat_oil", "W", "part of the losses that heats flowing oil"},
+    {"temperature_outlet", "C", "outlet temperature of flowing oil"},
 };
 }    // namespace of_fix_heat
 
@@ -281,15 +293,16 @@ const Column list[N] = {
 namespace of_fix_grains {
 enum { CONTACTS, WORK, DISSIPATED, STORED, KINETIC, MX, MY, MZ, N };
 const Column list[N] = {
-    {"contacts", "", "contacts of grains with each other and with walls", raceway::has_none,
-     as_whole},
-    {"work", "J", "work of the walls on the grains; a shaft loses as much"},
-    {"dissipated", "J", "energy lost in contacts of the grains"},
-    {"stored", "J", "growth of the energy of motion and of contact springs"},
-    {"kinetic", "J", "total energy of motion and spin of the grains"},
-    {"mx", "kg m", "growth of the sum of mass times x; times gravity it is the work of gravity"},
-    {"my", "kg m", "growth of the sum of mass times y"},
-    {"mz", "kg m", "growth of the sum of mass times z"},
+    {"contacts", "", "number of contacts of grains with each other and with walls",
+     raceway::has_none, as_whole},
+    {"work", "J", "work done by the walls on the grains, which a shaft loses"},
+    {"dissipated", "J", "energy dissipated in contacts of the grains"},
+    {"stored", "J", "increase of the kinetic energy and of the energy in contact springs"},
+    {"kinetic", "J", "total kinetic energy of the grains, including spin"},
+    {"mx", "kg m",
+     "increase of the sum of mass times x; multiplied by gravity, this is the work of gravity"},
+    {"my", "kg m", "increase of the sum of mass times y"},
+    {"mz", "kg m", "increase of the sum of mass times z"},
 };
 }    // namespace of_fix_grains
 
@@ -297,10 +310,10 @@ const Column list[N] = {
 namespace of_fix_timestep {
 enum { LIMIT, SMALLEST, TIME, WALL, N };
 const Column list[N] = {
-    {"limit", "s", "largest stable step of velocity Verlet now"},
-    {"smallest_limit", "s", "smallest limit since the fix was made"},
+    {"limit", "s", "current largest stable step of velocity Verlet"},
+    {"smallest_limit", "s", "smallest limit since the fix was created"},
     {"time", "s", "simulated time"},
-    {"wall", "s", "wall time since the start of the run"},
+    {"wall", "s", "wall-clock time since the start of the run"},
 };
 }    // namespace of_fix_timestep
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Settling of a bearing: the change of its means from the first to the second half of the last
+// Settling of a bearing, i.e. the change of its means from the first to the second half of the last
 // samples. If each half is a whole ball pass, ball-pass ripple does not affect the change.
 // Independent of the host.
 #ifndef BEARING_SETTLING_H
@@ -12,19 +12,20 @@
 
 namespace bearing {
 
-// One sample. The struct has doubles only, for transfer and for restart files.
+// One sample. The struct contains only doubles, so that it can be sent and written to restart
+// files.
 struct SettlingSample {
-  double torque = 0.0;          // friction torque, N m; at steady speed also the power lost, W
-  double load[2] = {};          // N, largest on the inner and on the outer raceway
+  double torque = 0.0;          // friction torque, N m; at steady speed also power in W
+  double load[2] = {};          // N, largest loads on the inner and the outer raceway
   double cage_speed = 0.0;      // rad/s
   double pocket_force = 0.0;    // N, largest force of a ball on its pocket in a one-piece cage
-  // sums over the balls: load, and load times the unit vector of the spin axis in the radial,
-  // tangential and axial directions at the ball
+  // sums over the balls of the load, and of the load times the unit vector of the spin axis in the
+  // radial, tangential and axial directions at the ball
   double weight = 0.0, axis[3] = {};
 
-  // Adds the spin axis of a ball from its load on the raceways (N), its position relative to the
-  // bearing's centre (m), its spin (rad/s) and the unit vector of the bearing's axis. A ball
-  // without spin has no spin axis.
+  // Adds the spin axis of a ball, given the load of the ball on the raceways (N), its position
+  // relative to the bearing's centre (m), its spin (rad/s) and the unit vector of the bearing's
+  // axis. A ball without spin has no spin axis.
   void ball(double load, const raceway::Vec3 &place, const raceway::Vec3 &spin,
             const raceway::Vec3 &bearing_axis)
   {
@@ -41,9 +42,9 @@ struct SettlingSample {
   }
 };
 
-// Relative changes; for the loads, the larger change of both raceways; for the spin axis, an angle
-// (rad). Pocket forces are impacts, which scatter, so only a decrease counts; if they increase, the
-// change is 0.
+// Relative changes. The change of the loads is the larger one of both raceways; the change of the
+// spin axis is an angle (rad). Pocket forces are impacts, which scatter, so only a decrease counts;
+// if they increase, the change is 0.
 struct SettlingChanges {
   double torque = HUGE_VAL, load = HUGE_VAL, cage_speed = HUGE_VAL, spin_axis = HUGE_VAL,
          pocket_fall = HUGE_VAL;
@@ -55,7 +56,8 @@ struct SettlingChanges {
   }
 };
 
-// Settling of a bearing from its samples. The class has doubles only, like SettlingSample.
+// Settling of a bearing, computed from its samples. Like SettlingSample, the class contains only
+// doubles.
 class Settling {
  public:
   explicit Settling(int samples_of_a_half = 1) : wanted_(samples_of_a_half) {}
@@ -75,10 +77,11 @@ class Settling {
     for (int k = 0; k < 3; ++k) now_.axis[k] += s.axis[k];
   }
 
-  // True at the end of each half except the first.
+  // Returns true at the end of each half except for the first.
   bool known() const { return before_.count >= wanted_ && now_.count >= wanted_; }
 
-  // Changes from the last but one half to the last half; infinite unless known().
+  // Returns the changes from the last half but one to the last half, which are infinite unless
+  // known().
   SettlingChanges changes() const
   {
     if (!known()) return {};

@@ -4,15 +4,15 @@
 namespace bearing {
 
 using raceway::Vec3;
-using Series = std::vector<Vec3>;    // a figure by ball pass; a scalar uses one component
+using Series = std::vector<Vec3>;    // a quantity by ball pass; a scalar uses one component
 
-// Largest ratio of two steps one ball pass apart; a mode that decays more slowly cannot be
+// Largest ratio of two steps one ball pass apart. A mode that decays more slowly cannot be
 // distinguished from a constant drift.
 static constexpr double slowest = 0.98;
 
 static double length(const Vec3 &v) { return std::sqrt(dot(v, v)); }
 
-// Steps between the means over the last spans: at most three steps, in order.
+// Returns the steps between the means over the last spans, at most three of them, in order.
 static Series steps_of(const Series &passes, size_t span)
 {
   const size_t spans = std::min<size_t>(4, passes.size() / span);
@@ -33,7 +33,7 @@ static Vec3 mean_of(const Series &steps)
   return sum * (1.0 / static_cast<double>(steps.size()));
 }
 
-// True if the scatter of the steps is at least as large as their mean.
+// Returns true if the scatter of the steps is at least as large as their mean.
 static bool scatters(const Series &steps)
 {
   const Vec3 mean = mean_of(steps);
@@ -42,13 +42,14 @@ static bool scatters(const Series &steps)
   return steps.size() > 2 && squares / (static_cast<double>(steps.size()) - 1.0) >= dot(mean, mean);
 }
 
-// Change per span if there is no drift: the mean step, at least a third of the last step.
+// Returns the change per span if there is no drift, which is the mean step, but at least a third of
+// the last step.
 static double change(const Series &steps)
 {
   return std::max(length(mean_of(steps)), length(steps.back()) / static_cast<double>(steps.size()));
 }
 
-// Remaining change due to a drift; 0 without a drift.
+// Returns the remaining change due to a drift, or 0 if there is no drift.
 static double rest_of_drift(const Series &steps, size_t span)
 {
   double products = 0.0, squares = 0.0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A one-piece cage: estimated data, and couples of the oil on the cage (cage_drag.h).
+// Exports estimated data of a one-piece cage, and the couples that the oil exerts on the cage
+// (cage_drag.h).
 #include "../geometry/cage_ring.h"
 #include "exports.h"
 
@@ -7,14 +8,14 @@ using namespace raceway;
 
 FORMULA(double, usual_play, ()) { return raceway::usual_play; }
 
-// play: m, along the pitch circle
+// play: in m, along the pitch circle
 FORMULA(double, pocket_shear, (double viscosity, double ball_radius, double play, double filled))
 {
   return raceway::pocket_shear(viscosity, ball_radius, usual_band * 2.0 * ball_radius, 0.5 * play,
                                filled);
 }
 
-// width: of both lands together, m; the cage is centred
+// width: in m, of both lands together; the cage is centred
 FORMULA(double, land_couple,
         (double viscosity, double radius, double clearance, double width, double filled))
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Capacitance of a contact ellipse (capacitance.h) and of the gap around it (gap_integral.h).
+// Exports the capacitance of a contact ellipse (capacitance.h) and of the gap around it
+// (gap_integral.h).
 #include "../electric/capacitance.h"
 #include "../electric/gap_integral.h"
 #include "exports.h"
@@ -35,7 +36,7 @@ FORMULA(double, rough_film_factor, (double sigma_over_h))
 }
 
 namespace {
-// Shape of the gap around an ellipse, without a contact law; E' cancels out.
+// Returns the shape of the gap around an ellipse without a contact law. E' cancels out.
 GapShape shape_of(double kappa, double first, double second, double radius, double r_x, double E,
                   double &K)
 {
@@ -49,14 +50,14 @@ GapShape shape_of(double kappa, double first, double second, double radius, doub
 }
 }    // namespace
 
-// G of the gap outside the ellipse along rolling; ratio: H = h/g_s
+// Returns G of the gap outside the ellipse along the rolling direction. ratio: H = h/g_s
 FORMULA(double, gap_beside, (double ratio))
 {
   const GapBeside<double> beside(std::pow(ratio, 1.0 / 6.0));
   return beside.up / beside.down;
 }
 
-// P of the gap beyond one end of the ellipse, up to `reach`, in units of a
+// Returns P of the gap beyond one end of the ellipse, up to `reach`, in units of a.
 FORMULA(double, gap_beyond, (double ratio, double kappa, double reach))
 {
   GapShape s = {};
@@ -70,7 +71,7 @@ FORMULA(double, gap_beyond, (double ratio, double kappa, double reach))
   return stretch > 1.0 ? std::log(stretch) / s.root_e : 0.0;
 }
 
-// I (m) around a loaded contact; near, far: half-widths of the groove (m)
+// Returns I (m) around a loaded contact. near, far: half-widths of the groove (m)
 FORMULA(double, gap_loaded,
         (double kappa, double first, double second, double radius, double modulus, double r_x,
          double load, double separation, double near, double far))
@@ -82,7 +83,7 @@ FORMULA(double, gap_loaded,
   return gap_integral(s, loaded.G, loaded.stretch(near), loaded.stretch(far));
 }
 
-// I (m) of an unloaded ball; flatness: 1 - play/(r_c - R_b)
+// Returns I (m) of an unloaded ball. flatness: 1 - play/(r_c - R_b)
 FORMULA(double, gap_open,
         (double kappa, double first, double second, double radius, double r_x, double separation,
          double flatness, double near, double far))

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The circuit of a bearing over given films (circuit.h), its discharges (film_breakdown.h) and its
-// driving voltages (waveform.h).
+// Exports the circuit of a bearing with given films (circuit.h), its discharges (film_breakdown.h)
+// and its driving voltages (waveform.h).
 #include "../electric/circuit.h"
 #include "../electric/waveform.h"
 #include "exports.h"
 
 using namespace raceway;
 
-// Point at which a charged ball has no film, and that ball; -1 if there is none.
+// Point at which a charged ball has no film, and the index of that ball; -1 if there is none.
 RECORD(CircuitEnd, double point, ball;)
 
 namespace {
-// Films of one point; arrays are by side and ball.
+// Returns the films at one point. The arrays are indexed by side and ball.
 BearingFilms films_of(int balls, const double *capacitance, const double *limit)
 {
   BearingFilms films(balls);
@@ -36,7 +36,7 @@ void put(const NodeValues &v, double *ball, double *ring)
   *ring = v.ring;
 }
 
-// Columns in a row of failures.
+// number of columns in a row of failures
 constexpr int columns = 10;
 void put(const FilmFailure &f, double time, double discharge, double *row)
 {
@@ -47,14 +47,14 @@ void put(const FilmFailure &f, double time, double discharge, double *row)
 }
 }    // namespace
 
-// Films are by point, side, ball. A film fails at film_limit(thickness, strength, less, floor);
-// with a strength of 0 it never fails. The outer circuit has a parallel capacitance (`beside` plus
-// `factor` times the bearing's own capacitance), a coupling and a conductance. The driving voltage
-// is given by point, and its edges as rows in order (time, voltage before and after). Films and
-// voltage are linear between points. Each row of failures (at most `most` rows) holds time,
-// discharge, order, side, ball, film voltage, bearing voltage, bearing voltage after, film energy,
-// energy. The circuit ends at a point where a charged ball has no film. Returns the number of
-// failures.
+// Solves the circuit. Films are indexed by point, side and ball. A film fails at
+// film_limit(thickness, strength, less, floor); if the strength is 0, it never fails. The outer
+// circuit has a parallel capacitance (`beside` plus `factor` times the bearing's own capacitance),
+// a coupling and a conductance. The driving voltage is given at each point, and its edges as rows
+// in order of time (time, voltage before, voltage after). Films and voltage are linear between
+// points. Each row of failures (at most `most` rows) contains time, discharge, order, side, ball,
+// film voltage, bearing voltage, bearing voltage after the discharge, film energy and energy. The
+// circuit ends at a point where a charged ball has no film. Returns the number of failures.
 EXPORT(int, bearing_circuit,
        (int points, int balls, const double *time, const double *capacitance,
         const double *conductance, const double *thickness, double strength, double less,
@@ -68,7 +68,7 @@ EXPORT(int, bearing_circuit,
   CircuitState s;
   int count = 0, next = 0;
   *out = {-1.0, -1.0};
-  // the circuit a fraction `back` of a step before the point p
+  // returns the circuit a fraction `back` of a step before the point p
   const auto point = [&](int p, double back, double volts) {
     const auto film = [&](int k) {
       const auto mix = [&](const double *values) {
@@ -125,8 +125,8 @@ EXPORT(int, bearing_circuit,
   return count;
 }
 
-// Computes the discharge at a single point, in place, and its failures as above. Returns the number
-// of failures.
+// Computes the discharge at a single point, in place, with its failures as above. Returns the
+// number of failures.
 EXPORT(int, film_discharge,
        (int balls, const double *capacitance, const double *limit, double beside, double coupling,
         double driving, double *ball_charge, double *ring_charge, double *ball, double *ring,
@@ -143,7 +143,7 @@ EXPORT(int, film_discharge,
   return count;
 }
 
-// Voltages with the broken films (by side, ball; not 0) as conductors.
+// Computes the voltages with the broken films (not 0; by side and ball) as conductors.
 EXPORT(void, film_redistribution,
        (int balls, const double *capacitance, double beside, double coupling, double driving,
         const double *ball_charge, double ring_charge, const int *broken, double *ball,
@@ -157,8 +157,8 @@ EXPORT(void, film_redistribution,
   put(voltage, ball, ring);
 }
 
-// Voltage between the rings at which the first film fails, V, by point; 0 if the limit of that film
-// is at most `bridged` (V).
+// Computes the voltage (V) between the rings at which the first film fails, at each point. It is 0
+// if the limit of that film is at most `bridged` (V).
 EXPORT(void, threshold_voltages,
        (int points, int balls, const double *capacitance, const double *limit, double bridged,
         double *out))
@@ -178,8 +178,8 @@ FORMULA(double, local_thickness, (double thickness, double less, double floor))
   return local_thickness(thickness, less, floor);
 }
 
-// Rows of time, voltage before and voltage after, one for each switching of an inverter's leg
-// between the two times, in order of time; at most `most` rows. Returns the number of rows.
+// Writes rows of time, voltage before and voltage after, one for each switching of an inverter leg
+// between the two times, in order of time and at most `most` rows. Returns the number of rows.
 EXPORT(int, inverter_edges,
        (int points, const double *time, double voltage, double frequency, double carrier,
         double modulation, int most, double *out))
@@ -194,7 +194,7 @@ EXPORT(int, inverter_edges,
   return count;
 }
 
-// kind: 0 constant, 1 sine, 2 common mode
+// kind: 0 for constant, 1 for sine, 2 for common mode
 FORMULA(double, waveform,
         (double time, int kind, double voltage, double frequency, double phase, double carrier,
          double modulation))

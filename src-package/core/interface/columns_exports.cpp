@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Every output column, the parts of the contact law and the rules of validity as JSON, for Python
-// and the pages.
+// Writes all output columns, the parts of the contact law and the rules of validity as JSON, for
+// Python and the documentation.
 #include "../contact/part_table.h"
 #include "../figures/bearing_columns.h"
 #include "../figures/bearing_figures.h"
@@ -50,7 +50,8 @@ static void section(const char *name, const std::vector<bearing::Figure> &list,
   }
 }
 
-// The parts of the contact law: name, condition of use, state variables per contact, keywords.
+// Writes the parts of the contact law with their name, condition of use, number of state variables
+// per contact, and keywords.
 static void print_law()
 {
   const char *const when[] = {"always", "with a lubricant", "on request"};
@@ -126,6 +127,6 @@ static std::string table_text()
 
 extern "C" const char *columns_json()
 {
-  static const std::string text = table_text();    // made once, whatever the number of threads
+  static const std::string text = table_text();    // created once, whatever the number of threads
   return text.c_str();
 }

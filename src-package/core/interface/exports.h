@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // C interface of a library, with a description for Python (raceway/core/exports.py) that is
-// generated from the source of the library: parameters of every EXPORT and FORMULA by name, fields
-// of every RECORD by name and size. Python passes arguments by name, so positions are never stated
-// on one side only.
+// generated from the source of the library: the parameters of every EXPORT and FORMULA by name, and
+// the fields of every RECORD by name and size. Python passes arguments by name, so positions are
+// never stated on only one side.
 #ifndef RACEWAY_EXPORTS_H
 #define RACEWAY_EXPORTS_H
 #include <cstring>
@@ -21,13 +21,14 @@ struct ExportedLine {
   explicit ExportedLine(const std::string &line) { exported_text() += line + "\n"; }
 };
 
-// A C function. The size of an array, `double out[3]`, is stated if it does not depend on the call.
+// Declares a C function. The size of an array, as in `double out[3]`, is stated if it does not
+// depend on the call.
 #define EXPORT(result, name, parameters)                                                    \
   extern "C" result name parameters;                                                        \
   static const ExportedLine exported_##name("function|" #result "|" #name "|" #parameters); \
   extern "C" result name parameters
 
-// A struct of doubles and vectors of them: RECORD(Motion, double x[3], v[3];)
+// Declares a struct of doubles and vectors of doubles, e.g. RECORD(Motion, double x[3], v[3];)
 #define RECORD(Name, ...)                                                                        \
   struct Name {                                                                                  \
     __VA_ARGS__                                                                                  \
@@ -35,8 +36,8 @@ struct ExportedLine {
   static const ExportedLine exported_##Name("record|" #Name "|" + std::to_string(sizeof(Name)) + \
                                             "|" #__VA_ARGS__);
 
-// A scalar function that Python calls with arrays. It returns a double or a RECORD of doubles;
-// parameters are double, int or bool.
+// Declares a scalar function that Python calls with arrays. It returns a double or a RECORD of
+// doubles; its parameters are double, int or bool.
 #define FORMULA(result, name, parameters)                                                  \
   static result name##_of_one parameters;                                                  \
   extern "C" void name(long n, const double *in, double *out)                              \
@@ -59,7 +60,7 @@ void formula_at(Result (*one)(Numbers...), long n, long i, const double *in, dou
   for (long j = 0; j < outputs; ++j) out[j * n + i] = numbers[j];
 }
 
-// Parameter k of call i is in[k n + i]; value j of the result of call i is out[j n + i].
+// Parameter k of call i is in[k n + i], and value j of the result of call i is out[j n + i].
 template <class Result, class... Numbers>
 void formula_over_arrays(Result (*one)(Numbers...), long n, const double *in, double *out)
 {
@@ -67,7 +68,7 @@ void formula_over_arrays(Result (*one)(Numbers...), long n, const double *in, do
     formula_at(one, n, i, in, out, std::index_sequence_for<Numbers...>());
 }
 
-// once per library
+// to be used once per library
 #define EXPORTS \
   extern "C" const char *exports() { return exported_text().c_str(); }
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Film thickness: power laws (film.h), all lubrication regimes (film_regimes.h), factors
-// (film_factors.h); film damping (film_branch.h).
+// Exports the film thickness by power laws (film.h) and in all lubrication regimes
+// (film_regimes.h), factors on the film thickness (film_factors.h), and film damping
+// (film_branch.h).
 #include "../laws/film_branch.h"
 #include "../laws/film_factors.h"
 #include "../laws/film_regimes.h"
@@ -16,12 +17,12 @@ RECORD(GuptaParts, double unpressed, lost;)
 RECORD(MaxwellBranch, double stiffness, rate;)
 RECORD(BranchStep, double left, slope;)
 
-// Film thickness over R_x from U, G, W; model: 0 Masjedi and Khonsari, 1 Masjedi and Khonsari as
-// printed, 2 Hamrock and Dowson
+// Returns the film thickness divided by R_x as a function of U, G and W. model: 0 for Masjedi and
+// Khonsari, 1 for Masjedi and Khonsari as printed, 2 for Hamrock and Dowson
 FORMULA(FilmThickness, film_thickness,
         (int model, double speed, double material, double load, double kappa))
 {
-  // values that are usually constant along an array, and cost more than all other operations
+  // these values are usually constant along an array, and cost more than all other operations
   thread_local double known[3] = {-1.0, 0.0, 0.0};
   thread_local FilmPair laws;
   const double asked[3] = {double(model), material, kappa};
@@ -33,7 +34,7 @@ FORMULA(FilmThickness, film_thickness,
   return {film_thickness(laws.min, at), film_thickness(laws.central, at)};
 }
 
-// Exponents of the central film thickness
+// Returns the exponents of the central film thickness.
 FORMULA(FilmExponents, film_exponents, (int model, double kappa))
 {
   const FilmLaw law = film_laws(FilmModel(model), kappa, {1.0, 1.0}, 1.0, 1.0).central;
@@ -45,7 +46,8 @@ FORMULA(double, composite_roughness, (double one, double other))
   return composite_roughness(one, other);
 }
 
-// Film thickness over sqrt(U_s) R_x from Moes's M, L and lambda = R_x/R_y
+// Returns the film thickness divided by sqrt(U_s) R_x as a function of Moes's M and L and of lambda
+// = R_x/R_y.
 FORMULA(double, film_all_regimes, (double load, double material, double ratio))
 {
   MoesRaceway raceway;
@@ -60,7 +62,8 @@ FORMULA(double, thermal_loading,
   return thermal_loading(temperature_viscosity, viscosity, speed, conductivity);
 }
 
-// Film factor from the thermal loading; law: 1 Murch and Wilson, 2 Wilson
+// Returns the film factor as a function of the thermal loading. law: 1 for Murch and Wilson, 2 for
+// Wilson
 FORMULA(double, inlet_shear, (int law, double loading))
 {
   FilmFactors f;
@@ -69,7 +72,7 @@ FORMULA(double, inlet_shear, (int law, double loading))
   return f.of(0.0);
 }
 
-// Gupta's factor without pressure, and the reduction by pressure before it is limited
+// Returns Gupta's factor without pressure, and its reduction by pressure before it is limited.
 FORMULA(GuptaParts, gupta_parts, (double loading, double pressure, double slide_roll))
 {
   FilmFactors f;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The film in the gap (film_gap.h, gap_film.h) of a contact given by its parameters.
+// Exports the film in the gap (film_gap.h, gap_film.h) of a contact that is given by its
+// parameters.
 #include "../raceway/gap_film.h"
 #include "exports.h"
 
@@ -9,9 +10,10 @@ RECORD(FilmAtLoad, double thickness, fall;)
 RECORD(FilmInGap, double load, h_c, elastic, slope;)
 
 namespace {
-// One film as a function of the load. `shape` is R_y (m) with the law of all regimes, otherwise
-// kappa. A thermal loading adds Gupta's factor; `peak` is p_max/E' at 1 N. Below the load `cut` (N)
-// the film thickness of a power law is constant, and so is Gupta's factor for any film.
+// One film as a function of the load. `shape` is R_y (m) for the law of all regimes, and kappa
+// otherwise. If there is a thermal loading, Gupta's factor is included; `peak` is p_max/E' at 1 N.
+// Below the load `cut` (N), the film thickness of a power law is constant, and so is Gupta's factor
+// for any film.
 struct FilmOverLoad {
   bool all;
   double viscosity, pressure_viscosity, modulus, r_x, shape, speed, factor, loading, peak,
@@ -93,7 +95,7 @@ FilmInGap in_gap(const FilmOverLoad &film, double overlap, double K, double shar
   FilmRootT<double> found = solve(below, nullptr, none);
   if (film.heated() && found.compression > kept) {
     const double unpressed = g.unpressed;
-    g = {1.0, g.per_pressure * film.peak * std::cbrt(K)};    // per root of the compression
+    g = {1.0, g.per_pressure * film.peak * std::cbrt(K)};    // per square root of the compression
     found = solve(unpressed, &g, kept > none ? kept : none);
   }
   return loaded(found.compression, found.thickness, found.slope);

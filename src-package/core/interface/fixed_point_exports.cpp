@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Starting points of Anderson acceleration (fixed_point.h).
+// Exports the starting points of Anderson acceleration (fixed_point.h).
 #include "../numbers/fixed_point.h"
 #include "exports.h"
 
@@ -9,8 +9,8 @@ using raceway::FixedPoint;
 
 RECORD(FixedPointNext, double residual, distance, contraction;)
 
-// The next start and the norms after `starts` starts of a map of n numbers and their values, in
-// order.
+// Computes the next start and the norms after `starts` starts of a map of n numbers and the values
+// of the map, in order.
 EXPORT(void, fixed_point,
        (int starts, int n, double reach, const double *x, const double *g, const double *weights,
         double *next, FixedPointNext *out))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Damping, mixed friction, slip, spin, rolling resistance and drag of one contact.
+// Exports damping, mixed friction, slip, spin, rolling resistance and drag of a single contact.
 #include "../laws/asperities.h"
 #include "../laws/ball_drag.h"
 #include "../laws/damping.h"
@@ -52,7 +52,7 @@ FORMULA(double, film_regime, (double lambda_1, double lambda_2, double ratio))
   return regime({0.0, 0.0, lambda_1, lambda_2}, ratio);
 }
 
-// rate: s/h, 1/s, not negative
+// rate: s/h in 1/s, not negative
 FORMULA(double, eyring_shear, (double viscosity, double rate, double stress, double limit))
 {
   return eyring_shear(stress, viscosity * rate / stress, limit);
@@ -93,8 +93,8 @@ FORMULA(double, edge_slip, (double speed, double a, double r_d, double r_x))
   return edge_slip(speed, a, r_d, r_x);
 }
 
-// Forces over mu Q and the couple over mu Q a^2/(2 R_d); `off` is the slip relative to free rolling
-// over s_e.
+// Returns forces divided by mu Q and the couple divided by mu Q a^2/(2 R_d). `off` is the slip
+// relative to free rolling, divided by s_e.
 RECORD(SlipLaw, double root, secant, force, couple;)
 FORMULA(SlipLaw, differential_slip, (double off))
 {
@@ -102,12 +102,11 @@ FORMULA(SlipLaw, differential_slip, (double off))
   return {root, slip_secant(off), slip_force(off), slip_couple(root)};
 }
 
-// t0 of a force over mu Q
+// Returns t0 for a force divided by mu Q.
 FORMULA(double, slip_root_of_force, (double force)) { return force_root(force); }
 
-// ---- spin
-// Factors on the couples of pure spin and of differential slip if both act, from the speed omega a,
-// the width s_e and the sliding speed (m/s)
+// Returns the factors by which the couples of pure spin and of differential slip are multiplied if
+// both act, as functions of the speed omega a, the width s_e and the sliding speed (m/s).
 RECORD(SpinShares, double spin, slip;)
 FORMULA(SpinShares, spin_shares, (double speed, double width, double slide))
 {
@@ -130,9 +129,9 @@ FORMULA(SlidingForces, slip_slices,
           f.slope_along, f.slope_across, f.slope_moment, f.slope_couple};
 }
 
-// Motion of a ball that rolls on both raceways, from angles (rad), the speed `ring` of the inner
-// ring (rad/s), the radii `ball` and `pitch` (m) and the radial part of the ball's rotation
-// (rad/s); all results in rad/s
+// Returns the motion of a ball that rolls on both raceways, given the contact angles (rad), the
+// speed `ring` of the inner ring (rad/s), the radii `ball` and `pitch` (m) and the radial part of
+// the ball's rotation (rad/s). All results are in rad/s.
 RECORD(RollingBall, double orbit, axial, spin_inner, spin_outer;)
 FORMULA(RollingBall, rolling_on_both,
         (double inner, double outer, double ring, double ball, double pitch, double radial))
@@ -149,8 +148,8 @@ FORMULA(double, rolling_force,
   return rolling_force(rolling_shape(k, r_x), logarithm(std::fabs(speed)), load, std::cbrt(load));
 }
 
-// The share of the flooded resistance by quadrature, which is exact, and by the interpolation that
-// contacts use
+// These two functions return the fraction of the flooded resistance, by quadrature (which is exact)
+// and by the interpolation that contacts use.
 FORMULA(double, inlet_share, (double length, double thickness))
 {
   return inlet_share(length, thickness);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Heat of a bearing (heat.h), the network of its nodes (heat_network.h) and the jumps of their
-// temperatures (heat_jumps.h).
+// Exports the heat of a bearing (heat.h), the network of its nodes (heat_network.h) and the jumps
+// of their temperatures (heat_jumps.h).
 #include "../geometry/ring_capacity.h"
 #include "../laws/heat_jumps.h"
 #include "exports.h"
@@ -10,7 +10,7 @@
 using namespace raceway;
 
 RECORD(SteelOfBearings, double conductivity, density, heat, expansion;)
-// Nodes: inner ring, balls, outer ring, housing. Wetted: the first three
+// The nodes are inner ring, balls, outer ring and housing; the first three are wetted.
 RECORD(HeatNetworkOf, double capacity[4];
        double inner, outer, shaft, seat, housing, ambient, flow, inlet, convection, wetted[3];)
 RECORD(WettedSurfacesOf, double inner, balls, outer;)
@@ -54,8 +54,8 @@ FORMULA(double, iso_15312_conductance, (double bore, double outside, double widt
   return iso_15312_conductance(bore, outside, width);
 }
 
-// Heat capacity of a ring, J/K, from the radii of raceway and groove, the diameters of seat and
-// shoulder, and the width (m)
+// Returns the heat capacity (J/K) of a ring, given the radii of raceway and groove, the diameters
+// of seat and shoulder, and the width (all in m).
 FORMULA(double, ring_capacity,
         (bool inner, double raceway_radius, double groove_radius, double seat, double shoulder,
          double width))
@@ -74,7 +74,7 @@ FORMULA(double, clearance_change,
   return clearance_change(inner_radius, outer_radius, ball_radius, inner, balls, outer);
 }
 
-// Heat transfer coefficient of flowing oil, W/(m^2 K)
+// Returns the heat transfer coefficient of flowing oil in W/(m^2 K).
 FORMULA(double, oil_convection,
         (double conductivity, double heat_capacity, double density, double viscosity, double orbit,
          double pitch_diameter))
@@ -89,15 +89,15 @@ FORMULA(WettedSurfacesOf, wetted_surfaces,
   return {of.inner, of.balls, of.outer};
 }
 
-// Outlet temperature (C) of the oil, with the heat `heat` (W) generated in the oil and surfaces at
-// the temperatures `surface` (C)
+// Returns the outlet temperature (C) of the oil if `heat` (W) is generated in the oil and the
+// surfaces have the temperatures `surface` (C).
 EXPORT(double, oil_outlet, (const HeatNetworkOf *net, const double surface[3], double heat))
 {
   return network(*net).oil.outlet(surface, heat);
 }
 
-// Temperatures (C) after `time` seconds; the heat (W) into each node and into the oil varies
-// linearly from `heat` to `end`. Returns the heat (J) carried away.
+// Computes the temperatures (C) after `time` seconds. The heat (W) into each node and into the oil
+// varies linearly from `heat` to `end`. Returns the heat (J) carried away.
 EXPORT(double, heat_advance,
        (const HeatNetworkOf *net, const double heat[5], const double end[5], const double from[4],
         double time, double to[4]))
@@ -105,7 +105,7 @@ EXPORT(double, heat_advance,
   return HeatFlow(network(*net), heat, end, time).advance(from, time, to);
 }
 
-// Temperatures (C) of the steady state; returns the slowest time constant (s).
+// Computes the temperatures (C) of the steady state. Returns the slowest time constant (s).
 EXPORT(double, heat_steady, (const HeatNetworkOf *net, const double heat[5], double to[4]))
 {
   const HeatFlow flow(network(*net), heat);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Impedance of films and bearings (impedance.h).
+// Exports the impedance of films and bearings (impedance.h).
 #include "../electric/impedance.h"
 #include "exports.h"
 
@@ -12,7 +12,7 @@ constexpr double turn = 2.0 * 3.14159265358979323846;
 Impedance parts(const Complex &z) { return {z.real(), z.imag()}; }
 }    // namespace
 
-// Impedance of one film (ohm) at a frequency (Hz)
+// Returns the impedance (ohm) of one film at a frequency (Hz).
 FORMULA(Impedance, film_impedance, (double capacitance, double conductance, double frequency))
 {
   return parts(1.0 / admittance(CircuitFilm{capacitance, conductance}, turn * frequency));
@@ -28,7 +28,8 @@ FORMULA(double, resistance_of_impedance, (double real, double imaginary))
   return resistance_of({real, imaginary});
 }
 
-// Admittance of the bearing (S) by point; films are by point, side, ball
+// Computes the admittance (S) of the bearing at each point. Films are indexed by point, side and
+// ball.
 EXPORT(void, bearing_admittances,
        (int points, int balls, const double *frequency, const double *capacitance,
         const double *conductance, double *real, double *imaginary))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Text of a JSON file, piece by piece. The texts of the tables contain no quotes, backslashes or
-// control characters.
+// Builds the text of a JSON file piece by piece. The texts of the tables contain no quotes,
+// backslashes or control characters.
 #ifndef RACEWAY_JSON_TEXT_H
 #define RACEWAY_JSON_TEXT_H
 
@@ -11,7 +11,7 @@
 struct JsonText {
   std::string text;
 
-  // Like printf.
+  // Adds text like printf.
   __attribute__((format(printf, 2, 3))) void add(const char *format, ...)
   {
     va_list all, again;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Oil data over temperature (oil_data.h), SKF's starvation factor (starvation.h), pure rolling
-// (rolling.h).
+// Exports oil data as functions of temperature (oil_data.h), SKF's starvation factor (starvation.h)
+// and pure rolling (rolling.h).
 #include "../laws/oil_data.h"
 #include "../laws/rolling.h"
 #include "../laws/starvation.h"
@@ -13,7 +13,7 @@ RECORD(OilState, double viscosity, pressure_viscosity, temperature_viscosity, de
        permittivity;)
 RECORD(RollingSpeeds, double orbit, spin;)
 
-// nu in mm^2/s and -d(ln nu)/dT in 1/K
+// Returns nu in mm^2/s and -d(ln nu)/dT in 1/K.
 FORMULA(NuAndSlope, walther, (double nu_40, double nu_100, double temperature))
 {
   const KinematicViscosity nu = walther(nu_40, nu_100, temperature);

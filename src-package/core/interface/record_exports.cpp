@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The checksum of records and their headers.
+// Exports the checksum of records and their headers.
 #include "../numbers/checksum.h"
 #include "exports.h"
 
-// Checksums of the first `summed` numbers in each of `samples` rows of `width` numbers; `first` is
-// the number of the first row
+// Computes the checksums of the first `summed` numbers in each of `samples` rows of `width`
+// numbers. `first` is the number of the first row.
 EXPORT(void, record_checksums,
        (int samples, int width, int summed, int first, const int *rows, int *sums))
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The settling of a recorded run (settling.h).
+// Exports the settling of a recorded run (settling.h).
 #include "../figures/settling.h"
 #include "exports.h"
 
@@ -11,9 +11,10 @@ using raceway::Vec3;
 
 RECORD(SettlingOfRun, double torque, load, cage_speed, spin_axis;)
 
-// Changes between the last two halves of `half` samples each. By sample: friction torque, largest
-// load on each raceway, cage speed. By sample and ball: load, position relative to the bearing's
-// centre and spin, with z along the bearing's axis. Without two halves the changes are infinite.
+// Computes the changes between the last two halves of `half` samples each. There are friction
+// torque, largest load on each raceway and cage speed for every sample, and load, position relative
+// to the bearing's centre and spin for every sample and ball, with z along the bearing's axis. If
+// there are no two halves, the changes are infinite.
 EXPORT(void, settling,
        (int samples, int balls, int half, const double *torque, const double *load,
         const double *cage_speed, const double *ball_load, const double *place, const double *spin,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The variables of decks as JSON, for Python and the pages; names of data files.
+// Writes the variables of decks as JSON, for Python and the documentation, and checks names in data
+// files.
 #include "../settings/deck_variable_table.h"
 #include "json_text.h"
 
@@ -21,11 +22,12 @@ static std::string variables_text()
 
 extern "C" const char *variables_json()
 {
-  static const std::string text = variables_text();    // made once, whatever the number of threads
+  static const std::string text = variables_text();    // created once
   return text.c_str();
 }
 
-// `names` are separated by blanks; the message is valid until the next call by this thread.
+// Returns a message about `names`, which are separated by blanks. It is valid until the next call
+// by this thread.
 extern "C" const char *mistyped_name(const char *names)
 {
   static thread_local std::string message;

@@ -15,8 +15,8 @@ namespace bearing {
 namespace {
 
 constexpr size_t count_at = NetcdfHeader::count_at;
-constexpr double between_counts = 0.2;         // s
-constexpr size_t most_records = 0x7fffffff;    // a signed number in the header
+constexpr double between_counts = 0.2;         // s, interval between updates of the count
+constexpr size_t most_records = 0x7fffffff;    // the header stores a signed number
 
 double now()
 {
@@ -55,13 +55,13 @@ std::string NetcdfFile::open(const std::string &path, const NetcdfHeader &header
   sent_.resize(buffer_.size());
   file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file_ < 0) return strerror(errno);
-  // some file systems do not support locks, which is no reason to refuse the file
+  // some file systems do not support locks, which is no reason to reject the file
   if (flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
     return leave("another run is writing it");
   return "";
 }
 
-// Closes, without a change, a file that must not be written.
+// Closes a file that must not be written, without changing it.
 std::string NetcdfFile::leave(const std::string &why)
 {
   ::close(file_);
@@ -113,7 +113,7 @@ unsigned char *NetcdfFile::start_record()
   return record;
 }
 
-// The system takes as long to copy a batch as the run takes to compute it, so a separate thread
+// The system needs as long to copy a batch as the run needs to compute it, so a separate thread
 // waits for the write.
 std::string NetcdfFile::flush()
 {
@@ -132,13 +132,13 @@ std::string NetcdfFile::flush()
   };
   try {
     writing_ = std::async(std::launch::async, write);
-  } catch (const std::system_error &) {    // no thread available
+  } catch (const std::system_error &) {    // there is no thread available
     writing_ = std::async(std::launch::deferred, write);
   }
   return "";
 }
 
-// Waits until the batch sent last has been written.
+// Waits until the batch that was sent last has been written.
 std::string NetcdfFile::wait()
 {
   if (!writing_.valid()) return "";

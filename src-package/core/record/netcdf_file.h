@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A growing netCDF classic file. Records are written in batches, each with a single write, while
-// the next batch fills.
+// the next batch is being filled.
 //
-// The header has the number of records (4 bytes at offset 4). A reader of a growing file, or of a
-// file left by a killed run, sees only complete records, because this count lags behind the
-// writing. The count is updated a few times per second, to the number written at the previous
-// update: a reader that maps the file first and then reads the count must not find more records
-// counted than mapped. A file cut at the end of a record is valid, so truncate() suffices to
-// continue a run. Header and records have checksums (netcdf_header.h).
+// The header contains the number of records (4 bytes at offset 4). A reader of a growing file, or
+// of a file left by a killed run, sees only complete records, because this count lags behind the
+// data. The count is updated a few times per second, to the number of records written at the
+// previous update, because a reader that maps the file first and then reads the count must not find
+// more records counted than mapped. A file that is cut at the end of a record is valid, so
+// truncate() is sufficient to continue a run. The header and the records have checksums
+// (netcdf_header.h).
 #ifndef BEARING_NETCDF_FILE_H
 #define BEARING_NETCDF_FILE_H
 
@@ -24,15 +25,16 @@ class NetcdfFile {
   NetcdfFile(const NetcdfFile &) = delete;
   NetcdfFile &operator=(const NetcdfFile &) = delete;
 
-  // The functions below return an error message, empty on success.
-  // Creates or replaces a file; records follow in batches of `batch` records.
+  // The functions below return an error message, which is empty on success.
+
+  // Creates or replaces a file. Records follow in batches of `batch` records.
   std::string create(const std::string &path, const NetcdfHeader &, size_t batch);
   // Continues a file that has the same header except for the value of the scalar `changing`, after
   // the file has been cut to its first `records` records.
   std::string go_on(const std::string &path, const NetcdfHeader &, size_t batch, size_t records,
                     int changing);
 
-  // The bytes of the next record, initially blank.
+  // Returns the bytes of the next record, which are initially blank.
   unsigned char *start_record();
   void put(int variable, size_t first, const double *values, size_t n)
   {
@@ -43,11 +45,11 @@ class NetcdfFile {
   }
 
   bool full() const { return filled_ == batch_; }
-  std::string flush();        // sends the current batch; returns any error from the previous one
-  std::string hand_over();    // flush and wait until the system has all data
-  std::string settle();       // flush, update the count and wait until everything is on disk
+  std::string flush();        // sends the current batch; returns any error of the previous batch
+  std::string hand_over();    // flushes and waits until the system has all data
+  std::string settle();       // flushes, updates the count and waits until everything is on disk
   std::string close();
-  std::string put_fixed(int variable, double value);    // a scalar without time, at once
+  std::string put_fixed(int variable, double value);    // sets a scalar without time, at once
 
   bool is_open() const { return file_ >= 0; }
   size_t records() const { return written_ + sending_ + filled_; }
@@ -57,10 +59,10 @@ class NetcdfFile {
   std::string leave(const std::string &why);
   std::string wait();
   std::string count(size_t records);
-  std::string write_head();    // all but the count
+  std::string write_head();    // writes all but the count
 
   NetcdfHeader header_;
-  std::string head_;    // present bytes of the header
+  std::string head_;    // current bytes of the header
   std::vector<unsigned char> buffer_, sent_, blank_;
   std::future<std::string> writing_;    // the write of sent_
   size_t batch_ = 1, filled_ = 0, sending_ = 0, written_ = 0, countable_ = 0;

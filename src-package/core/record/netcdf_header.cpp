@@ -15,7 +15,8 @@ enum Tag { no_list = 0, dimension_list = 0x0A, variable_list = 0x0B, attribute_l
 
 size_t width(Header::Type t) { return t == Header::text ? 1 : t == Header::real ? 8 : 4; }
 
-// Every item of a header or record begins at a multiple of four bytes.
+// Returns n rounded up, because every item of a header or record begins at a multiple of four
+// bytes.
 size_t padded(size_t n) { return (n + 3) / 4 * 4; }
 
 size_t bytes_of(const Header::Variable &v) { return padded(v.size * width(v.type)); }
@@ -58,7 +59,7 @@ void add_list(std::string &s, Tag tag, size_t n)
   add_4(s, n);
 }
 
-// Adds attributes to `s`; `changing` receives the positions of values that may change.
+// Adds attributes to `s`. `changing` receives the positions of values that may change.
 void add_attributes(std::string &s, const Header::Attributes &list, std::vector<size_t> &changing)
 {
   add_list(s, attribute_list, list.size());

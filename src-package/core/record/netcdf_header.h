@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The header of a netCDF classic file with 64-bit offsets (CDF-2): dimensions, attributes,
 // variables, and the values of variables without time. All numbers are big-endian (OGC 10-092r3).
-// Independent of host and libraries.
+// Independent of the host and of libraries.
 //
-// The first attribute, `checksum`, has the length of the header and a checksum of the header, with
-// zeros for the number of records and for the checksum itself. The last variable of a record,
-// `checksum`, covers the bytes before it; its seed is the record's number
-// (core/numbers/checksum.h).
+// The first attribute, `checksum`, contains the length of the header and a checksum of the header,
+// which is computed with zeros in place of the number of records and of the checksum itself. The
+// last variable of a record, `checksum`, covers the bytes before it; its seed is the number of the
+// record (core/numbers/checksum.h).
 #ifndef BEARING_NETCDF_HEADER_H
 #define BEARING_NETCDF_HEADER_H
 
@@ -23,15 +23,16 @@ class NetcdfHeader {
   struct Attribute {
     std::string name;
     Type type;
-    std::string words;         // value of type text
+    std::string words;         // value if the type is text
     std::vector<double> of;    // values of other types
-    bool changes = false;      // a number that may change when a run continues
+    bool changes = false;      // whether a number may change when a run is continued
   };
   using Attributes = std::vector<Attribute>;
   struct Variable {
     std::string name;
     std::vector<int>
-        dimensions;    // indices; 0, the record dimension, comes first: one value per record
+        dimensions;    // indices; 0, the record dimension, comes first if there is a value per
+                       // record
     Type type = real;
     Attributes attributes;
     std::string words;         // values of a fixed variable of type text
@@ -52,23 +53,23 @@ class NetcdfHeader {
     return {name, real, "", {value}, false};
   }
 
-  // The functions below return the index of the new item. The record dimension comes first, with
+  // The functions below return the index of the new item. The record dimension comes first and has
   // length 0.
   NetcdfHeader();
   int dimension(const std::string &name, size_t length);
   int variable(const Variable &);
   void add(const Attribute &a) { attributes_.push_back(a); }
 
-  void layout();                         // call after the last variable
-  void sum(std::string &bytes) const;    // writes the checksum into a copy of bytes()
+  void layout();                         // must be called after the last variable
+  void sum(std::string &bytes) const;    // writes the checksum to a copy of bytes()
   void sum(unsigned char *record, size_t number) const;
   const Variable &variable(int k) const { return variables_[k]; }
-  const std::string &bytes() const { return bytes_; }    // with fixed values, without records
+  const std::string &bytes() const { return bytes_; }    // includes fixed values, but no records
   size_t record_bytes() const { return record_bytes_; }
   std::vector<unsigned char> blank_record() const;
-  // Positions of the attributes that may change: 8 bytes each.
+  // Positions of the attributes that may change, with 8 bytes each.
   const std::vector<size_t> &changing() const { return changing_; }
-  static constexpr size_t count_at = 4;    // position of the number of records, 4 bytes
+  static constexpr size_t count_at = 4;    // position of the number of records (4 bytes)
 
  private:
   struct Dimension {
@@ -86,7 +87,7 @@ class NetcdfHeader {
   size_t record_bytes_ = 0;
 };
 
-// Values in the byte order and width of the file.
+// Writes values in the byte order and width of the file.
 inline void put_real(unsigned char *to, double value)
 {
   uint64_t b;

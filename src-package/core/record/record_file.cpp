@@ -34,8 +34,12 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
                     {Header::attribute("_Encoding", "utf-8")},
                     one_groove ? "innerouter" : "inner 0inner 1outer 0outer 1",
                     {}});
-  finished_ = header_.variable(
-      {"finished", {}, Header::integer, said({"", "", "1: the run has come to its end"}), "", {0}});
+  finished_ = header_.variable({"finished",
+                                {},
+                                Header::integer,
+                                said({"", "", "1 if the run has reached its end"}),
+                                "",
+                                {0}});
   const auto fix = [&](const Column &c, int dimension, Header::Type type,
                        const std::vector<double> &values) {
     header_.variable({c.name, {dimension}, type, said(c), "", values});
@@ -57,7 +61,7 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
   }
   fix({"ring", "", "atom number of a ring"}, ring, Header::integer, each(layout_.rings, tag));
   fix({"ring_bearing", "", "its bearing"}, ring, Header::integer, each(layout_.rings, number));
-  fix({"ring_raceway", "", "0 inner, 1 outer, 2 a cage that is one ring"}, ring, Header::integer,
+  fix({"ring_raceway", "", "0 inner, 1 outer, 2 one-piece cage"}, ring, Header::integer,
       each(layout_.rings, [](const auto &r) { return double(r.raceway); }));
   const char *const origin[] = {"ring_origin_x", "ring_origin_y", "ring_origin_z"};
   for (int k = 0; k < 3; ++k)
@@ -66,8 +70,9 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
   if (layout_.pockets()) {
     fix({"ring_pocket_play", "m", "play of a cage's pockets along the pitch circle"}, ring,
         Header::real, each(layout_.rings, [](const auto &r) { return r.play; }));
-    fix({"ring_cage_guide", "", "what guides a cage: 0 balls, 1 inner ring, 2 outer ring"}, ring,
-        Header::real, each(layout_.rings, [](const auto &r) { return r.guide; }));
+    fix({"ring_cage_guide", "",
+         "guidance of a cage: 0 by balls, 1 by the inner ring, 2 by the outer ring"},
+        ring, Header::real, each(layout_.rings, [](const auto &r) { return r.guide; }));
     fix({"ring_pocket_phase", "rad", "azimuth of a cage's first pocket at an angle of 0"}, ring,
         Header::real, each(layout_.rings, [](const auto &r) { return r.phase; }));
   }
@@ -97,9 +102,10 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
       if (m) cage_.push_back(add("cage_", c, {time, cage}));
     }
   if (layout_.pockets())
-    pocket_ = add("ball_",
-                  {"pocket_force", "N", "force of the ball on its pocket; known at ends of steps"},
-                  {time, ball});
+    pocket_ = add(
+        "ball_",
+        {"pocket_force", "N", "force of the ball on its pocket; known only at the ends of steps"},
+        {time, ball});
   for (int k = 0; k < RING_VALUES; ++k)
     ring_.push_back(add("ring_", of_ring::list[FIRST_OF_RING + k], {time, ring}));
   for (const Figure &f : record_figures()) {
@@ -152,7 +158,7 @@ const double *RecordFile::take(const double *row, const double *end, bool &whole
                                     : kind == CAGE ? cage_
                                     : kind == RING ? ring_
                                                    : contact_;
-    // local copies, because the bytes written may alias any variable
+    // local copies, because the compiler must assume that the bytes written alias any variable
     const size_t *const column = at.data(), columns = at.size();
     const bool single = kind == CONTACT && content_.single;
     unsigned char *const to = sample_ + (single ? 4 : 8) * place;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A record as one netCDF file: the variables, the assembly of a sample from the rows of its parts,
-// and the sums over each bearing. Rows may come in any order without an effect on the bytes.
-// Independent of the host.
+// and the sums over each bearing. The rows may arrive in any order without affecting the bytes of
+// the file. Independent of the host.
 #ifndef BEARING_RECORD_FILE_H
 #define BEARING_RECORD_FILE_H
 
@@ -15,35 +15,36 @@ namespace bearing {
 class RecordFile {
  public:
   struct Content {
-    std::vector<Column> contact;    // columns of contacts
-    bool single = false;            // contacts are in single precision
-    bool motion = true;             // includes the motion of balls and cage
+    std::vector<Column> contact;    // columns of the contacts
+    bool single = false;            // store contacts in single precision
+    bool motion = true;             // include the motion of balls and cage
     bool film = false, capacitance = false, surroundings = false;
     unsigned law = 0;        // parts of the contact law
-    bool spheres = false;    // balls touch cage balls or one another
-    bool heat = false;       // temperatures follow the losses
+    bool spheres = false;    // whether balls touch cage balls or one another
+    bool heat = false;       // whether temperatures follow the losses
     NetcdfHeader::Attributes about;
   };
   // A row consists of its kind, its index in the layout and its values. The row that ends a sample
-  // has time, step and, with heat, the temperatures of each bearing (NAN: unknown). The index of a
-  // contact is (raceway * grooves + groove) * balls + ball.
+  // contains the time, the step and, with heat, the temperatures of each bearing (NAN if unknown).
+  // The index of a contact is (raceway * grooves + groove) * balls + ball.
   enum Kind { BALL, CONTACT, CAGE, RING, END };
-  // number of temperatures of a bearing: of_fix_heat from INNER to OIL
+  // number of temperatures of a bearing, which are of_fix_heat from INNER to OIL
   enum { TEMPERATURES = of_fix_heat::OIL + 1 - of_fix_heat::INNER };
   enum { MOTION = 9, FIRST_OF_RING = of_ring::X, RING_VALUES = of_ring::AZ + 1 - of_ring::X };
 
   RecordFile(const RecordLayout &, const Content &);
 
-  size_t width(Kind) const;    // values per row
+  size_t width(Kind) const;    // number of values per row
   size_t record_bytes() const { return header_.record_bytes(); }
   int finished() const { return finished_; }
   const NetcdfHeader &header() const { return header_; }
   NetcdfFile &file() { return file_; }
 
-  // Takes rows up to the end of a sample or of the list; returns the end of the rows taken.
+  // Takes rows up to the end of a sample or of the list, and returns the end of the rows that were
+  // taken.
   const double *take(const double *row, const double *end, bool &whole);
   // Writes the sample, with the row that ends it, once all parts have reported. Returns an error
-  // message, empty on success.
+  // message, which is empty on success.
   std::string end_sample(const double *row);
 
  private:
@@ -54,11 +55,11 @@ class RecordFile {
   NetcdfHeader header_;
   NetcdfFile file_;
   int finished_ = -1;
-  static constexpr size_t nowhere = SIZE_MAX;    // a column that is not in the record
-  // position in bytes from the start of a sample, by column
+  static constexpr size_t nowhere = SIZE_MAX;    // position of a column that is not in the record
+  // positions in bytes from the start of a sample, by column
   size_t time_, step_, pocket_ = nowhere;
   std::vector<size_t> contact_, ball_, cage_, ring_, bearing_, heat_;
-  unsigned char *sample_ = nullptr;    // the present sample, if a part has reported
+  unsigned char *sample_ = nullptr;    // the current sample, if a part has reported
   std::vector<BallFigures> shares_;
   std::vector<double> rails_;    // W, by cage ball
   std::vector<double> lands_;    // W, by ring

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The bearings of a record and the parts of the bearings, in the order of the file. Independent of
-// the host.
+// The bearings of a record and their parts, in the order of the file. Independent of the host.
 #ifndef BEARING_RECORD_LAYOUT_H
 #define BEARING_RECORD_LAYOUT_H
 
@@ -13,29 +12,29 @@ namespace bearing {
 struct RecordLayout {
   struct RecordBody {
     double tag;
-    int bearing;    // from 0
+    int bearing;    // counted from 0
   };
   struct RecordRing {
     double tag;
     int bearing;
-    int raceway;    // 0 inner, 1 outer, 2 a one-piece cage
+    int raceway;    // 0 inner, 1 outer, 2 one-piece cage
     double origin[3];
-    // of a cage: play of the pockets along the circle (m); CageRing::Guide; azimuth of the first
-    // pocket (rad)
+    // for a cage: play of the pockets along the circle (m), CageRing::Guide, and azimuth of the
+    // first pocket (rad)
     double play, guide, phase;
   };
   struct Bearing {
     double of[of_kind::N];
   };
 
-  // parts of each bearing are consecutive, by tag
+  // the parts of each bearing are consecutive and sorted by tag
   std::vector<Bearing> bearings;
   std::vector<RecordBody> balls, cage;
   std::vector<RecordRing> rings;
 
-  int grooves = 1;    // number per ring and ball; contacts are by raceway, groove and ball
+  int grooves = 1;    // number per ring and ball; contacts are sorted by raceway, groove and ball
 
-  static constexpr int cage_ring = 2;    // raceway of a one-piece cage
+  static constexpr int cage_ring = 2;    // value of `raceway` for a one-piece cage
   bool pockets() const
   {
     for (const RecordRing &r : rings)

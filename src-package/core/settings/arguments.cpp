@@ -32,7 +32,8 @@ Arguments::Arguments(LAMMPS *lmp, const std::string &command, int narg, char **a
   note_words(lmp, command, words_);
 }
 
-// Style of "fix ID STYLE", or the command itself, with the name used in the table of variables
+// Returns the style of "fix ID STYLE", or the command itself, under the name that the table of
+// variables uses.
 static std::string taker(const std::string &command)
 {
   return command.compare(0, 4, "fix ") == 0 ? command.substr(command.rfind(' ') + 1) : command;
@@ -56,7 +57,7 @@ void Arguments::take_variables()
     }
     const std::optional<std::string> value = host_variable(lmp_, name);
     if (!value) continue;
-    // a line whose style is a variable has the words of all styles that it may have
+    // a line whose style is a variable contains the words of all styles that it may have
     if (!ours) fail("variable " + name + " belongs to " + entry->of + ": leave it out here");
     words_.push_back(name);
     std::istringstream in(*value);
@@ -84,10 +85,10 @@ void Arguments::fail(const std::string &why) const { stop_run(lmp_, command_ + "
 
 std::optional<std::string> Arguments::content(const std::string &file) const
 {
-  std::string found;    // "+" and the text of a readable file
+  std::string found;    // "+" followed by the text of a readable file
   if (is_first_rank(lmp_)) {
     std::ifstream in(file, std::ios::binary);
-    // a folder also opens, but yields no data
+    // a folder can also be opened, but contains no data
     const bool empty = in && in.peek() == std::ifstream::traits_type::eof() && !in.bad();
     std::ostringstream copy;
     if (empty || (in && copy << in.rdbuf())) found = "+" + copy.str();
@@ -176,7 +177,7 @@ int Arguments::choice(const std::string &what, const std::vector<std::string> &a
   fail(what + " is '" + s + "', must be one of: " + list);
 }
 
-// End of a message: the word in a list "a, b, c" for which a wrong word was probably meant
+// Returns the end of a message, with the word from the list "a, b, c" that the user probably meant.
 static std::string meant(const std::string &wrong, const std::string &list)
 {
   std::set<std::string> known;

@@ -11,7 +11,7 @@ namespace bearing {
 
 static constexpr const char *title = "raceway-shaft 1", *units = "m kg s N rad";
 static constexpr int most_modes = 100, most_stations = 1000;
-static constexpr double even = 1e-9;    // allowed asymmetry over the largest value
+static constexpr double even = 1e-9;    // allowed asymmetry relative to the largest value
 
 namespace {
 
@@ -20,7 +20,7 @@ struct Line {
   std::vector<double> values;
 };
 
-// The lines of a file by their first words, and error messages about them.
+// Lists the lines of a file by their first words and creates error messages about them.
 class Reader {
  public:
   Reader(const Arguments &args, const std::string &name, const std::string &content) :
@@ -34,7 +34,8 @@ class Reader {
     if (!units_) fail(std::string("has no line 'units ") + units + "'");
   }
 
-  // Values of the single line that begins with this word; their count and range are checked.
+  // Returns the values of the single line that begins with this word. Their number and range are
+  // checked.
   std::vector<double> one(const std::string &word, size_t count, double least, double most)
   {
     const std::vector<Line> &found = all(word, 1);
@@ -63,7 +64,7 @@ class Reader {
   [[noreturn]] void fail(const std::string &why) const { args_.fail("'" + name_ + "' " + why); }
 
  private:
-  static std::string plain(const std::string &line)    // without blanks at its ends
+  static std::string plain(const std::string &line)    // without blanks at both ends
   {
     const char *blanks = " \t\r";
     const size_t first = line.find_first_not_of(blanks);

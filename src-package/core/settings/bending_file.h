@@ -14,7 +14,7 @@ struct BendingShaft {
   raceway::ShaftModes modes;
 };
 
-// Reads the file, with the same result on all ranks. The message of an error states file and line.
+// Reads the file, with the same result on all ranks. Error messages state the file and the line.
 BendingShaft read_bending_shaft(const Arguments &, const std::string &name);
 
 }    // namespace bearing

@@ -75,12 +75,12 @@ void CageSettings::read(Arguments &args)
   if (play < 0.0) args.fail("'play J' is missing");
   if (of.mass == 0.0 || inertia[0] == 0.0)
     args.fail("'mass M' or 'inertia AXIAL TRANSVERSE' is missing");
-  // balls hold a cage radially only if its pockets wrap around them
+  // balls can hold a cage radially only if its pockets wrap around them
   if (!shaped) of.spherical = of.guide == CageRing::by_balls;
   of.along = 0.5 * play;
   of.across = across < 0.0 ? of.along : 0.5 * across;
   if (height > 0.0 && of.along == 0.0)
-    args.fail("oil in a pocket is sheared in the play, which is 0: give 'play' or height 0");
+    args.fail("oil in a pocket is sheared in the play, which is 0: specify 'play' or height 0");
   of.land.viscosity = oil;
   of.land.filled = land_filled < 0.0 ? filled : land_filled;
   program.mass = of.mass;

@@ -11,7 +11,7 @@ using raceway::Waveform;
 
 namespace {
 
-// Rows of seconds and volts in a text file; # starts a comment.
+// Reads rows of seconds and volts from a text file, in which # starts a comment.
 void read_table(const Arguments &args, Waveform &w, const std::string &name)
 {
   const std::optional<std::string> content = args.content(name);
@@ -26,7 +26,7 @@ void read_table(const Arguments &args, Waveform &w, const std::string &name)
     const bool number = bool(words >> t);
     if (!number && words.eof()) continue;
     if (!number || !(words >> v) || words >> more || !std::isfinite(t) || !std::isfinite(v))
-      args.fail(where + ": a row of a voltage table is two numbers, s and V");
+      args.fail(where + ": a row of a voltage table must contain two numbers, s and V");
     if (!w.times.empty() && t <= w.times.back())
       args.fail(where + ": times of a voltage table must increase");
     w.times.push_back(t);
@@ -114,8 +114,7 @@ CircuitSettings CircuitSettings::read(Arguments &args)
     args.fail(driven ? "a floating inner ring takes no 'voltage'" : "'voltage' is missing");
   if (s.outer != motor && (s.second > 0.0 || s.second_factor > 0.0))
     args.fail("'second' and 'second_factor' need a motor");
-  if (s.second > 0.0 && s.second_factor > 0.0)
-    args.fail("give 'second' or 'second_factor', not both");
+  if (s.second > 0.0 && s.second_factor > 0.0) args.fail("give either 'second' or 'second_factor'");
   if (s.breaks_down() && s.outer == source && s.resistance == 0.0)
     args.fail("breakdown would short a source without resistance: give it a resistance");
   if (!s.events.empty() && !s.breaks_down()) args.fail("'events' needs 'breakdown'");

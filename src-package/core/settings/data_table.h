@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Tables of data files, FOLDER/*.csv: each row stands for a data file with the row's name. Format:
-// docs/catalogue.rst.
+// Tables of data files, FOLDER/*.csv. Each row stands for a data file with the row's name. The
+// format is described in docs/catalogue.rst.
 #ifndef BEARING_DATA_TABLE_H
 #define BEARING_DATA_TABLE_H
 
@@ -31,15 +31,17 @@ class DataTable {
   void read_row(const std::string &line, int number);
 };
 
-// Name of the variable in a line `variable NAME ...`; empty for any other line.
+// Returns the name of the variable in a line `variable NAME ...`, and an empty string for any other
+// line.
 std::string variable_of(const std::string &line);
 
-std::vector<DataTable> tables_of(const std::string &folder);    // by the names of their files
+std::vector<DataTable> tables_of(const std::string &folder);    // sorted by file name
 
-// The names, starting with those that differ from `name` by a few letters.
+// Returns the names, starting with those that differ from `name` by only a few letters.
 std::vector<std::string> near_first(const std::string &name, const std::set<std::string> &names);
 
-// Levenshtein distance: letters to change, add or remove to turn one word into the other
+// Returns the Levenshtein distance, i.e. the number of letters that must be changed, added or
+// removed to turn one word into the other.
 size_t distance(const std::string &a, const std::string &b);
 
 }    // namespace bearing

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A number, an equal-style variable v_NAME evaluated once per step, or an atom-style variable with
-// one value per ring.
+// A number, an equal-style variable v_NAME that is evaluated once per step, or an atom-style
+// variable with one value per ring.
 #ifndef BEARING_DRIVEN_VALUE_H
 #define BEARING_DRIVEN_VALUE_H
 
@@ -12,8 +12,8 @@ namespace bearing {
 
 class DrivenValue {
  public:
-  // Reads the next word of a command: a number or v_NAME; with `each_ring` also an atom-style
-  // variable.
+  // Reads the next word of a command, which is a number or v_NAME. If `each_ring` is true, the
+  // variable may also be atom-style.
   static DrivenValue read(Arguments &args, const std::string &what, bool each_ring = false)
   {
     DrivenValue d;
@@ -37,7 +37,7 @@ class DrivenValue {
     return d;
   }
 
-  // The number; NAN for a variable
+  // Returns the number, or NAN for a variable.
   double constant_value() const { return name_.empty() ? value_ : NAN; }
   bool is_zero() const { return name_.empty() && value_ == 0.0; }
   bool is_variable() const { return !name_.empty(); }
@@ -45,11 +45,11 @@ class DrivenValue {
   // Checks before a run that the variable exists.
   void check(LAMMPS_NS::LAMMPS *, const std::string &command);
 
-  bool by_atom() const { return by_atom_; }    // after check()
+  bool by_atom() const { return by_atom_; }    // valid after check()
 
   double now(LAMMPS_NS::LAMMPS *) const;
 
-  // Values for every owned atom of a group, 0 for other atoms
+  // Returns the values for every owned atom of a group, and 0 for other atoms.
   std::vector<double> of_atoms(LAMMPS_NS::LAMMPS *, int igroup) const;
 
   const std::string &name() const { return name_; }

@@ -27,15 +27,15 @@ bool same_file(const Claim &claim)
          now.st_ino == claim.inode;
 }
 
-// Claims of this process. When the process exits normally, its lock files are removed; after a kill
-// a file remains, but without a lock.
+// Claims of this process. Its lock files are removed when the process exits normally. If it is
+// killed, a file remains, but it is no longer locked.
 struct Claims {
   std::vector<Claim> list;
   const pid_t owner = getpid();
 
   ~Claims()
   {
-    if (getpid() != owner) return;    // after a fork: the locks belong to the parent
+    if (getpid() != owner) return;    // after a fork, the locks belong to the parent
     for (const Claim &c : list)
       if (same_file(c)) unlink(c.file.c_str());
   }
@@ -94,12 +94,12 @@ FolderClaim claim_folder(const std::string &folder)
     if (flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
       if (errno == EWOULDBLOCK || errno == EACCES) {
         result.complaint = "output folder '" + folder + "' is in use: " + read_all(descriptor) +
-                           " writes there; wait for it to end, or give another folder";
+                           " writes there; wait for it to end, or choose another folder";
         close(descriptor);
         return result;
       }
       result.warning = "the file system of '" + folder + "' has no locks (" + strerror(errno) +
-                       "): nothing keeps a second run from writing there";
+                       "): a second run could write there at the same time";
     } else if (!same_file(claim)) {    // its owner has exited and removed it in the meantime
       close(descriptor);
       continue;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One writer per folder: two runs that write the same files would silently corrupt both.
+// Ensures that a folder has only one writer, because two runs that write the same files would
+// silently corrupt both.
 #ifndef BEARING_FOLDER_LOCK_H
 #define BEARING_FOLDER_LOCK_H
 
@@ -8,13 +9,13 @@
 namespace bearing {
 
 struct FolderClaim {
-  std::string complaint;    // empty: this process is the only writer until it ends
-  std::string warning;      // the file system does not support locks
+  std::string complaint;    // empty if this process is the only writer until it ends
+  std::string warning;      // set if the file system does not support locks
 };
 
-// Claims `folder` for this process; a repeated claim succeeds. The lock is on the file `.writer` in
-// the folder, which contains the name of the process. The system releases the lock however the
-// process ends.
+// Claims `folder` for this process; a repeated claim also succeeds. The lock is on the file
+// `.writer` in the folder, which contains the name of the process. The system releases the lock
+// however the process ends.
 FolderClaim claim_folder(const std::string &folder);
 
 }    // namespace bearing

@@ -36,7 +36,7 @@ std::string list_of(const Parts &parts)
   return list.empty() ? "none" : list;
 }
 
-// The parts that remain
+// The parts of the models that are not left out.
 class Choice {
  public:
   Choice(const Parts &parts, const std::string &without) : parts_(parts)
@@ -64,7 +64,7 @@ class Choice {
   std::set<std::string> out_;
 };
 
-// Film in the gap, its damping and its thinning
+// Returns the keywords of the film in the gap, its damping and its thinning.
 std::string gap_words(const ModelChoice &of, const Choice &with, const OilWords &oil)
 {
   const std::string thins = oil.at("temperature_viscosity") + " " + oil.at("oil_conductivity");
@@ -100,7 +100,7 @@ std::string full_words(const ModelChoice &of, const Choice &with, const OilWords
          with.share("drag", kind.share) + inlet + gap_words(of, with, *oil);
 }
 
-// Oil data that the models need but the lubricant lacks
+// Throws an error if the lubricant does not have the oil data that the models need.
 void require(const OilWords &oil, const std::string &models)
 {
   Parts needed = {"temperature_viscosity", "oil_conductivity"};
@@ -142,9 +142,9 @@ ContactModel contact_model(const ModelChoice &of, const OilWords *oil,
              paper = of.models == "paper";
   ContactModel model;
   // otherwise the vibration of a cage that drives balls would limit the step; in the contacts of a
-  // cage 1 um is 0.4 N
+  // cage, 1 um corresponds to 0.4 N
   model.cage_tolerance_share = full ? 1000.0 : film ? 100.0 : 1.0;
-  model.estimate = !paper;    // bits of records with `models paper` must not change
+  model.estimate = !paper;    // records with `models paper` must remain bitwise identical
   if (of.models == "none") return model;
   if (oil && !paper) require(*oil, of.models);
   if (full) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Models of contacts by name, and the keywords of pair_style bearing/ehd or bearing/hertz that
-// select them. docs/pair_bearing lists the parts of each model. Independent of the host.
+// Converts models of contacts that are given by name to the keywords of pair_style bearing/ehd or
+// bearing/hertz that select them. The parts of each model are listed in docs/pair_bearing.
+// Independent of the host.
 #ifndef BEARING_MODEL_WORDS_H
 #define BEARING_MODEL_WORDS_H
 
@@ -11,7 +12,7 @@
 
 namespace bearing {
 
-// Wrong or missing data; the message names the datum.
+// Thrown if data are wrong or missing. The message names the datum.
 struct DataError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -26,18 +27,19 @@ struct ModelChoice {
   double oil_level = 0.5;              // of a bath above the lowest raceway, in ball diameters
 };
 
-// Bearing for a ModelChoice: radii of pitch circle and balls (m), bore and outside diameter (m; 0:
-// unknown), nominal contact angle, speed (rpm)
+// Bearing to which a ModelChoice is applied: radii of pitch circle and balls (m), bore and outside
+// diameter (m, 0 if unknown), nominal contact angle, and speed (rpm).
 struct LubricatedBearing {
   double pitch_radius = 1.0, ball_radius = 1.0, bore = 0.0, outside = 0.0, contact_angle = 0.0;
   double rpm = 0.0;
 };
 
-// Parameters of rolling resistance and drag for a kind of lubrication
+// Parameters of rolling resistance and drag for a kind of lubrication.
 struct LubricationWords {
-  double starvation = 1.0, inlet = 0.0, share = 0.0;    // phi_rs; semi-axes b; X
+  double starvation = 1.0, inlet = 0.0, share = 0.0;    // phi_rs; in semi-axes b; X
 };
-// Oil: viscosity in Pa s, density in kg/m^3. Throws DataError for an unknown type.
+// The viscosity of the oil is in Pa s and its density in kg/m^3. Throws DataError for an unknown
+// kind of lubrication.
 LubricationWords lubrication_words(const std::string &kind, double level, const LubricatedBearing &,
                                    double viscosity, double density);
 
@@ -45,12 +47,12 @@ extern const std::vector<std::string> model_names;
 
 struct ContactModel {
   std::string words;                    // keywords of the pair style
-  double cage_tolerance_share = 1.0;    // tolerance of cage balls over that of other bodies
-  bool estimate = true;                 // implicit steps are controlled by estimates, not bounds
+  double cage_tolerance_share = 1.0;    // tolerance of cage balls relative to that of other bodies
+  bool estimate = true;                 // control implicit steps by error estimates, not bounds
 };
 
-// `oil`: null for dry contacts. Throws DataError for parts that the models do not have and for data
-// that the oil lacks.
+// `oil` is null for dry contacts. Throws DataError for parts that the models do not have and for
+// data that are missing for the oil.
 ContactModel contact_model(const ModelChoice &, const OilWords *oil, const LubricatedBearing &);
 
 }    // namespace bearing

@@ -39,13 +39,13 @@ void PairCoefficients::read_coeff(Arguments &args, int types)
   if (role != 4)
     for (const int type : {i, j})
       if (is_grain(type))
-        args.fail("type " + std::to_string(type) + " is a grain, cannot belong to a bearing");
+        args.fail("type " + std::to_string(type) + " is a grain and cannot belong to a bearing");
   if (role == 2) return read_spheres(args, i, j);
   if (role == 3) return read_cage(args, i, j, types);
   if (role == 4) return read_grains(args, i, j);
   if (i == j) args.fail("ball and ring need different atom types");
   if (raceway(j, i))
-    args.fail("the ball type must come first, but an earlier pair_coeff has it second");
+    args.fail("the ball type must come first, but it comes second in an earlier pair_coeff");
   RacewayPhysics p = defaults_;
   p.groove.side = role == 0 ? Side::inner : Side::outer;
   p.groove.raceway_radius = args.positive("raceway radius (m)");
@@ -64,8 +64,9 @@ void PairCoefficients::read_coeff(Arguments &args, int types)
     args.fail("bearing/ehd needs 'lubricant VISCOSITY PRESSURE_VISCOSITY' here or in pair_style; "
               "without a lubricant use bearing/hertz");
   if (with_film_ && p.ring_roughness == 0.0)
-    args.fail("bearing/ehd needs 'roughness RACEWAY BALL' (m) here or in pair_style: it sets the "
-              "lambda ratio and the floor of the film damper");
+    args.fail(
+        "bearing/ehd needs 'roughness RACEWAY BALL' (m) here or in pair_style: it determines the "
+        "lambda ratio and the floor of the film damper");
   raceways_.erase({i, j, 1});
   p.groove.offset = -arch;
   raceways_[{i, j, 0}] = p;
@@ -87,7 +88,7 @@ void PairCoefficients::read_cage(Arguments &args, int ball, int cage, int types)
   ball_type_.resize(types + 1);
   cage_type_.resize(types + 1);
   if (!ball_type_[ball])
-    args.fail("type " + std::to_string(ball) + " is not a ball: its raceways come first");
+    args.fail("type " + std::to_string(ball) + " is not a ball: its raceways must come first");
   if (ball_type_[cage] || !raceways_of(cage).empty())
     args.fail("type " + std::to_string(cage) + " is a ball or a ring with a raceway already");
   ring_type_[cage] = cage_type_[cage] = 1;
@@ -103,7 +104,8 @@ void PairCoefficients::read_spheres(Arguments &args, int i, int j)
   s.E2 = args.within("Young's modulus of the second type (Pa)", raceway::LEAST_YOUNG,
                      raceway::LARGEST_YOUNG);
   s.nu2 = args.within("Poisson's ratio of the second type", 0.0, 0.5);
-  // eq 3 as printed has an extra factor 1/(1 - nu) with nu of the rolling ball, the first type
+  // eq. 3 as printed has an extra factor 1/(1 - nu), with nu of the rolling ball, which is the
+  // first type
   s.factor = args.take("printed") ? 1.0 / (1.0 - s.nu1) : 1.0;
   if (args.more()) args.unknown("printed");
   spheres_[std::minmax(i, j)] = s;
@@ -127,7 +129,7 @@ void PairCoefficients::read_grains(Arguments &args, int i, int j)
   if (law.stiffness == 0.0) args.fail("'stiffness K' (N/m) of the grains is missing");
   for (const int type : {i, j})
     if (is_named(type))
-      args.fail("type " + std::to_string(type) + " belongs to a bearing, cannot be a grain");
+      args.fail("type " + std::to_string(type) + " belongs to a bearing and cannot be a grain");
   grains_[std::minmax(i, j)] = law;
   grain_type_.insert({i, j});
 }
@@ -235,12 +237,11 @@ bool PairCoefficients::smooth_friction(double creep)
   return changed;
 }
 
-// A ball is a neighbour of a ring if it touches its groove or is beyond the groove by up to the
-// overlap limit plus half a radius; ghosts are needed only up to that distance. Spheres touch at
-// the sum of their radii.
+// A ball is a neighbour of a ring if it touches its groove or has passed beyond it by up to half a
+// ball radius. Ghosts are needed only up to that distance. Spheres touch at the sum of their radii.
 double PairCoefficients::cutoff(int i, int j) const
 {
-  // balls of one type are neighbours, so that overlapping balls can be refused at the start
+  // balls of one type are neighbours, so that overlapping balls can be rejected at the start
   if (i == j && is_ball(i)) return 2.0 * sizes_.largest[i];
   if (spheres(i, j) || grains(i, j)) return sizes_.largest[i] + sizes_.largest[j];
   const RacewayPhysics *p = raceway(j, i);
@@ -289,14 +290,14 @@ std::string PairCoefficients::prepare(const TypeSizes &sizes)
   return wrong_rings();
 }
 
-// False if the bearing of a pair_coeff is not in the box.
+// Returns false if the bearing of a pair_coeff is not in the box.
 bool PairCoefficients::is_there(const GrooveName &of) const
 {
   return sizes_.count[of.ball] > 0 || sizes_.count[of.ring] > 0;
 }
 
-// Returns an error in the sizes of balls and groove, or "". Radius and mass of the balls come from
-// the atoms; all balls of a type have one size.
+// Returns an error in the sizes of balls and groove, or "" if there is none. The radius and the
+// mass of the balls are those of the atoms; all balls of a type have the same size.
 std::string PairCoefficients::wrong_size(const GrooveName &of, const RacewayPhysics &p) const
 {
   const double R = sizes_.largest[of.ball], smallest = sizes_.smallest[of.ball];
@@ -312,7 +313,7 @@ std::string PairCoefficients::wrong_size(const GrooveName &of, const RacewayPhys
   if (std::fabs(g.offset) >= g.slack())
     return "gothic_arch " + text(std::fabs(g.offset)) +
            " m must be smaller than the groove radius minus the ball radius, " + text(g.slack()) +
-           " m: beyond that a ball cannot be between both grooves";
+           " m: otherwise a ball does not fit between both grooves";
   if (g.side == Side::outer && !(g.raceway_radius - R > R))
     return "raceway radius " + text(g.raceway_radius) +
            " m leaves no pitch circle for balls of radius " + text(R) + " m";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Settings of pair_style and pair_coeff: the raceway on each ring type for each ball type, the
-// materials of spheres that touch, and the contact law.
+// Settings of pair_style and pair_coeff: the raceway of each ring type for each ball type, the
+// materials of spheres in contact, and the contact law.
 #ifndef BEARING_PAIR_COEFFICIENTS_H
 #define BEARING_PAIR_COEFFICIENTS_H
 
@@ -15,16 +15,16 @@ namespace bearing {
 
 // Sizes of the atoms of each type, over all ranks.
 struct TypeSizes {
-  std::vector<double> smallest, largest, mass;    // m, radii; kg, largest mass
+  std::vector<double> smallest, largest, mass;    // m, smallest and largest radii; kg, largest mass
   std::vector<int> count;
 };
 
-// Reads one keyword of a contact of grains; false if the next word is not such a keyword.
+// Reads one keyword of a contact of grains. Returns false if the next word is not such a keyword.
 bool take_grain_keyword(Arguments &, raceway::GrainLaw &);
 
 class PairCoefficients {
  public:
-  struct Spheres {    // materials of two types; factor of the stiffness
+  struct Spheres {    // materials of two types; factor by which the stiffness is multiplied
     double E1, nu1, E2, nu2, factor;
     double stiffness(double R1, double R2) const;    // N/m^1.5
   };
@@ -40,9 +40,9 @@ class PairCoefficients {
   // Derives the constants of the raceways. Returns the message of an error in raceways or atoms, or
   // "".
   std::string prepare(const TypeSizes &);
-  // As above, for coefficients that were read again during a run.
+  // Does the same for coefficients that were read again during a run.
   std::string prepare_again();
-  // Sets the thermal strains of a ball type's raceways and balls (Raceway::grow).
+  // Sets the thermal strains of the raceways and balls of a ball type (Raceway::grow).
   void grow(int ball_type, double inner_ring, double balls, double outer_ring);
 
   bool lubricated() const { return with_film_; }
@@ -54,35 +54,37 @@ class PairCoefficients {
   bool is_ring(int type) const { return type < (int)ring_type_.size() && ring_type_[type]; }
   bool is_ball(int type) const { return type < (int)ball_type_.size() && ball_type_[type]; }
   bool is_cage(int type) const { return type < (int)cage_type_.size() && cage_type_[type]; }
-  bool is_named(int type) const;    // the type occurs in a pair_coeff of a bearing
+  bool is_named(int type) const;    // whether the type occurs in a pair_coeff of a bearing
   bool is_grain(int type) const { return grain_type_.count(type) > 0; }
-  // Sides on which a ball type has a raceway: 1 inner, 2 outer, or their sum.
+  // Returns the sides on which a ball type has a raceway: 1 for inner, 2 for outer, or their sum.
   int sides_of(int ball_type) const;
   bool any_raceway() const { return !raceways_.empty(); }
-  // Groove of a ring type for a ball type, by number; null if there is none.
+  // Returns a groove, by its index, of a ring type for a ball type, or null if there is none.
   const raceway::RacewayPhysics *raceway(int ball_type, int ring_type, int groove = 0) const;
-  // Raceways of a ring type, and raceways of a ball type.
+  // Return the raceways of a ring type and of a ball type.
   std::vector<const raceway::RacewayPhysics *> raceways_of(int ring_type) const;
   std::vector<const raceway::RacewayPhysics *> raceways_under(int ball_type) const;
-  bool many_grooves() const;    // at least one ring has two grooves for a ball
-  // Radius of the circle half-way between both raceways of the balls on this ring, m; 0 if the type
-  // is not a ring.
+  bool many_grooves() const;    // whether at least one ring has two grooves for a ball
+  // Returns the radius (m) of the circle midway between both raceways of the balls on this ring, or
+  // 0 if the type is not a ring.
   double pitch_radius(int ring_type) const;
   bool any_spheres() const { return !spheres_.empty(); }    // balls touch cage balls or one another
-  const Spheres *spheres(int type_1, int type_2) const;     // null if none
-  const raceway::GrainLaw *grains(int type_1, int type_2) const;    // null if none
-  // Parts of the contact law (core/contact/contact.h), one law for all raceways.
+  const Spheres *spheres(int type_1, int type_2) const;     // null if there are none
+  const raceway::GrainLaw *grains(int type_1, int type_2) const;    // null if there are none
+  // Parts of the contact law (core/contact/contact.h), which is the same for all raceways.
   unsigned law() const { return law_; }
   const raceway::LawFacts &facts() const { return facts_; }
-  // Replaces tangential springs by Coulomb's law with this creep; true if any raceway has a spring.
+  // Replaces tangential springs by Coulomb's law with this creep. Returns true if any raceway has a
+  // spring.
   bool smooth_friction(double creep);
-  // Distance of centres below which two types are neighbours, m; 0: they do not interact.
+  // Returns the distance (m) between centres below which two types are neighbours, or 0 if they do
+  // not interact.
   double cutoff(int type_1, int type_2) const;
-  double reach() const;    // m, largest distance of a ball's centre from the centre of its ring
+  double reach() const;    // m, largest distance between the centres of a ball and its ring
 
  private:
   struct GrooveName {
-    int ball, ring, number;    // types; number of the groove
+    int ball, ring, number;    // types, and index of the groove
     bool operator<(const GrooveName &o) const
     {
       return ball != o.ball ? ball < o.ball : ring != o.ring ? ring < o.ring : number < o.number;
@@ -107,7 +109,7 @@ class PairCoefficients {
   std::vector<char> ring_type_, ball_type_;    // a one-piece cage counts as a ring
   std::vector<char> cage_type_;
   TypeSizes sizes_;
-  double creep_ = 0.0;    // value of the last smooth_friction(), 0: none
+  double creep_ = 0.0;    // argument of the last smooth_friction(), or 0
   unsigned law_ = 0;
   raceway::LawFacts facts_;
 };

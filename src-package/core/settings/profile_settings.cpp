@@ -48,7 +48,8 @@ Wave read_wave(Arguments &args)
   return w;
 }
 
-// Lines "azimuth depth", in rad and m, evenly spaced over one turn; # starts a comment.
+// Reads lines "azimuth depth" in rad and m, evenly spaced over one turn, in which # starts a
+// comment.
 PeriodicCurve read_table(Arguments &args)
 {
   const std::string name = args.word("file");
@@ -110,8 +111,8 @@ void read_ball(Arguments &args, ProfileSettings &s)
 
 }    // namespace
 
-// Among the variables of a deck, flaw_inner and flaw_outer are profiles of raceways, and flaw_ball
-// is a profile of balls, by default of the first ball. The last keyword, flawed_ball, gives the
+// Of the variables of a deck, flaw_inner and flaw_outer are profiles of raceways, and flaw_ball is
+// a profile of balls, by default of the first ball. The last keyword, flawed_ball, specifies the
 // numbers of these balls.
 ProfileSettings ProfileSettings::read(Arguments &args, int most_grooves,
                                       std::vector<std::string> &said)
@@ -127,7 +128,7 @@ ProfileSettings ProfileSettings::read(Arguments &args, int most_grooves,
   const auto at = std::find(said.begin(), said.end(), "flawed_ball");
   if (at != said.end()) {
     s.flawed.assign(at + 1, said.end());
-    if (s.flawed.empty()) args.fail("'flawed_ball' without a ball's number");
+    if (s.flawed.empty()) args.fail("'flawed_ball' without the number of a ball");
     said.erase(at, said.end());
   }
   if (s.of_balls) said.insert(said.begin(), "ball");

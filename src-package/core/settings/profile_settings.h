@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Flaws and waviness of raceways or balls, as set in a deck.
+// Flaws and waviness of raceways or balls, as specified in a deck.
 #ifndef BEARING_PROFILE_SETTINGS_H
 #define BEARING_PROFILE_SETTINGS_H
 
@@ -10,11 +10,11 @@
 namespace bearing {
 
 struct ProfileSettings {
-  int groove = 0;                   // number of the groove of each ring
-  raceway::ProfileShape raceway;    // departure from the torus
+  int groove = 0;                   // index of the groove on each ring
+  raceway::ProfileShape raceway;    // deviation from the torus
   bool of_balls = false;
-  raceway::BallShape ball;            // departure from the sphere
-  std::vector<std::string> flawed;    // numbers of the flawed balls; empty: all balls of the group
+  raceway::BallShape ball;            // deviation from the sphere
+  std::vector<std::string> flawed;    // numbers of the flawed balls; empty for all balls
 
   bool departs() const
   {
@@ -22,8 +22,8 @@ struct ProfileSettings {
              ball.pits.empty() && ball.waves.empty() && ball.tables.empty());
   }
 
-  // Reads all words of a fix bearing/profile. most_grooves: largest number of grooves per ring;
-  // said: receives the words of the profile alone.
+  // Reads all words of a fix bearing/profile. `most_grooves` is the largest number of grooves per
+  // ring; `said` receives only the words of the profile.
   static ProfileSettings read(Arguments &, int most_grooves, std::vector<std::string> &said);
 };
 

@@ -37,7 +37,7 @@ void read_values(Arguments &args, const KeywordEntry &k, RacewayPhysics &p)
   k.set(p, values.data());
 }
 
-// "constant MU"
+// Returns a form such as "constant MU".
 std::string form_text(const KeywordEntry &k)
 {
   std::string s = k.form;
@@ -45,10 +45,11 @@ std::string form_text(const KeywordEntry &k)
   return s;
 }
 
-// Reads a keyword that is followed by one of several words: "friction none|constant MU|...".
+// Reads a keyword that is followed by one of several words, such as "friction none|constant
+// MU|...".
 void read_form(Arguments &args, const std::string &name, bool with_film, RacewayPhysics &p)
 {
-  if (args.take("none")) {    // leaves the slot with the name of the keyword empty
+  if (args.take("none")) {    // leaves the slot of this keyword empty
     for (size_t k = 0; k < part_table().size(); ++k)
       if (part_table()[k].slot == name) p.parts &= ~(1u << k);
     return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Keywords for a raceway contact: in pair_style they are the default for all raceways, in
+// Keywords for a raceway contact. In pair_style they are the defaults for all raceways; in
 // pair_coeff they apply to one pair of types.
 #ifndef BEARING_RACEWAY_OPTIONS_H
 #define BEARING_RACEWAY_OPTIONS_H
@@ -9,11 +9,12 @@
 
 namespace bearing {
 
-// Reads one keyword with its values. False if the next word is not such a keyword. with_film:
-// accept the keywords of bearing/ehd (lubricant, film, roughness, floor, damper, stribeck).
+// Reads one keyword with its values. Returns false if the next word is not such a keyword. If
+// `with_film` is true, the keywords of bearing/ehd (lubricant, film, roughness, floor, damper,
+// stribeck) are also accepted.
 bool read_raceway_keyword(Arguments &args, bool with_film, raceway::RacewayPhysics &p);
 
-// Keywords for error messages.
+// Returns the keywords for error messages.
 std::string raceway_keywords(bool with_film);
 
 }    // namespace bearing

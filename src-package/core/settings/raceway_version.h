@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The version of Raceway, that is, of the styles, the Python package and the documentation.
+// The version of Raceway, which applies to the styles, the Python package and the documentation.
 #ifndef RACEWAY_VERSION_H
 #define RACEWAY_VERSION_H
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Checksum of a whole restart file, at a position reserved in it by fix bearing/checkpoint.
+// Checksum of a whole restart file, stored at a position that fix bearing/checkpoint reserves in
+// it.
 //
-// The host's format has no checksum: a flipped bit would give another bearing. The position holds
-// `mark` and eight characters; the checksum (core/numbers/checksum.h) covers the file with zeros in
-// place of these eight characters.
+// The host's format has no checksum, so a flipped bit would result in another bearing. The position
+// contains `mark` and eight characters. The checksum (core/numbers/checksum.h) is computed for the
+// file with zeros in place of these eight characters.
 #ifndef BEARING_RESTART_SUM_H
 #define BEARING_RESTART_SUM_H
 
@@ -11,13 +12,15 @@
 
 namespace bearing {
 
-// For write_restart(): placeholder for the sum.
+// Returns the placeholder for the sum, for use in write_restart().
 std::string empty_sum();
 
-// Writes the checksum into a complete file. False without a placeholder or if writing fails.
+// Writes the checksum to a complete file. Returns false if there is no placeholder or if writing
+// fails.
 bool write_sum(const std::string &file);
 
-// True if the sum is right; false also if the file cannot be read or has no position for the sum.
+// Returns true if the sum is correct. Returns false also if the file cannot be read or has no
+// position for the sum.
 bool has_right_sum(const std::string &file);
 
 }    // namespace bearing

@@ -119,7 +119,7 @@ bool RingWords::take()
   return true;
 }
 
-// Loads of a radial bearing; `free loaded` frees the directions in which the loads act.
+// Reads the loads of a radial bearing. `free loaded` frees the directions in which the loads act.
 bool RingWords::take_load()
 {
   if (args_.take("free")) {
@@ -139,7 +139,7 @@ bool RingWords::take_load()
   return true;
 }
 
-// A housing on springs that carries the ring, or none.
+// Reads the settings of a housing on springs that carries the ring.
 bool RingWords::take_housing()
 {
   if (args_.take("housing")) springs_ = args_.choice("housing", {"none", "springs"}) == 1;
@@ -151,8 +151,8 @@ bool RingWords::take_housing()
   return true;
 }
 
-// The direction of the radial load is rounded to 15 digits, so that a load along -y has no
-// component along x.
+// Sets the forces. The direction of the radial load is rounded to 15 digits, so that a load along
+// -y has no component along x.
 void RingWords::apply_load()
 {
   RingProgram &p = to_.program;
@@ -215,7 +215,7 @@ void RingWords::check() const
 {
   const RingProgram &p = to_.program;
   if (p.unbalance.moment > 0.0 && p.mode[RingProgram::SPIN] != Freedom::speed)
-    args_.fail("unbalance needs 'spin speed W': the mass off centre turns with an imposed spin");
+    args_.fail("unbalance needs 'spin speed W': the eccentric mass turns with an imposed spin");
   for (int dof = 0; dof < RingProgram::SPIN; ++dof)
     if ((p.support[dof].stiffness > 0.0 || p.support[dof].damping > 0.0) && !p.free(dof))
       args_.fail(std::string("'support ") + name_of(dof) + "' needs '" + name_of(dof) + " free'");

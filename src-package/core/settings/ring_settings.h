@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Ring motion as set in a deck: degrees of freedom, inertia, loads and supports.
+// Motion of a ring as specified in a deck: degrees of freedom, inertia, loads and supports.
 #ifndef BEARING_RING_SETTINGS_H
 #define BEARING_RING_SETTINGS_H
 
@@ -11,38 +11,39 @@
 
 namespace bearing {
 
-// Loads of a radial bearing as given by the words `load` and `axial`, for a record.
+// Loads of a radial bearing as specified by the words `load` and `axial`, for a record.
 struct StatedLoads {
   bool stated = false;
   double load = 0.0, azimuth = 0.0, axial = 0.0;    // N, rad, N
   double moment[2] = {0.0, 0.0};                    // N m, constant moments
   double unbalance = 0.0;                           // kg m
-  double speed = NAN;                               // rad/s; NAN unless imposed and constant
+  double speed = NAN;                               // rad/s; NAN unless it is imposed and constant
 };
 
 struct RingSettings {
-  raceway::RingProgram program;    // program of all rings, without targets and loads
+  raceway::RingProgram program;    // common program of all rings, without targets and loads
   DrivenValue value[raceway::RingProgram::N_VALUE];
   StatedLoads stated;
-  std::string holder;    // group of the ring to which the supports are attached; empty: ground
+  std::string holder;    // group of the ring to which the supports are attached, or empty
 };
 
-// Mass and inertia of a ring, used if the words give none; zeros: unknown.
+// Mass and inertia of a ring, which are used if the words do not specify them; 0 if unknown.
 struct RingBody {
   double mass = 0.0;
   raceway::RingInertia inertia;
 };
 
-// Reads the settings, keyword by keyword.
+// Reads the settings keyword by keyword.
 class RingWords {
  public:
-  // each: values may differ from ring to ring
+  // If `each` is true, values may differ from ring to ring.
   RingWords(Arguments &args, const raceway::LabAxes &axes, RingSettings &to, bool each);
-  bool take();    // reads a keyword and its values; false if the next word is not
-                  // such a keyword
-  // Call it after all words: sets and checks the values that depend on several words
+  // Reads a keyword and its values. Returns false if the next word is not a keyword.
+  bool take();
+  // Sets and checks the values that depend on several words. Must be called after all words have
+  // been read.
   void finish(const RingBody &usual);
-  std::string known() const;    // all keywords, for messages
+  std::string known() const;    // returns all keywords for messages
 
  private:
   using RingProgram = raceway::RingProgram;
@@ -56,14 +57,14 @@ class RingWords {
   void apply_load();
   void apply_housing();
   void check() const;
-  const char *name_of(int dof) const;    // name of a displacement or a tilt
+  const char *name_of(int dof) const;    // returns the name of a displacement or a tilt
 
   Arguments &args_;
   raceway::LabAxes axes_;
   RingSettings &to_;
   bool each_;
-  int number_[3];    // number of a lab axis; the bearing axis is the third
-  // `free loaded`: degrees of freedom that have a load
+  int number_[3];    // indices of the lab axes, of which the third is the bearing axis
+  // free_loaded_: `free loaded` frees the degrees of freedom that have a load
   bool free_loaded_ = false, loads_ = false, springs_ = false;
   double load_ = 0.0, azimuth_ = -0.5 * 3.14159265358979323846, axial_ = 0.0;          // N, rad, N
   double housing_mass_ = 2.0, housing_frequency_ = 4000.0, housing_damping_ = 0.04;    // kg, Hz

@@ -24,14 +24,15 @@ bool ShaftSettings::take(Arguments &args)
     u.of.phase = args.number("phase of the unbalance (rad)");
     unbalances.push_back(u);
   } else if (args.take("flexible")) {
-    file = args.word("file of a shaft that bends");
+    file = args.word("file of a flexible shaft");
   } else {
     return false;
   }
   return true;
 }
 
-// The sum of unbalances; the sum of forces that rotate together rotates with them.
+// Returns the unbalance with these components. Unbalances are added by components, because they
+// rotate together.
 static raceway::Unbalance polar(double x, double y) { return {std::hypot(x, y), std::atan2(y, x)}; }
 
 void ShaftSettings::add_unbalances(double about, RingProgram &p) const

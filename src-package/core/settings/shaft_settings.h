@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Settings of a shaft in addition to those of a ring: its centre, and loads and unbalances at
-// positions along its axis.
+// Settings of a shaft in addition to those of a ring, namely its centre, and loads and unbalances
+// at positions along its axis.
 #ifndef BEARING_SHAFT_SETTINGS_H
 #define BEARING_SHAFT_SETTINGS_H
 
@@ -25,14 +25,14 @@ struct ShaftSettings {
   double centre = 0.0;    // m, centre of mass
   std::vector<Load> loads;
   std::vector<Unbalance> unbalances;
-  std::string file;    // file of a flexible shaft, otherwise empty
+  std::string file;    // file of a flexible shaft, or empty
   std::shared_ptr<const BendingShaft> of_file;
 
-  // Reads a keyword and its values; false if the next word is not such a keyword.
+  // Reads a keyword and its values. Returns false if the next word is not such a keyword.
   bool take(Arguments &);
   // Adds the unbalances and their moments about the centre `about` (m).
   void add_unbalances(double about, raceway::RingProgram &) const;
-  // Unbalances by mode of a flexible shaft.
+  // Returns the unbalances that act on each mode of a flexible shaft.
   std::vector<raceway::Unbalance> unbalances_of_modes() const;
   // Reads the file with mass, inertia and centre.
   void read_file(const Arguments &, raceway::RingProgram &);

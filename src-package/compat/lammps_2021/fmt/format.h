@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Debian's liblammps-dev of 29Sep2021 does not contain fmt, which its headers include. Declarations
-// suffice, because this package calls no LAMMPS function with an argument of an fmt type.
+// are sufficient, because this package calls no LAMMPS function with an argument of an fmt type.
 #ifndef BEARING_FMT_FORMAT_H
 #define BEARING_FMT_FORMAT_H
 
