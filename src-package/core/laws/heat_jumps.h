@@ -77,8 +77,8 @@ inline double idle_oil(const HeatNetwork &net)
   return HeatState::oil_of(at);
 }
 
-// Takes the ball pass `seen`, which ran at `s.law`, and begins the next jump. `net` has no
-// conductances of contacts yet.
+// Processes the ball pass `seen`, which ran at the temperatures `s.law`, and starts the next jump.
+// `net` does not contain the conductances of contacts yet.
 inline void heat_jump(HeatState &s, const HeatPass &seen, HeatNetwork net, const HeatControl &c)
 {
   constexpr double lasting = 0.5;    // as a fraction of the slowest time constant

@@ -13,8 +13,7 @@ enum class LubricationKind { bath, jet, mist, grease, minimal };
 constexpr const char *lubrication_kinds = "bath jet mist grease minimal";
 
 struct Lubrication {
-  double inlet = 0.0;            // inlet length in units of the semi-axis b; 0: flooded, 1:
-                                 // shortest inlet
+  double inlet = 0.0;            // inlet length over semi-axis b; 0: flooded, 1: shortest inlet
   double replenishment = 0.0;    // K_rs; 0: no starvation
   double share = 0.0;            // X, volume fraction of oil
 };

@@ -127,7 +127,7 @@ class SlipSlices {
   {
     static const Table made = [] {
       constexpr double width = 2.0 / slices;
-      // integral of the load per unit of z on a chord, 3/4 (1 - z^2)
+      // integral over z of the load carried by a chord, 3/4 (1 - z^2)
       auto up_to = [](double z) { return 0.75 * (z - z * z * z / 3.0); };
       Table t = {};
       for (int k = 0; k < borders; ++k) {

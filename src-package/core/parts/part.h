@@ -79,11 +79,13 @@ template <class Own> struct Keyword {
   const char *name, *form;
   bool chooses;
   std::vector<Parameter<Own>> parameters;
-  const char *(*wrong)(const double *values) = nullptr;    // error in the combination of the values
-  const char *note = "";                                   // text for the page of the command
+  const char *(*wrong)(const double *values) = nullptr;    // error message if the combination of
+                                                           // values is invalid
+  const char *note = "";                                   // text for the documentation page of the
+                                                           // command
 };
 
-// An output column computed from the state of a contact.
+// An output column that is computed from the state of a contact.
 struct StateColumn {
   Column is;
   double (*value)(const Raceway &, const ContactState &);
@@ -91,8 +93,8 @@ struct StateColumn {
   bool usual = true;    // included in records by default
 };
 
-// State variables of a contact before and after a time dt; dt = 0 changes nothing. Decay at the
-// rate r is exact, e^-(r dt), for constant motions over dt. In a stage of an implicit method the
+// State variables of a contact before and after a time dt; dt = 0 changes nothing. For constant
+// motions over dt, decay at the rate r is exact, e^-(r dt). In a stage of an implicit method the
 // factor is 1/(1 + r dt), as in backward Euler, because the order of the method depends on it.
 template <class T> struct LawStates {
   double dt = 0.0;
