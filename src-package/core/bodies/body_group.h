@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Four bodies in the implicit step: their motion and their part of the linear system.
+// Motion of four bodies in the implicit step, and their part of the linear system.
 #ifndef RACEWAY_BODY_GROUP_H
 #define RACEWAY_BODY_GROUP_H
 
@@ -7,7 +7,7 @@
 
 namespace raceway {
 
-// Structs with lanes are aligned for the widest vector instructions and list their lanes first.
+// Structs with lanes are aligned for the widest vector instructions and declare their lanes first.
 struct alignas(32) BodyGroup {
   Lane mass, inertia, radius;
   LaneMask used;
@@ -18,7 +18,7 @@ struct alignas(32) BodyGroup {
   // the linear system: block, right-hand side, columns of the links (bearing_system.h)
   Lane A[36], rhs[6], link[2][6];
   Lane spring = {}, damper = {};    // N/m, N s/m, sums over contacts; set only with dampers_only
-  Lane stiffness = {};              // N/m, of the stiffest contact with a raceway
+  Lane stiffness = {};              // N/m, stiffness of the stiffest contact with a raceway
   bool spins;
   bool coupled = false;    // has a coupling to the border
   bool linked = false;
