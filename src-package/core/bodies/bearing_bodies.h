@@ -66,8 +66,8 @@ class BearingBodies {
     for (RingBody &r : rings) act(r);
     for (ShaftBend &b : bends) act(b);
   }
-  // Forces on the coordinates at the fraction s of the host's step, N or N m, without the moments
-  // that the bending of a shaft exerts on the tilts of that shaft.
+  // Computes the forces on the coordinates at the fraction s of the host's step, N or N m, without
+  // the moments that the bending of a shaft exerts on the tilts of that shaft.
   void border_forces(double s, std::vector<double> &);
   void border_loads(double s, std::vector<double> &);    // only the forces of loads and weight
   // Returns the power of contacts and supports on the driven degrees of freedom of a ring, W.
