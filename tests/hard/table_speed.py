@@ -37,7 +37,8 @@ SLOW = [
 
 
 def times(name, folder):
-    """(row of the first table, `Speed` without output, period of the contact resonance in s)."""
+    """Return (row of the first table, `Speed` without output, period of the contact resonance in
+    s)."""
     case, within = CASES[name], CASES[name]["large"]["factor"]
     record = speed(folder, case, "record")
     period = resonance(folder)
@@ -48,13 +49,13 @@ def times(name, folder):
 
 
 def fast(name, folder):
-    """[`Speed` with a record, `Speed` without output] with the faster settings."""
+    """Return [`Speed` with a record, `Speed` without output] with the faster settings."""
     words = CASES[name]["fast"]
     return [speed(folder, CASES[name], writes, words) for writes in ("record", "nothing")]
 
 
 def needs(name, folder, default, period, faster):
-    """A row of the second table."""
+    """Return a row of the second table."""
     case = CASES[name]
     truths = truths_of(folder, case)
     tolerance, step = coarsest(folder, case, truths)
