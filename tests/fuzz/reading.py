@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Command lines on intact and damaged files. Damaged files may be refused, but must change no
-figure."""
+"""Command lines applied to intact and damaged files. Damaged files may be rejected, but must not
+change any result."""
 
 import json
 import math
@@ -10,7 +10,8 @@ from fuzz.lab import Finding
 
 
 def check(draw, folder, runs):
-    """Run a command line and return "passed" or "refused"; raises Finding."""
+    """Run a command line and return "passed" or "refused". Raise Finding if it fails in another
+    way."""
     damage, places, whole = "", runs, draw.choice(runs)
     if draw.chance(0.3):
         place, damage = files.damaged(draw, whole, folder)

@@ -71,8 +71,8 @@ def discharge(capacitance, limit, outer, charge, v):
 
 def solve(time, capacitance, conductance, limit, outer, start):
     """Return (voltages (n, Z + 1), with the ring last; charge into the ring's films in each step
-    (n,); failures, preceded by the index of the point) for films (n, 2, Z). `outer` (n, 4) contains
-    parallel, coupling, conductance and driving."""
+    (n,); failures, each preceded by the index of its point) for films (n, 2, Z). `outer` (n, 4)
+    contains parallel, coupling, conductance and driving."""
     stiff = np.isinf(outer[0, 2])
     n, _, z = capacitance.shape
     found, flown, failures = np.zeros((n, z + 1)), np.zeros(n), []

@@ -147,7 +147,6 @@ def immersed(level, pitch):
     """Return the fraction of the balls' volume that is below the oil level, averaged over their
     path, from slices of the balls."""
     azimuth, node = np.meshgrid((np.arange(2000) + 0.5) * np.pi / 2000, np.linspace(-1, 1, 2001))
-    height = -pitch * np.cos(azimuth) + node  # half-height position of a slice, relative to the
-    # ball radius
+    height = -pitch * np.cos(azimuth) + node  # height of a slice, in ball radii
     below = height <= -pitch - 1 + 2 * level
     return float(np.average(below, weights=1 - node**2))
