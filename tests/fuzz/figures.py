@@ -95,8 +95,7 @@ def differences(first, second, tolerance, start=1):
             a, b = _loaded(columns, a, b)
             at = columns.index("azimuth")
             b[..., at] -= 2 * np.pi * np.round((b[..., at] - a[..., at]) / (2 * np.pi))
-        if tolerance:  # at the start, rounding decides whether balls that barely touch are in
-            # contact
+        if tolerance:  # at the start, rounding decides whether touching balls are in contact
             a, b = a[start:], b[start:]
         if a.shape != b.shape:
             found.append((np.inf, name, f"shape {a.shape} {b.shape}", 0))
@@ -111,8 +110,8 @@ def differences(first, second, tolerance, start=1):
 
 
 def _loaded(columns, a, b):
-    """Compare contacts of two runs. Rounding opens and closes contacts near zero load, so only
-    their loads are kept, and all their other columns become 0."""
+    """Return the contact tables of two runs for comparison. Rounding opens and closes contacts near
+    zero load, so only the loads of these contacts are kept and all their other columns become 0."""
     load = columns.index("load")
     light = np.minimum(a[..., load], b[..., load]) < 1e-2 * a[..., load].max(initial=0)
     kept = np.arange(len(columns)) == load

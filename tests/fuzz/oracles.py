@@ -170,8 +170,8 @@ def rest(scene, first, lab, draw):
     statics.check(scene, lab)
 
 
-# Quantities in the summary of a record that do not depend on the pose. Force and shift are not
-# included, because they may rotate with it.
+# Quantities in the summary of a record that do not depend on the pose; the directions of force and
+# shift rotate with it.
 SCALARS = (
     "ring_shift_m load_parameter q_max_N q_inner_max_N q_outer_max_N p_max_inner_Pa p_max_outer_Pa "
     "entrainment_speed_m_s h_min_m h_c_m lambda capacitance_F capacitance_top_F "

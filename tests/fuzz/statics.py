@@ -9,8 +9,8 @@ from raceway import static
 from raceway.errors import NoEquilibrium
 from raceway.theory.bearing import Bearing, Layout
 
-SHARE = 2e-2  # fraction of the largest load: balls roll slightly while the run approaches
-# equilibrium
+# Fraction of the largest load; balls roll slightly while the run approaches equilibrium.
+SHARE = 2e-2
 
 
 def rest(scene):

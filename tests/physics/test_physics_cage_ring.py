@@ -218,8 +218,8 @@ def test_friction_brakes_a_spinning_ball_with_its_coefficient(physics):
     c = physics.call("cage_pocket", s)
     along = c.force - np.dot(c.force, c.normal) * c.normal
     assert np.linalg.norm(along) == pytest.approx(0.1 * c.push, rel=1e-4)
-    assert np.dot(along, np.cross([0, 0, 1], -c.normal)) < 0  # opposite to the motion of the ball's
-    # surface
+    # opposite to the motion of the ball's surface
+    assert np.dot(along, np.cross([0, 0, 1], -c.normal)) < 0
     assert c.ball_torque[2] == pytest.approx(-0.1 * c.push * BALL, rel=1e-4)
 
 

@@ -225,8 +225,7 @@ def test_threshold_is_that_of_statics(roughness):
 
 
 def test_waveforms():
-    at = np.linspace(0, 0.07, 3001) + 1e-7  # away from the points where sine and triangle wave
-    # cross
+    at = np.linspace(0, 0.07, 3001) + 1e-7  # away from crossings of sine and triangle wave
     near = dict(rtol=1e-12, atol=1e-11)
     sine = 20.0 * np.sin(2 * np.pi * 50.0 * at + 0.3)
     np.testing.assert_allclose(Sine(20.0, 50.0, 0.3)(at), sine, **near)

@@ -131,5 +131,4 @@ def test_the_contacts_themselves_balance_the_load(physics):
 
     carried = np.array([settled(psi) if np.cos(psi) > 0 else np.zeros(3) for psi in PSI])
     assert carried.sum(0)[0] == pytest.approx(5000, rel=2e-3)
-    assert np.linalg.norm(carried[0]) == pytest.approx(loads[0], rel=1e-9)  # 1e-17 m relative to
-    # 1e-5 m
+    assert np.linalg.norm(carried[0]) == pytest.approx(loads[0], rel=1e-9)  # 1e-17 m of 1e-5 m

@@ -49,8 +49,7 @@ def test_table_against_the_exact_constants(physics, side, ellipse, film):
                 c[which + "_lnA"] + c[which + "_p"] * np.log(1e-3) + c[which + "_m"] * np.log(5e3)
                 for c in (vars(found), vars(exact))
             ]
-            assert h[0] == pytest.approx(h[1], abs=1e-8)  # for a film: ln u and ln Q magnify the
-            # error by ten
+            assert h[0] == pytest.approx(h[1], abs=1e-8)  # ln u and ln Q magnify the error by ten
 
 
 def test_nodes_are_exact(physics):
@@ -130,8 +129,8 @@ def test_prepared_constants(physics):
     ring = physics.raceway_6208(INNER, **OIL, overlap_limit=0.05)
     d = ring.derived()
     sigma = np.hypot(40e-9, 30e-9)
-    widest = (6.552e-3 / ring.radial().a) ** 2  # overlap at which the ellipse is as wide as the
-    # groove
+    # overlap at which the ellipse is as wide as the groove
+    widest = (6.552e-3 / ring.radial().a) ** 2
     assert widest < 0.05 * BALL
     assert [
         d.centre_circle,

@@ -109,8 +109,7 @@ def figures(folder):
         found |= {
             f"line {line.name} {line.harmonic} {key}": value
             for key, value in line._asdict().items()
-            if isinstance(value, float) and key != "prominence"  # prominence is relative to a floor
-            # of rounding errors
+            if isinstance(value, float) and key != "prominence"  # relative to rounding errors
         }
     return found | of_data_set(run)
 
