@@ -49,8 +49,7 @@ void BearingBodies::place()
     const int first = static_cast<int>(groups.size());
     const int n = static_cast<int>(row.size()), padded = (n + lanes - 1) / lanes * lanes;
     for (int i = 0; i < padded; ++i) {
-      const int k = row[std::min(i, n - 1)];    // padding repeats the last body but exerts no
-                                                // forces
+      const int k = row[std::min(i, n - 1)];    // padding repeats the last body, without forces
       if (i % lanes == 0) {
         groups.emplace_back();
         groups.back().spins = model.bodies[k].spins;

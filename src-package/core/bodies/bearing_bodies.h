@@ -110,8 +110,7 @@ class BearingBodies {
   };
 
   BearingModel model;
-  std::vector<int> slot, body_at;    // indexed by body; indexed by slot (group 4 k + lane), -1:
-                                     // padding
+  std::vector<int> slot, body_at;    // indexed by body; by slot (group 4 k + lane), -1: padding
   std::vector<BodyGroup> groups;
   std::vector<Track> tracks;
   bool flawed = false;    // at least one raceway or ball has a profile
@@ -127,8 +126,7 @@ class BearingBodies {
   std::vector<RailTrack> rail_tracks;
   std::vector<int> pocket_of;     // indexed by cage, then by ball; a ball stays in its pocket
   int n_contacts = 0;             // groups of contacts: the sum over the tracks
-  std::vector<int> contact_at;    // indexed by groove of the model: lanes * group of contacts +
-                                  // lane
+  std::vector<int> contact_at;    // indexed by groove of the model: lanes * contact group + lane
   std::vector<int> groove_at;     // inverse of contact_at, -1: none
   std::vector<States> kept;       // indexed by group of contacts, if the law has state variables
   std::vector<KeptSlopes> kept_slopes;

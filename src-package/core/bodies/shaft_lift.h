@@ -27,8 +27,7 @@ class ShaftLift {
     double factor;
   };
   std::vector<Entry> entries_;
-  const std::vector<std::vector<int>> *coupled_ = nullptr;    // columns that are coupled to a
-                                                              // column
+  const std::vector<std::vector<int>> *coupled_ = nullptr;    // columns coupled to each column
   std::vector<double> half_;                                  // columns T
 };
 

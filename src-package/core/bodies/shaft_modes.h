@@ -50,8 +50,7 @@ struct BendState {
 
 // Deflection at a position on the shaft, relative to the rigid shaft.
 struct Deflection {
-  double moved[2] = {}, slope[2] = {};    // m, rad; deflection and slope of the shaft's axis in
-                                          // both radial directions
+  double moved[2] = {}, slope[2] = {};    // m, rad, of the shaft's axis in both radial directions
   double speed[2] = {}, rate[2] = {};     // m/s, rad/s
 
   Deflection(const ShaftModes::Station &s, const BendState &b)

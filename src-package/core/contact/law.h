@@ -61,8 +61,7 @@ template <class... P> struct PartList {
   template <class Part> struct Tag {
     using type = Part;
   };
-  template <class F> static void each(const F &f) { (f(Tag<P>()), ...); }    // F is called with the
-                                                                             // type
+  template <class F> static void each(const F &f) { (f(Tag<P>()), ...); }    // F takes Tag<P>
 };
 
 namespace detail {

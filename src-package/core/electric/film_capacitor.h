@@ -23,8 +23,7 @@ struct CapacitorModel {
   PermittivityAt at = PermittivityAt::maximum;
   bool rough = false;
   Surroundings surroundings = Surroundings::none;
-  double permittivity_outlet = 1.0;    // relative, medium in the downstream half if the gap is
-                                       // cavitated
+  double permittivity_outlet = 1.0;    // relative, medium in the downstream half when cavitated
   double inner_shoulder = 0.0, outer_shoulder = 0.0;    // m, diameters; 0: default groove depth
 
   bool surrounded() const { return surroundings != Surroundings::none; }

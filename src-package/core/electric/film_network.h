@@ -27,8 +27,7 @@ using BearingFilms = std::vector<BallFilms>;    // by ball
 struct OuterPoint {
   double beside = 0.0;         // F, from the inner ring to the frame
   double coupling = 0.0;       // F, from the inner ring to the driving voltage
-  double conductance = 0.0;    // S, in parallel with `coupling`; infinite: ring at the driving
-                               // voltage
+  double conductance = 0.0;    // S, parallel to `coupling`; infinite: ring at driving voltage
   double driving = 0.0;        // V
 
   bool stiff() const { return std::isinf(conductance); }

@@ -52,7 +52,6 @@ struct Waveform {
           found.push_back({times[k], voltages[k], voltages[k]});
     if (kind != common_mode) return found;
     std::vector<std::pair<double, int>> switched;    // time, change in the number of upper legs
-                                                     // that are on
     for (int leg = 0; leg < 3; ++leg)
       for (double lo = from; lo < to;) {
         double hi = std::fmin(to, 0.5 * (std::floor(2.0 * carrier * lo) + 1.0) / carrier);

@@ -39,8 +39,7 @@ template <class T> struct alignas(sizeof(T)) BallSlopesT {
   T path_along = T(), path_across = T();    // derivatives of the azimuth in the ball's axes
   T bend = T();                             // m, second derivative of waves and tables with respect
                                             // to azimuth
-  T cross = T(), side = T();    // N, N m: stiffness between approach and azimuth; stiffness in
-                                // azimuth
+  T cross = T(), side = T();    // N, N m: stiffness between approach and azimuth, in azimuth
 };
 using BallSlopes = BallSlopesT<double>;
 

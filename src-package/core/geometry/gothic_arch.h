@@ -13,8 +13,7 @@ struct GothicArch {
   double slack;    // m, groove radius minus ball radius
   double angle;    // rad
 
-  double offset() const { return slack * std::sin(angle); }    // m, axial offset of the groove
-                                                               // centres
+  double offset() const { return slack * std::sin(angle); }    // m, offset of groove centres
   // Returns the distance of the bottoms of the grooves beyond the bottom of the single groove, m.
   double depth() const { return slack * (1.0 - std::cos(angle)); }
 };

@@ -12,8 +12,7 @@ namespace raceway {
 
 struct DragTable {
   static constexpr int size = 7;
-  double x[size], bend[size], first;    // ln Re; change of slope at each ln Re; first value of ln
-                                        // C_D
+  double x[size], bend[size], first;    // ln Re; change of slope at each ln Re; first ln C_D
 };
 
 inline const DragTable &drag_table()

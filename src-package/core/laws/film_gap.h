@@ -20,7 +20,7 @@
 
 namespace raceway {
 
-constexpr double power_law_cut = 1.0;    // N, load below which the film thickness of a power law is
+constexpr double power_law_cut = 1.0;    // N, below it the film thickness of a power law is
                                          // constant
 
 template <class T> struct FilmGapT {
@@ -55,8 +55,8 @@ RACEWAY_INLINE FilmGapT<T> compress(const T &overlap, const T &film, const T &ze
 {
   constexpr int most = 30;
   constexpr double small = 1e-3;       // step whose fifth power is below rounding
-  constexpr double long_step = 0.1;    // for longer steps the series may diverge, so Newton's step
-                                       // is used alone
+  constexpr double long_step = 0.1;    // the series may diverge for longer steps, so Newton's is
+                                       // used
   const T n = 1.5 * load_exponent, per = 1.0 / zero, D = overlap * per, H = film * per, all = D + H;
   const auto thinned = all > 1.0;
   const T from = where(thinned, all, 1.0);

@@ -19,8 +19,7 @@
 namespace raceway {
 
 constexpr int heat_nodes = 4;                  // inner ring, balls, outer ring, housing
-constexpr int heat_inputs = heat_nodes + 1;    // heat inputs (W) to the nodes and to the flowing
-                                               // oil
+constexpr int heat_inputs = heat_nodes + 1;    // W, into the nodes and into the flowing oil
 
 struct HeatNetwork {
   double capacity[heat_nodes] = {};    // J/K; housing: 0 if there is none
@@ -104,8 +103,7 @@ class HeatFlow {
   // ambient and carried away by the oil.
   double advance(const double *from, double time, double *to) const
   {
-    double now[heat_nodes], sum[heat_nodes];    // rises over ambient times root_; their time
-                                                // integrals
+    double now[heat_nodes], sum[heat_nodes];    // rises over ambient times root_; time integrals
     double rise[heat_nodes] = {}, spent[heat_nodes] = {};
     for (int m = 0; m < n_; ++m) {
       double begin = 0.0;
@@ -234,8 +232,7 @@ class HeatFlow {
 
   HeatNetwork net_;
   int n_;
-  double root_[heat_nodes] = {}, to_ambient_[heat_nodes] = {};    // square roots of the capacities;
-                                                                  // W/K
+  double root_[heat_nodes] = {}, to_ambient_[heat_nodes] = {};    // root of the capacities; W/K
   // W, heat carried away by the oil, excluding the heat due to the parts' temperature rises over
   // ambient
   double to_outlet_ = 0.0;

@@ -49,8 +49,8 @@ inline Lubrication lubrication(LubricationKind kind, double level, double pitch,
       // SKF's factor applies to oil levels up to the centre of the lowest ball
       return {all ? 0.0 : groove, level > 0.5 ? 0.0 : oil, share > air ? share : air};
     }
-    case LubricationKind::jet:    // SKF: twice the drag of a bath filled to the centre of the
-                                  // lowest ball
+    case LubricationKind::jet:    // SKF: twice the drag of a bath up to the centre of the lowest
+                                  // ball
       return {groove, oil, 2.0 * immersed_share(0.5, pitch)};
     default: return {1.0, grease, air};
   }

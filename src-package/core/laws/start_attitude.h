@@ -53,8 +53,7 @@ inline BallRotation rolling_on_both(const SpinContact &inner, const SpinContact 
 {
   const double ci = std::cos(inner.angle), si = std::sin(inner.angle);
   const double co = std::cos(outer.angle), so = std::sin(outer.angle);
-  const double way_i = r / R - ci, way_o = r / R + co;    // radii of the contact points divided by
-                                                          // R
+  const double way_i = r / R - ci, way_o = r / R + co;    // contact radii divided by R
   BallRotation m;
   m.radial = radial;
   m.orbit = (inner.speed * way_i * co + outer.speed * way_o * ci + radial * (ci * so - si * co)) /

@@ -22,8 +22,7 @@ template <class T> struct alignas(sizeof(Value<T>)) ContactVariablesT {
   T overlap_rate = T();    // m/s
   T sliding_t = T(), sliding_w = T();            // m/s, velocity of the ball surface relative to
                                                  // the ring surface
-  T spin_n = T(), turn_t = T(), roll_w = T();    // rad/s, ball relative to ring; for laws with
-                                                 // couples
+  T spin_n = T(), turn_t = T(), roll_w = T();    // rad/s, ball relative to ring; with couples only
   // intermediate results for other parts and for output
   T root = T();      // sqrt(m), square root of the compression
   T load = T();      // N, elastic load Q

@@ -28,8 +28,7 @@ struct Raceway {
                                                                      // radius
   double centre_circle = 0.0, slack = 0.0, largest_overlap = 0.0;    // m
   double roughness = 0.0, inverse_roughness = 0.0;                   // m, 1/m
-  double ln_inverse_roughness = 0.0;    // ln of a value in 1/m; minus infinity if there is no
-                                        // roughness
+  double ln_inverse_roughness = 0.0;    // ln of a value in 1/m; minus infinity without roughness
   double ball_mass = 0.0;               // kg
   double pitch_radius = 0.0;            // m
   double reach = 0.0;    // m, gap at which contacts begin; 0 unless set by a part of the law

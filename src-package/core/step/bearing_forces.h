@@ -47,8 +47,7 @@ struct Stage {
                                    // with the forces on rings
   bool keep = false;               // with `derivatives`: call BearingSystem::keep() after the
                                    // raceways
-  bool kept = false;    // with `derivatives`: use the kept raceways, updated for the last
-                        // correction
+  bool kept = false;    // with `derivatives`: kept raceways, updated for the last correction
   bool gaps = false;    // also evaluate surfaces that do not touch
   // Gaps (m) at balls and at cage balls up to which derivatives are evaluated as for a closed
   // contact. Without these limits a body at rest would jump out of its groove.

@@ -58,8 +58,7 @@ class BearingIntegrator {
     bool dampers_only = false;
     double newton = 1e-7;     // m, limit of the last correction of a stage
     double cage = 1.0;        // tolerance for a cage ball divided by that for a ball or ring
-    double relative = 0.0;    // newton is at least this fraction of the largest overlap; 0: not
-                              // used
+    double relative = 0.0;    // newton is at least this fraction of the largest overlap; 0: unused
     double error = 1.0;       // allowed estimated error of a step divided by `newton`
     int corrections = 8;      // maximum per stage
     bool estimate = false;    // control by estimates of errors instead of bounds; order 2 only

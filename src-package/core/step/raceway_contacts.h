@@ -73,8 +73,7 @@ static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int g
   }
   for (int j = 0; j < free; ++j) {
     const int u = ring.column[dofs[j]];
-    Lane force[n];    // the groove is a surface of revolution, so the ring's spin does not displace
-                      // it
+    Lane force[n];    // the ring's spin does not displace the surface of revolution
     local_forces(s, motions[j], dofs[j] != RingProgram::SPIN, force);
     Lane *B = system.B(group, u), *C = system.C(group, u);
     for (int k = 0; k < 6; ++k)
