@@ -16,7 +16,7 @@ struct BodyGroup;
 struct BallTurns {
   int group;
   Quaternion from[lanes], base[lanes], now[lanes], end[lanes] = {};
-  Vec3 turn[lanes];    // rad, from `base` to `now`
+  Vec3 turn[lanes];    // rad, rotation from `base` to `now`
 
   explicit BallTurns(int of) : group(of) {}
   void load(int lane, const LaneFrame &, const Quaternion &lab);

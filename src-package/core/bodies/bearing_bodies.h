@@ -33,8 +33,8 @@ struct alignas(32) RingBody {
   double pockets = 0.0;    // m, radius of the pocket circle; 0: not a cage
   double at = 0.0;         // m, position of a carried ring relative to the shaft's centre
   double span = 0.0;       // m, for a shaft: distance from its centre to its farthest ring
-  double spring = 0.0;     // N/m, sum over contacts; set only with dampers_only
-  Vec3 force, moment;      // contact loads: sums over the lanes
+  double spring = 0.0;     // N/m, summed over the contacts; set only with dampers_only
+  Vec3 force, moment;      // contact loads, summed over the lanes
 
   void start() { base = from; }
   void move(double h, double s) { now = moved(program, base, gained, h, s); }
@@ -125,7 +125,7 @@ class BearingBodies {
   std::vector<int> turns_at;       // indexed by group, -1: none
   std::vector<RailTrack> rail_tracks;
   std::vector<int> pocket_of;     // indexed by cage, then by ball; a ball stays in its pocket
-  int n_contacts = 0;             // groups of contacts: the sum over the tracks
+  int n_contacts = 0;             // number of contact groups, summed over the tracks
   std::vector<int> contact_at;    // indexed by groove of the model: lanes * contact group + lane
   std::vector<int> groove_at;     // inverse of contact_at, -1: none
   std::vector<States> kept;       // indexed by group of contacts, if the law has state variables

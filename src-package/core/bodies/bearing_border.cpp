@@ -124,8 +124,7 @@ void BearingBodies::find_columns()
   columns_of_column.assign(columns, {});
   for (int pass = 0; pass < 2; ++pass)
     for (int k = 0; k < n; ++k) {
-      if (rings[k].levered || rings[k].bend >= 0) continue;    // it uses the columns of its shaft,
-                                                               // or of the rings on this shaft
+      if (rings[k].levered || rings[k].bend >= 0) continue;    // it uses columns of its shaft
       for (int column : rings[k].column) {
         if (column < 0) continue;
         if (pass == 0) of_part[part[k]].push_back(column);

@@ -29,7 +29,7 @@ struct BearingModel {
   struct Ring {
     Tag tag;
     int mover;                     // index in the caller's list, -1: at rest
-    std::vector<RingValue> own;    // values set for this ring alone
+    std::vector<RingValue> own;    // values set only for this ring
     bool on_shaft = false;         // moves as one body with all rings of the same mover
     double at = 0.0;               // m, position along that shaft relative to its centre
     Tag held_by = 0;               // tag of the ring to which the supports connect this ring; 0:
@@ -57,7 +57,7 @@ struct BearingModel {
     const std::vector<double> *stiffness;
   };
   struct Cage {        // a one-piece cage
-    int ring, land;    // land: the guiding ring, -1: none
+    int ring, land;    // land: ring that guides the cage, -1: none
     const CageRing *of;
     std::vector<int> balls;    // bodies, by tag
   };
@@ -68,7 +68,7 @@ struct BearingModel {
   std::vector<Pocket> pockets;    // sorted by smaller tag, then larger tag
   std::vector<Seat> seats;        // sorted by cage, then body
   std::vector<Cage> cages;        // sorted by ring
-  unsigned parts = 0;             // parts of the contact law of all raceways
+  unsigned parts = 0;             // parts of the contact law, common to all raceways
 
   Tag name() const { return rings.front().tag; }
 };

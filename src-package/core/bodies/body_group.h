@@ -13,11 +13,11 @@ struct alignas(32) BodyGroup {
   LaneMask used;
   LaneFrame from, base, now;
   Vec3L v_from, w_from, v_base, w_base, v, w, v_first;
-  Lane turn = {};      // rad, from `base` to `now`
-  Lane turned = {};    // rad, from `from` to `base`
+  Lane turn = {};      // rad, rotation from `base` to `now`
+  Lane turned = {};    // rad, rotation from `from` to `base`
   // the linear system: block, right-hand side, columns of the links (bearing_system.h)
   Lane A[36], rhs[6], link[2][6];
-  Lane spring = {}, damper = {};    // N/m, N s/m, sums over contacts; set only with dampers_only
+  Lane spring = {}, damper = {};    // N/m, N s/m, sums over contacts; only with dampers_only
   Lane stiffness = {};              // N/m, stiffness of the stiffest contact with a raceway
   bool spins;
   bool coupled = false;    // has a coupling to the border

@@ -23,7 +23,7 @@ class LinkChain {
     int body;
     Vec3 n;         // the link's normal in the body's own frame
     Vec3 answer;    // body's velocity due to a unit force along n: first three entries of A^-1 n
-    int slot;       // 0 or 1: first or second link of the body
+    int slot;       // 0 or 1, whether it is the first or second link of the body
   };
   struct Link {
     End end[2];

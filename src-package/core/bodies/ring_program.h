@@ -31,7 +31,7 @@ struct TurningForce {
 
 // An eccentric mass that rotates with a ring of imposed spin.
 struct Unbalance {
-  double moment = 0.0, phase = 0.0;    // kg m, mass times eccentricity; rad, from the ring's angle
+  double moment = 0.0, phase = 0.0;    // kg m, mass times eccentricity; rad, relative to the ring
 };
 
 // A spring and damper in parallel between a ring and another ring, or between a ring and the ground
@@ -190,7 +190,7 @@ struct RingAtom : RingPlace {
 
 // State of a ring in the implicit step.
 struct RingPose : RingPlace {
-  double rate[2] = {0.0, 0.0};    // rad/s, W across the bearing axis
+  double rate[2] = {0.0, 0.0};    // rad/s, components of W across the bearing axis
   double spin = 0.0;              // rad/s
 
   const double *speed_of(int dof) const    // m/s or rad/s

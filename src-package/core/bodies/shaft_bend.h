@@ -12,7 +12,7 @@ namespace raceway {
 struct BendProgram {
   std::vector<double> load[2];         // N, by mode in both planes, at both ends, before the ramp
   std::vector<Unbalance> unbalance;    // by mode in a plane
-  std::vector<double> centre;          // displacement of the centre by mode, for a rotating force
+  std::vector<double> centre;          // by mode, displacement of the centre for a rotating force
 
   // Computes the modal forces (N) at the fraction s of the host's step and writes them to `of`,
   // which is reused.

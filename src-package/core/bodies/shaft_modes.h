@@ -19,7 +19,7 @@ namespace raceway {
 struct ShaftModes {
   struct Station {
     double at;                            // m, relative to the centre of mass
-    std::vector<double> moved, tilted;    // deflection (1) and slope (rad/m), by mode
+    std::vector<double> moved, tilted;    // deflection (1) and slope (rad/m), indexed by mode
   };
   std::vector<double> mass, stiffness, damping;    // kg, N/m, N s/m
   std::vector<double> gyroscopic;                  // stored row by row, the slope of the rigid
@@ -28,7 +28,7 @@ struct ShaftModes {
 
   int size() const { return static_cast<int>(mass.size()); }    // number of modes in a plane
   double g(int i, int k) const { return gyroscopic[i * (size() + 1) + k]; }
-  const Station &station(double at) const    // the station nearest to `at`
+  const Station &station(double at) const    // returns the station nearest to `at`
   {
     const Station *best = &stations.front();
     for (const Station &s : stations)

@@ -81,7 +81,7 @@ template <int n> class AnyLaw {
   const LawFunctions &f_;
 };
 
-// Calls f(law) with the law of a set of parts.
+// Calls f(law) with the law for a set of parts.
 template <class F>
 RACEWAY_INLINE void with_any_law(unsigned parts, const LawFunctions &functions, const F &f)
 {

@@ -91,7 +91,7 @@ template <class All, class... P> struct LawOf {
   static constexpr unsigned parts = (All::template bit<P>() | ...);
   static_assert(All::template in_order<P...>(), "parts act in the order of the list of all parts");
   static constexpr int states = (P::states + ...);
-  static constexpr int room = states > 0 ? states : 1;    // length of an array of states
+  static constexpr int room = states > 0 ? states : 1;    // length of an array of state variables
   static constexpr bool couples = (P::couples || ...);
   static constexpr bool explicit_step = (P::explicit_step || ...);
   static constexpr int motions = couples ? 6 : 3;    // number of motions on which forces depend

@@ -11,7 +11,7 @@
 
 namespace raceway {
 
-// Maximum number of loss columns; loss_table.cpp asserts that it suffices.
+// Maximum number of loss columns; loss_table.cpp asserts that it is sufficient.
 constexpr int most_loss_columns = 16;
 
 // Power dissipated in each loss column, W.
@@ -24,7 +24,7 @@ LossPowers loss_powers(const ContactState &c);
 
 struct LossEntry {
   LossColumn is;
-  unsigned parts;                                            // set of parts with this loss
+  unsigned parts;                                            // set of parts that have this loss
   double (*value)(const Raceway &, const ContactState &);    // W, loss of a contact
   StateColumn column() const
   {

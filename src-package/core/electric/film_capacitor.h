@@ -164,8 +164,8 @@ class SurroundedRaceway {
  private:
   template <class T> struct Films {
     RacewayConstantsT<T> law;
-    T h, apart, ln_apart;    // m, film at the load; film at the limited load; logarithm of `apart`
-    T ln_load;               // logarithm of the load on the film
+    T h, apart, ln_apart;    // m, film at the load; film at the limited load; ln of `apart`
+    T ln_load;               // logarithm of the load that determines the film thickness
     T begins;                // m, gap at the onset of contact
   };
 
@@ -271,11 +271,11 @@ class SurroundedRaceway {
   GrooveShoulder shoulder_;
   GapShape radial_;
   GrooveReachT<double> upright_;    // reach at zero contact angle
-  double flatter_ = 0.0;            // 1/m, flattening of the gap per unit of play
+  double flatter_ = 0.0;            // 1/m, flattening of the gap per unit of clearance
   double ln_floor_ = 0.0;
   double begins_ = 0.0;    // gap at the onset of contact divided by the film thickness
   double least_load_ = least_load;
-  bool any_load_ = false;    // the film has a thickness at any load
+  bool any_load_ = false;    // the film thickness is defined at any load
 };
 
 }    // namespace raceway

@@ -49,7 +49,7 @@ struct FilmFigures {
   double impedance = 0.0, phase = 0.0;    // ohm, rad
   double threshold = 0.0, local = 0.0;    // V, breakdown voltage from the mean and from the local
                                           // film thickness
-  double energy = 0.0;                    // J, stored at the voltage `threshold`
+  double energy = 0.0;                    // J, energy stored at the voltage `threshold`
 };
 
 // Returns the area of a contact ellipse, m^2.

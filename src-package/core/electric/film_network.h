@@ -16,7 +16,7 @@ namespace raceway {
 struct CircuitFilm {
   double capacitance = 0.0;                                  // F
   double conductance = 0.0;                                  // S
-  double limit = std::numeric_limits<double>::infinity();    // V, voltage at which it fails
+  double limit = std::numeric_limits<double>::infinity();    // V, voltage at which the film fails
 };
 struct BallFilms {
   CircuitFilm inner, outer;

@@ -11,15 +11,15 @@
 
 namespace raceway {
 
-// A kink or a jump of a driving voltage.
+// A kink or a jump in a driving voltage.
 struct Edge {
   double time, before, after;    // s, V, V
 };
 
 struct Waveform {
   enum Kind { constant, sine, common_mode, table } kind = constant;
-  double voltage = 0.0;                      // V: constant, amplitude, or DC link voltage
-  double frequency = 0.0, phase = 0.0;       // Hz, rad: of a sine or of the phases of an inverter
+  double voltage = 0.0;                      // V, constant voltage, amplitude, or DC link voltage
+  double frequency = 0.0, phase = 0.0;       // Hz, rad, for a sine or for the phases of an inverter
   double carrier = 0.0, modulation = 0.0;    // Hz; 0 to 1
   std::vector<double> times, voltages;       // s, in ascending order; V, linearly interpolated
 

@@ -34,6 +34,7 @@ struct CageRing {
   double stiffness = 0.0;                 // N/m^1.5, contact between ball and wall
   double wall = 0.0;                      // N/m, wall of a pocket with flexible bars; 0: Hertz
                                           // contact
+                                          // contact
   double mass = 0.0;                      // kg
   double friction = 0.0, creep = 1e-2;    // between ball and wall; m/s
   double shear = 0.0;                     // N m s, pocket_shear()
@@ -205,7 +206,8 @@ struct LandContact {
                                                     // axis
   double loss = 0.0, energy = 0.0;                  // W, J
   double share = 0.0;                               // eccentricity divided by clearance
-  double push = 0.0, stiffness = 0.0;               // N and N/m, of the touching surfaces
+  double push = 0.0, stiffness = 0.0;               // N and N/m, force and stiffness of the
+                                                    // touching surfaces
 };
 
 LandContact land_contact(const CageRing &, const CageMotion &cage, const CageMotion &ring);

@@ -6,7 +6,7 @@
 // With the effective radius R_x along rolling and edges of radius E, the path of the ball over a
 // notch of length w is
 //   depth = (w/2 - |s|)^2/(2 (R_x + E)),
-// but no more than the depth of the notch; s is measured along the raceway from the middle of the
+// but at most the depth of the notch; s is measured along the raceway from the middle of the
 // notch. The bend of the path, in the middle or at the bottom, is spread over +-E.
 #ifndef RACEWAY_RACEWAY_PROFILE_H
 #define RACEWAY_RACEWAY_PROFILE_H

@@ -9,7 +9,7 @@
 namespace raceway {
 
 template <class T> struct DampedHertzT {
-  T stiffness = T();    // N/m, dF/d(overlap) of the spring
+  T stiffness = T();    // N/m, dF/d(overlap) for the spring alone
   T damping = T();      // N s/m
   T growth = T();       // N/m, derivative of the force with respect to the overlap, including the
                         // damping force

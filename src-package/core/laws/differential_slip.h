@@ -2,8 +2,8 @@
 // Differential slip (Heathcote slip) of a ball in its groove under Coulomb's law, in closed form
 // (docs/theory, Differential slip, has the derivation).
 //
-// Ball and ring roll on one another at Omega (rad/s, about w). The surface of contact is curved
-// across the groove with R_d = 2 r_c R_b/(r_c + R_b), so the sliding speed along rolling is
+// Ball and ring roll on one another at Omega (rad/s, about w). The contact surface is curved across
+// the groove with the radius R_d = 2 r_c R_b/(r_c + R_b), so the sliding speed along rolling is
 //   s(z) = s - Omega z^2/(2 R_d),  s_e = |Omega| a^2/(2 R_d) from the centre to the edge z = a.
 // If the slip along rolling at the centre is s, and t0 = sqrt(s/s_e) is in [0, 1], then
 //   F/(mu Q) = 3 t0 - t0^3 - 1,  C/(mu Q a^2/(2 R_d)) = t0^3 - 3/5 t0^5 - 1/5,

@@ -55,8 +55,7 @@ RACEWAY_INLINE FilmGapT<T> compress(const T &overlap, const T &film, const T &ze
 {
   constexpr int most = 30;
   constexpr double small = 1e-3;       // step whose fifth power is below rounding
-  constexpr double long_step = 0.1;    // the series may diverge for longer steps, so Newton's is
-                                       // used
+  constexpr double long_step = 0.1;    // limit of the step; beyond it the series may diverge
   const T n = 1.5 * load_exponent, per = 1.0 / zero, D = overlap * per, H = film * per, all = D + H;
   const auto thinned = all > 1.0;
   const T from = where(thinned, all, 1.0);

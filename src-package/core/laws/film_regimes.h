@@ -45,7 +45,7 @@ RACEWAY_INLINE MoesShapeT<T> moes_shape(const T &rolling_radius, double ln_trans
 
 // Constants of a raceway that do not change during a run.
 struct MoesRaceway {
-  double ln_speed = 0.0, ln_material = 0.0;        // ln of 2 eta/E' and xi E'
+  double ln_speed = 0.0, ln_material = 0.0;        // ln of 2 eta/E' and of xi E'
   double ln_modulus = 0.0, ln_transverse = 0.0;    // ln of E' and R_y
   MoesShapeT<double> radial{};                     // at zero contact angle
 

@@ -14,7 +14,7 @@ struct GrainContact {
   Vec3 spring;            // m, tangential
   Vec3 force;             // N
   Vec3 couple;            // N, normal x force: moment on a body divided by that body's lever
-  Vec3 moment;            // N m, of the force about the centre of a turning wall
+  Vec3 moment;            // N m, moment of the force about the centre of a rotating wall
   double energy = 0.0;    // J, stored in both springs
 };
 

@@ -11,7 +11,7 @@
 
 namespace raceway {
 
-// Overlap at which the damper is fully active, as a fraction of the pocket's half play.
+// Overlap at which the damper is fully active, as a fraction of the pocket's half clearance.
 constexpr double full_damping = 0.02;
 
 // Computes the force k overlap + (c overlap/whole) overlap_rate, which is never attractive. The

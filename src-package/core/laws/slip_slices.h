@@ -114,7 +114,7 @@ class SlipSlices {
   }
 
  private:
-  static constexpr int slices = 24, borders = slices + lanes;    // the last three are unused
+  static constexpr int slices = 24, borders = slices + lanes;    // three borders are unused
 
   // Values at the borders of the slices: z; z^2, corrected so that the mean of both ends of a slice
   // is the mean within the slice; position of the Gauss point on the chord, divided by b. Values

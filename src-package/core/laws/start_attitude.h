@@ -23,7 +23,7 @@ struct SpinContact {
   double angle = 0.0;     // rad, below pi/2 in magnitude
   double speed = 0.0;     // rad/s, of the ring
   double couple = 1.0;    // couple of pure spin, in N m or any unit common to both contacts
-  double width = 0.0;     // rad/s, spin up to which the couple grows
+  double width = 0.0;     // rad/s, spin up to which the couple increases
 
   double moment(double spin) const
   {
@@ -72,7 +72,7 @@ inline BallRotation start_attitude(const SpinContact &inner, const SpinContact &
 {
   const BallRotation none = rolling_on_both(inner, outer, R, r, 0.0),
                      turn = rolling_on_both(inner, outer, R, r, 1.0) - none;
-  double ends[2];    // motions without spin at one raceway
+  double ends[2];    // motions without spin at one of the raceways
   for (int k = 0; k < 2; ++k) ends[k] = -none.spin[k] / turn.spin[k];
   double low = std::min(ends[0], ends[1]), high = std::max(ends[0], ends[1]);
   for (int k = 0; k < 200; ++k) {

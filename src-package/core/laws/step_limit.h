@@ -20,7 +20,7 @@ namespace raceway {
 
 // Sums over the film branches of a body.
 struct FilmBranches {
-  double stiffness = 0.0, dashpot = 0.0;    // N/m, N s/m: sums of k_m and of k_m tau
+  double stiffness = 0.0, dashpot = 0.0;    // N/m, N s/m, sums of k_m and of k_m tau
 
   void add(double k_m, double rate)    // rate = 1/tau, 1/s
   {

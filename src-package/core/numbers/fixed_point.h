@@ -26,8 +26,7 @@ class FixedPoint {
   struct Settings {
     size_t memory = 5;      // number of starts that are stored
     double reach = 0.1;     // longest move from g_k, in the norm
-    double apart = 1e-2;    // smallest fraction of a difference that must be independent of later
-                            // differences
+    double apart = 1e-2;    // smallest independent fraction of a difference
     double flat = 0.02;     // smallest difference relative to the residual
   };
   struct Next {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Conversion between lab axes (x, y, z) and axes of which the third is the bearing axis. The
+// Converts between lab axes (x, y, z) and axes of which the third is the bearing axis. The
 // permutation is cyclic, so right-handed axes stay right-handed and no value changes.
 #ifndef RACEWAY_LAB_AXES_H
 #define RACEWAY_LAB_AXES_H

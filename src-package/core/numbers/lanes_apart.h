@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Conversion of a struct of lanes to four structs of doubles, and back.
+// Converts a struct of lanes to four structs of doubles, and back.
 #ifndef RACEWAY_LANES_APART_H
 #define RACEWAY_LANES_APART_H
 

@@ -20,7 +20,7 @@ namespace raceway {
 
 struct LossColumn {
   const char *name;    // name of the column, in W
-  const char *key;     // key in losses_W of `raceway summary`
+  const char *key;     // key in losses_W in `raceway summary`
   const char *meaning;
   bool usual;    // true: a column of every law, included in records by default
 };

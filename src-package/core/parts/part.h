@@ -4,12 +4,13 @@
 //   name         one word, for tables and messages
 //   when         always, with a film, or only on request by a keyword
 //   slot         parts with the same slot exclude each other; "" for none
-//   needs_film   true if it has no meaning without a film
+//   needs_film   true if the part requires a film
 //   needs        name of another required part; "" for none
-//   Parameters   its own numbers with their defaults; prepare(raceway) if some of them are derived,
-//                and reach(raceway), the gap (m) at which its contacts begin, if that is not 0
-//   keywords()   the words that set its Parameters, with unit and range (Keyword below)
-//   states       number of its state variables per contact, kept from step to step
+//   Parameters   its own numbers with their defaults; has a function prepare(raceway) if some of
+//                them are computed, and reach(raceway) if the gap (m) at which its contacts begin
+//                is not 0
+//   keywords()   the keywords that set its Parameters, with unit and range (Keyword below)
+//   states       number of state variables per contact that are kept between steps
 //   couples      true if it sets couple_n, couple_t, couple_w
 //   explicit_step   true if it is not available in an implicit step
 //   columns()    output columns of a contact
@@ -21,7 +22,7 @@
 //   Losses       its losses (loss.h): power taken from the motion
 //   energy()     stored energy, J
 //
-// PartBase has the defaults. docs/extend explains how to add a part.
+// PartBase defines the defaults. docs/extend explains how to add a part.
 #ifndef RACEWAY_PART_H
 #define RACEWAY_PART_H
 

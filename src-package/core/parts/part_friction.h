@@ -35,7 +35,8 @@ struct SpinLoss {
   }
 };
 
-// Columns common to all friction coefficients, and columns common to all tangential laws.
+// Columns that all friction coefficients have in common, and columns that all tangential laws have
+// in common.
 inline std::vector<StateColumn> coefficient_columns()
 {
   return {{{"mu", "", "friction coefficient"},

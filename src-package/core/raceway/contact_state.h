@@ -17,7 +17,7 @@ namespace raceway {
 // Quantities that carry derivatives.
 template <class T> struct alignas(sizeof(Value<T>)) ContactVariablesT {
   // motions of the ball relative to the raceway (kinematics.h)
-  T overlap = T();         // m, of the rigid surfaces; negative for a gap
+  T overlap = T();         // m, overlap of the rigid surfaces; negative for a gap
   T compression = T();     // m, elastic approach of the bodies: overlap plus contributions of parts
   T overlap_rate = T();    // m/s
   T sliding_t = T(), sliding_w = T();            // m/s, velocity of the ball surface relative to
@@ -41,14 +41,14 @@ template <class T> struct alignas(sizeof(T)) ContactFiguresT {
   T stiffness = T();      // N/m, dQ/d(overlap)
   T damping = T();        // N s/m, C
   T film_load = T();      // N, load used for the film thickness
-  // logarithms of the entrainment speed (m/s) and of film_load; the film factors
+  // logarithms of the entrainment speed (m/s) and of film_load; the product of the film factors
   T ln_speed = T(), ln_film_load = T(), film_factor = T();
   T h_edge = T(), h_c = T();      // m, central film thickness at the onset of load and at this load
   T h_min = T(), lambda = T();    // m; lambda ratio
   T film_energy = T();            // J, energy of the film in the gap
   T film_force = T();             // N, force of the film's Maxwell branch
   T film_stiffness = T();         // N/m, stiffness of the film's branch
-  T film_rate = T();              // 1/s, 1/tau of the film's branch
+  T film_rate = T();              // 1/s, 1/tau for the film's branch
   T mu = T();                     // friction coefficient
   T kt = T();                     // N/m, tangential spring
   T v_0 = T();                    // m/s, creep speed of the smoothed Coulomb law

@@ -78,7 +78,7 @@ RACEWAY_INLINE void find_motions(const Raceway &p, const BallStateT<T> &ball,
   const T Vu = Wt * zc, Vt = We * rc - Wu * zc, Ve = -Wt * rc;    // ring surface, W x (rc u + zc e)
 
   c.overlap_rate = (vu - Vu) * c.nu + (ve - Ve) * c.ne;
-  const T roll = Rb * (we * c.nu - wu * c.ne);    // velocity of the ball surface along t
+  const T roll = Rb * (we * c.nu - wu * c.ne);    // velocity along t due to the ball's rotation
   c.sliding_t = vt + roll - Vt;
   c.sliding_w = (ve - Ve) * c.nu - (vu - Vu) * c.ne - Rb * wt;
   const T turn = (vt + c.z * Wu) / c.r * rc - Wu * zc;    // velocity of the contact point along t

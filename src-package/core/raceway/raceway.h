@@ -19,7 +19,7 @@ struct Raceway {
   double ring_roughness = 0.0;    // m
   double ball_roughness = 0.0;    // m
   FilmFactors factors;
-  // lambda ratio at the end of the boundary regime and at the start of the full film
+  // lambda ratios at the end of the boundary regime and at the start of the full film
   double lambda_1 = 1.0, lambda_2 = 3.0;
 
   // computed by prepare()

@@ -49,7 +49,7 @@ struct RacewayPhysics : Raceway {
   // the film follows the law of all regimes.
   double gap_share() const;
   bool gap_film_of_all_regimes() const;
-  // Replaces the tangential spring; `creep` is the slide-roll ratio that smooths Coulomb's law.
+  // Replaces the tangential spring by Coulomb's law smoothed over the slide-roll ratio `creep`.
   void smooth_friction(double creep);
 
   // Parameters of one part; defined in contact.h.

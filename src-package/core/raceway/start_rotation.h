@@ -13,8 +13,9 @@ namespace raceway {
 
 struct StartingBall {
   double radius, mass;                // m, kg
-  double path;                        // m, initial radius of the circle of the ball's centre
-  double orbit;                       // rad/s, orbital speed, for the centrifugal force
+  double path;                        // m, initial radius of the circle on which the ball's centre
+                                      // moves
+  double orbit;                       // rad/s, orbital speed, used for the centrifugal force
   double inner_speed, outer_speed;    // rad/s, of the rings
   double thrust;    // N, fraction of the axial force on the inner ring that this ball carries; 0:
                     // unknown

@@ -32,7 +32,7 @@ inline ThrustContact thrust_contact(const Raceway &p, double angle, double load)
 struct ThrustBall {
   bool held = false;    // false: the ball climbs out of the grooves
   ThrustContact inner, outer;
-  double path = 0.0;    // m, radius of the circle of the ball's centre
+  double path = 0.0;    // m, radius of the circle on which the ball's centre moves
 };
 
 // Computes the equilibrium of a ball under its part `share` (N, above 0) of the thrust and a

@@ -25,7 +25,7 @@ class BearingInstants {
     double load;                         // N
     bool live;                           // true if the contact has a state
     FilmCapacitorT<double> capacitor;    // 0 if not requested
-    ContactState state;                  // only if whole states are requested
+    ContactState state;                  // only if complete states are requested
   };
   struct RingAtInstant {
     RingPose pose;
@@ -74,7 +74,7 @@ class BearingInstants {
   // body group (bodies_) or the ring (rings_).
   std::vector<ContactLook> looks_;
   std::vector<Capacitors> capacitors_;
-  std::vector<SurroundedRaceway> surrounded_;    // by track, if surroundings are requested
+  std::vector<SurroundedRaceway> surrounded_;    // indexed by track, if surroundings are requested
   std::vector<Bodies> bodies_;
   std::vector<RingAtInstant> rings_;
   // state at the end of the step, saved while the bearing is moved to an instant

@@ -284,7 +284,7 @@ static constexpr double safe = 4.0;
 
 // Weight of the error bound relative to the estimate. The estimate applies to one step of smooth
 // motion, whereas a vibration accumulates the errors of all its steps. With this weight, a
-// vibration that determines the step lags by less than 0.65 s tolerances after s radians
+// vibration that determines the step lags by less than 0.65 s times the tolerance after s radians
 // (docs/fix_bearing_implicit).
 static constexpr double sudden = 0.3;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One implicit step of one bearing.
+// Performs one implicit step of one bearing.
 //
 // A stage of length h solves for the velocities V at its end,
 //   M (V - V_base) = h F(q_base + h V, V)
@@ -56,7 +56,7 @@ class BearingIntegrator {
   struct Settings {
     int order = 2;
     bool dampers_only = false;
-    double newton = 1e-7;     // m, limit of the last correction of a stage
+    double newton = 1e-7;     // m, largest allowed last correction of a stage
     double cage = 1.0;        // tolerance for a cage ball divided by that for a ball or ring
     double relative = 0.0;    // newton is at least this fraction of the largest overlap; 0: unused
     double error = 1.0;       // allowed estimated error of a step divided by `newton`
@@ -73,11 +73,11 @@ class BearingIntegrator {
     Failure failure = Failure::not_converged;
     int body = -1;    // body that caused the failure, or -1
     int corrections = 0;
-    double tolerance = 0.0;     // m, limit of the estimated error
+    double tolerance = 0.0;     // m, largest allowed estimated error
     double error = HUGE_VAL;    // m, estimated
     double stability = 0.0;     // h^2 divided by its stability limit
     double last = HUGE_VAL;     // m, last correction
-    double last_cage = 0.0;     // m, last correction of the cage, weighted
+    double last_cage = 0.0;     // m, last correction of the cage, multiplied by its weight
 
     bool solved() const { return failure == Failure::none; }
   };
@@ -158,7 +158,7 @@ class BearingIntegrator {
   Energy energy_, pending_;
   struct {
     double h, s0, s1;
-  } present_ = {};    // the step not yet accepted
+  } present_ = {};    // the step that has not been accepted yet
 };
 
 }    // namespace raceway

@@ -140,7 +140,7 @@ void BearingForces::land(const Stage &stage, const BearingModel::Cage &cage, con
     ring.spring += 2.0 * c.stiffness;
     guide.spring += 2.0 * c.stiffness;
   }
-  // motion of the cage relative to the ring along both axes, by column
+  // motion of the cage relative to the ring along both axes, for each column
   struct Moving {
     int column;
     double along[2];

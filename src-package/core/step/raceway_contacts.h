@@ -27,6 +27,7 @@ static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int g
                                       const ProfiledContactT<Lane> *on, const TurnRowT<Lane> *depth)
 {
   Lane row[n][6], column[6][n];    // column[k]: local forces per unit of the ball's k-th velocity
+                                   // component
   ball_rows(s, R, row);
   if (on)
     for (int k = 0; k < 3; ++k) row[0][k] -= on->slope * row[1][k];
