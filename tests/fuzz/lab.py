@@ -76,7 +76,7 @@ class Lab:
             message = end.error.splitlines()[0]
             if name == "first" or LATER.search(message):
                 raise Refused(message)
-            raise Finding(f"only run {name} is refused: {message}")
+            raise Finding(f"only run {name} is rejected: {message}")
         values = figures.read(self.folder / name, scene, pose)
         if bad := figures.finite(values):
             raise Finding(f"not finite: {name}: {', '.join(bad[:8])}")

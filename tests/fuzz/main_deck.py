@@ -67,7 +67,7 @@ def _run(folder, host, given, ranks=1, first=False):
         message = end.error.splitlines()[0]
         if first or LATER.search(message):
             raise Refused(message)
-        raise Finding(f"only run {folder.name} is refused: {given}: {message}")
+        raise Finding(f"only run {folder.name} is rejected: {given}: {message}")
     return _record(folder)
 
 
@@ -98,7 +98,7 @@ def _same(first, second, given, what):
 def _summary(folder, given):
     end = child.raceway(["summary", str(folder / "first"), "--json"], folder)
     if end.code:
-        raise Finding(f"summary refuses a finished run: {given}: {end.error[:300]}")
+        raise Finding(f"summary rejects a finished run: {given}: {end.error[:300]}")
     for name, value in json.loads(end.out, parse_constant=float).items():
         if isinstance(value, float) and not math.isfinite(value):
             raise Finding(f"summary: {given}: {name} is {value}")

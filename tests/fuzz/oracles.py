@@ -223,13 +223,13 @@ def energy(scene, first, lab, draw):
         terms.append(f'fix account all print {steps} "{values}" file ${{out}}/energy.txt screen no')
         end = lab.start("\n".join([*text[:-1], *terms, text[-1], ""]), "energy")
         if end.code:
-            raise Finding(f"the run is refused when energy is added: {end.error.splitlines()[0]}")
+            raise Finding(f"the run is rejected when energy is added: {end.error.splitlines()[0]}")
         rows = np.loadtxt(lab.folder / "energy" / "energy.txt", comments="#", ndmin=2)
         before, (*account, own) = share, abs(rows[-1])
         share = own / (max(account) + 1e-12)
         if share <= 1e-3:
             return
-    raise Finding(f"energy: a share of {share:.2g} is missing, {before:.2g} with longer substeps")
+    raise Finding(f"energy: a fraction {share:.2g} is missing, {before:.2g} with longer substeps")
 
 
 ORACLES = {

@@ -33,7 +33,7 @@ def check(draw, folder, runs):
                 child.raceway(again, folder).out.replace(str(whole), str(places[0]))
             )
             if told != before:
-                raise Finding(f"damage changes the figures of {words}: {damage}")
+                raise Finding(f"damage changes the results of {words}: {damage}")
     return "refused" if end.code else "passed"
 
 

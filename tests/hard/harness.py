@@ -208,8 +208,8 @@ def averages(course, after=0, every=1):
         "sum of inner loads": load[:, 0].sum(1),
         "outer load": load[:, 1].mean(1),
         "cage speed": orbit.mean(1),
-        "share of balls on the inner ring": inner.mean(1),
-        "share of balls on no ring": (~inner & ~outer).mean(1),
+        "fraction of balls on the inner ring": inner.mean(1),
+        "fraction of balls on no ring": (~inner & ~outer).mean(1),
     }
     result = {}
     for name, values in series.items():
@@ -267,7 +267,9 @@ def judge(found, truth, case, words, every=1):
         full = len(found.load)
         found, truth = (before_whirl(course, case["whirl"]) for course in (found, truth))
         if min(len(found.load) * every, len(truth.load)) < 3 * after:
-            return Verdict(np.inf, bound, "the ring whirls too early to judge the time before")
+            return Verdict(
+                np.inf, bound, "the ring whirls too early for the time before to be judged"
+            )
         verdict = _judge_averages(averages(found, after, every), averages(truth, after), bound)
         whirls = (
             f"; the ring whirls from sample {len(found.load)} of {full}"
@@ -285,13 +287,13 @@ def _judge_averages(found, truth, bound):
     occasional bursts has a large statistical error, so bounds are limited to a half."""
     verdicts = []
     for name, (mean, error) in truth.items():
-        scale = 1 if name.startswith("share") else mean
+        scale = 1 if name.startswith("fraction") else mean
         statistical = np.hypot(error, found[name].error) / scale
         verdicts.append(
             Verdict(
                 abs(found[name].mean - mean) / scale,
                 min(bound + 3 * statistical, 0.5),
-                f"{name} {found[name].mean:.4g}, should be {mean:.4g} within {bound:g} and 3 x"
+                f"{name} {found[name].mean:.4g}, expected {mean:.4g} within {bound:g} and 3 x"
                 f" {statistical:.2g}",
             )
         )

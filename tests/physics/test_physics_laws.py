@@ -93,13 +93,13 @@ def test_laws_with_a_spring_are_for_explicit_steps_only(physics):
 @pytest.mark.parametrize(
     "parts, why",
     [
-        ("hertz hysteresis normal_force rolling", "has rolling, which needs a film"),
+        ("hertz hysteresis normal_force rolling", "has rolling, which requires a film"),
         ("hertz hysteresis normal_force friction_constant smoothed_friction spin",
-         "has spin without differential_slip, which it needs"),
+         "has spin but not differential_slip, which it requires"),
         ("hertz hysteresis film_thickness normal_force film_branch",
-         "has film_branch without film_in_gap, which it needs"),
+         "has film_branch but not film_in_gap, which it requires"),
         ("hertz film_in_gap hysteresis film_thickness normal_force",
-         "has hertz and film_in_gap, of which one is possible"),
+         "has hertz and film_in_gap, which exclude each other"),
     ],
 )  # fmt: skip
 def test_contradictions(physics, parts, why):

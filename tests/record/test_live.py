@@ -44,7 +44,7 @@ def start(folder):
 
 def wait_for(path, process):
     while not path.exists() or path.stat().st_size < 100_000:
-        assert process.poll() is None, "the run is over and has no record"
+        assert process.poll() is None, "the run has ended without a record"
         time.sleep(0.005)
 
 

@@ -129,7 +129,7 @@ template <class T, bool all> class GapFilmT {
 
   Film film_;
   bool pressed_ = false;
-  GuptaFactorT<T> steep_{};    // derivative with respect to the root of the compression
+  GuptaFactorT<T> steep_{};    // as a function of the root of the compression
   T ln_K_;
 };
 
