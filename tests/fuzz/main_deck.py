@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs of the main deck with a few of its variables set, which are resumed, repeated in another
-host or on several ranks, or read by `raceway summary`."""
+"""Runs the main deck with a few of its variables set; the run is resumed, repeated in another host
+or on several ranks, or read by `raceway summary`."""
 
 import json
 import math

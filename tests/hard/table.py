@@ -193,7 +193,7 @@ def main():
 These scenes are hard to integrate; they run with :doc:`../fix_bearing_implicit` and its default
 settings, one host step per sample. The bearing is a 6208, in mineral oil unless stated otherwise.
 ``tests/hard/cases.yaml`` lists the scenes, the bounds with their reasons, and the cases that miss
-their bound. Written on {date.today()}: {len(rows)} figures, {missed} outside their bound.
+their bound. Written on {date.today()}: {len(rows)} figures, {missed} of them outside their bound.
 
 The figure is the largest difference in contact load over balls, raceways and samples, relative to
 the peak load, starting from the sample that the case specifies. *Whole course* is the same figure

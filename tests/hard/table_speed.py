@@ -91,9 +91,9 @@ def main():
 The scenes of :doc:`hard_cases` run with host steps as long as their loads and motions allow. That
 page lists the errors of these host steps. *With a record* means :doc:`../fix_bearing_record` with
 the samples of that page, taken within the host steps. *Nothing written* is the same motion without
-output. A factor is simulated time over wall time of the host's loop, without set-up. It is the
-median of {RUNS} runs on a shared virtual core. Written on {date.today()}: without output {below} of
-{len(timed)} scenes are slower than real time with the default settings.
+output. A factor is the simulated time divided by the wall time of the host's loop, without set-up.
+It is the median of {RUNS} runs on a shared virtual core. Written on {date.today()}: without output,
+{below} of {len(timed)} scenes are slower than real time with the default settings.
 """.splitlines(),
         "",
         *csv_table(HEAD, [row for row, _, _ in timed.values()]),
@@ -109,7 +109,7 @@ and with the host steps above; the steps per period are given for the latter. St
 period damp the vibration, while the loads stay within the bound.
 
 *Words* are the keywords of :doc:`../fix_bearing_implicit` that meet the same bounds faster. The
-figure nearest to its bound is given, for both lengths of host steps.
+figure closest to its bound is given, for both lengths of host steps.
 """.splitlines(),
         "",
         *csv_table(SLOW, slow),

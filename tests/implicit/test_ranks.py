@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The results of fix bearing/implicit are bitwise identical on any number of ranks, wherever the
-box is cut, with other bearings in the box, and if a run continues on another number of ranks.
+box is cut, with other bearings in the box, and when a run continues on another number of ranks.
 
 The scene (in.ranks) is a transient under a growing load, in which some steps are rejected. The
 inner ring starts at the cuts through the middle of the box and moves away from them, so the bearing

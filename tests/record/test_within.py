@@ -44,8 +44,8 @@ def test_times(coarse_and_fine):
 
 
 def test_every_column_is_what_finer_steps_give(coarse_and_fine):
-    """All variables in the file, after the start, agree to the fraction of the largest value that a
-    step error of 0.1 nm allows."""
+    """After the start, all variables in the file agree to within the fraction of their largest
+    value that a step error of 0.1 nm allows."""
     coarse, fine = coarse_and_fine
     seen = 0
     for name, truth in fine.data_vars.items():

@@ -49,7 +49,8 @@ void BearingBodies::place()
     const int first = static_cast<int>(groups.size());
     const int n = static_cast<int>(row.size()), padded = (n + lanes - 1) / lanes * lanes;
     for (int i = 0; i < padded; ++i) {
-      const int k = row[std::min(i, n - 1)];    // padding repeats the last body, without forces
+      // padding lanes repeat the last body and exert no force
+      const int k = row[std::min(i, n - 1)];
       if (i % lanes == 0) {
         groups.emplace_back();
         groups.back().spins = model.bodies[k].spins;
