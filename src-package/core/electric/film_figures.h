@@ -20,7 +20,7 @@ struct FilmQuestions {
   bool any() const { return resistivity > 0.0 || frequency > 0.0 || strength > 0.0; }
 };
 
-// A film at a sample. A film without capacitance is open.
+// A film at one sample of a run. A film without capacitance is open.
 struct SampledFilm {
   double capacitance = 0.0;    // F
   double thickness = 0.0;      // m

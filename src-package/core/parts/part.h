@@ -80,10 +80,8 @@ template <class Own> struct Keyword {
   const char *name, *form;
   bool chooses;
   std::vector<Parameter<Own>> parameters;
-  const char *(*wrong)(const double *values) = nullptr;    // error message if the combination of
-                                                           // values is invalid
-  const char *note = "";                                   // text for the documentation page of the
-                                                           // command
+  const char *(*wrong)(const double *values) = nullptr;    // error in the combination of values
+  const char *note = "";                                   // text for the command's documentation
 };
 
 // An output column that is computed from the state of a contact.

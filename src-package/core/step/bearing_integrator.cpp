@@ -191,7 +191,7 @@ RACEWAY_LANES bool BearingIntegrator::move(double h, double s, bool dampers_only
   for (BodyGroup &g : bodies_.groups) {
     g.now = g.base.drifted(g.v, h, g.turn);
     far |= ~(magnitude(g.turn) * beyond_2 <
-             largest_turn);    // turn of the extrapolation to the base of a second stage
+             largest_turn);    // rotation in the extrapolation to the base of a second stage
   }
   for (BallTurns &t : bodies_.turns) t.move(bodies_.groups[t.group], h);
   bodies_.on_border([h, s](auto &one) { one.move(h, s); });
