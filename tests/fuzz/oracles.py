@@ -136,7 +136,7 @@ def neighbour(scene, first, lab, draw):
         else re.sub(r"^group (\w+) type (.*)", r"group \1 type \2", line)
         for line in lines
     ]
-    # dumps and the capacitance cover the first bearing only; forces act on both
+    # dumps and the capacitance cover only the first bearing, whereas forces act on both
     lines = [re.sub(r"^(dump atoms) all", r"\1 first", line) for line in lines]
     lines = [
         re.sub(r"^(compute contacts|dump contacts|fix cap) balls", r"\1 first_balls", line)

@@ -66,7 +66,7 @@ def test_a_sliding_collision_in_closed_form(physics, restitution):
     after = collide(physics, restitution, mu, along=along)
     impulse = M * (V + after.normal)
     # friction is below its limit until the spring is stretched, which takes the fraction mu F/(kt
-    # v) of the collision; the missing impulse is the square of this fraction
+    # v) of the collision; the missing part of the impulse is the square of this fraction
     assert after.along == pytest.approx(along - mu * impulse / M, rel=1e-3)
     # the lever arm is the radius minus the overlap
     overlap = V * np.sqrt(M / K)

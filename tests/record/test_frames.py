@@ -24,7 +24,7 @@ from raceway.runs import envelope, losses, sensor, spectrum
 from recorded_runs import SMALL, small
 
 UPRIGHT = Pose()
-ALONG = [Pose((1, 2, 0)), Pose((2, 0, 1))]  # the axis along x, and along y
+ALONG = [Pose((1, 2, 0)), Pose((2, 0, 1))]  # with the axis along x, and along y
 COMMANDS = [
     "summary run",
     "summary run --json",

@@ -24,7 +24,7 @@ struct BearingModel {
   struct Body {
     Tag tag;
     double mass, radius;
-    bool spins;    // rolling balls spin, cage balls do not
+    bool spins;    // true for rolling balls, false for cage balls
   };
   struct Ring {
     Tag tag;

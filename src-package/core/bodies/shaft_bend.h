@@ -49,8 +49,8 @@ struct ShaftBend {
   std::vector<Seat> seats;
   BendProgram program;
   BendState from, base, now, first, end;
-  std::vector<double> gained;      // m/s, by mode, change since the base
-  std::vector<double> contacts;    // N, by mode, from the bearings
+  std::vector<double> gained;      // m/s, change of modal velocities since the base
+  std::vector<double> contacts;    // N, modal forces of the bearings
 
   int size() const { return 2 * modes->size(); }    // number of unknowns
   // Returns the pose of the centre of mass including the deflection; supports act there.

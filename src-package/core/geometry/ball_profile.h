@@ -24,7 +24,7 @@
 namespace raceway {
 
 struct BallPitShape : NotchShape {
-  double latitude = 0.0;    // rad, of the centre of the pit
+  double latitude = 0.0;    // rad, latitude of the pit's centre
 };
 
 struct BallShape {

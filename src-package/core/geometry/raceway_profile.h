@@ -20,7 +20,7 @@
 namespace raceway {
 
 struct NotchShape {
-  double azimuth = 0.0;                             // rad, of the centre of the notch
+  double azimuth = 0.0;                             // rad, azimuth of the notch's centre
   double length = 0.0, width = 0.0, depth = 0.0;    // m; width HUGE_VAL: across the whole groove
   double edge = 0.0;                                // m, radius of the edges
 };

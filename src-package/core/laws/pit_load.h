@@ -5,7 +5,7 @@
 //   Q/K = chi max(0, d - D)^1.5 + (1 - chi) d^1.5,    chi = 1.5 x - 0.5 x^3, x = sqrt(e/d)
 // for d > e, and chi = 1 below. d is the overlap without the pit, and e is the overlap at which the
 // patch is as wide as the pit. The stored energy and its first and second derivatives with respect
-// to d and D have closed forms.
+// to d and D have closed-form expressions.
 #ifndef RACEWAY_PIT_LOAD_H
 #define RACEWAY_PIT_LOAD_H
 

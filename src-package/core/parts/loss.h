@@ -3,7 +3,8 @@
 // contact law lists its losses, for example
 //
 //   struct SpinLoss {
-//     static constexpr LossColumn column = {"spin_power", "spin", "power lost by spin", false};
+//     static constexpr LossColumn column = {"spin_power", "spin", "power dissipated by spin",
+//                                           false};
 //     template <class T> static Value<T> of(const ContactStateT<T> &c);    // W
 //   };
 //   using Losses = LossList<SpinLoss>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A part of the contact law: a struct with
+// A part of the contact law is a struct with the following members:
 //
 //   name         one word, for tables and messages
 //   when         always, with a film, or only on request by a keyword

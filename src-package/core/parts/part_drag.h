@@ -83,7 +83,7 @@ struct DragPart : PartBase {
 
  private:
   // Returns whether a ball at z (m) from its groove's centres has a smaller overlap with the twin
-  // groove at -offset. A ball in the middle plane, to rounding accuracy, is assigned to the groove
+  // groove at -offset. A ball in the mid-plane, to rounding accuracy, is assigned to the groove
   // at the positive offset.
   template <class B> static RACEWAY_INLINE auto deeper(double offset, const B &z)
   {

@@ -74,7 +74,7 @@ RACEWAY_INLINE void find_motions(const Raceway &p, const BallStateT<T> &ball,
   const T vu = dot(dv, c.u), vt = dot(dv, c.t), ve = dot(dv, ring.e);
   const T wu = dot(ball.w, c.u), wt = dot(ball.w, c.t), we = dot(ball.w, ring.e);
   const T Wu = dot(ring.w, c.u), Wt = dot(ring.w, c.t), We = dot(ring.w, ring.e);
-  const T rc = c.r + Rb * c.nu, zc = c.z + Rb * c.ne;             // contact point in the ring
+  const T rc = c.r + Rb * c.nu, zc = c.z + Rb * c.ne;    // contact point relative to the ring
   const T Vu = Wt * zc, Vt = We * rc - Wu * zc, Ve = -Wt * rc;    // ring surface, W x (rc u + zc e)
 
   c.overlap_rate = (vu - Vu) * c.nu + (ve - Ve) * c.ne;

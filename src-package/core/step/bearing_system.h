@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The linear system of one Newton correction:
 //   A_k x_k + B_k y + sum_i s_ik n_i l_i = r_k        x_k: correction of a body
-//   sum_k C_k x_k + D y                  = r_y        y: of the coordinates of rings and shafts
+//   sum_k C_k x_k + D y                  = r_y        y: corrections of rings and shafts
 //   l_i/a_i = n_i . (x_first - x_second)              closed cage contacts
 // with s_ik = +1 for the first and -1 for the second body of link i. Blocks are eliminated first,
 // then links; the system is then solved for y and back-substituted, in a time proportional to the
