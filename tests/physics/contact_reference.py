@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A ball and a ring as moving rigid bodies in 40-digit arithmetic: reference for contact.h.
+"""Reference for contact.h: a ball and a ring as moving rigid bodies in 40-digit arithmetic.
 
-It does not use the derivation in the header. Points of the bodies are followed along the motion
-(constant velocities, Rodrigues rotation) and differentiated in time. Vectors are mpmath vectors, so
-that no step size enters.
+The reference does not use the derivation in the header. Points of the bodies are followed along the
+motion (constant velocities, Rodrigues rotation) and differentiated in time. Vectors are mpmath
+vectors, so the step size of the differences does not limit the accuracy.
 """
 
 import mpmath

@@ -70,7 +70,7 @@ FINER = {
     "dry, spring": 2,
     "paper, spring": 2,
     "full, no friction": 2,
-}  # the losses of a falling dry ring have sharp peaks, and the film branch returns its stored energy
+}  # the losses of a falling dry ring have sharp peaks, and the branch returns its stored energy
 
 
 def test_every_loss_of_a_contact_is_one_of_bearings_and_rings():

@@ -199,8 +199,7 @@ inline PocketContact pocket_contact(const CageRing &cage, const CageMotion &m, i
 // centre, and on the ring through the same point.
 struct LandContact {
   Vec3 force, moment;                               // on the cage, N and N m
-  Vec3 lever;                                       // m, from the ring's centre to the cage's
-                                                    // centre
+  Vec3 lever;                                       // m, from ring centre to cage centre
   double displaced[2][2] = {}, moved[2][2] = {};    // -d force/d place, -d force/d velocity
   Vec3 axis[2];                                     // axes of these matrices, normal to the ring's
                                                     // axis
