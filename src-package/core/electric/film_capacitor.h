@@ -97,13 +97,13 @@ RACEWAY_INLINE FilmCapacitorT<T> film_capacitor(const RacewayPhysics &p, const C
 
 // A raceway and the surroundings of its contacts.
 //
-// The separation is the film thickness at the contact load, or at 0.1 N or Q_u if the load is
-// smaller, where Q_u = m_b r_pitch omega_c^2 is the load of a ball guided by the outer raceway
-// alone. It is therefore defined where the contact load vanishes. Without contact the separation is
-// the gap if the gap is larger. With film in the gap (part_film_gap) contacts begin at a gap. In
-// this case the gap is used once it exceeds the film, and the clearance is measured from the onset
-// of contact, so that capacitances are continuous at the onset. If a film has a thickness at any
-// load, that thickness is the separation.
+// The separation is the film thickness at the contact load, but at least at the larger of 0.1 N and
+// Q_u = m_b r_pitch omega_c^2, the load of a ball guided by the outer raceway alone. It is
+// therefore defined where the contact load vanishes. Without contact the separation is the gap if
+// the gap is larger. With film in the gap (part_film_gap) contacts begin at a gap. In this case the
+// gap is used once it exceeds the film, and the clearance is measured from the onset of contact, so
+// that capacitances are continuous at the onset. If a film has a thickness at any load, that
+// thickness is the separation.
 class SurroundedRaceway {
  public:
   static constexpr double least_load = 0.1;    // N
