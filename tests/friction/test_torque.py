@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Friction torque of a 6208 with the models `full`, compared with statics part by part, and with
-SKF's formula. No constant is fitted."""
+"""Tests of the friction torque of a 6208 with the models `full` against statics, part by part, and
+against SKF's formula. No constant is fitted."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ from raceway.theory.operating_point import figures
 
 @pytest.mark.parametrize("rpm", [477.5, 1910, 9549])
 def test_torque(tmp_path, rpm):
-    """Friction torque at 5 kN and 0.04 Pa s is within 35 % of SKF's formula."""
+    """The friction torque at 5 kN and 0.04 Pa s is within 35 % of SKF's formula."""
     succeed("inputs/in.6208", out=tmp_path, models="full", rpm=rpm, passes=2)
     run = summary(RunTables(tmp_path))
     point = {"load": 5000.0, "rpm": rpm, "models": "full"}

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs a command of `raceway` in a forked child, which saves starting Python for each and protects
-the fuzzer from crashes."""
+"""Runs a command of `raceway` in a forked child process, which avoids starting Python for each
+command and protects the fuzzer from crashes."""
 
 import os
 import pkgutil
@@ -16,13 +16,13 @@ from pathlib import Path
 from fuzz.lab import Finding
 from raceway import cli, data, electric, export, runs, theory
 
-# modules are imported once, not in every child
+# modules are imported only once, not in every child
 for package in (data, electric, export, runs, theory):
     for module in pkgutil.iter_modules(package.__path__, f"{package.__name__}."):
         import_module(module.name)
 
-# processor time, which other work on the machine does not affect; the limit of the wall time is
-# far above it
+# the limit refers to processor time, which other work on the machine does not affect; the limit of
+# the wall time is far above it
 SECONDS, WALL_S, BYTES = 20, 600, 6 * 2**30
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A scene as a deck for any host, placed by a pose."""
+"""Writes a scene as a deck for any host, placed by a pose."""
 
 from fuzz.pose import LAB, UPRIGHT
 
@@ -15,8 +15,8 @@ SUMS = "contacts loaded load_inner load_outer pressure".split()
 
 
 def deck(scene, pose=UPRIGHT, split=None, cuts="* * *", more=(), restart=None):
-    """The deck's text. `split`: steps of the first of two runs. `more`: commands that must not
-    affect the motion. `restart`: write a file after the first run ("write"), or begin from
+    """Return the text of the deck. `split`: steps of the first of two runs. `more`: commands that
+    must not affect the motion. `restart`: write a file after the first run ("write"), or start from
     one ("read")."""
     total = scene["every"] * scene["samples"]
     lines = [*_world(scene, pose, cuts)]
@@ -92,7 +92,8 @@ def _fixes(scene, pose):
     if scene["cage"]:
         yield "fix rails cage bearing/cage 4"
     for number, (ring, kind, azimuth, *rest) in enumerate(scene["flaws"]):
-        # the azimuth stands for the order; the last word is the phase at azimuth 0
+        # for a wave, the order takes the place of the azimuth; the last word is the phase at
+        # azimuth 0
         if kind == "wave":
             order, (amplitude, phase) = azimuth, rest
             # cos(n phi + p) with phi = sense (lab - offset)

@@ -13,7 +13,8 @@ GRAMMAR = Path(__file__).parent / "grammar"
 
 @cache
 def grammar(name):
-    """A file of grammar/. YAML reads 1e-3 as text, so numbers there have a decimal point."""
+    """Return the contents of a file in grammar/. YAML reads 1e-3 as text, so numbers there have a
+    decimal point."""
     return yaml.safe_load((GRAMMAR / f"{name}.yaml").read_text())
 
 
@@ -21,8 +22,8 @@ class Draw(random.Random):
     """Random numbers in the intervals of a grammar."""
 
     def number(self, interval):
-        """A value from [least, most] or [log, least, most], rounded to four digits; a whole number
-        if both limits of [least, most] are whole."""
+        """Return a value from [least, most] or [log, least, most], rounded to four digits, or a
+        whole number if both limits of [least, most] are whole."""
         if interval[0] == "log":
             low, high = map(math.log, interval[1:])
             return float(f"{math.exp(self.uniform(low, high)):.4g}")
@@ -34,5 +35,5 @@ class Draw(random.Random):
         return self.random() < share
 
     def maybe(self, share, make):
-        """`make()`, or None."""
+        """Return `make()` or None."""
         return make() if self.chance(share) else None

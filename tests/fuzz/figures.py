@@ -10,9 +10,11 @@ VECTORS = ("x", "vx", "omegax", "fx", "mx", "ax")
 
 
 def read(folder, scene, pose):
-    """{table: (columns, array (samples, rows, columns))}, in the frame and order of the scene."""
+    """Return {table: (columns, array (samples, rows, columns))}, in the frame and order of the
+    scene."""
     balls, cage = scene["balls"], bool(scene["cage"])
-    # the number of contacts varies: one row for every ball, raceway and groove, 0 without contact
+    # the number of contacts varies, so there is one row for every ball, raceway and groove, with 0
+    # without contact
     columns = contact_columns(scene)
     contacts = []
     for _, rows in tables(folder / "contacts.dump"):
@@ -39,7 +41,7 @@ def read(folder, scene, pose):
 
 
 def _order(balls, cage, pose):
-    """Index in the lab of every atom, in the order of the scene."""
+    """Return the index in the lab of every atom, in the order of the scene."""
     step = np.arange(balls)
     if pose.sense < 0:
         own_balls, own_cage = (-step) % balls, (-step - 1) % balls
@@ -84,8 +86,8 @@ def _tilts(rings, names, pose):
 
 
 def differences(first, second, tolerance, start=1):
-    """(share, table, column, sample) of columns that differ by more than `tolerance` times their
-    largest value, in order of decreasing difference."""
+    """Return (share, table, column, sample) for columns that differ by more than `tolerance` times
+    their largest value, in order of decreasing difference."""
     found = []
     for name, (columns, a) in first.items():
         b = second[name][1]
@@ -93,7 +95,7 @@ def differences(first, second, tolerance, start=1):
             a, b = _loaded(columns, a, b)
             at = columns.index("azimuth")
             b[..., at] -= 2 * np.pi * np.round((b[..., at] - a[..., at]) / (2 * np.pi))
-        if tolerance:  # at the start, rounding decides if balls that just touch are in contact
+        if tolerance:  # at the start, rounding decides whether touching balls are in contact
             a, b = a[start:], b[start:]
         if a.shape != b.shape:
             found.append((np.inf, name, f"shape {a.shape} {b.shape}", 0))
@@ -108,15 +110,15 @@ def differences(first, second, tolerance, start=1):
 
 
 def _loaded(columns, a, b):
-    """Contacts of two runs. Rounding opens and closes contacts near zero load: only their loads are
-    kept, and all their other columns become 0."""
+    """Return the contact tables of two runs for comparison. Rounding opens and closes contacts near
+    zero load, so only the loads of these contacts are kept and all their other columns become 0."""
     load = columns.index("load")
     light = np.minimum(a[..., load], b[..., load]) < 1e-2 * a[..., load].max(initial=0)
     kept = np.arange(len(columns)) == load
     return [np.where(light[..., None] & ~kept, 0, table) for table in (a, b)]
 
 
-# what counts as zero
+# values below these limits count as zero
 FLOOR = {
     "x": 1e-9,
     "vx": 1e-4,
@@ -146,7 +148,7 @@ def _groups(columns):
 
 
 def finite(figures):
-    """Columns with NaN or infinite values."""
+    """Return the columns with NaN or infinite values."""
     return [
         f"{name} {column}"
         for name, (columns, table) in figures.items()

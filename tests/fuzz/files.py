@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Files that commands read: runs, shafts, sweeps, data sets; intact, and damaged on purpose."""
+"""Files that commands read (runs, shafts, sweeps, data sets), either intact or damaged on
+purpose.
+"""
 
 import shutil
 
@@ -24,7 +26,7 @@ TABLES = {
 
 
 def runs(folder):
-    """Run the small decks once; return their folders."""
+    """Run the small decks once and return their folders."""
     for name, variables in RUNS.items():
         succeed("inputs/in.6208", out=folder / name, **SHORT, **variables)
     succeed("inputs/in.many", out=folder / "many", bearings=3, time=2e-3, sample=5e-4, record="all")
@@ -32,7 +34,7 @@ def runs(folder):
 
 
 def tables(folder, draw):
-    """Copies of the shipped tables, half of them damaged."""
+    """Write copies of the shipped tables, half of them damaged."""
     made = {}
     for command, sources in TABLES.items():
         for number, file in enumerate(sources):
@@ -91,7 +93,7 @@ def spoil_text(draw, text):
 
 
 def damaged(draw, run, folder):
-    """A copy of a run in which bytes of one file are changed, cut or swapped."""
+    """Write a copy of a run in which bytes of one file are changed, cut or swapped."""
     to = folder / "damaged"
     shutil.copytree(run, to)
     files = sorted(file for file in to.iterdir() if file.is_file() and file.stat().st_size)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Decks damaged on purpose: words and lines swapped, dropped, repeated or added. They may end in
-any message, but not in a crash, a hang, or NaN."""
+"""Decks damaged on purpose by swapping, dropping, repeating or adding words and lines. They may end
+with any message, but not with a crash, a hang, or NaN."""
 
 import re
 from contextlib import suppress
@@ -76,7 +76,8 @@ def _add(draw, lines):
 
 
 def check(draw, text, lab):
-    """Run a damaged deck and return "passed" or "refused"; raises Finding."""
+    """Run a damaged deck and return "passed" or "refused". Raise Finding if it fails in another
+    way."""
     text = spoil(draw, text)
     if not affordable(text):
         return "refused"
@@ -97,7 +98,7 @@ def _finite(file):
 
 
 def affordable(text):
-    """True if the runs and steps of a deck are short; a simulated second takes minutes."""
+    """Return True if the runs and steps of a deck are short; a simulated second takes minutes."""
     for word, most in (("run", 2e4), ("timestep", 1e-3)):
         for number in re.findall(rf"^{word} (\S+)", text, re.M):
             with suppress(ValueError):

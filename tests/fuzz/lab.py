@@ -12,7 +12,7 @@ from fuzz.pose import UPRIGHT
 from host import run
 
 HOSTS = {"liggghts": "liggghts", "lammps": "lammps", "plugin": "wheel", "sanitized": "sanitized"}
-# limit for a run that takes 0.1 s on an idle machine, up to a hundred times longer on a busy one
+# limit for a run that takes 0.1 s on an idle machine but up to a hundred times longer on a busy one
 SECONDS = 600
 CRASH = re.compile(
     r"Segmentation|Aborted|Traceback|terminate called|AddressSanitizer|runtime error|stack smashing"
@@ -24,7 +24,7 @@ LATER = re.compile(
     r"|bearing/timestep: step \S+ s exceeds what"
 )
 
-# stack frames of crashes that occur in the host without the package, too
+# stack frames of crashes that also occur in the host without the package
 HOSTS_OWN = re.compile(r"DumpLocal10init_style|DumpCustom10init_style")
 
 
@@ -33,7 +33,7 @@ class Finding(Exception):
 
 
 class Refused(Exception):
-    """The first deck of a case was refused, which ends the case."""
+    """Raised if the first deck of a case is rejected, which ends the case."""
 
 
 @dataclass
@@ -70,13 +70,13 @@ class Lab:
         return end
 
     def figures(self, scene, name="first", pose=UPRIGHT, ranks=1, host=None, text=None, **options):
-        """Figures of a scene's run, in the scene's own frame."""
+        """Return the results of a scene's run, in the scene's own frame."""
         end = self.start(text or deck(scene, pose, **options), name, ranks, host)
         if end.code:
             message = end.error.splitlines()[0]
             if name == "first" or LATER.search(message):
                 raise Refused(message)
-            raise Finding(f"only run {name} is refused: {message}")
+            raise Finding(f"only run {name} is rejected: {message}")
         values = figures.read(self.folder / name, scene, pose)
         if bad := figures.finite(values):
             raise Finding(f"not finite: {name}: {', '.join(bad[:8])}")
@@ -84,7 +84,7 @@ class Lab:
 
 
 def same(first, second, tolerance, what):
-    """Check that the figures of two runs agree."""
+    """Check that the results of two runs agree."""
     if found := figures.differences(first, second, tolerance):
         words = "; ".join(
             f"{table} {column} differs by {share:.2g} at sample {sample}"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs of the main deck with a few of its variables set: resumed, in another host, on several
-ranks, and read by `raceway summary`."""
+"""Runs the main deck with a few of its variables set; the run is resumed, repeated in another host
+or on several ranks, or read by `raceway summary`."""
 
 import json
 import math
@@ -15,7 +15,7 @@ from host import run
 
 SHORT = {"passes": 1, "samples": 20, "settle": 0.1}
 WAYS = ("resume", "hosts", "ranks", "summary")
-# variables that describe the run, not the bearing
+# variables that describe the run rather than the bearing
 TIMING = ("wall_s", "processor_s", "created", "ranks", "host", "program", "evaluations", "history")
 
 
@@ -30,7 +30,7 @@ def variables(draw):
 
 
 def check(draw, folder, host):
-    """Run one case and return the check that was made. Raises Finding or Refused."""
+    """Run one case and return the check that was made. Raise Finding or Refused."""
     given, way = variables(draw), draw.choice(WAYS)
     first = _run(folder / "first", host, given, first=True)
     if way == "resume":
@@ -67,7 +67,7 @@ def _run(folder, host, given, ranks=1, first=False):
         message = end.error.splitlines()[0]
         if first or LATER.search(message):
             raise Refused(message)
-        raise Finding(f"only run {folder.name} is refused: {given}: {message}")
+        raise Finding(f"only run {folder.name} is rejected: {given}: {message}")
     return _record(folder)
 
 
@@ -98,7 +98,7 @@ def _same(first, second, given, what):
 def _summary(folder, given):
     end = child.raceway(["summary", str(folder / "first"), "--json"], folder)
     if end.code:
-        raise Finding(f"summary refuses a finished run: {given}: {end.error[:300]}")
+        raise Finding(f"summary rejects a finished run: {given}: {end.error[:300]}")
     for name, value in json.loads(end.out, parse_constant=float).items():
         if isinstance(value, float) and not math.isfinite(value):
             raise Finding(f"summary: {given}: {name} is {value}")

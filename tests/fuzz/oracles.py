@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Relations between runs that hold for every scene. Each function takes the scene, its figures and
-the lab, and raises a Finding if the relation is violated."""
+"""Relations between runs that are valid for every scene. Each function takes the scene, its results
+and the lab, and raises a Finding if the relation is violated."""
 
 import json
 import re
@@ -13,7 +13,8 @@ from fuzz.lab import HOSTS, Finding, same
 from fuzz.pose import MIRRORS, TURNS, UPRIGHT
 from fuzz.rewrites import REWRITES
 
-# Rounding differs between poses; the solver's tolerance and contacts that open and close amplify it
+# Rounding differs between poses; the solver's tolerance and contacts that open and close amplify
+# it.
 POSED = 1e-3
 EXTRA = (
     "compute extra balls bearing/ball azimuth inner_load outer_load",
@@ -24,7 +25,7 @@ EXTRA = (
 
 
 def turn(scene, first, lab, draw):
-    """A bearing with another direction of its axis and of its first ball has the same figures."""
+    """A bearing with another direction of its axis and of its first ball gives the same results."""
     _posed(scene, first, lab, draw.choice(TURNS), "turned")
 
 
@@ -48,10 +49,10 @@ def _posed(scene, first, lab, pose, name):
 
 
 def _near(scene, first, lab, what, changes):
-    """Check that figures stay equal with the options `changes(scene)` of a run. Two kinds of
-    difference are allowed: one that a rounding-size change of the scene causes as well, for balls
-    at the limit of contact; and one of the size of the integrator's error, caused by rounding, that
-    vanishes as the tolerance becomes finer."""
+    """Check that the results stay equal with the options `changes(scene)` of a run. Two kinds of
+    difference are allowed: a difference that is also caused by a change of the scene at rounding
+    level, for balls at the limit of contact; and a difference of the size of the integrator's error
+    that is caused by rounding and vanishes as the tolerance is reduced."""
     other = lab.figures(scene, "changed", **changes(scene))
     if not figures.differences(first, other, POSED):
         return
@@ -77,7 +78,8 @@ def _near(scene, first, lab, what, changes):
 
 
 def restart(scene, first, lab, draw):
-    """write_restart and read_restart at a sample give the same bits as a run split there."""
+    """A restart from write_restart and read_restart at a sample is bitwise identical to a run split
+    there."""
     steps = scene["every"] * draw.randint(1, scene["samples"] - 1)
     whole = lab.figures(scene, "split", split=steps, restart="write")
     (lab.folder / "resumed").mkdir()
@@ -94,7 +96,7 @@ def restart(scene, first, lab, draw):
 
 
 def observe(scene, first, lab, draw):
-    """Computes, a record and a step check change no bit."""
+    """Computes, a record and a step check leave the results bitwise identical."""
     more = [words.format(every=scene["every"]) for words in EXTRA]
     more = draw.sample(more, draw.randint(1, len(more)))
     if "compute most" in str(more):
@@ -120,7 +122,8 @@ def rewrite(scene, first, lab, draw):
 
 
 def neighbour(scene, first, lab, draw):
-    """A second bearing of the same kind, displaced along the axis, changes no bit."""
+    """A second bearing of the same kind, displaced along the axis, leaves the results bitwise
+    identical."""
     lines, width = deck(scene).splitlines(), 3 * scene["diameter"]
     at = next(k for k, line in enumerate(lines) if line.startswith("create_bearing"))
     words = re.sub("centre 0 0 0", f"centre 0 0 {width:.17g}", lines[at])
@@ -133,7 +136,7 @@ def neighbour(scene, first, lab, draw):
         else re.sub(r"^group (\w+) type (.*)", r"group \1 type \2", line)
         for line in lines
     ]
-    # dumps and the capacitance cover the first bearing only; forces act on both
+    # dumps and the capacitance cover only the first bearing, whereas forces act on both
     lines = [re.sub(r"^(dump atoms) all", r"\1 first", line) for line in lines]
     lines = [
         re.sub(r"^(compute contacts|dump contacts|fix cap) balls", r"\1 first_balls", line)
@@ -150,7 +153,7 @@ def neighbour(scene, first, lab, draw):
 
 
 def shaft(scene, first, lab, draw):
-    """A shaft of one ring behaves like that ring."""
+    """A shaft with one ring behaves like that ring."""
     if "unbalance" in deck(scene) or scene["gravity"]:
         return
     ring, shaft = (f"fix ring_inner inner bearing/{word}" for word in ("ring", "shaft"))
@@ -167,7 +170,8 @@ def rest(scene, first, lab, draw):
     statics.check(scene, lab)
 
 
-# figures of a record's summary that do not depend on the pose; force and shift may turn
+# Quantities in the summary of a record that do not depend on the pose; the directions of force and
+# shift rotate with it.
 SCALARS = (
     "ring_shift_m load_parameter q_max_N q_inner_max_N q_outer_max_N p_max_inner_Pa p_max_outer_Pa "
     "entrainment_speed_m_s h_min_m h_c_m lambda capacitance_F capacitance_top_F "
@@ -176,7 +180,7 @@ SCALARS = (
 
 
 def read(scene, first, lab, draw):
-    """`raceway summary` of a record gives the same figures for every pose."""
+    """`raceway summary` of a record gives the same results for every pose."""
     columns, table = first["contacts"]
     if not table[..., columns.index("load")].max(initial=0) > 1e-12:
         return  # N; rounding decides which balls touch
@@ -204,7 +208,8 @@ def _alike(a, b):
 
 
 def energy(scene, first, lab, draw):
-    """Work, dissipation and storage balance to 1e-3, or converge to it with shorter substeps."""
+    """Work, dissipation and storage balance to 1e-3, or converge to a balance with shorter
+    substeps."""
     jumps = any("position" in str(scene[ring]) for ring in ("inner", "outer"))  # no work defined
     if scene["implicit"] is None or "solve" in scene["implicit"] or jumps:
         return
@@ -218,13 +223,13 @@ def energy(scene, first, lab, draw):
         terms.append(f'fix account all print {steps} "{values}" file ${{out}}/energy.txt screen no')
         end = lab.start("\n".join([*text[:-1], *terms, text[-1], ""]), "energy")
         if end.code:
-            raise Finding(f"the run is refused when energy is added: {end.error.splitlines()[0]}")
+            raise Finding(f"the run is rejected when energy is added: {end.error.splitlines()[0]}")
         rows = np.loadtxt(lab.folder / "energy" / "energy.txt", comments="#", ndmin=2)
         before, (*account, own) = share, abs(rows[-1])
         share = own / (max(account) + 1e-12)
         if share <= 1e-3:
             return
-    raise Finding(f"energy: a share of {share:.2g} is missing, {before:.2g} with longer substeps")
+    raise Finding(f"energy: a fraction {share:.2g} is missing, {before:.2g} with longer substeps")
 
 
 ORACLES = {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Signs, sums and balances of the figures of one run."""
+"""Checks of signs, sums and balances in the results of one run."""
 
 import numpy as np
 from fuzz.deck import LOSSES, SUMS
@@ -13,7 +13,7 @@ def check(scene, figures, folder):
     names, rings = figures["rings"]
     ring = {name: rings[..., names.index(name)] for name in names}
     law = set(scene["law"].split())
-    gap = law & {"gap", "gap_film"}  # contacts then start before the surfaces touch
+    gap = law & {"gap", "gap_film"}  # contacts then begin before the surfaces touch
     springs = scene["implicit"] is None or law & {"heathcote", "slices"}
     for name in ("a", "b", "pressure", "h_min", "lambda", *([] if gap else ["overlap"])):
         if name in of and (of[name][touching] < 0).any():
@@ -30,7 +30,7 @@ def check(scene, figures, folder):
 
 
 def _sums(scene, of, touching, ring):
-    """The forces on every ring are sums over its contacts."""
+    """Check that the forces on every ring are sums over its contacts."""
     inner = ring["ring"].argmin(axis=1)
     for side in (0, 1):
         pick = inner if side == 0 else 1 - inner

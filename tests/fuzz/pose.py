@@ -27,7 +27,7 @@ class Pose:
 
     @property
     def hand(self):
-        """-1 for a reflection."""
+        """-1 for a reflection, otherwise 1."""
         return round(np.linalg.det(self.matrix))
 
     @property
@@ -41,21 +41,21 @@ class Pose:
         return self.hand * self.signs[2]
 
     def polar(self, vector):
-        """A displacement, velocity or force in lab axes."""
+        """Return a displacement, velocity or force in lab axes."""
         return [float(value) for value in self.matrix @ vector]
 
     def axial(self, vector):
-        """A spin, a tilt or a moment."""
+        """Return a spin, a tilt or a moment in lab axes."""
         return [self.hand * value for value in self.polar(vector)]
 
     def azimuth(self, own):
-        """The azimuth in the lab, measured from the axis that follows the bearing's axis."""
+        """Return the azimuth in the lab, measured from the axis that follows the bearing's axis."""
         lab = self.polar([math.cos(own), math.sin(own), 0])
         first, second = (self.axis + 1) % 3, (self.axis + 2) % 3
         return math.atan2(lab[second], lab[first])
 
     def back(self, vectors, axial=False):
-        """Components in the scene's frame of vectors (n, 3) in the lab."""
+        """Return the components in the scene's frame of vectors (n, 3) given in the lab."""
         return (np.asarray(vectors) @ self.matrix) * (self.hand if axial else 1)
 
 

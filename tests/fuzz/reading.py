@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Command lines on intact and damaged files. Damaged files may be refused, but must change no
-figure."""
+"""Command lines applied to intact and damaged files. Damaged files may be rejected, but must not
+change any result."""
 
 import json
 import math
@@ -10,7 +10,8 @@ from fuzz.lab import Finding
 
 
 def check(draw, folder, runs):
-    """Run a command line and return "passed" or "refused"; raises Finding."""
+    """Run a command line and return "passed" or "refused". Raise Finding if it fails in another
+    way."""
     damage, places, whole = "", runs, draw.choice(runs)
     if draw.chance(0.3):
         place, damage = files.damaged(draw, whole, folder)
@@ -32,7 +33,7 @@ def check(draw, folder, runs):
                 child.raceway(again, folder).out.replace(str(whole), str(places[0]))
             )
             if told != before:
-                raise Finding(f"damage changes the figures of {words}: {damage}")
+                raise Finding(f"damage changes the results of {words}: {damage}")
     return "refused" if end.code else "passed"
 
 

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Equivalent forms of a deck: no bit of its figures may change."""
+"""Equivalent forms of a deck, whose results must be bitwise identical."""
 
 import re
 
 
 def formula(lines, draw):
-    """Replaces the number of a load, speed or position by an equal-style variable."""
+    """Replace the number of a load, speed or position by an equal-style variable."""
     found, out = 0, []
     for line in lines:
         if line.startswith("fix ring_"):
@@ -22,10 +22,10 @@ def formula(lines, draw):
 
 
 def own_keywords(lines, draw):
-    """Repeats the keywords of pair_style in each raceway's pair_coeff."""
+    """Repeat the keywords of pair_style in each raceway's pair_coeff."""
     style = next(line for line in lines if line.startswith("pair_style"))
     law = style.split("overlap_limit")[1].split(None, 1)[1:]
-    if not law or " gap" in style or "branch" in style:  # these apply to all raceways
+    if not law or " gap" in style or "branch" in style:  # these keywords apply to all raceways
         return None
     return [f"{line} {law[0]}" if re.match("pair_coeff 1 [34]", line) else line for line in lines]
 
@@ -39,14 +39,14 @@ def every(lines, draw):
 
 
 def order(lines, draw):
-    """Writes fixes of flaws, rings and motion in another order."""
+    """Write fixes of flaws, rings and motion in another order."""
     at = [k for k, line in enumerate(lines) if re.match("fix (flaw|ring_|move)", line)]
     moved = draw.sample(at, len(at))
     return [lines[moved[at.index(k)]] if k in at else line for k, line in enumerate(lines)]
 
 
 def twice(lines, draw):
-    """Defines rings and flaws, deletes them and defines them again."""
+    """Define rings and flaws, delete them and define them again."""
     out = []
     for line in lines:
         out.append(line)
@@ -56,7 +56,7 @@ def twice(lines, draw):
 
 
 def skin(lines, draw):
-    """Changes the neighbour skin and the method of the search."""
+    """Change the neighbour skin and the search method."""
     return [
         re.sub(r"^neighbor (\S+) bin", lambda m: f"neighbor {2 * float(m.group(1)):g} nsq", line)
         for line in lines
@@ -64,7 +64,7 @@ def skin(lines, draw):
 
 
 def box(lines, draw):
-    """A larger box."""
+    """Enlarge the box."""
     return [
         "region box block "
         + " ".join(

@@ -32,8 +32,8 @@ FINDINGS = ROOT / "build" / "fuzz"
 
 
 def judge(name, seed, host, drawn=None, runs=None):
-    """(verdict, message) of a case: a scene under an oracle, a damaged deck, a command line, a run
-    of the main deck."""
+    """Return (verdict, message) for a case: a scene under an oracle, a damaged deck, a command
+    line, or a run of the main deck."""
     draw = Draw(f"{seed} {name}")
     with tempfile.TemporaryDirectory() as folder:
         lab = Lab(Path(folder), host)
@@ -57,7 +57,7 @@ def judge(name, seed, host, drawn=None, runs=None):
 
 
 def oracle(seed):
-    """The kind of case that belongs to a seed."""
+    """Return the kind of case that belongs to a seed."""
     return Draw(seed).choices(list(SHARES), SHARES.values())[0]
 
 
@@ -83,7 +83,7 @@ def report(name, seed, host, message):
 
 
 def series(seeds, host, only=None, runs=None, tell=lambda *words: None):
-    """Verdicts of many cases, and the messages of the findings."""
+    """Return the verdicts of many cases, and the messages of the findings."""
     count, found = Counter(), []
     with tempfile.TemporaryDirectory() as folder:
         for seed in seeds:
@@ -99,7 +99,7 @@ def series(seeds, host, only=None, runs=None, tell=lambda *words: None):
 
 
 def replay(file, host=None):
-    """(verdict, message) of a finding that was saved to a file."""
+    """Return (verdict, message) for a finding that was saved to a file."""
     found = yaml.safe_load(Path(file).read_text())
     name, seed, scene_found = found["oracle"], found["seed"], found.get("scene")
     with tempfile.TemporaryDirectory() as folder:
@@ -109,11 +109,11 @@ def replay(file, host=None):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--seed", type=int, default=1, help="of the first case")
+    parser.add_argument("--seed", type=int, default=1, help="seed of the first case")
     parser.add_argument("--cases", type=int, default=100)
     parser.add_argument("--host", choices=HOSTS, default="liggghts")
-    parser.add_argument("--oracle", choices=SHARES, help="only this one")
-    parser.add_argument("--replay", metavar="FILE", help="a finding of build/fuzz")
+    parser.add_argument("--oracle", choices=SHARES, help="run only this oracle")
+    parser.add_argument("--replay", metavar="FILE", help="replay a finding from build/fuzz")
     options = parser.parse_args()
     if options.replay:
         verdict, message = replay(options.replay)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A scene: one bearing, its rings' degrees of freedom and loads, flaws and time steps, in its own
-frame (x, y across its axis z). deck.py places it in the lab."""
+"""A scene consists of one bearing, its rings' degrees of freedom and loads, flaws and time steps,
+in its own frame (x, y across its axis z). deck.py places it in the lab."""
 
 import math
 
@@ -11,7 +11,8 @@ FREEDOMS = ("x", "y", "z", "rx", "ry")
 
 
 def scene(seed):
-    """The scene of a seed as plain data, from which parts can be removed one by one (shrink.py)."""
+    """Return the scene of a seed as plain data, from which parts can be removed one by one
+    (shrink.py)."""
     draw = Draw(seed)
     film = draw.chance(0.65)
     bearing = _bearing(draw)
@@ -88,7 +89,7 @@ def _time(draw, implicit, bearing):
     every, samples = draw.number(ranges["steps"]), draw.number(ranges["samples"])
     if implicit:
         return {"step": draw.number(ranges["step"]), "every": every, "samples": samples}
-    # a step short enough for velocity Verlet, and more steps
+    # the step is short enough for velocity Verlet, so there are more steps
     step = 1.0e-7 * bearing["diameter"] / 12.6e-3
     return {"step": float(f"{step:.3g}"), "every": 20 * every, "samples": samples}
 

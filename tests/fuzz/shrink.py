@@ -29,7 +29,7 @@ PLAIN_RING = {
 
 
 def shrink(scene, fails):
-    """The smallest scene found for which `fails(scene)` holds."""
+    """Return the smallest scene found for which `fails(scene)` is true."""
     again = True
     while again:
         again = False

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Loads of a run at rest compared with statics in Python: the scene's bearing and load without
-friction, film and speed, with strong damping."""
+"""Loads of a run at equilibrium are compared with statics in Python, for the scene's bearing and
+load without friction, film and speed, with strong damping."""
 
 import numpy as np
 from fuzz.lab import Finding
@@ -9,11 +9,12 @@ from raceway import static
 from raceway.errors import NoEquilibrium
 from raceway.theory.bearing import Bearing, Layout
 
-SHARE = 2e-2  # share of the largest load: balls roll slightly while the run comes to rest
+# Fraction of the largest load; balls roll slightly while the run approaches equilibrium.
+SHARE = 2e-2
 
 
 def rest(scene):
-    """The scene at rest, or None if nothing holds its ring."""
+    """Return the scene at rest, or None if nothing holds its ring."""
     ring = dict(scene["inner"])
     ring |= {"mass": 0.02, "inertia": [2e-6, 2e-6], "ramp": 0, "rotating": None, "unbalance": None}
     ring |= {"spin": 0, "supports": {}}
@@ -27,7 +28,7 @@ def rest(scene):
             ring["supports"][name] = [1.0 * scale, 3e3 * scale]
     still = {"film": False, "law": "hysteresis 5", "speed": [0, 0], "implicit": "order 1"}
     still |= {"step": 5.0e-5, "every": 20, "samples": 5, "outer": None, "gravity": None}
-    # a seat is a displacement, which a held ring would keep
+    # a seat is a displacement, which would persist if the ring is held
     still |= {} if ring["freedoms"]["z"] == ["free"] else {"seat": 0}
     return scene | still | {"flaws": [], "capacitance": None, "inner": ring, "cage": None}
 
@@ -45,7 +46,7 @@ def check(scene, lab):
         return False
     columns, table = figures["contacts"]
     last, before = table[-1], table[-2]
-    # a ball beside the load line carries a larger load than the force across that line
+    # a ball next to the load line carries a larger load than the force across that line
     lever = np.sin(min(2 * np.pi / scene["balls"], np.pi / 2))
     if _unrest(still["inner"], scene["grooves"][0][0], *figures["rings"]) > SHARE * lever:
         return False
@@ -66,7 +67,7 @@ def check(scene, lab):
 
 
 def _unrest(ring, radius, names, table):
-    """Share of the load that the contacts do not carry yet."""
+    """Return the fraction of the load that the contacts do not carry yet."""
     row = table[-1, table[-1, :, 0].argmin()]
     loads = zip(("fx", "fy", "fz", "mx", "my"), [*ring["force"], *ring["moment"]], strict=True)
     free = [

@@ -13,7 +13,7 @@ FOUND = sorted((Path(__file__).parent / "found").glob("*.yaml"))
 
 @pytest.fixture(scope="module")
 def runs(tmp_path_factory):
-    """Runs that the commands read."""
+    """Return runs that the commands read."""
     return files.runs(tmp_path_factory.mktemp("runs"))
 
 
@@ -44,7 +44,7 @@ def test_what_it_found(file):
     ],
 )
 def test_ends_that_a_longer_run_may_have(tmp_path, monkeypatch, end, verdict):
-    """Only the second run of a case may end like this."""
+    """Only the second run of a case may end in this way."""
     ended = lab.Lab(tmp_path)
     outcome = SimpleNamespace(code=1, text=end, error=end)
     monkeypatch.setattr(lab, "run", lambda *words, **options: outcome)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs the cases of cases.yaml and their references, and measures the differences."""
+"""Runs the cases in cases.yaml and their references, and measures the differences."""
 
 import re
 from pathlib import Path
@@ -15,8 +15,8 @@ DECK = "tests/hard/in.hard"
 BALLS = 9  # every case is a 6208
 _data = yaml.safe_load((Path(__file__).parent / "cases.yaml").read_text())
 CASES, BOUNDS, EXPLICIT = _data["cases"], _data["bounds"], _data["explicit"]
-# Settings of the references "fine" and of all comparisons of the fix with its own finer runs; they
-# do not depend on the defaults.
+# Settings of the references "fine" and of all comparisons of the fix with finer runs of its own;
+# they do not depend on the defaults.
 FINE = "tolerance 1e-10"
 # `Course.error` of a run that ended normally but with fewer atoms
 LOST = "atoms were lost without an error message"
@@ -34,7 +34,7 @@ class Course(NamedTuple):
     ring: np.ndarray  # (samples, 3), m: inner ring
     step: float  # s, mean of the internal steps
     smallest: float  # s, smallest internal step
-    refused: int  # number of refused internal steps
+    refused: int  # number of rejected internal steps
     wall: float  # s, wall time of the host's loop
     simulated: float  # s, simulated time
     text: str
@@ -42,7 +42,8 @@ class Course(NamedTuple):
 
 
 def run(folder, case, **over):
-    """The `Course` of one case; `over` contains deck variables that replace those of the case."""
+    """Return the `Course` of one case; `over` contains deck variables that replace those of the
+    case."""
     variables = {
         "samples": 400,
         "sample": 1e-4,
@@ -105,8 +106,8 @@ def _arrays(folder, balls, wet):
 
 
 def reference(kind, folder, case, refine=1):
-    """The `Course` of a reference run (verlet, history, fine), with steps finer than specified by
-    the factor `refine`."""
+    """Return the `Course` of a reference run (verlet, history, fine), with steps finer than
+    specified by the factor `refine`."""
     sample = float(case["variables"].get("sample", 1e-4))
     substeps = max(1, round(refine * sample / float(case["references"][kind]["step"])))
     words = {
@@ -118,7 +119,7 @@ def reference(kind, folder, case, refine=1):
 
 
 def statics(found, case):
-    """(samples, loads (sample, 2, balls) in N) of static equilibria with the balls at their
+    """Return (samples, loads (sample, 2, balls) in N) for static equilibria with the balls at their
     positions in `found`."""
     v, words = case["variables"], case["references"]["statics"]
     bearing = Bearing(
@@ -159,14 +160,14 @@ class Figures(NamedTuple):
 
     load: float  # relative to the peak load
     orbit: float  # relative to the largest cage speed
-    # relative to the film or to 0.1 um, the roughness, whichever is larger, for contacts that carry
-    # over 1 % of the peak in both courses; nan if dry
+    # relative to the film thickness or to 0.1 um, the roughness, whichever is larger, for contacts
+    # that carry over 1 % of the peak in both courses; nan if dry
     film: float
 
 
 def compare(found, truth, after=0, every=1):
-    """`Figures` of two courses, starting from sample `after` of `truth`; `found` contains only
-    every `every`-th sample of `truth`."""
+    """Return the `Figures` for two courses, starting from sample `after` of `truth`; `found`
+    contains only every `every`-th sample of `truth`."""
     first = -(-after // every)
     load, film, orbit = (table[::every][first:] for table in (truth.load, truth.film, truth.orbit))
     mine, my_film, my_orbit = (table[first:] for table in (found.load, found.film, found.orbit))
@@ -181,8 +182,8 @@ def compare(found, truth, after=0, every=1):
 
 
 def before_whirl(course, limit):
-    """The course up to 20 ms before the inner ring starts to whirl. The ring whirls when the sum of
-    the inner loads stays above `limit` (N) for 10 ms."""
+    """Return the course up to 20 ms before the inner ring starts to whirl. The ring whirls when the
+    sum of the inner loads stays above `limit` (N) for 10 ms."""
     a_sample = course.simulated / (len(course.load) - 1)
     window = round(10e-3 / a_sample)
     total = np.convolve(course.load[:, 0].sum(1), np.ones(window) / window, "valid")
@@ -191,15 +192,15 @@ def before_whirl(course, limit):
 
 
 class Average(NamedTuple):
-    """A time average and its statistical error, which follows from the scatter of ten blocks about
-    their trend."""
+    """A time average and its statistical error, which is computed from the scatter of ten blocks
+    about their trend."""
 
     mean: float
     error: float
 
 
 def averages(course, after=0, every=1):
-    """{name: `Average`} of the time averages by which a chaotic case is judged."""
+    """Return {name: `Average`} for the time averages by which a chaotic case is judged."""
     first = -(-after // every)
     load, orbit = course.load[first:], course.orbit[first:]
     inner, outer = load[:, 0] > 0, load[:, 1] > 0
@@ -207,8 +208,8 @@ def averages(course, after=0, every=1):
         "sum of inner loads": load[:, 0].sum(1),
         "outer load": load[:, 1].mean(1),
         "cage speed": orbit.mean(1),
-        "share of balls on the inner ring": inner.mean(1),
-        "share of balls on no ring": (~inner & ~outer).mean(1),
+        "fraction of balls on the inner ring": inner.mean(1),
+        "fraction of balls on no ring": (~inner & ~outer).mean(1),
     }
     result = {}
     for name, values in series.items():
@@ -219,9 +220,9 @@ def averages(course, after=0, every=1):
 
 
 def full(folder, case, truth=None):
-    """The courses of the implicit step and of velocity Verlet with the models `full`, with the cage
-    tolerance and control that the decks use, and the `Verdict` on the first course, compared with
-    the second. If `truth` is given, velocity Verlet is not run again."""
+    """Return the courses of the implicit step and of velocity Verlet with the models `full`, with
+    the cage tolerance and control that the decks use, and the `Verdict` from comparing the first
+    course with the second. If `truth` is given, velocity Verlet is not run again."""
     film = "full_dry" if case["variables"].get("lubricant") == "dry" else "full"
     words = {"step": 5e-7, "after": 0, "last": None, **case.get("full", {})}
     own = case.get("control", "") + " cage_tolerance 1e-6 control estimate"
@@ -240,7 +241,7 @@ def full(folder, case, truth=None):
 
 
 class Verdict(NamedTuple):
-    """A figure and its bound, with additional information."""
+    """A measured difference and its bound, with additional information."""
 
     figure: float
     bound: float
@@ -259,14 +260,16 @@ class Verdict(NamedTuple):
 
 
 def judge(found, truth, case, words, every=1):
-    """`Verdict` on a course compared with another one, with the settings (`bound`, `after`) of a
-    reference or of `large`."""
+    """Return the `Verdict` from comparing a course with another one, with the settings (`bound`,
+    `after`) of a reference or of `large`."""
     bound, after = BOUNDS[words["bound"]]["value"], words.get("after", 0)
     if case.get("chaotic"):
         full = len(found.load)
         found, truth = (before_whirl(course, case["whirl"]) for course in (found, truth))
         if min(len(found.load) * every, len(truth.load)) < 3 * after:
-            return Verdict(np.inf, bound, "the ring whirls too early to judge the time before")
+            return Verdict(
+                np.inf, bound, "the ring whirls too early for the time before to be judged"
+            )
         verdict = _judge_averages(averages(found, after, every), averages(truth, after), bound)
         whirls = (
             f"; the ring whirls from sample {len(found.load)} of {full}"
@@ -279,18 +282,18 @@ def judge(found, truth, case, words, every=1):
 
 
 def _judge_averages(found, truth, bound):
-    """`Verdict` on the average with the largest difference relative to its bound. Differences of
-    loads and speeds are relative, differences of shares absolute. A run with occasional bursts has
-    a large statistical error, so bounds are limited to a half."""
+    """Return the `Verdict` for the average with the largest difference relative to its bound.
+    Differences in loads and speeds are relative, differences in fractions absolute. A run with
+    occasional bursts has a large statistical error, so bounds are limited to a half."""
     verdicts = []
     for name, (mean, error) in truth.items():
-        scale = 1 if name.startswith("share") else mean
+        scale = 1 if name.startswith("fraction") else mean
         statistical = np.hypot(error, found[name].error) / scale
         verdicts.append(
             Verdict(
                 abs(found[name].mean - mean) / scale,
                 min(bound + 3 * statistical, 0.5),
-                f"{name} {found[name].mean:.4g}, should be {mean:.4g} within {bound:g} and 3 x"
+                f"{name} {found[name].mean:.4g}, expected {mean:.4g} within {bound:g} and 3 x"
                 f" {statistical:.2g}",
             )
         )
@@ -298,8 +301,8 @@ def _judge_averages(found, truth, bound):
 
 
 def least_room(course, truths, case):
-    """The `Verdict` with the figure nearest to its bound over all references of the case; `truths`
-    contains the courses of the reference runs."""
+    """Return the `Verdict` closest to its bound over all references of the case; `truths` contains
+    the courses of the reference runs."""
     verdicts = [
         judge_statics(course, case)
         if kind == "statics"
@@ -310,13 +313,13 @@ def least_room(course, truths, case):
 
 
 def truths_of(folder, case):
-    """{kind: `Course`} of the reference runs of a case."""
+    """Return {kind: `Course`} for the reference runs of a case."""
     return {kind: reference(kind, folder, case) for kind in case["references"] if kind != "statics"}
 
 
 def judge_statics(found, case):
-    """`Verdict` on the largest difference from static loads, relative to the largest static
-    load."""
+    """Return the `Verdict` for the largest difference from static loads, relative to the largest
+    static load."""
     picked, loads = statics(found, case)
     return Verdict(
         np.abs(found.load[picked] - loads).max() / loads.max(),
@@ -325,7 +328,7 @@ def judge_statics(found, case):
 
 
 def coarse(folder, case):
-    """The course of the case with a host step that is deliberately too large."""
+    """Return the course of the case with a host step that is deliberately too large."""
     factor = case["large"]["factor"]
     return run(
         folder,
@@ -336,7 +339,7 @@ def coarse(folder, case):
 
 
 def first_samples(course, count):
-    """The first `count` samples after the start of a course."""
+    """Return the first `count` samples after the start of a course."""
     return course._replace(
         **{
             name: getattr(course, name)[: count + 1]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Drift and energy of a 6208 at 5 kN and 477.5 rpm over many simulated seconds, with few samples
-per ball pass."""
+"""Measures drift and energy balance of a 6208 at 5 kN and 477.5 rpm over many simulated seconds,
+with few samples per ball pass."""
 
 import re
 from typing import NamedTuple
@@ -12,7 +12,7 @@ from hard.harness import BALLS, Course, run
 PER_PASS = 12  # samples per ball pass
 PASS = 2 * np.pi / (BALLS * 0.5 * 50 * (1 - 6.3 / 30.3))  # s, kinematic duration of a ball pass
 SAMPLE = PASS / PER_PASS
-SETTLED = 10  # ball passes before the first averaged second
+SETTLED = 10  # ball passes before the first second over which means are taken
 
 
 class Drift(NamedTuple):
@@ -29,7 +29,9 @@ class Drift(NamedTuple):
 
 
 def long_run(folder, seconds, control="energy yes", substeps=4) -> Course:
-    """The course of a run that writes every sample, with `substeps` host steps per sample."""
+    """Return the course of a run that writes every sample, with `substeps` host steps per
+    sample.
+    """
     case = {
         "variables": {
             "inner": "x free y free spin speed 50 force 0 -5000 0 ramp 3.0e-3",
@@ -43,8 +45,8 @@ def long_run(folder, seconds, control="energy yes", substeps=4) -> Course:
 
 
 def drifts(course):
-    """{quantity: `Drift`}. Each ball pass gives one value; the scatter of these values yields the
-    error of the means."""
+    """Return {quantity: `Drift`}. Each ball pass gives one value; the scatter of these values
+    determines the error of the means."""
     size = round(1 / PASS)
     found = {}
     for name, series in {
@@ -79,6 +81,7 @@ class Account(NamedTuple):
 
 
 def account(course):
-    """`Account` of the energies of a course, from the line ENERGY printed by report.implicit."""
+    """Return the `Account` for the energies of a course, from the line ENERGY printed by
+    report.implicit."""
     line = r"^ENERGY work (\S+) own (\S+) dissipated (\S+) stored (\S+)"
     return Account(*map(float, re.search(line, course.text, re.MULTILINE).groups()))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Speed of the hard cases with host steps as long as their loads allow, both with a record and
-without output; and steps of the error control relative to the natural periods."""
+"""Measures the speed of the hard cases with host steps as long as their loads allow, with a record
+and without output, and the steps of the error control relative to the natural periods."""
 
 import re
 import statistics
@@ -14,17 +14,18 @@ from host import liggghts
 from hard.harness import DECK, coarse, first_samples, judge, least_room, run
 
 RUNS = 3  # number of repeated runs; their median counts
-# in ascending order, m: the coarsest one that meets the bounds gives the steps needed per period
+# in ascending order, m: the coarsest tolerance that meets the bounds gives the steps needed per
+# period
 TOLERANCES = (1e-9, 2e-9, 5e-9, 1e-8, 2e-8, 5e-8, 1e-7, 2e-7)
 
 
 class Speed(NamedTuple):
-    factor: float  # simulated time over wall time of the host's loop, without set-up
+    factor: float  # simulated time divided by wall time of the host's loop, without set-up
     step: float  # mean internal step, s
 
 
 def speed(folder, case, writes, control=None):
-    """The `Speed` of a case with the output `writes` (record or nothing) and the host steps
+    """Return the `Speed` of a case with the output `writes` (record or nothing) and the host steps
     specified by `large`."""
     samples, sample = case["variables"]["samples"], float(case["variables"]["sample"])
     within = case["large"]["factor"]
@@ -46,8 +47,8 @@ def speed(folder, case, writes, control=None):
 
 
 def resonance(folder):
-    """Shortest period (s) in the record of the last run of a ball that vibrates on the springs of
-    its two contacts."""
+    """Return the shortest period (s), in the record of the last run, of a ball that vibrates on the
+    springs of its two contacts."""
     with xr.open_dataset(Path(folder) / "record" / "record.nc") as record:
         load, overlap = record["load"].values, record["overlap"].values
         mass = float(record["ball_mass"].values.flat[0])
@@ -58,9 +59,9 @@ def resonance(folder):
 
 
 def nearest(folder, case, control, truths):
-    """(`Verdict` nearest to its bound, mean internal step in s) with the keywords `control`. The
-    verdict covers a run with one host step per sample and a run with the host steps of `large`; the
-    mean step is that of the run with `large`. None if a run stopped."""
+    """Return (`Verdict` closest to its bound, mean internal step in s) with the keywords `control`.
+    The verdict covers a run with one host step per sample and a run with the host steps of `large`;
+    the mean step is that of the run with `large`. None if a run stopped."""
     case = dict(case, control=control)
     found, long = run(folder, case), coarse(folder, case)
     if found.error or long.error:
@@ -75,8 +76,8 @@ def nearest(folder, case, control, truths):
 
 
 def coarsest(folder, case, truths):
-    """(tolerance in m, mean internal step in s) for the coarsest of `TOLERANCES` up to which all
-    bounds are met."""
+    """Return (tolerance in m, mean internal step in s) for the coarsest of `TOLERANCES` up to which
+    all bounds are met."""
     held = None
     for tolerance in TOLERANCES:
         found = nearest(folder, case, f"tolerance {tolerance}", truths)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs the hard cases and their references, and the references also with half their step, and
-writes build/bench/hard_cases.rst.
+"""Runs the hard cases and their references, the references also with half their step, and writes
+build/bench/hard_cases.rst.
 
     python tests/hard/table.py          # all
     python tests/hard/table.py last     # only the last part
@@ -44,8 +44,8 @@ def number(value):
 
 
 def rows_of(name, folder):
-    """Table rows of one case, one row for each reference, and the names of references that have not
-    converged."""
+    """Return the table rows of one case, one row for each reference, and the names of references
+    that have not converged."""
     case, unsure, rows = CASES[name], [], []
     found = harness.run(folder, case)
     print(name, found.error, flush=True)
@@ -92,8 +92,8 @@ def rows_of(name, folder):
 
 
 def too_large(name, folder):
-    """Results of a case with host steps and steps of velocity Verlet that are deliberately too
-    large."""
+    """Return the results of a case with host steps and velocity Verlet steps that are deliberately
+    too large."""
     case = CASES[name]
     kinds = case["references"]
     truth_kind = next(k for k in ("verlet", "fine") if k in kinds)
@@ -129,7 +129,7 @@ def too_large(name, folder):
 
 
 def thirty_seconds(folder):
-    """Lines of the last part of the page, on drift and energy of a long run."""
+    """Return the lines of the last part of the page, on drift and energy of a long run."""
     course = longrun.long_run(folder, 30)
     if course.error:
         return [LAST, "-" * len(LAST), "", f"The run of 30 s stopped: {course.error}", ""]
@@ -157,7 +157,7 @@ def thirty_seconds(folder):
         f" {course.simulated:.1f} s took {course.wall:.1f} s of wall time"
         f" ({course.simulated / course.wall:.0f} times real time), with {longrun.PER_PASS}"
         f" samples written per ball pass. The mean internal step was {number(course.step)} s."
-        f" {course.refused} steps were refused.{said}",
+        f" {course.refused} steps were rejected.{said}",
         "",
         *csv_table(
             ["mean over a second", "first", "last", "relative difference", "3 statistical errors"],
@@ -193,7 +193,7 @@ def main():
 These scenes are hard to integrate; they run with :doc:`../fix_bearing_implicit` and its default
 settings, one host step per sample. The bearing is a 6208, in mineral oil unless stated otherwise.
 ``tests/hard/cases.yaml`` lists the scenes, the bounds with their reasons, and the cases that miss
-their bound. Written on {date.today()}: {len(rows)} figures, {missed} outside their bound.
+their bound. Written on {date.today()}: {len(rows)} figures, {missed} of them outside their bound.
 
 The figure is the largest difference in contact load over balls, raceways and samples, relative to
 the peak load, starting from the sample that the case specifies. *Whole course* is the same figure
@@ -218,7 +218,7 @@ errors. :doc:`hard_cases_speed` lists the speeds.
         "",
         *"""\
 The control refines a host step that is too large, or the run stops with an error. Verlet runs
-at 30 and 100 times the step of its reference: the package must refuse it, or the result must
+at 30 and 100 times the step of its reference: the package must reject it, or the result must
 remain sensible.
 """.splitlines(),
         "",

@@ -54,7 +54,7 @@ The scenes of :doc:`hard_cases` with film in the gap, film branch, mixed frictio
 slip, spin, rolling resistance and drag. The implicit step with its defaults is compared with
 velocity Verlet with the same law and steps of 0.5 µs, or steps from ``tests/hard/cases.yaml``. The
 figure is the largest difference in contact load over balls, raceways and samples, relative to the
-peak load. For cage speed and film, largest relative differences are given. Written on
+peak load. For cage speed and film, the largest relative differences are given. Written on
 {date.today()}: {missed} of {len(rows)} are outside their bound.
 """.splitlines(),
         "",

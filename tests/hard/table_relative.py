@@ -27,13 +27,13 @@ HEAD += ["bound", *(f"figure, R = {share:g}" for share in SHARES)]
 
 
 def corrections(course):
-    """Number of corrections in the whole run, including refused steps."""
+    """Return the number of corrections in the whole run, including rejected steps."""
     found = re.search(r"CONTROL .* substeps (\S+) corrections (\S+)", course.text)
     return float(found[1]) * float(found[2])
 
 
 def by_smoothed_friction(name, folder):
-    """Yields (course, verdict nearest to its bound) for each value of R."""
+    """Yield (course, verdict closest to its bound) for each value of R."""
     case = CASES[name]
     truths = truths_of(folder, case)
     for share in SHARES:
@@ -43,7 +43,7 @@ def by_smoothed_friction(name, folder):
 
 
 def by_full(name, folder):
-    """Yields (course, verdict) for each value of R with the models `full`, compared with velocity
+    """Yield (course, verdict) for each value of R with the models `full`, compared with velocity
     Verlet."""
     truth = None
     for share in SHARES:
@@ -57,8 +57,8 @@ def by_full(name, folder):
 
 
 def compared(by, folder):
-    """Table rows, and for each value of R the number of cases that save a third and the number of
-    cases that miss their bound."""
+    """Return table rows and, for each value of R, the number of cases that save a third and the
+    number of cases that miss their bound."""
     rows, halves, misses = [], [0] * len(SHARES), [0] * len(SHARES)
     for name in CASES:
         found = list(by(name, folder))
@@ -100,8 +100,8 @@ def main():
         *f"""\
 The scenes of :doc:`hard_cases` and :doc:`hard_cases_full` with *relative* R of
 :doc:`../fix_bearing_implicit`. The tolerance is the larger of 1 nm and R times the largest overlap.
-Corrections in refused steps are included. The figure is the largest difference in contact load
-relative to the peak load, compared with the reference nearest to its bound. Written on
+Corrections in rejected steps are included. The figure is the largest difference in contact load
+relative to the peak load, compared with the reference closest to its bound. Written on
 {date.today()}.
 """.splitlines(),
         "",

@@ -37,7 +37,8 @@ SLOW = [
 
 
 def times(name, folder):
-    """(row of the first table, `Speed` without output, period of the contact resonance in s)."""
+    """Return (row of the first table, `Speed` without output, period of the contact resonance in
+    s)."""
     case, within = CASES[name], CASES[name]["large"]["factor"]
     record = speed(folder, case, "record")
     period = resonance(folder)
@@ -48,13 +49,13 @@ def times(name, folder):
 
 
 def fast(name, folder):
-    """[`Speed` with a record, `Speed` without output] with the faster settings."""
+    """Return [`Speed` with a record, `Speed` without output] with the faster settings."""
     words = CASES[name]["fast"]
     return [speed(folder, CASES[name], writes, words) for writes in ("record", "nothing")]
 
 
 def needs(name, folder, default, period, faster):
-    """A row of the second table."""
+    """Return a row of the second table."""
     case = CASES[name]
     truths = truths_of(folder, case)
     tolerance, step = coarsest(folder, case, truths)
@@ -90,9 +91,9 @@ def main():
 The scenes of :doc:`hard_cases` run with host steps as long as their loads and motions allow. That
 page lists the errors of these host steps. *With a record* means :doc:`../fix_bearing_record` with
 the samples of that page, taken within the host steps. *Nothing written* is the same motion without
-output. A factor is simulated time over wall time of the host's loop, without set-up. It is the
-median of {RUNS} runs on a shared virtual core. Written on {date.today()}: without output {below} of
-{len(timed)} scenes are slower than real time with the default settings.
+output. A factor is the simulated time divided by the wall time of the host's loop, without set-up.
+It is the median of {RUNS} runs on a shared virtual core. Written on {date.today()}: without output,
+{below} of {len(timed)} scenes are slower than real time with the default settings.
 """.splitlines(),
         "",
         *csv_table(HEAD, [row for row, _, _ in timed.values()]),
@@ -108,7 +109,7 @@ and with the host steps above; the steps per period are given for the latter. St
 period damp the vibration, while the loads stay within the bound.
 
 *Words* are the keywords of :doc:`../fix_bearing_implicit` that meet the same bounds faster. The
-figure nearest to its bound is given, for both lengths of host steps.
+figure closest to its bound is given, for both lengths of host steps.
 """.splitlines(),
         "",
         *csv_table(SLOW, slow),

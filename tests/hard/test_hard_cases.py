@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The hard cases of cases.yaml: comparison with references, deliberately large steps, and a run of
-thirty seconds."""
+"""The hard cases in cases.yaml are compared with references, run with deliberately large steps, and
+one is run for thirty seconds."""
 
 import re
 from functools import cache
@@ -24,7 +24,7 @@ from hard.speed import nearest
 
 
 def marked(*keys, name, key):
-    """A pytest parameter, marked as an expected failure if cases.yaml lists a miss."""
+    """Return a pytest parameter, marked as an expected failure if cases.yaml lists a miss."""
     why = CASES[name].get("misses", {}).get(key)
     return pytest.param(
         name,
@@ -36,8 +36,8 @@ def marked(*keys, name, key):
 
 @pytest.fixture(scope="module")
 def courses(tmp_path_factory):
-    """A function of (case, kind) that returns a `Course`; each course is computed when it is first
-    needed. The kind "default" is the fix with its defaults."""
+    """Return a function of (case, kind) that returns a `Course`; each course is computed when it is
+    first needed. The kind "default" is the fix with its defaults."""
     folder = tmp_path_factory.mktemp("hard")
 
     @cache
@@ -52,8 +52,8 @@ def courses(tmp_path_factory):
 
 
 def yardstick(name):
-    """The reference with the same friction law by which a run is judged; also the reference from
-    velocity Verlet and its settings."""
+    """Return the reference with the same friction law by which a run is judged, and the velocity
+    Verlet reference with its settings."""
     kinds = CASES[name]["references"]
     return next(k for k in ("verlet", "fine") if k in kinds), next(
         k for k in ("verlet", "history") if k in kinds
@@ -104,8 +104,9 @@ def test_models_full(tmp_path, name):
 
 def test_kept_derivatives_solve_the_same_stages(tmp_path):
     """With `control estimate` the last iterations evaluate only the cage; forces and stored states
-    of the raceways follow from their derivatives. With the same steps this takes fewer evaluations
-    than iterating to the bound; loads agree to the equivalent of 1 nm in the heaviest contact."""
+    of the raceways are extrapolated from their derivatives. With the same steps this requires fewer
+    evaluations than iterating to the bound; loads agree to the equivalent of 1 nm in the heaviest
+    contact."""
     found = []
     for control in ("bound", "estimate"):
         words = f"control {control} tolerance 1e-9 largest 1e-5 error 100"
@@ -121,7 +122,7 @@ def test_kept_derivatives_solve_the_same_stages(tmp_path):
 @pytest.mark.parametrize("name", [marked(name=name, key="large") for name in CASES])
 def test_host_step_too_large(courses, tmp_path, name):
     """The error control refines the step until the samples meet the bound of the case, or the run
-    is refused with a clear message."""
+    is rejected with a clear message."""
     case, kind = CASES[name], yardstick(name)[0]
     found = coarse(tmp_path, case)
     if found.error:
@@ -141,7 +142,7 @@ def test_host_step_too_large(courses, tmp_path, name):
     [marked(factor, name=name, key=f"explicit {factor}") for name in CASES for factor in EXPLICIT],
 )
 def test_verlet_step_too_large(courses, tmp_path, name, factor):
-    """Velocity Verlet with a step far beyond its limit is refused or still gives sensible results;
+    """Velocity Verlet with a step far beyond its limit is rejected or still gives sensible results;
     a warning alone is not enough."""
     case, kind = CASES[name], yardstick(name)[1]
     found = reference(kind, tmp_path, case, refine=1 / factor)
@@ -168,7 +169,7 @@ def thirty_seconds(tmp_path_factory):
 
 def test_no_drift_in_thirty_seconds(thirty_seconds):
     """Means over the first and the last second agree within 1e-4 and within three times their
-    statistical error. A rounding or damping error that adds up over the 850 ball passes between
+    statistical error. A rounding or damping error that accumulates over the 850 ball passes between
     them would be detected."""
     for name, drift in longrun.drifts(thirty_seconds).items():
         print(f"{name}: {drift.first:.8g} to {drift.last:.8g}, {drift.figure:.1e}")
@@ -177,18 +178,18 @@ def test_no_drift_in_thirty_seconds(thirty_seconds):
 
 def test_energy_of_thirty_seconds(thirty_seconds):
     """With the defaults the energy balance closes to 1e-3 of the losses. The losses are 1.5 mW,
-    hundreds of times less than the power that is exchanged as balls enter and leave the load
-    zone."""
+    hundreds of times less than the power that is exchanged as balls enter and leave the load zone.
+    """
     found = longrun.account(thirty_seconds)
     print(found, found.figure)
     assert found.dissipated > 0.03 and abs(found.figure) <= 1e-3
 
 
 def test_the_integrators_own_loss(tmp_path):
-    """The energy that a method loses falls with the square of the step for order 2, and with the
-    step for order 1, which has strong damping; the step grows with the root of the tolerance. With
-    the default settings, the work of the drive equals the contact losses found with a tenth of the
-    tolerance."""
+    """The energy that a method loses decreases with the square of the step for order 2, and with
+    the step for order 1, which has strong damping; the step grows with the square root of the
+    tolerance. With the default settings, the work of the drive equals the contact losses found with
+    a tenth of the tolerance."""
 
     def found(control):
         return longrun.account(longrun.long_run(tmp_path, 1.5, f"energy yes {control}"))
@@ -206,7 +207,7 @@ def test_the_integrators_own_loss(tmp_path):
 
 
 def test_thirty_seconds_with_one_step_a_sample(tmp_path):
-    """The error control refines host steps of 2.9 ms, of which a ball pass has twelve, and no error
-    occurs."""
+    """The error control refines host steps of 2.9 ms, twelve of which make up a ball pass, and no
+    error occurs."""
     course = longrun.long_run(tmp_path, 30, substeps=1)
     assert not course.error, course.error

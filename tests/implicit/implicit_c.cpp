@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The mathematics of the implicit step behind a C interface, for test_mathematics.py (called by
-// name, see src-package/core/interface/exports.h).
+// Exports the mathematics of the implicit step to test_mathematics.py, which calls the functions by
+// name (see src-package/core/interface/exports.h).
 #include "../../src-package/core/contact/contact.h"
 #include "../../src-package/core/interface/exports.h"
 #include "../../src-package/core/numbers/lane_blocks.h"
@@ -31,9 +31,10 @@ static RacewayPhysics outer_6208(double mu)
   return p;
 }
 
-// Force on a ball in the state s (x, v, w: 9 numbers) on a 6208 outer ring that rotates at `spin`
-// (rad/s). `frozen` contains damping, mu and the friction's denominator sqrt(s^2 + v_0^2): they are
-// taken from it if its first number is not negative, and otherwise stored in it.
+// Computes the force on a ball in the state s (x, v, w: 9 numbers) from a 6208 outer ring that
+// rotates at `spin` (rad/s). `frozen` contains damping, mu and the friction's denominator sqrt(s^2
+// + v_0^2). They are read from it if its first number is not negative, and are otherwise stored in
+// it.
 static ContactState contact(const double *s, double spin, double mu, double *frozen, double *force)
 {
   const RacewayPhysics p = outer_6208(mu);
@@ -66,8 +67,8 @@ EXPORT(void, contact_force,
   contact(state, spin, mu, frozen, force);
 }
 
-// Derivative of the force with respect to the velocity (3 x 3, in the lab frame), and the normal.
-// The stage lasts 1 s, and positions follow the velocity for the time `follows` (s).
+// Computes the derivative of the force with respect to the velocity (3 x 3, in the lab frame), and
+// the normal. The stage lasts 1 s, and positions follow the velocity for the time `follows` (s).
 static void lab_derivative(const ContactState &c, const RacewayPhysics &p, double follows,
                            double *D, double *normal)
 {
@@ -98,8 +99,8 @@ static void lab_derivative(const ContactState &c, const RacewayPhysics &p, doubl
   }
 }
 
-// Derivative D with respect to velocity at constant position, derivative K with respect to
-// position, and the normal.
+// Computes the derivative D with respect to velocity at constant position, the derivative K with
+// respect to position, and the normal.
 EXPORT(void, contact_derivatives,
        (const double state[9], double spin, double mu, double D[9], double K[9], double n[3]))
 {
@@ -146,7 +147,7 @@ EXPORT(int, chain,
 {
   LinkChain c;
   c.resize(bodies);
-  // solves a second time in the memory used before, which must give the same result
+  // solves a second time with the same memory, which must give the same result
   for (int round = 0; round < 2; ++round) {
     c.clear();
     for (int i = 0; i < links; ++i) {
@@ -165,7 +166,7 @@ EXPORT(int, chain,
   return 1;
 }
 
-// Position and velocity in the lab frame after a drift of h seconds.
+// Computes position and velocity in the lab frame after a drift of h seconds.
 EXPORT(void, drift,
        (const double x[3], const double v[3], double h, double x_new[3], double v_new[3]))
 {
@@ -186,8 +187,8 @@ EXPORT(double, cubic, (double s, double h, double x_from, double v_from, double 
   return Cubic(s, h)(x_from, v_from, x_to, v_to);
 }
 
-// Axis of a ring half-way between two instants h seconds apart; the ring turns about `w` at a
-// constant rate.
+// Computes the axis of a ring half-way between two instants h seconds apart; the ring rotates about
+// `w` at a constant rate.
 EXPORT(void, axis_between, (const double w[3], double h, double e[3]))
 {
   const Vec3 W = Vec3::from(w);
@@ -208,8 +209,8 @@ EXPORT(void, turn, (double angle, double c[1], double s[1]))
   *s = sine[0];
 }
 
-// State after n steps of a single ring that is free except for its driven spin, under a constant
-// force and moment. If order is 0, only dampers are implicit.
+// Computes the state after n steps of a single ring that is free except for its driven spin, under
+// a constant force and moment. If order is 0, only dampers are implicit.
 EXPORT(void, lone_ring,
        (int order, int n, double h, double spin, const double inertia[2], const double moment[3],
         RingEnd *out))
@@ -248,9 +249,9 @@ EXPORT(void, lone_ring,
   rings[0].v.to(out->v);
 }
 
-// A single ring of 0.5 kg is free along z, on a spring (stiffness 0: no spring), under a constant
-// force. It moves from place[0] (m) and velocity[0] (m/s) to place[1] and velocity[1] in n steps of
-// h seconds. Returns the largest error (m) that is estimated in a step.
+// Simulates a single ring of 0.5 kg that is free along z, on a spring (stiffness 0: no spring),
+// under a constant force. It moves from place[0] (m) and velocity[0] (m/s) to place[1] and
+// velocity[1] in n steps of h seconds. Returns the largest error (m) estimated in a step.
 EXPORT(double, estimated_errors,
        (int n, double h, double stiffness, double force, double place[2], double velocity[2]))
 {
@@ -285,8 +286,8 @@ EXPORT(double, estimated_errors,
   return largest;
 }
 
-// Corrections of the velocity (x, y, z) of a free ring of 0.5 kg under a force of (1, 2, 3) N:
-// first with new factors, then twice with the same factors.
+// Computes corrections of the velocity (x, y, z) of a free ring of 0.5 kg under a force of (1, 2,
+// 3) N: first with new factors, then twice with the same factors.
 EXPORT(void, old_factors, (double h, double found[9]))
 {
   BearingModel m;
@@ -319,9 +320,10 @@ EXPORT(void, old_factors, (double h, double found[9]))
   }
 }
 
-// A ball on an outer raceway with a notch, or a ball with a pit, in a stage of h seconds: the
-// matrix of the linear system, and difference quotients of its right-hand side. Rows: velocity and
-// spin of the ball; columns: velocity and spin of the ball, then x, y and spin of the outer ring.
+// Computes the matrix of the linear system, and difference quotients of its right-hand side, for a
+// ball on an outer raceway with a notch, or a ball with a pit, in a stage of h seconds. Rows:
+// velocity and spin of the ball; columns: velocity and spin of the ball, then x, y and spin of the
+// outer ring.
 EXPORT(void, flawed_system,
        (const double notch[4], int of_ball, double off_middle, double overlap, double h,
         double matrix[54], double differences[54], double transposed[18]))
@@ -359,7 +361,7 @@ EXPORT(void, flawed_system,
   Stage stage;
   stage.h = h;
   const int dofs[] = {0, 1, RingProgram::SPIN};
-  // a change of one velocity component, with positions that follow
+  // changes one velocity component; positions follow
   const auto solve = [&](int which, double change, Evaluate what) {
     b.start();
     Lane *v[] = {&g.v.x, &g.v.y, &g.v.z, &g.w.x, &g.w.y, &g.w.z};
@@ -390,10 +392,10 @@ EXPORT(void, flawed_system,
   }
 }
 
-// A ball rolls around an outer raceway, in steps of h seconds. Only inertia presses it on the
-// raceway, from which it is initially `gap` (m) away. Gives the number of corrections and the
-// estimated error of each step, and the overlap after the step. If `heavy` (m) is above 0, a second
-// ball with this overlap also rolls around.
+// Simulates a ball that rolls around an outer raceway in steps of h seconds. Only inertia presses
+// it on the raceway, from which it is initially `gap` (m) away. Returns the number of corrections
+// and the estimated error of each step, and the overlap after the step. If `heavy` (m) is above 0,
+// a second ball with this overlap also rolls around.
 EXPORT(void, resting,
        (double speed, double gap, double heavy, double newton, double h, int n, double *corrections,
         double *error, double *overlap))
@@ -428,8 +430,8 @@ EXPORT(void, resting,
   }
 }
 
-// Number of corrections in a step of h seconds in which a ball approaches the cage ball ahead of
-// it; HUGE_VAL if there is no solution.
+// Computes the number of corrections in a step of h seconds in which a ball approaches the cage
+// ball ahead of it; HUGE_VAL if there is no solution.
 EXPORT(void, meeting, (double gap, double speed, double h, double newton, double *corrections))
 {
   BearingModel model;
@@ -449,9 +451,10 @@ EXPORT(void, meeting, (double gap, double speed, double h, double newton, double
   *corrections = o.solved() ? o.corrections : HUGE_VAL;
 }
 
-// A ball and a ring that is free along both radial axes: matrix[48] is the block of the ball (36
-// numbers) and its columns for the ring (12 numbers), as restore() returns them after corrections
-// with new derivatives and, if `again`, also after corrections with old derivatives.
+// For a ball and a ring that is free along both radial axes, matrix[48] is the block of the ball
+// (36 numbers) and its columns for the ring (12 numbers). restored[48] contains these numbers as
+// restore() returns them after corrections with new derivatives and, if `again`, also after
+// corrections with old derivatives.
 EXPORT(void, matrix_kept, (int again, const double matrix[48], double restored[48]))
 {
   BearingModel model;

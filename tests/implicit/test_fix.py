@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/implicit, compared with velocity Verlet with the same friction, with statics, and
-with its own finer steps."""
+"""Tests of fix bearing/implicit against velocity Verlet with the same friction, against statics,
+and against its own results with finer steps."""
 
 import re
 
@@ -16,7 +16,7 @@ CASE = "tests/implicit/in.case"
 
 
 def loads(folder):
-    """Contact loads (samples, raceways, balls) in N of a run of in.case."""
+    """Return the contact loads (samples, raceways, balls) in N from a run of in.case."""
     table = np.zeros((len(frames(folder / "contacts.dump")), 2, 9))
     for sample, rows in enumerate(frames(folder / "contacts.dump").values()):
         for ball, side, load, *_ in (map(float, row.split()) for row in rows):
@@ -25,8 +25,8 @@ def loads(folder):
 
 
 def error(tmp_path, control="", verlet_step=5e-8, after=0, **case):
-    """Largest difference in any contact load between both integrators, starting from sample
-    `after`, relative to the largest load."""
+    """Return the largest difference in any contact load between the two integrators, starting from
+    sample `after`, relative to the largest load."""
     sample = float(case.get("sample", 1e-4))
     succeed(
         CASE,
@@ -92,7 +92,7 @@ def test_loads_by_estimated_errors(tmp_path, bound, case):
 
 def test_transient_with_tilts_and_everything_free(tmp_path):
     """Three translations and two tilts are free, and a load is applied in 3 ms. The error relative
-    to velocity Verlet with a step of 12.5 ns falls with the implicit step."""
+    to velocity Verlet with a step of 12.5 ns decreases with the implicit step."""
     case = dict(
         inner=(
             "x free y free z free rx free ry free spin speed 50 force 0 -2000 1000 moment 3 0 0"
@@ -112,7 +112,7 @@ def test_transient_with_tilts_and_everything_free(tmp_path):
 @pytest.mark.parametrize("order, steps", [(1, (4e-6, 2e-6, 1e-6)), (2, (4e-6, 2e-6, 1e-6))])
 def test_order(tmp_path, order, steps):
     """A load of 3 kN is applied suddenly at 1000 rad/s, where the film is thick and its damper
-    soft. The error relative to a run with an eighth of the smallest step falls with the order of
+    soft. The error relative to a run with an eighth of the smallest step decreases at the order of
     the method."""
     case = dict(
         start=1000,
@@ -144,8 +144,8 @@ def test_order(tmp_path, order, steps):
 @pytest.mark.parametrize("rpm", [47.75, 477.5, 9549])
 def test_deck_against_statics(tmp_path, rpm):
     """In in.6208 with the implicit integrator, the ball loads at every azimuth, including
-    centrifugal load, agree with statics within 0.2 % of the largest load. At 9549 rpm the loads
-    vibrate on the contact springs, and 2 % is allowed."""
+    centrifugal load, agree with statics within 0.2 % of the largest load. At 9549 rpm the balls
+    vibrate on the contact springs, and a difference of 2 % is allowed."""
     succeed("inputs/in.6208", out=tmp_path, integrator="implicit", passes=1, rpm=rpm)
     run = RunTables(tmp_path)
     contacts = run.contacts
@@ -183,8 +183,8 @@ def test_split_run_and_restart_are_bitwise(tmp_path):
 
 def test_cold_step_refines_by_itself(tmp_path):
     """If 5 kN is applied at once to a bearing with clearance, substeps become much shorter than the
-    sample of 0.1 ms and then longer again. The motion after the impact agrees with velocity
-    Verlet."""
+    sample interval of 0.1 ms and then longer again. The motion after the impact agrees with
+    velocity Verlet."""
     case = dict(inner="x free y free spin speed 50 force 0 -5000 0", clearance=44.1e-6, samples=100)
     assert error(tmp_path, after=75, verlet_step=2.5e-8, **case) < 2e-3
     text = succeed(CASE, out=tmp_path / "again", **case).text
@@ -251,8 +251,8 @@ def test_a_step_that_turns_a_ball_too_far_is_refined(tmp_path):
 @pytest.mark.parametrize("speed, bound", [(50, 1e-4), (1000, 1e-3)])
 def test_only_dampers_implicit_against_verlet(tmp_path, speed, bound):
     """`solve damping` agrees with velocity Verlet at its stability limit. At 50 rad/s nothing
-    vibrates. At 1000 rad/s balls vibrate as they are loaded, by 1e-3 of the largest load, and the
-    period of this vibration has an error of (h omega)^2/24, up to a tenth."""
+    vibrates. At 1000 rad/s the balls vibrate when they are loaded, with an amplitude of 1e-3 of the
+    largest load, and the period of this vibration has an error of (h omega)^2/24, up to a tenth."""
     case = dict(
         start=speed,
         inner=ring(f"spin speed {speed} force 0 -5000 0"),
@@ -273,8 +273,8 @@ def test_only_dampers_implicit_keeps_its_step_stable(tmp_path):
     ball_mass = 7800 * 4 / 3 * np.pi * 6.3e-3**3
     limit = (3 * ball_mass / 4.2e8) ** 0.5
     assert 0.8 * limit < float(re.search(r"CONTROL mean (\S+)", text).group(1)) < 1.3 * limit
-    # the largest load is 2436 N at rest with a ball on the load line, and less if two balls share
-    # the load; the centrifugal load of a ball is 38 N
+    # with the ring at rest the largest load is 2436 N if a ball is on the load line, and less if
+    # two balls share the load; the centrifugal load of a ball is 38 N
     assert 2200 < loads(tmp_path)[-20:].max() < 2600
 
 
@@ -302,7 +302,7 @@ FIGURES = ("q_max_N", "h_c_m", "cage_speed_rad_s", "friction_torque_N_m", "capac
 
 def test_cage_balls_may_be_farther_off(tmp_path):
     """With the models `full`, in which the cage drives the unloaded balls, a tolerance of 1 um
-    instead of 1 nm for cage balls makes steps more than twice as long, and the figures of the
+    instead of 1 nm for cage balls makes steps more than twice as long, and the results for the
     bearing change by less than 0.1 %."""
     found = []
     for cage in (1e-9, 1e-6):
@@ -319,8 +319,9 @@ def test_cage_balls_may_be_farther_off(tmp_path):
 def test_coarse_cage_balls_leave_unloaded_balls_at_rest(tmp_path):
     """At low speed stages are long. The contact force that remains on a cage ball after the last
     correction must not throw unloaded balls. With bounded errors, a tolerance of 1 um for cage
-    balls needs fewer evaluations than 0.1 um, and the figures differ no more from those with 0.1
-    nm. Without finer corrections in long stages, 1 um would need more evaluations than 0.1 um."""
+    balls requires fewer evaluations than 0.1 um, and the differences from the results with 0.1 nm
+    are not larger. Without finer corrections in long stages, 1 um would require more evaluations
+    than 0.1 um."""
     found = {}
     for cage, more in ((1e-7, {}), (1e-6, {}), (1e-10, dict(tolerance=1e-10))):
         out = tmp_path / str(cage)
@@ -334,8 +335,9 @@ def test_coarse_cage_balls_leave_unloaded_balls_at_rest(tmp_path):
 
 
 def test_an_error_may_be_larger_than_corrections(tmp_path):
-    """A step may have an error 2.5 times as large as the corrections leave. With the models `full`
-    this saves a sixth of the evaluations at high speed, and figures change by less than 0.1 %."""
+    """A step may have an error 2.5 times as large as the error that the corrections leave. With the
+    models `full` this saves a sixth of the evaluations at high speed, and the results change by
+    less than 0.1 %."""
     found = []
     for share in (1, 2.5):
         out = tmp_path / str(share)
@@ -349,8 +351,8 @@ def test_an_error_may_be_larger_than_corrections(tmp_path):
 
 @pytest.mark.parametrize("rpm", [477.5, 9549])
 def test_estimated_errors_need_fewer_evaluations(tmp_path, rpm):
-    """With estimated errors the models `full` need less than 60 % of the evaluations needed with
-    bounded errors. Figures agree within 0.1 % with those of errors bounded by 0.1 nm."""
+    """With estimated errors the models `full` require less than 60 % of the evaluations required
+    with bounded errors. The results agree within 0.1 % with those for errors bounded by 0.1 nm."""
     found = {}
     for control, more in (
         ("estimate", {}),

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Capacitance and loads at instants within a host step (fix bearing/capacitance ... within M)."""
+"""Tests of capacitance and loads at instants within a host step (fix bearing/capacitance ... within
+M)."""
 
 import numpy as np
 import pytest
@@ -16,8 +17,8 @@ TILTED = (
 
 
 def sampled(folder, within, **case):
-    """(rows of contacts, totals, values for thermo) of a run of in.case with capacitances at
-    instants within steps."""
+    """Return (rows of contacts, totals, values for thermo) from a run of in.case with capacitances
+    at instants within steps."""
     folder.mkdir()
     more = folder / "more"
     more.write_text(
@@ -31,7 +32,8 @@ def sampled(folder, within, **case):
 
 
 def by_instant(rows, instants, column):
-    """One column of the contacts as an array (instants, raceways, balls); 0 for open contacts."""
+    """Return one column of the contacts as an array (instants, raceways, balls); 0 for open
+    contacts."""
     table = np.zeros((instants + 1, 2, 9))
     table[
         np.rint(rows[:, 1] * instants / rows[-1, 1]).astype(int),
@@ -44,8 +46,8 @@ def by_instant(rows, instants, column):
 @pytest.mark.parametrize("inner", [RADIAL, TILTED], ids=["radial", "tilted"])
 def test_instants_are_what_finer_steps_give(inner, tmp_path):
     """Host steps of 0.8 ms (1 degree of orbit) with 8 instants each are compared with host steps of
-    0.1 ms. Both have an error of 1 nm per internal step: at 2e8 N/m this is 0.2 N, 1e-4 of the
-    largest load, plus the errors of a few earlier steps, which are not damped yet.
+    0.1 ms. Both have an error of 1 nm per internal step. At 2e8 N/m this corresponds to 0.2 N or
+    1e-4 of the largest load, plus the errors of a few earlier steps, which are not damped yet.
     """
     case = dict(inner=inner, control="tolerance 1e-9")
     coarse, _, _ = sampled(tmp_path / "coarse", 8, sample=8e-4, samples=20, **case)
@@ -53,14 +55,14 @@ def test_instants_are_what_finer_steps_give(inner, tmp_path):
     found, truth = by_instant(coarse, 160, 4), by_instant(fine, 160, 4)
     assert np.abs(found - truth)[40:].max() < 5e-4 * truth.max()
     # film and capacitance follow from load and speed; at the edge of the load zone Q^0.7 magnifies
-    # the error of the load
+    # the error in the load
     found, truth = by_instant(coarse, 160, 6), by_instant(fine, 160, 6)
     assert np.abs(found - truth)[40:].max() < 1e-3 * truth.max()
 
 
 def test_a_load_that_comes_on_within_steps(tmp_path):
-    """During a ramp of 3 ms with host steps of 1 ms, instants follow from every internal step, not
-    only from the ends of host steps."""
+    """During a ramp of 3 ms with host steps of 1 ms, instants are computed from every internal
+    step, not only from the ends of host steps."""
     coarse, _, _ = sampled(
         tmp_path / "coarse", 10, sample=1e-3, samples=4, inner=RADIAL, control="tolerance 1e-9"
     )
@@ -77,7 +79,7 @@ def test_a_load_that_comes_on_within_steps(tmp_path):
 
 def test_columns(tmp_path):
     """Capacitances agree with those that the Python package computes from the load and film in each
-    row. Totals, largest values, numbers of active balls and the figures of a step agree with the
+    row. Totals, largest values, numbers of active balls and the values for a step agree with the
     rows."""
     rows, totals, now = sampled(tmp_path / "run", 5, sample=4e-4, samples=8, inner=RADIAL)
     bearing = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
@@ -86,7 +88,7 @@ def test_columns(tmp_path):
         ellipse = hertz.exact(*bearing.effective_radii(side))
         a, b = hertz.semi_axes(ellipse, bearing.effective_modulus, load)
         pressure = hertz.pressure(ellipse, bearing.effective_modulus, load)
-        # 12 digits were written
+        # values were written with 12 digits
         np.testing.assert_allclose(
             found, capacitance.contact(PERMITTIVITY, pressure, a, b, h_c), rtol=1e-10
         )

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Contact derivatives are compared with finite differences, solvers with numpy, and a single ring
-with scipy; frames rotate with the balls."""
+"""Tests of the mathematics of the implicit step: contact derivatives are compared with finite
+differences, solvers with numpy, and a single ring with scipy; frames rotate with the balls."""
 
 import subprocess
 from pathlib import Path
@@ -43,7 +43,7 @@ def lib():
 
 
 def ball(overlap=20e-6, angle=0.0, v=(0, 0, 0), w=(0, 0, 0)):
-    """A ball at azimuth 0.7 rad that is pressed into the outer groove at a contact angle."""
+    """Return a ball at azimuth 0.7 rad that is pressed into the outer groove at a contact angle."""
     circle, s, phi = 36.6e-3 - 6.552e-3, 0.252e-3 + overlap, 0.7
     r, z = circle + s * np.cos(angle), s * np.sin(angle)
     u, t = np.array([np.cos(phi), np.sin(phi), 0]), np.array([-np.sin(phi), np.cos(phi), 0])
@@ -56,14 +56,14 @@ def force(lib, state, spin, mu, frozen):
 
 
 def derivatives(lib, state, spin, mu):
-    """The derivatives D and K as matrices, and the normal of the contact."""
+    """Return the derivatives D and K as matrices, and the normal of the contact."""
     D, K, n = lib.call("contact_derivatives", state=state, spin=spin, mu=mu)
     return D.reshape(3, 3), K.reshape(3, 3), n
 
 
 def differences(lib, state, spin, mu, first, step):
-    """-df/ds for three entries of the state, from `first` on; C, mu and the friction's denominator
-    are held at their values in `state`."""
+    """Return -df/ds for three entries of the state, from `first` on; C, mu and the friction's
+    denominator keep their values in `state`."""
     frozen = np.array([-1.0, 0, 0])
     force(lib, state, spin, mu, frozen)
     columns = []
@@ -87,7 +87,7 @@ def test_velocity_derivative_is_exact(lib, angle, mu):
     D, _, n = derivatives(lib, state, 0.0, mu)
     numeric = differences(lib, state, 0.0, mu, 3, 1e-7)
     assert np.abs(D - numeric).max() < 1e-6 * np.abs(D).max()
-    # spin moves the contact point: w x R n
+    # the spin moves the contact point: w x R n
     R = 6.3e-3
     arm = R * np.array([[0, -n[2], n[1]], [n[2], 0, -n[0]], [-n[1], n[0], 0]])
     spin = differences(lib, state, 0.0, mu, 6, 1e-5)
@@ -96,7 +96,7 @@ def test_velocity_derivative_is_exact(lib, angle, mu):
 
 @pytest.mark.parametrize("angle, tolerance", [(0.0, 1e-6), (0.4, 1e-2)])
 def test_position_derivative(lib, angle, tolerance):
-    """The derivative is exact for a radial contact. With a contact angle, it neglects the
+    """The derivative is exact for a radial contact. With a contact angle, it does not include the
     derivative of the constants, which are frozen."""
     state = ball(angle=angle)
     _, K, _ = derivatives(lib, state, 0.0, 0.0)
@@ -105,7 +105,7 @@ def test_position_derivative(lib, angle, tolerance):
 
 
 def test_turn_of_the_normal(lib):
-    """The two terms due to the rotation of the normal alone are N/s across the groove and N/r along
+    """The two terms due only to the rotation of the normal are N/s across the groove and N/r along
     it."""
     state = ball()
     frozen = np.array([-1.0, 0, 0])
@@ -205,15 +205,15 @@ def lone_ring(lib, order, steps, time):
 
 
 def gyroscope(time):
-    """Axis and its rate of change from L' = M + reaction along e, which scipy integrates with the
-    complete kinematics."""
+    """Return the axis and its rate of change from L' = M + reaction along e, which scipy integrates
+    with the complete kinematics."""
     axial, transverse = INERTIA
 
     def slope(_, y):
         e, L = y[:3], y[3:]
         along = e * (L @ e)
         turn = np.cross((L - along) / transverse, e)
-        # the spin is imposed: the momentum along e remains I_a spin, and the drive supplies the
+        # the spin is imposed, so the momentum along e remains I_a spin, and the drive supplies the
         # other part of the moment
         return np.concatenate([turn, MOMENT - e * (MOMENT @ e)])
 
@@ -225,7 +225,7 @@ def gyroscope(time):
 
 @pytest.mark.parametrize("order, method", [(1, 1), (2, 2), (1, 0)], ids=["1", "2", "dampers only"])
 def test_gyroscope(lib, order, method):
-    """A spinning ring under a moment precesses and nutates as in theory, with errors of the order
+    """A spinning ring under a moment precesses and nutates as in theory, with errors at the order
     of the method."""
     time = 5e-3
     axis, rate = gyroscope(time)
@@ -245,8 +245,8 @@ def test_gyroscope(lib, order, method):
 
 @pytest.mark.parametrize("method", [2, 0], ids=["order 2", "dampers only"])
 def test_free_fall_is_exact(lib, method):
-    """Under a constant force, order 2 gives the exact parabola except for rounding, and so does
-    `solve damping`, which treats springs as velocity Verlet does."""
+    """Under a constant force, order 2 gives the exact parabola to rounding accuracy, and so does
+    `solve damping`, which treats springs in the same way as velocity Verlet."""
     out, time = lone_ring(lib, method, 7, 2e-3), 2e-3
     acceleration = np.array([1.0, 2.0, 3.0]) / 0.5
     np.testing.assert_allclose(out.v, acceleration * time, rtol=1e-12)
@@ -254,7 +254,7 @@ def test_free_fall_is_exact(lib, method):
 
 
 def estimated(lib, n, h, place, velocity, stiffness=0.0, force=0.0):
-    """Largest error that is estimated in a step, and position and velocity at the end."""
+    """Return the largest error estimated in a step, and position and velocity at the end."""
     x, v = np.array([place, 0.0]), np.array([velocity, 0.0])
     error = lib.call(
         "estimated_errors", n=n, h=h, stiffness=stiffness, force=force, place=x, velocity=v
@@ -269,10 +269,10 @@ GAMMA = 1 - np.sqrt(0.5)
 
 @pytest.mark.parametrize("turn", [0.1, 0.05, 0.02])
 def test_estimate_of_a_step_of_a_vibration(lib, turn):
-    """The velocity is the same at both ends of each stage, so that the error bound is 0. The
-    relevant error is the distance of the end point from the exact one in the plane of position and
-    velocity: R(z) of the method lacks c z^3, and the first stage has the second difference gamma
-    z^2 v, not z^2 v/2. Four times the error for a velocity that is a given function of time is 0.59
+    """The velocity is the same at both ends of each stage, so the error bound is 0. The relevant
+    error is the distance of the end point from the exact one in the plane of position and velocity:
+    R(z) of the method lacks c z^3, and the first stage has the second difference gamma z^2 v
+    instead of z^2 v/2. Four times the error for a velocity that is a given function of time is 0.59
     of this distance."""
     h = turn / RATE
     start = -0.5 * (1 + GAMMA) * turn
@@ -300,8 +300,8 @@ def test_estimate_of_a_constant_force_is_a_share_of_the_bound(lib):
 @pytest.mark.parametrize("periods", [1, 10])
 def test_vibration_lags_by_less_than_the_stated_bound(lib, periods):
     """After s radians of a vibration that determines the step, the error is below 0.65 s times the
-    largest error estimated in a step (docs/fix_bearing_implicit). According to theory it is c/(0.3
-    gamma (1 - gamma)) s times this estimate."""
+    largest error estimated in a step (docs/fix_bearing_implicit). In theory it is c/(0.3 gamma (1 -
+    gamma)) s times this estimate."""
     turn = 0.02
     n = round(2 * np.pi * periods / turn)
     error, x, v = estimated(lib, n, turn / RATE, SWING, 0.0, stiffness=SPRING)
@@ -345,8 +345,8 @@ def test_between_steps_an_axis_turns_to_fourth_order(lib):
 @pytest.mark.parametrize("width", [0, 3e-4], ids=["full", "pit"])
 @pytest.mark.parametrize("off_middle", [-4e-4, 1e-5, 2e-4, 2e-3])
 def test_derivatives_over_a_flaw(lib, off_middle, width):
-    """The matrix of the implicit step contains slope and curvature of a flaw, on a flank, at an
-    edge and on a wave. It also contains the motion of the ring with the flaw."""
+    """The matrix of the implicit step includes the slope and the curvature of a flaw, on a flank,
+    at an edge and on a wave. It also includes the motion of the ring with the flaw."""
 
     def found(overlap):
         return [
@@ -365,21 +365,23 @@ def test_derivatives_over_a_flaw(lib, off_middle, width):
     mass, frame, _ = found(-2e-4)  # without contact
     force, want = (matrix - mass)[:3], (differences - frame)[:3]
     stiff = want[0, 0]
-    # the matrix rotates the force as the ball moves around; its frame already does so: h^2 N/r
+    # the matrix rotates the force as the ball moves around, whereas the ball's frame already does
+    # so: h^2 N/r
     assert np.abs(force[1, 1] - want[1, 1]) < 7e-4 * stiff
     force[1, 1] = want[1, 1]
     assert np.abs(force - want)[:, [0, 1, 2, 6, 7]].max() < 5e-5 * stiff
     assert force[:, 8] == pytest.approx(want[:, 8], abs=1e-8 * stiff)  # spin of the ring
     assert transposed[:3, :2] == pytest.approx(force[:, 6:8], abs=1e-12 * stiff)
     if off_middle < 1e-3:
-        assert np.abs(want[0, 1]) > 1e-3 * stiff  # the slope matters
+        assert np.abs(want[0, 1]) > 1e-3 * stiff  # the slope is not negligible
 
 
 @pytest.mark.parametrize("width", [5e-3, 3e-4], ids=["wide", "narrow"])
 @pytest.mark.parametrize("off_middle", [-4e-4, 1e-5, 2e-4, 2e-3])
 def test_derivatives_over_a_flaw_of_the_ball(lib, off_middle, width):
     """For a flaw of a ball, the ball's spin about the axis replaces its motion along the
-    raceway."""
+    raceway.
+    """
 
     def found(overlap):
         return [
@@ -406,12 +408,12 @@ def test_derivatives_over_a_flaw_of_the_ball(lib, off_middle, width):
     assert np.abs(force[:, 8]).max() < 1e-8 * stiff  # spin of the ring
     assert transposed[0, :2] == pytest.approx(force[0, 6:8], abs=1e-12 * stiff)
     if off_middle < 1e-3:
-        assert np.abs(want[0, 5]) > 1e-3 * stiff * radius  # the slope matters
+        assert np.abs(want[0, 5]) > 1e-3 * stiff * radius  # the slope is not negligible
 
 
 def test_old_factors_stay(lib):
-    """Corrections that reuse earlier factors solve with exactly these factors, without adding
-    masses a second time."""
+    """Corrections that reuse earlier factors solve with exactly these factors and do not add masses
+    a second time."""
     h = 1e-4
     found = lib.call("old_factors", h=h)
     assert found.reshape(3, 3) == pytest.approx(
@@ -420,8 +422,8 @@ def test_old_factors_stay(lib):
 
 
 def resting(lib, steps=1, **words):
-    """Number of corrections, estimated error (m) and overlap (m) of each step of a ball on a
-    raceway."""
+    """Return the number of corrections, the estimated error (m) and the overlap (m) for each step
+    of a ball on a raceway."""
     found = np.zeros((3, steps))
     lib.call("resting", n=steps, corrections=found[0], error=found[1], overlap=found[2], **words)
     return found
@@ -431,7 +433,7 @@ def test_a_ball_that_rests_stays(lib):
     """A ball of 8 g that rolls around at 2 rad/s is pressed on its raceway by 1 mN, up to an
     overlap of 1 nm. It starts a nanometre away from the raceway. The tolerance is 5 nm, and a step
     lasts a few periods of the ball's vibration. One correction per stage brings the ball to its
-    place, and it does not jump off the raceway and back."""
+    equilibrium position, and it does not jump off the raceway and back."""
     scene = dict(speed=2 * 30.3e-3, gap=1e-9, heavy=0.0, h=4e-3, steps=10)
     corrections, _, overlap = resting(lib, newton=5e-9, **scene)
     assert corrections.tolist() == [2] * 10
@@ -441,8 +443,8 @@ def test_a_ball_that_rests_stays(lib):
 
 
 def test_a_light_ball_counts_a_tenth(lib):
-    """The error of an unloaded ball counts only a tenth if another ball has an overlap of 0.1
-    um."""
+    """The error of an unloaded ball has a weight of only a tenth if another ball has an overlap of
+    0.1 um."""
     scene = dict(speed=30.0, gap=1e-6, newton=1e-9, h=1e-7)
     alone, beside = (resting(lib, heavy=heavy, **scene)[1][0] for heavy in (0.0, 1e-7))
     assert alone > 1e-11
@@ -462,8 +464,7 @@ def test_a_contact_that_opens_and_closes_in_turn_is_met_half_way(lib, gap, speed
 
 @pytest.mark.parametrize("again", [0, 1])
 def test_corrections_of_the_cage_alone_start_from_the_matrix_of_the_raceways(lib, again):
-    """The matrix is restored, even after a correction that used the factors of an earlier
-    matrix."""
+    """The matrix is restored even after a correction that used the factors of an earlier matrix."""
     want = np.random.default_rng(4).standard_normal(48)
     want[:36:7] += 10.0
     np.testing.assert_array_equal(lib.call("matrix_kept", again=again, matrix=want), want)

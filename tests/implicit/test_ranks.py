@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/implicit gives the same bits on any number of ranks, wherever the box is cut, with
-other bearings in the box, and if a run continues on another number of ranks.
+"""The results of fix bearing/implicit are bitwise identical on any number of ranks, wherever the
+box is cut, with other bearings in the box, and when a run continues on another number of ranks.
 
-The scene (in.ranks) is a transient under a growing load, in which some steps are refused. The inner
-ring starts at the cuts through the middle of the box and moves away from them, so the bearing moves
-to another rank.
+The scene (in.ranks) is a transient under a growing load, in which some steps are rejected. The
+inner ring starts at the cuts through the middle of the box and moves away from them, so the bearing
+moves to another rank.
 """
 
 import re
@@ -18,7 +18,7 @@ LAST = 60  # steps
 
 
 def state(folder):
-    """All bits that a run has written, step by step."""
+    """Return all data that a run has written, step by step."""
     return [frames(folder / name) for name in ("balls.dump", "contacts.dump")] + [
         (folder / name).read_text()
         for name in ("ring.txt", "control.txt", "capacitance.txt", "between.txt", "events.txt")
@@ -26,7 +26,7 @@ def state(folder):
 
 
 def first_bearing(folder):
-    """Rows of atoms 1 to 20, which belong to the first bearing."""
+    """Return the rows of atoms 1 to 20, which belong to the first bearing."""
     return {
         step: [row for row in rows if int(row.split()[0]) <= 20]
         for step, rows in frames(folder / "balls.dump").items()
@@ -34,7 +34,7 @@ def first_bearing(folder):
 
 
 def last(folder):
-    """Last samples of atoms, contacts and the ring."""
+    """Return the last samples of atoms, contacts and the ring."""
     return [frames(folder / name)[LAST] for name in ("balls.dump", "contacts.dump")] + [
         (folder / "ring.txt").read_text().splitlines()[-1]
     ]
@@ -42,7 +42,7 @@ def last(folder):
 
 @pytest.fixture(scope="module")
 def whole(tmp_path_factory):
-    """One bearing on one rank."""
+    """Return the folder of a run of one bearing on one rank."""
     folder = tmp_path_factory.mktemp("whole")
     outcome = succeed(DECK, out=folder)
     assert int(re.search(r"Neighbor list builds = (\d+)", outcome.text).group(1)) >= 15
@@ -51,7 +51,7 @@ def whole(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def both(tmp_path_factory):
-    """Two bearings on one rank."""
+    """Return the folder of a run of two bearings on one rank."""
     folder = tmp_path_factory.mktemp("both")
     succeed(DECK, out=folder, **TWO)
     return folder
@@ -62,7 +62,7 @@ def test_scene_is_worth_comparing(whole):
     rings = [
         list(map(float, row.split())) for row in (whole / "ring.txt").read_text().splitlines()[1:]
     ]
-    assert all(r[2] < -1e-6 for r in rings)  # m: the ring has left the cut at y = 0
+    assert all(r[2] < -1e-6 for r in rings)  # m: the ring has moved away from the cut at y = 0
     # N: the load is still growing at the first sample
     assert 1000 < rings[0][7] < 4500 < rings[-1][7]
     assert abs(rings[0][8]) > 1e-4  # rad: the outer ring wobbles
@@ -83,7 +83,7 @@ def test_ranks(whole, ranks, tmp_path):
         ((2, 1, 1), 2, {}),
         ((1, 2, 1), 2, {}),
         ((1, 1, 2), 2, {}),
-        ((2, 1, 1), 2, {"xhi": 0.09}),  # the cut lies beside the rings
+        ((2, 1, 1), 2, {"xhi": 0.09}),  # the cut lies next to the rings
         ((1, 2, 2), 4, {"ylo": -0.1}),
         ((3, 3, 1), 9, {"xhi": 0.06}),  # the rank with the rings has no ball
     ],
@@ -109,7 +109,8 @@ def test_two_bearings(both, ranks, tmp_path):
 
 
 def test_another_bearing_changes_no_bits(whole, both):
-    """No bits change, although the other bearing needs finer steps and other neighbour lists."""
+    """The results are bitwise identical, although the other bearing requires finer steps and other
+    neighbour lists."""
     assert first_bearing(both) == frames(whole / "balls.dump")
     finest = [
         float((f / "control.txt").read_text().splitlines()[-1].split()[1]) for f in (whole, both)
@@ -126,7 +127,7 @@ def test_a_fix_for_each_bearing(both, ranks, tmp_path):
 @pytest.mark.parametrize("bearings", [1, 2])
 def test_restart_on_other_ranks(whole, both, bearings, tmp_path):
     """Two ranks write a restart file in the middle of a run, while the load grows and steps are
-    refined. One rank and four ranks continue from it."""
+    refined. One rank and four ranks resume from it."""
     case = TWO if bearings == 2 else {}
     unbroken = {1: whole, 2: both}[bearings]
     succeed(DECK, ranks=2, out=tmp_path, keep=22, first=22, second=38, **case)
@@ -147,10 +148,10 @@ def test_restart_on_other_ranks(whole, both, bearings, tmp_path):
 
 @pytest.mark.parametrize("scene", ["full", "full by estimates", "flaw"])
 def test_models_full_or_flaws(scene, tmp_path):
-    """Two ranks, and four ranks that continue from a restart file written in the middle, give the
-    bits of one rank. One scene has film in the gap, film branch and tangential springs, which store
-    forces between steps; the other has flaws of balls and of a ring, whose ghosts must have the
-    ring's angle."""
+    """The results of two ranks, and of four ranks that resume from a restart file written in the
+    middle, are bitwise identical to those of one rank. One scene has film in the gap, film branch
+    and tangential springs, which store forces between steps; the other has flaws of balls and of a
+    ring, whose ghosts must have the ring's angle."""
     kept = {
         "full": {"control": "tolerance 1e-8 cage_tolerance 1e-6"},
         "full by estimates": {"control": "tolerance 1e-8 cage_tolerance 1e-6 control estimate"},
@@ -180,8 +181,8 @@ def test_models_full_or_flaws(scene, tmp_path):
 
 
 def test_a_fixed_housing_is_the_ground(tmp_path):
-    """A fixed housing has its centre on the pitch circle, nearer to some cage balls than their ring
-    is. It gives the same bits as the ground."""
+    """A fixed housing has its centre on the pitch circle, closer to some cage balls than their ring
+    is. The results are bitwise identical to those with the ground."""
     held = (ROOT / "tests/hosts/bits.housing.1").read_text().split("fix housing")[0]
     text = (ROOT / DECK).read_text()
     for name, words in (
@@ -198,8 +199,8 @@ def test_a_fixed_housing_is_the_ground(tmp_path):
 
 
 def test_only_dampers_implicit(tmp_path):
-    """With `solve damping`, two ranks, and four ranks that continue from a restart file written in
-    the middle, give the bits of one rank."""
+    """With `solve damping`, the results of two ranks, and of four ranks that resume from a restart
+    file written in the middle, are bitwise identical to those of one rank."""
     words = dict(control="solve damping")
     succeed(DECK, out=tmp_path / "one", **words)
     succeed(DECK, ranks=2, out=tmp_path / "two", keep=22, first=22, second=38, **words)

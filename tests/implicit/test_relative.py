@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The main deck with a tolerance relative to the largest overlap."""
+"""Runs the main deck with a tolerance relative to the largest overlap."""
 
 import pytest
 from host import liggghts, succeed
@@ -10,7 +10,7 @@ SCENE = {"passes": 2, "samples": 20, "load": 5000}
 
 @pytest.fixture(scope="module")
 def runs(tmp_path_factory):
-    """{share: folder of the run}"""
+    """Return {share: folder of the run}."""
     folder = tmp_path_factory.mktemp("relative")
     for share in (0, 5e-4, 2e-3):
         succeed("inputs/in.6208", out=folder / f"{share:g}", relative_tolerance=share, **SCENE)
@@ -19,8 +19,8 @@ def runs(tmp_path_factory):
 
 
 def test_fewer_evaluations_and_exact_loads(runs):
-    """Steps may have an error of R times the largest overlap, so that loads have an error of at
-    most 1.5 R times the largest load."""
+    """Steps may have an error of R times the largest overlap, so loads have an error of at most 1.5
+    R times the largest load."""
     exact = Run(runs / "fine").contacts["load"]
     evaluations = []
     for share in (0, 5e-4, 2e-3):
@@ -32,8 +32,8 @@ def test_fewer_evaluations_and_exact_loads(runs):
 
 
 def test_light_loads_keep_the_tolerance(tmp_path):
-    """5 N causes an overlap of 0.2 um: 5e-4 of this overlap is below 1 nm, so the bits are the
-    same."""
+    """A load of 5 N causes an overlap of 0.2 um. Since 5e-4 of this overlap is below 1 nm, the
+    results are bitwise identical."""
     for share in (0, 5e-4):
         out = tmp_path / f"{share}"
         words = {**SCENE, "load": 5, "rpm": 100, "settle": 2, "lubricant": "dry"}

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The contact law for any set of parts (core/contact/any_law.h), for the number types of the tests.
+// Evaluates the contact law for any set of parts (core/contact/any_law.h), for the number types
+// used in the tests.
 #ifndef RACEWAY_TESTS_ANY_PARTS_H
 #define RACEWAY_TESTS_ANY_PARTS_H
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The physics headers as a library, built by `make interfaces` (Makefile rule
+"""Provides the physics headers as a library, which `make interfaces` builds (Makefile rule
 build/libraceway_physics.so)."""
 
 import sys
@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-# lets pytest find the helpers of this folder wherever it starts
+# lets pytest find the helpers in this folder wherever it is started
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from film_scene import Gap  # noqa: E402
@@ -30,11 +30,11 @@ def side(request):
 
 @pytest.fixture(scope="module")
 def gap(physics, side):
-    """A contact with the inner or the outer raceway, with its film."""
+    """Return a contact with the inner or the outer raceway, with its film."""
     return Gap(physics, side)
 
 
 @pytest.fixture(scope="module")
 def inner(physics):
-    """A contact with the inner raceway, with its film."""
+    """Return a contact with the inner raceway, with its film."""
     return Gap(physics, INNER)

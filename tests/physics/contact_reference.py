@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A ball and a ring as moving rigid bodies in 40-digit arithmetic: reference for contact.h.
+"""Reference for contact.h: a ball and a ring as moving rigid bodies in 40-digit arithmetic.
 
-It does not use the derivation in the header. Points of the bodies are followed along the motion
-(constant velocities, Rodrigues rotation) and differentiated in time. Vectors are mpmath vectors, so
-that no step size enters.
+The reference does not use the derivation in the header. Points of the bodies are followed along the
+motion (constant velocities, Rodrigues rotation) and differentiated in time. Vectors are mpmath
+vectors, so the step size of the differences does not limit the accuracy.
 """
 
 import mpmath
@@ -46,10 +46,11 @@ def turn(a, w):
 
 
 def derivative(f):
-    """df/dt at t = 0 of a vector function, from central differences with Richardson extrapolation.
+    """Return df/dt at t = 0 of a vector function, from central differences with Richardson
+    extrapolation.
 
-    Motions here vary over T = 1e-5 s or longer times: truncation (h/T)^4 = 1e-36, rounding 1e-40
-    m/h = 1e-26 m/s.
+    Motions here vary over T = 1e-5 s or longer, so the truncation error is (h/T)^4 = 1e-36, and the
+    rounding error is 1e-40 m/h = 1e-26 m/s.
     """
     h = mpf(10) ** -14  # s
 
@@ -70,7 +71,7 @@ class Reference:
         self.circle, self.radius = mpf(circle), mpf(radius)
 
     def frame(self, t=0):
-        """Geometry at the time t (s): u, t, e, n, w, s and the contact point."""
+        """Return the geometry at the time t (s): u, t, e, n, w, s and the contact point."""
         t = mpf(t)
         x = add(self.ball[0], self.ball[1], t)
         centre = add(self.ring[0], self.ring[1], t)
@@ -87,7 +88,7 @@ class Reference:
         )
 
     def speeds(self):
-        """(overlap_rate, sliding_t, sliding_w, entrainment)"""
+        """Return (overlap_rate, sliding_t, sliding_w, entrainment)."""
         now = self.frame()
         arm = add(now["point"], self.ball[0], -1)
         lever = add(now["point"], self.ring[0], -1)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Every possible contact law behind a C interface, for test_physics_laws.py: slopes from duals and
-// from differences; values of contacts one by one and four at a time, and of laws part by part and
-// as a whole.
+// Exports every possible contact law to test_physics_laws.py: slopes from duals and from
+// differences; values of contacts evaluated one by one and four at a time, and of laws evaluated
+// part by part and as a whole.
 #include "../../src-package/core/interface/exports.h"
 #include "../../src-package/core/numbers/instruction_set.h"
 
@@ -18,8 +18,8 @@ template <class T> const T *force_of(const ContactStateT<T> &c, int i)
   return forces[i];
 }
 
-// Changes of the local forces if the k-th motion changes by `step` times its natural size.
-// Quantities that the law holds fixed do not change.
+// Computes the changes of the local forces when the k-th motion changes by `step` times its natural
+// size. Quantities that the law treats as constant do not change.
 template <class L>
 void shifted_forces(const L &law, const Scene &s, const ContactState &c, int k, double step,
                     double *change, double &size)
@@ -57,7 +57,7 @@ int slopes_of(const L &law, const Scene &s, double *dual, double *difference, do
     for (int k = 0; k < n; ++k) dual[n * i + k] = slopes.of[i][k];
   }
   const double step = 1e-5;
-  for (int k = 0; k < n; ++k) {    // differences of fourth order
+  for (int k = 0; k < n; ++k) {    // fourth-order differences
     double change[n], size;
     for (int i = 0; i < n; ++i) difference[n * i + k] = 0.0;
     for (int far : {-2, -1, 1, 2}) {
@@ -74,7 +74,8 @@ template <class T> RACEWAY_INLINE Vec3T<T> spread(const Vec3 &v)
   return {T() + v.x, T() + v.y, T() + v.z};
 }
 
-// Number of doubles with different bits in two structs that consist of numbers only.
+// Returns the number of doubles that are not bitwise identical in two structs that consist only of
+// numbers.
 template <class A> int different_numbers(const A &a, const A &b)
 {
   const double *const x = reinterpret_cast<const double *>(&a),
@@ -135,7 +136,8 @@ template <class L> Found<L::motions> found_in_lanes(const L &law, const Scene &s
   return f;
 }
 
-// Number of values that differ between doubles, lanes, duals of doubles and duals of lanes.
+// Returns the number of values that differ between doubles, lanes, duals of doubles and duals of
+// lanes.
 template <class L> int bit_differences(const L &law, const Scene &s)
 {
   const auto one = found_by(law, s, false), dual = found_by(law, s, true);
@@ -158,8 +160,8 @@ template <class L> int bit_differences(const L &law, const Scene &s)
   return different;
 }
 
-// Number of values that differ between a law compiled as a whole and its parts evaluated one by
-// one.
+// Returns the number of values that differ between a law compiled as a whole and its parts
+// evaluated one by one.
 template <class L> int fused_differences(const Scene &s)
 {
   const PartsLaw<L::motions> law = {L::parts};
@@ -175,8 +177,8 @@ template <class L> int fused_differences(const Scene &s)
   return different;
 }
 
-// Number of values whose bits differ between four contacts of one raceway evaluated at once and one
-// by one; the last contact may be open.
+// Returns the number of values that are not bitwise identical if four contacts with one raceway are
+// evaluated at once and one by one; the last contact may be open.
 int lane_differences(unsigned parts, int n)
 {
   const bool decides = law_facts(parts).decides;
@@ -248,7 +250,7 @@ EXPORT(const char *, law_name, (int law))
 }
 EXPORT(int, law_explicit, (int law)) { return law_facts(laws_of_parts()[law]).explicit_step; }
 
-// n x n slopes from duals and from differences, n forces; returns n
+// Computes n x n slopes from duals and from differences and n forces; returns n.
 EXPORT(int, law_slopes,
        (int law, int sample, double dual[36], double difference[36], double forces[6]))
 {
@@ -258,7 +260,8 @@ EXPORT(int, law_slopes,
   return n;
 }
 
-// Number of values with different bits, for a law that implicit steps can use.
+// Returns the number of values that are not bitwise identical, for a law that implicit steps can
+// use.
 EXPORT(int, law_bits, (int law, int sample))
 {
   const Scene s = scene(laws_of_parts()[law], sample);
@@ -272,7 +275,7 @@ EXPORT(int, law_lanes, (int law, int sample))
   return lane_differences(laws_of_parts()[law], sample);
 }
 
-// -1: the law is not compiled as a whole
+// Returns -1 if the law is not compiled as a whole.
 EXPORT(int, law_fused, (int law, int sample))
 {
   const Scene s = scene(laws_of_parts()[law], sample);
@@ -283,8 +286,8 @@ EXPORT(int, law_fused, (int law, int sample))
   return different;
 }
 
-// The reason why keywords cannot form this set of parts; "" if they can. Parts are given one after
-// the other.
+// Returns the reason why keywords cannot form this set of parts, or "" if they can. The names of
+// the parts are passed one after another.
 EXPORT(const char *, law_contradiction, (const char *names))
 {
   static std::string text;
@@ -297,7 +300,7 @@ EXPORT(const char *, law_contradiction, (const char *names))
   return text.c_str();
 }
 
-// Instruction sets of the processor and of the code that evaluates contacts.
+// Return the instruction sets of the processor and of the code that evaluates contacts.
 EXPORT(int, has_avx2, ())
 {
 #ifdef __x86_64__

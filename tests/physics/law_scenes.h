@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// All contact laws, loaded contacts of a 6208 on which to try them, and numbers with a small
+// All contact laws, loaded contacts of a 6208 to which they are applied, and numbers with a small
 // perturbation.
 #ifndef RACEWAY_TESTS_LAW_SCENES_H
 #define RACEWAY_TESTS_LAW_SCENES_H
@@ -12,9 +12,9 @@
 
 namespace raceway {
 
-// A number, and the number that it becomes after a small change of the motions. held() returns the
-// unperturbed number: what a law holds fixed in its derivative must not change in the difference
-// either.
+// A number, and the value that it takes after a small change of the motions. held() returns the
+// unperturbed number, because a quantity that a law treats as constant in its derivative must not
+// change in the difference either.
 struct Shifted {
   double value = 0.0, moved = 0.0;
   Shifted() = default;
@@ -59,14 +59,14 @@ inline Shifted magnitude(const Shifted &a) { return a.value < 0.0 ? -a : a; }
 inline Shifted where(bool test, const Shifted &yes, const Shifted &no) { return test ? yes : no; }
 }    // namespace raceway
 
-// included after the number type above, which it needs
+// included here because it needs the number type above
 #include "any_parts.h"
 
 using namespace raceway;
 
 namespace {
 
-// All sets of parts that keywords can form.
+// Returns all sets of parts that keywords can form.
 const std::vector<unsigned> &laws_of_parts()
 {
   static const std::vector<unsigned> list = [] {
@@ -92,7 +92,7 @@ struct Scene {
   bool stage;
 };
 
-// Gives those parameters of a part that are 0 another value, so that each effect of the part is
+// Sets those parameters of a part that are 0 to another value, so that each effect of the part is
 // present and a wrong slope is detected.
 template <class Part> void enliven(RacewayPhysics &p)
 {
@@ -103,13 +103,14 @@ template <class Part> void enliven(RacewayPhysics &p)
       if (!parameter.number || parameter.open || parameter.least != 0.0) continue;
       double &value = parameter.number(p, own);
       const auto *const at = reinterpret_cast<const char *>(&value);
-      // the parameter must belong to this part and be 0
+      // the parameter must belong to this part and must be 0
       if (at < begin || at >= end || value != 0.0) continue;
       value = std::isfinite(parameter.most) ? 0.5 * parameter.most : 1.0;
     }
 }
 
-// The n-th loaded contact of a 6208, with a contact angle and a sliding speed that depend on n.
+// Returns the n-th loaded contact of a 6208, with a contact angle and a sliding speed that depend
+// on n.
 Scene scene(unsigned parts, int n)
 {
   std::mt19937 random(n);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The physics headers behind a C interface, for the tests in this folder (called by name through
-// physics_c.py, see src-package/core/interface/exports.h). All numbers are doubles, even those that
-// select an option.
+// Exports the physics headers with a C interface for the tests in this folder; physics_c.py calls
+// the functions by name (see src-package/core/interface/exports.h). All numbers are doubles, even
+// those that select an option.
 #include "../../src-package/core/geometry/rail.h"
 #include "../../src-package/core/geometry/ring_body.h"
 #include "../../src-package/core/interface/exports.h"
@@ -16,7 +16,7 @@ using namespace raceway;
 
 EXPORTS
 
-// Data of one raceway, in the form that the tests use.
+// Data of one raceway in the form used by the tests.
 RECORD(RacewayInput, double side, raceway_radius, groove_radius, ball_radius, ball_young,
        ball_poisson, ring_young, ring_poisson, ellipse, film, viscosity, pressure_viscosity,
        damper_full_axis, damper_rolling_radius, friction, mu, mu_boundary, mu_full, lambda_1,
@@ -156,7 +156,7 @@ EXPORT(void, vec3_rotate, (const double a[3], const double w[3], double out[3]))
   rotate(Vec3::from(a), Vec3::from(w)).to(out);
 }
 
-// a + b, a - b, s a, a s, -a, a += b, a -= b, and b added to the components of a
+// Computes a + b, a - b, s a, a s, -a, a += b, a -= b, and b added to the components of a.
 EXPORT(void, vec3_algebra, (const double pa[3], const double pb[3], double s, double out[24]))
 {
   const Vec3 a = Vec3::from(pa), b = Vec3::from(pb);
@@ -199,7 +199,7 @@ EXPORT(double, thickness, (double lnA, double p, double m, double speed, double 
 }
 
 // ---- friction.h
-// xi is updated
+// xi is updated.
 EXPORT(void, friction_spring,
        (double k, double c, double cap, double vt, double vw, double xi[2], SpringForce *out))
 {
@@ -321,7 +321,7 @@ EXPORT(void, raceway_radial, (const RacewayPhysics *p, Constants *out))
   put(p->law.radial(), out);
 }
 
-// Without contact (overlap <= 0) touch() leaves the frame unset; it is set here.
+// Without contact (overlap <= 0) touch() does not set the frame, so it is set here.
 EXPORT(double, contact_touch,
        (const RacewayPhysics *p, const double d[3], const double e[3], State *state))
 {
@@ -335,7 +335,7 @@ EXPORT(double, contact_touch,
   return touching;
 }
 
-// xi is updated
+// xi is updated.
 EXPORT(void, contact,
        (const RacewayPhysics *p, double with_film, const BallMotion *ball, const RingMotion *ring,
         double dt, double xi[2], State *state, Forces *forces))

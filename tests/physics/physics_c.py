@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The functions of src-package/core, callable from Python by name (physics_c.cpp)."""
+"""The functions of src-package/core, which can be called from Python by name (physics_c.cpp)."""
 
 import numpy as np
 from raceway.core import laws
@@ -13,8 +13,7 @@ FRICTIONLESS, CONSTANT, STRIBECK = 0, 1, 2  # Friction
 PITCH, BALL = 30.3e-3, 6.3e-3  # m, of a 6208
 BALL_MASS = 4 / 3 * np.pi * BALL**3 * 7800
 
-# Data of a raceway, the RacewayInput of physics_c.cpp; the values are those of a dry 6208 inner
-# ring.
+# Data of a raceway (RacewayInput in physics_c.cpp); the values are those of a dry 6208 inner ring.
 RACEWAY = dict(
     side=INNER,
     raceway_radius=24.0e-3,
@@ -54,14 +53,14 @@ ELEMENTARY = ("exponential", "logarithm", "rough_exponential", "rough_logarithm"
 
 
 class Physics(Library):
-    """The library of core functions; those that are often called have a method."""
+    """The library of core functions; functions that are called often have methods."""
 
     def __init__(self, path):
         super().__init__(path)
         self.record("RacewayInput", RACEWAY)  # the names in C++ and Python must be equal
 
     def elementary(self, name, x):
-        """A function of `ELEMENTARY` applied to an array: (one by one, four at a time)."""
+        """Apply a function of `ELEMENTARY` to an array; return (one by one, four at a time)."""
         one, four = np.full(len(x), np.nan), np.full(len(x), np.nan)
         self.call(
             "elementary",
@@ -83,7 +82,7 @@ class Physics(Library):
         return np.array(laws.effective_radii(BALL, groove, PITCH, side == INNER, cos_angle))
 
     def film(self, model, kappa, viscosity, xi, modulus, r_x, speed, load):
-        """(h_min, h_c) in m."""
+        """Return (h_min, h_c) in m."""
         law = self.call(
             "film", model=model, kappa=kappa, viscosity=viscosity, xi=xi, Eprime=modulus, Rx=r_x
         )
@@ -103,13 +102,13 @@ class Physics(Library):
         return Raceway(self, changes)
 
     def raceway_6208(self, side, clearance=0.0, **changes):
-        """Raceway of a 6208; a diametral clearance (m) enlarges the outer groove."""
+        """Return a raceway of a 6208; a diametral clearance (m) enlarges the outer groove."""
         radius = 24.0e-3 if side == INNER else 36.6e-3 + clearance / 2
         return Raceway(self, dict(side=side, raceway_radius=radius) | changes)
 
 
 class Raceway:
-    """A RacewayPhysics and the input `data` from which it was made."""
+    """A RacewayPhysics and the input `data` from which it was created."""
 
     def __init__(self, physics, changes):
         assert not set(changes) - set(RACEWAY)
@@ -138,13 +137,13 @@ class Raceway:
         return self._physics.call("raceway_radial", self._handle)
 
     def touch(self, d, e):
-        """(whether the surfaces overlap, state with the geometry set)."""
+        """Return (whether the surfaces overlap, state with the geometry set)."""
         touching, state = self._physics.call("contact_touch", p=self._handle, d=d, e=e)
         return bool(touching), state
 
     def contact(self, ball, ring, dt=0.0, xi=(0.0, 0.0)):
-        """State, with forces, of the contact between a ball (x, v, w) and a ring (x, v, w, e). The
-        state also contains `xi` after the step."""
+        """Return the state, including forces, of the contact between a ball (x, v, w) and a ring
+        (x, v, w, e). The state also contains `xi` after the step."""
         spring = np.array(xi, dtype=float)
         result, forces = self._physics.call(
             "contact",

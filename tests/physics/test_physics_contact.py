@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""contact.h: one ball on one raceway, compared with moving rigid bodies in 40-digit arithmetic and
-with the conservation laws.
+"""Tests of contact.h for one ball on one raceway, against moving rigid bodies in 40-digit
+arithmetic and against the conservation laws.
 
-Rounding: positions have errors of 1e-17 m (an ulp of 0.03 m), and the ball is s = 0.2 mm away from
+Positions have rounding errors of 1e-17 m (an ulp of 0.03 m), and the ball is s = 0.2 mm away from
 the circle of groove centres. Directions are therefore accurate to 1e-13, and speeds (at most 100
-m/s here, and they cancel) to 1e-12 of the largest speed; the overlap (10 um) has a relative
+m/s here, with cancellation) to 1e-12 of the largest speed; the overlap (10 um) has a relative
 accuracy of 1e-12.
 """
 
@@ -32,8 +32,8 @@ AXES = {
 
 
 def scene(side, axis="tilted", angle=0.4, overlap=1e-5, azimuth=0.7, ring_w=(20.0, -35.0, 150.0)):
-    """A ball with a given overlap at a contact angle (rad), with all bodies in motion: (ball,
-    ring)."""
+    """Return (ball, ring) for a ball with a given overlap at a contact angle (rad), with all bodies
+    in motion."""
     e = AXES[axis]
     first = unit(np.cross(e, [0.3, 1.0, 0.1]))
     u = np.cos(azimuth) * first + np.sin(azimuth) * np.cross(e, first)
@@ -43,7 +43,7 @@ def scene(side, axis="tilted", angle=0.4, overlap=1e-5, azimuth=0.7, ring_w=(20.
     place = ring[0] + CIRCLE[side] * u + (SLACK + overlap) * normal
     velocity = 2.0 * np.cross(e, u) + 0.03 * u - 0.02 * e
     rate = (velocity - ring[1] - np.cross(ring[2], place - ring[0])) @ normal
-    velocity += (0.013 - rate) * normal  # closing slowly, so that the contact is loaded
+    velocity += (0.013 - rate) * normal  # closes slowly, so that the contact is loaded
     return (place, velocity, np.array([90.0, -60.0, -400.0])), ring
 
 
@@ -108,7 +108,7 @@ def test_a_moving_observer_sees_the_same(physics, side):
 
 @SIDES
 def test_overlap_rate_along_the_motion(physics, side):
-    # compared with finite differences of the header's overlap, for a tilting ring
+    # compared with finite differences of the header's overlap for a tilting ring
     ball, ring = scene(side)
     ring_model = make(physics, side)
 
@@ -118,7 +118,8 @@ def test_overlap_rate_along_the_motion(physics, side):
 
     h = 3e-8
     found = (overlap(h) - overlap(-h)) / (2 * h)
-    # truncation h^2 v^3/(6 s^2) with v across the normal below 1 m/s; rounding 2e-17 m/h
+    # the truncation error is h^2 v^3/(6 s^2) with v across the normal below 1 m/s; the rounding
+    # error is 2e-17 m/h
     assert ring_model.contact(ball, ring).overlap_rate == pytest.approx(
         found, abs=h**2 / (6 * SLACK**2) + 2e-17 / h
     )
@@ -126,8 +127,8 @@ def test_overlap_rate_along_the_motion(physics, side):
 
 @SIDES
 def test_tilting_ring_alone_closes_the_contact(physics, side):
-    # ball at rest, ring rotating about a line perpendicular to its axis: d(overlap)/dt = -n.(W x
-    # arm)
+    # the ball is at rest, and the ring rotates about a line perpendicular to its axis:
+    # d(overlap)/dt = -n.(W x arm)
     ball, ring = scene(side)
     ball, ring = (
         (ball[0], np.zeros(3), np.zeros(3)),
@@ -160,7 +161,7 @@ def test_pure_rolling_does_not_slide(physics, side, inner, outer):
     )
     # the ball is 3e-14 m from the pitch circle, so that it just touches
     assert state.sliding_t == pytest.approx(0, abs=1e-10)
-    # the textbook has (1 - gamma^2)/2 omega r_pitch for the speed difference of the rings
+    # the textbook formula is (1 - gamma^2)/2 omega r_pitch for the speed difference of the rings
     gamma = BALL / PITCH
     assert state.entrainment == pytest.approx(
         abs(inner - outer) * PITCH * (1 - gamma**2) / 2, abs=1e-10
@@ -182,10 +183,11 @@ def test_load_and_stiffness(physics, side, angle):
     exact = raceway.exact(np.cos(angle)).K
     assert state.load == pytest.approx(exact * 1e-5**1.5, rel=1e-9)  # accuracy of the table
     assert state.root**2 == pytest.approx(state.overlap, rel=1e-15)
-    # stiffness = dQ/d(overlap): the ball is displaced along the normal at a constant contact angle
+    # stiffness = dQ/d(overlap), so the ball is displaced along the normal at a constant contact
+    # angle
     normal, h = state.nu * state.u + state.ne * ring[3], 2e-9
     loads = [raceway.contact((ball[0] + step * normal, *ball[1:]), ring).load for step in (h, -h)]
-    # truncation (h/overlap)^2/24 of a 3/2 power, rounding 2e-17 m/h
+    # the truncation error is (h/overlap)^2/24 for a 3/2 power, the rounding error 2e-17 m/h
     assert state.stiffness == pytest.approx(
         (loads[0] - loads[1]) / (2 * h), rel=(h / 1e-5) ** 2 / 24 + 2e-17 / h * 3
     )
@@ -198,8 +200,8 @@ def test_damping_is_the_slope_of_the_normal_force(physics, side):
     state = raceway.contact(ball, ring)
     normal, step = state.nu * state.u + state.ne * ring[3], 1e-3
     pushed = raceway.contact((ball[0], ball[1] + step * normal, ball[2]), ring)
-    # N is linear in the rate, and a motion along n changes only U_r; the error is the rounding of
-    # forces of 1e3 N, 1e-12 of them, divided by C step
+    # N is linear in the rate, and a motion along n changes only U_r, so the error is the rounding
+    # error of forces of 1e3 N (1e-12 of them) divided by C step
     found = (pushed.normal - state.normal) / step
     assert found == pytest.approx(state.damping, rel=1e-10 + 1e-9 / (state.damping * step))
     assert pushed.overlap_rate - state.overlap_rate == pytest.approx(step, abs=1e-12)
@@ -221,7 +223,7 @@ def test_damping_is_the_sum_of_both_laws(physics, side, angle):
         / np.sqrt(2)
         * (BALL / h_min) ** 1.5
     )
-    # the error is the accuracy of the table, multiplied by ln U and ln Q
+    # the error equals the accuracy of the table multiplied by ln U and ln Q
     assert state.h_min == pytest.approx(h_min, rel=1e-8)
     assert state.lam == pytest.approx(h_min / 50e-9, rel=1e-8)
     assert state.damping == pytest.approx(1.5 * 0.08 * state.load + fluid, rel=3e-8)  # h^-1.5
@@ -251,7 +253,7 @@ def test_no_adhesion(physics, side):
     ball, ring = scene(side)
     state = make(physics, side).contact(ball, ring)
     normal = state.nu * state.u + state.ne * ring[3]
-    # N becomes zero if the separation speed grows by this speed
+    # N becomes zero if the separation speed increases by this speed
     critical = state.load / state.damping + state.overlap_rate
     for factor, sign in ((0.99, 1), (1.01, 0), (100.0, 0)):
         away = make(physics, side).contact(
@@ -259,7 +261,7 @@ def test_no_adhesion(physics, side):
         )
         assert np.sign(away.normal) == sign
         assert away.load > 0
-    # friction is zero, too
+    # friction is zero as well
     assert away.force.tolist() == [0, 0, 0] and away.ball_torque.tolist() == [0, 0, 0]
 
 

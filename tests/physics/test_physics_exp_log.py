@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""exp_log.h, compared with mpmath at the ends of its range; lanes, compared with one number at a
-time."""
+"""Tests of exp_log.h against mpmath at the ends of its range, and of lanes against single
+numbers."""
 
 import mpmath
 import numpy as np
 import pytest
 
-# The bound stated at the head of the header, in units in the last place of the result.
+# The bound stated at the top of the header, in units in the last place of the result.
 UNITS = 2.0
 
 
@@ -57,7 +57,7 @@ def test_last_place(physics, name, exact):
 
 
 def test_rough_ones(physics):
-    """Errors of the rough functions are within the bounds stated at the head of the header, and are
+    """Errors of the rough functions are within the bounds stated at the top of the header and are
     zero at 0 and 1."""
     x = np.append(np.linspace(-1, 0, 2001), -1e3)
     one, four = physics.elementary("rough_exponential", x)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""film.h, compared with equations 6 and 9 as printed in the paper, their limits and the errata."""
+"""Tests of film.h against equations 6 and 9 as printed in the paper, their limits and the
+errata."""
 
 import itertools
 
@@ -11,7 +12,8 @@ from raceway.core import laws
 STEEL = 210e9 / (1 - 0.09)
 OIL = (0.04, 15e-9)
 CASES = list(itertools.product([0.3, 1.0, 8.0], [1e-3, 0.7, 20.0], [1e-3, 50.0, 2436.0]))
-# ln h is a sum of about ten terms of at most 50, so each rounding changes h by at most 1e-14 of it.
+# ln h is a sum of about ten terms of at most 50, so each rounding changes h by at most a fraction
+# of 1e-14.
 ROUNDING = 1e-13
 
 
@@ -92,7 +94,7 @@ def test_errata_the_plus_sign_agrees_with_hamrock_dowson(physics, side):
         physics.film(model, kappa, 0.04, 13e-9, STEEL, r_x, 0.01, 2436.0)[1]
         for model in (MASJEDI_PRINTED, HAMROCK_DOWSON)
     )
-    # "up to 65 % high at low speed", more on the inner ring than on the outer ring
+    # the docs state "up to 65 % high at low speed", more on the inner ring than on the outer ring
     assert 1.5 < minus / reference < 1.66
 
 

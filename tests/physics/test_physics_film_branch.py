@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The film branch, a spring and a dashpot in series: its step, its damping and its step limit."""
+"""Tests of the film branch, a spring and a dashpot in series: its step, damping and step limit."""
 
 import mpmath
 import numpy as np
@@ -12,8 +12,8 @@ from scipy.linalg import expm
 
 
 def series(k, h_c, elastic, b, speed, force, rate, step):
-    """(k_m, 1/tau, force after a step and its slope) of a spring and a dashpot in series, in 40
-    digits: f(t) = f_0 e^(-t/tau) + k_m tau (1 - e^(-t/tau)) d(overlap)/dt."""
+    """Return (k_m, 1/tau, force after a step and its slope) for a spring and a dashpot in series,
+    in 40-digit arithmetic: f(t) = f_0 e^(-t/tau) + k_m tau (1 - e^(-t/tau)) d(overlap)/dt."""
     with mpmath.workdps(40):
         k_m = mpf("0.44") * k * min(mpf(h_c) / elastic, 1)
         decay = mpf(speed) / (mpf("1.33") * b)
@@ -45,8 +45,8 @@ def test_branch_in_a_stage_is_backward_euler(step):
 
 
 def test_dashpot_of_the_top_ball(inner):
-    """The dashpot has 659, 331, 219, 135 N s/m. These values contain 0.59 instead of 0.44 x 1.33,
-    so they are 0.6 % higher than those of the branch."""
+    """The dashpot constants are 659, 331, 219 and 135 N s/m. These values contain 0.59 instead of
+    0.44 x 1.33, so they are 0.6 % higher than those of the branch."""
     for speed, expected in zip((0.072476, 0.724764, 2.899, 14.4946), (659, 331, 219, 135)):
         load = 2436.2
         elastic = (load / inner.stiffness) ** (2 / 3)
@@ -64,8 +64,8 @@ def test_dashpot_of_the_top_ball(inner):
 @pytest.mark.parametrize("time", [1e-7, 3e-6, 1e-5, 1e-4, 1e-2])
 @pytest.mark.parametrize("c", [0.0, 300.0])
 def test_step_limit_of_the_branch(physics, time, c):
-    """By its spectral radius the scheme is stable up to the limit and unstable at 1.25 times the
-    limit."""
+    """The spectral radius shows that the scheme is stable up to the limit and unstable at 1.25
+    times the limit."""
     k, k_m, m = 2e8, 8e7, 8e-3
 
     def radius(h):

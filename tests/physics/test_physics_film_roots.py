@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film thicknesses that are the root of an equation: the formula for all regimes and Gupta's
-factor."""
+"""Tests of film thicknesses that are the root of an equation: the formula for all regimes and
+Gupta's factor."""
 
 import itertools
 
@@ -10,7 +10,7 @@ from film_scene import OVERLAPS, SPEEDS, scene
 from references import film as reference
 from scipy.integrate import quad
 
-# films that Newton's method solves for
+# films that are found by Newton's method
 LAWS = {
     "power": {},
     "moes": {"regimes": True},
@@ -21,7 +21,7 @@ ROOTS = {name: law for name, law in LAWS.items() if law}
 
 
 def theory(gap, law, speed, share=1.0, starvation=1.0):
-    """The film according to `law`, in 40 digits."""
+    """Return the film according to `law` in 40-digit arithmetic."""
     base, cut = (gap.regimes, 0.0) if "regimes" in law else (gap.law, 1.0)
     film_law = base(speed, starvation)
     return gap.heated(film_law, speed, law["sliding"], cut) if "shear" in law else film_law
@@ -38,7 +38,7 @@ def test_roots_against_high_precision(gap, law, speed, share, starvation):
         open_, found = gap.cpp(overlap, speed, share, starvation, **law)
         package = gap.python(law, speed, share, starvation, overlap)
         assert (load == 0) == (package.load == 0)
-        # a run uses no film that is thicker than the reach
+        # a run never uses a film thicker than the reach
         within = share * h_c <= found.reach
         assert open_ == (load == 0) or not within
         worst = 1e-10 * (1 + share * h_c / elastic) if load > 0 else 0.0
@@ -54,14 +54,15 @@ def test_roots_against_high_precision(gap, law, speed, share, starvation):
 
 
 def test_digits_of_all_regimes(inner):
-    """At zero overlap and 9549 rpm the film has known digits, as long as it is not cut off."""
+    """At zero overlap and 9549 rpm the load matches a reference value as long as it is not cut
+    off."""
     assert inner.cpp(0.0, 14.4946, regimes=True)[1].load == pytest.approx(81.56, abs=0.005)
 
 
 @pytest.mark.parametrize("law", ROOTS.values(), ids=ROOTS)
 def test_roots_everywhere(gap, law):
-    """delta_H = delta + zeta h holds, where h is at most the reach, from the edge of the film to a
-    heavy load and from low to high speed."""
+    """delta_H = delta + zeta h, where h is at most the reach, is satisfied from the edge of the
+    film to a heavy load and from low to high speed."""
     reach = gap.cpp(0.0, 1.0)[1].reach
     for speed, share in itertools.product(np.geomspace(1e-6, 60, 15), (1e-3, 0.3, 1.0, 2.0)):
         law_there = theory(gap, law, speed)
@@ -134,8 +135,8 @@ def test_energy_of_roots_is_the_work(gap, law, speed):
 
 @pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
 def test_lanes_have_the_bits_of_a_double(gap, law):
-    """Four contacts of all kinds in lanes give the same bits as each alone: the number of
-    iterations of one contact does not affect another."""
+    """Four contacts of all kinds evaluated in lanes are bitwise identical to each contact evaluated
+    alone, because the number of iterations for one contact does not affect the others."""
     random = np.random.default_rng(1)
     for _ in range(200):
         speed = np.exp(random.uniform(np.log(1e-3), np.log(30), 4))
@@ -155,7 +156,7 @@ def test_lanes_have_the_bits_of_a_double(gap, law):
 @pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
 @pytest.mark.parametrize("speed", [0.0, 1e-12])
 def test_contact_at_rest_is_dry(gap, law, speed):
-    """Without entrainment a gap carries no load, and an overlap is elastic."""
+    """Without entrainment a gap carries no load, and an overlap is purely elastic."""
     for overlap in OVERLAPS:
         open_, found = gap.cpp(overlap, speed, **law)
         if overlap:

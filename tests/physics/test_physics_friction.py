@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""friction.h: the Stribeck transition and the capped tangential spring."""
+"""Tests of friction.h: the Stribeck transition and the capped tangential spring."""
 
 import numpy as np
 import pytest
@@ -20,7 +20,7 @@ def test_stribeck_ends():
 
 
 def test_stribeck_is_the_cubic():
-    # the only cubic with these end values and zero slope at both ends: s^2 (3 - 2 s)
+    # s^2 (3 - 2 s) is the only cubic with these end values and zero slope at both ends
     for s in np.linspace(0.05, 0.95, 7):
         expected = 0.12 - 0.10 * (3 * s**2 - 2 * s**3)
         assert mu(0.8 + 2.1 * s) == pytest.approx(expected, rel=1e-14)
@@ -64,7 +64,7 @@ def test_slip_keeps_the_direction_and_the_size_of_the_cap(physics):
     trial = np.array([1e7 * 3e-7 + 30 * 0.01, -1e7 * 2e-7 + 30 * 0.02])
     force, xi = spring(physics, (3e-7, -2e-7), (0.01, 0.02), cap=1.5)
     assert force == pytest.approx(1.5 * trial / np.linalg.norm(trial), rel=1e-14)
-    # the spring is reset such that spring and dashpot together give exactly this force
+    # the spring is reset so that spring and dashpot together give exactly this force
     again, same = spring(physics, xi, (0.01, 0.02), cap=1.5 * (1 + 1e-12))
     assert again == pytest.approx(force, rel=1e-12) and same == pytest.approx(xi, rel=1e-12)
 
@@ -76,7 +76,7 @@ def test_without_load_no_friction(physics):
 
 
 def test_steady_sliding_reaches_coulomb(physics):
-    # in the order of contact.h: xi += dt v, then the force
+    # in the order used in contact.h: xi += dt v, then the force
     xi, velocity, dt = np.zeros(2), np.array([0.3, -0.4]), 1e-7
     for _ in range(200):
         xi += dt * velocity
@@ -85,8 +85,8 @@ def test_steady_sliding_reaches_coulomb(physics):
 
 
 def test_a_sticking_ball_swings_on_the_spring(physics):
-    # x'' = -k x/m, starting on one side: half a period later the mass is on the other side, without
-    # loss if there is no damping
+    # x'' = -k x/m, starting from rest on one side: half a period later the mass is on the other
+    # side, without loss if there is no damping
     k, m, steps = 1e7, 1e-3, 2000
     period = 2 * np.pi * np.sqrt(m / k)
     dt, xi, v = period / 2 / steps, np.array([1e-6, 0.0]), 0.0
@@ -98,4 +98,4 @@ def test_a_sticking_ball_swings_on_the_spring(physics):
         v -= dt / 2 * force() / m
         xi[0] += dt * v
         v -= dt / 2 * force() / m
-    assert xi[0] == pytest.approx(-1e-6, rel=(np.pi / steps) ** 2)  # Verlet's second order
+    assert xi[0] == pytest.approx(-1e-6, rel=(np.pi / steps) ** 2)  # Verlet is of second order

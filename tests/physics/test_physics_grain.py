@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""grain_contact.h: a sphere that hits a wall."""
+"""Tests of grain_contact.h for a sphere that hits a wall."""
 
 import numpy as np
 import pytest
@@ -39,8 +39,8 @@ def test_a_bounce_without_damping(physics):
 @pytest.mark.parametrize("restitution", [0.2, 0.5, 0.9])
 def test_damping_against_the_equation_of_motion(physics, restitution):
     """The rebound agrees with an independent integration of m x'' = max(0, k x - c x').
-    `restitution` defines c: it is the decay of a free vibration over half a period."""
-    decay = -np.log(restitution) / TIME  # to first order; next line: exact
+    `restitution` defines c; it is the decay of a free vibration over half a period."""
+    decay = -np.log(restitution) / TIME  # to first order; the next line is exact
     decay = -np.log(restitution) * np.sqrt(K / M / (np.pi**2 + np.log(restitution) ** 2))
 
     def motion(_, y):
@@ -52,10 +52,10 @@ def test_damping_against_the_equation_of_motion(physics, restitution):
     apart.terminal, apart.direction = True, -1
     exact = solve_ivp(motion, (0, 1), (1e-14, V), events=apart, rtol=1e-10, atol=1e-16)
     after = collide(physics, restitution)
-    # the end is one step late, when the force is small; because of the damper the error is of first
-    # order in the step
+    # the end is detected one step late, when the force is small; because of the damper the error is
+    # of first order in the step
     assert after.normal == pytest.approx(-exact.y[1][-1], rel=4 * STEP / TIME)
-    # without adhesion a body leaves slightly faster than in the free vibration
+    # without adhesion a body leaves slightly faster than in a free vibration
     assert restitution <= after.normal / V < restitution + 0.2 * (1 - restitution)
 
 
@@ -65,8 +65,8 @@ def test_a_sliding_collision_in_closed_form(physics, restitution):
     mu, along = 0.2, 5 * V
     after = collide(physics, restitution, mu, along=along)
     impulse = M * (V + after.normal)
-    # friction is below its limit until the spring is stretched, during the fraction mu F/(kt v) of
-    # the collision; the missing impulse is the square of this fraction
+    # friction is below its limit until the spring is stretched, which takes the fraction mu F/(kt
+    # v) of the collision; the missing part of the impulse is the square of this fraction
     assert after.along == pytest.approx(along - mu * impulse / M, rel=1e-3)
     # the lever arm is the radius minus the overlap
     overlap = V * np.sqrt(M / K)
@@ -90,8 +90,8 @@ def test_the_loss_is_what_motion_has_lost(physics, restitution, friction):
     before = energy(V, 2 * V, 30.0)
     after = collide(physics, restitution, friction, along=2 * V, spin=30.0)
     left = energy(after.normal, after.along, after.spin)
-    # the lever arm changes by the overlap during a collision, and the loss is computed with its
-    # value at the end of each step
+    # the lever arm changes by the overlap during a collision, and the loss is computed with the
+    # lever arm at the end of each step
     change = V * np.sqrt(M / K) / R
     assert after.lost == pytest.approx(before - left, abs=change * STEP / TIME * before)
     coarse = collide(physics, restitution, friction, along=2 * V, spin=30.0, dt=10 * STEP)

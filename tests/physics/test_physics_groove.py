@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""groove.h: the position of a ball in a torus groove, compared with the surfaces of both bodies."""
+"""Tests of groove.h: the position of a ball in a torus groove, compared with the surfaces of both
+bodies."""
 
 import mpmath
 import numpy as np
@@ -15,7 +16,7 @@ TILTED = np.array([0.1, -0.05, 1.0]) / np.linalg.norm([0.1, -0.05, 1.0])
 
 
 def place(azimuth, radius, height, axis=TILTED):
-    """A point from cylinder coordinates about `axis`."""
+    """Return a point given by cylindrical coordinates about `axis`."""
     first = np.cross(axis, [0.0, 1.0, 0.0])
     first /= np.linalg.norm(first)
     return (
@@ -26,7 +27,7 @@ def place(azimuth, radius, height, axis=TILTED):
 @pytest.mark.parametrize("side", [INNER, OUTER])
 def test_numbers_of_the_groove(physics, side):
     radius = 24.0e-3 if side == INNER else 36.6e-3
-    # lengths are 1e-2 m: a rounding error is 1e-18 m
+    # lengths are of order 1e-2 m, so a rounding error is 1e-18 m
     assert physics.call(
         "groove_circle", side=side, raceway_radius=radius, groove=6.552e-3, ball=BALL
     ) == pytest.approx(CIRCLE[side], abs=1e-17)
@@ -37,7 +38,7 @@ def test_numbers_of_the_groove(physics, side):
 def test_a_ball_on_the_pitch_circle_just_touches_both_grooves(physics, side, radial):
     touching, state = physics.raceway_6208(side).touch([0.0, PITCH, 0.0], [0.0, 0.0, 1.0])
     assert state.overlap == pytest.approx(0, abs=2e-17)
-    # towards the axis; outwards
+    # towards the axis on the inner ring, outwards on the outer ring
     assert [state.nu, state.ne] == pytest.approx([radial, 0], abs=1e-12)
     assert [*state.u, *state.t] == pytest.approx([0, 1, 0, -1, 0, 0], abs=3e-16)
 
@@ -59,7 +60,7 @@ def test_against_high_precision(physics, side, azimuth, radius, height):
         np.concatenate([expected["u"], expected["t"]]), abs=1e-15
     )
     normal = g.nu * g.u + g.ne * TILTED
-    assert normal == pytest.approx(expected["n"], abs=5e-13)  # these errors over s = 0.2 mm
+    assert normal == pytest.approx(expected["n"], abs=5e-13)  # these errors divided by s = 0.2 mm
     assert g.r * g.u + g.z * TILTED == pytest.approx(d, abs=2e-17)
 
 
@@ -70,7 +71,7 @@ def test_against_high_precision(physics, side, azimuth, radius, height):
 def test_overlap_is_the_depth_of_the_ball_in_the_ring(physics, side, azimuth, radius, height):
     d = place(azimuth, radius, height)
 
-    def depth(angles):  # distance that a point of the ball lies behind the groove, m
+    def depth(angles):  # distance by which a point of the ball lies behind the groove, m
         theta, phi = angles
         point = d + BALL * np.array(
             [np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)]
@@ -93,14 +94,14 @@ def test_overlap_is_the_depth_of_the_ball_in_the_ring(physics, side, azimuth, ra
         method="Nelder-Mead",
         options=dict(xatol=1e-8, fatol=1e-13, maxiter=2000),
     )
-    # at the top of a smooth hill the error is the square of the angular error (1e-7) times 30 mm
+    # at the top of a smooth maximum the error is the square of the angular error (1e-7) times 30 mm
     assert -1e-3 * found.fun == pytest.approx(state.overlap, abs=1e-14)
     assert touching == (state.overlap > 0)
 
 
 def test_free_contact_angle_and_endplay(physics):
-    # eqs A.2-A.4: the inner ring is at its axial stop, the ball on the line through the groove
-    # centres
+    # eqs A.2-A.4: the inner ring is at its axial stop, and the ball is on the line through the
+    # groove centres
     clearance = 20e-6
     bearing = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     angle, endplay = free_contact_angle(bearing, clearance), free_endplay(bearing, clearance)
@@ -119,6 +120,6 @@ def test_free_contact_angle_and_endplay(physics):
         assert [state.nu, state.ne] == pytest.approx(
             [sign * np.cos(angle), sign * np.sin(angle)], abs=1e-12
         )
-    # if the ball is slightly further away, it is compressed
+    # if the ball is slightly farther away, it is compressed
     _, state = inner.touch(ball - [0, 0, endplay / 2 + 1e-7], [0.0, 0.0, 1.0])
     assert state.overlap > 0

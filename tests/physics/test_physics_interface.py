@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The C interface by name (exports.h, exports.py): names matter, their order does not."""
+"""Tests of the C interface, which is called by name (exports.h, exports.py): names matter, but not
+their order."""
 
 import subprocess
 from pathlib import Path

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every set of parts that forms a contact law: derivatives from duals are compared with
-differences; the law has equal bits part by part, as a whole and in lanes; contradictory sets are
-refused.
+"""Tests of every set of parts that forms a contact law: derivatives from duals are compared with
+finite differences; the results of a law are bitwise identical whether it is evaluated part by part,
+as a whole or in lanes; contradictory sets are rejected.
 
-The text of a law states what its derivative holds fixed; the differences hold the same quantities
-fixed. Central differences of fourth order use a step of 1e-5 of the natural size of a motion, 0.1
-m/s and 10 rad/s. Their rounding error is 2e-16/1e-5 of the force divided by that size, well below
-1e-9 of the largest slope.
+The text of a law states which quantities its derivative treats as constant; the differences treat
+the same quantities as constant. Fourth-order central differences use a step of 1e-5 of the natural
+size of a motion, 0.1 m/s and 10 rad/s. Their rounding error is 2e-16/1e-5 of the force divided by
+that size, well below 1e-9 of the largest slope.
 """
 
 import ctypes
@@ -23,8 +23,8 @@ def laws(physics):
 
 
 def some(law):
-    """Numbers of a few samples, different for each law. Over all sets of parts, every part is
-    tested with all samples."""
+    """Return the indices of a few samples, which differ between laws. Over all sets of parts, every
+    part is tested with all samples."""
     return [(7 * law + 5 * k) % SAMPLES for k in range(4)]
 
 
@@ -37,7 +37,7 @@ def test_duals_are_differences(physics):
             n, dual, difference, forces = physics.call("law_slopes", law, sample)
             dual, difference = dual[: n * n].reshape(n, n), difference[: n * n].reshape(n, n)
             assert forces[0] > 0, "the samples are loaded contacts"
-            # forces and couples have different units, as have speeds and rotations
+            # forces and couples have different units, and so do speeds and rotations
             for rows in (slice(0, 3), slice(3, n)):
                 for columns, size in ((slice(0, 3), 0.1), (slice(3, n), 10.0)):
                     block = dual[rows, columns]
@@ -69,8 +69,8 @@ def test_lanes_and_duals_have_the_bits_of_a_double(physics):
 
 
 def test_a_law_compiled_as_a_whole_has_the_bits_of_its_parts(physics):
-    """All figures of the contact and its stored states have equal bits, as have the slopes if an
-    implicit step uses the law."""
+    """All values of the contact and its stored states are bitwise identical, and so are the slopes
+    if an implicit step uses the law."""
     for law, name in enumerate(laws(physics)):
         if physics.call("law_fused", law, 0) >= 0:
             different = [physics.call("law_fused", law, sample) for sample in range(SAMPLES)]
@@ -78,8 +78,8 @@ def test_a_law_compiled_as_a_whole_has_the_bits_of_its_parts(physics):
 
 
 def test_contacts_of_the_host_s_step_in_lanes(physics):
-    """Four different contacts in lanes, one of them open, give the same bits as each contact
-    alone."""
+    """Four different contacts in lanes, one of them open, are bitwise identical to each contact
+    evaluated alone."""
     for law, name in enumerate(laws(physics)):
         different = [physics.call("law_lanes", law, sample) for sample in some(law)]
         assert different == [0] * len(different), name
@@ -93,13 +93,13 @@ def test_laws_with_a_spring_are_for_explicit_steps_only(physics):
 @pytest.mark.parametrize(
     "parts, why",
     [
-        ("hertz hysteresis normal_force rolling", "has rolling, which needs a film"),
+        ("hertz hysteresis normal_force rolling", "has rolling, which requires a film"),
         ("hertz hysteresis normal_force friction_constant smoothed_friction spin",
-         "has spin without differential_slip, which it needs"),
+         "has spin but not differential_slip, which it requires"),
         ("hertz hysteresis film_thickness normal_force film_branch",
-         "has film_branch without film_in_gap, which it needs"),
+         "has film_branch but not film_in_gap, which it requires"),
         ("hertz film_in_gap hysteresis film_thickness normal_force",
-         "has hertz and film_in_gap, of which one is possible"),
+         "has hertz and film_in_gap, which exclude each other"),
     ],
 )  # fmt: skip
 def test_contradictions(physics, parts, why):

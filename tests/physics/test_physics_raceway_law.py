@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""raceway_law.h: the constants of a raceway, and their table over the contact angle."""
+"""Tests of raceway_law.h: the constants of a raceway and their table over the contact angle."""
 
 import numpy as np
 import pytest
@@ -22,7 +22,7 @@ STEEL = 210e9 / (1 - 0.09)
 
 def compare(one, other, rel, ln_abs):
     for name in vars(one):
-        # ln A: its absolute error is the relative error of h
+        # for ln A, the absolute error is the relative error of h
         bound = dict(abs=ln_abs) if name.endswith("lnA") else dict(rel=rel)
         assert getattr(one, name) == pytest.approx(getattr(other, name), **bound), name
 
@@ -32,7 +32,7 @@ def compare(one, other, rel, ln_abs):
 @pytest.mark.parametrize("film", [MASJEDI, MASJEDI_PRINTED, HAMROCK_DOWSON])
 def test_table_against_the_exact_constants(physics, side, ellipse, film):
     ring = physics.raceway_6208(side, ellipse=ellipse, film=film, damper_rolling_radius=1, **OIL)
-    # between nodes, where a four-point cubic is worst, and at both ends
+    # between nodes, where the error of a four-point cubic is largest, and at both ends
     for cosine in [
         0.0,
         1e-9,
@@ -49,7 +49,7 @@ def test_table_against_the_exact_constants(physics, side, ellipse, film):
                 c[which + "_lnA"] + c[which + "_p"] * np.log(1e-3) + c[which + "_m"] * np.log(5e3)
                 for c in (vars(found), vars(exact))
             ]
-            assert h[0] == pytest.approx(h[1], abs=1e-8)  # for a film: ln u and ln Q magnify by ten
+            assert h[0] == pytest.approx(h[1], abs=1e-8)  # ln u and ln Q magnify the error by ten
 
 
 def test_nodes_are_exact(physics):
@@ -117,7 +117,7 @@ def test_a_dry_raceway_has_no_film(physics):
 
 
 def test_a_flat_outer_groove_swaps_the_axes(physics):
-    # R_y < R_x if r_c > R_b (1 + gamma)/gamma: the ellipse is then longer in the rolling direction
+    # R_y < R_x if r_c > R_b (1 + gamma)/gamma; the ellipse is then longer in the rolling direction
     ring = physics.raceway_6208(OUTER, groove_radius=60e-3, raceway_radius=36.6e-3)
     c = ring.radial()
     gamma = BALL / 30.3e-3
@@ -129,7 +129,8 @@ def test_prepared_constants(physics):
     ring = physics.raceway_6208(INNER, **OIL, overlap_limit=0.05)
     d = ring.derived()
     sigma = np.hypot(40e-9, 30e-9)
-    widest = (6.552e-3 / ring.radial().a) ** 2  # overlap with the ellipse as wide as the groove
+    # overlap at which the ellipse is as wide as the groove
+    widest = (6.552e-3 / ring.radial().a) ** 2
     assert widest < 0.05 * BALL
     assert [
         d.centre_circle,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""rail.h: seats of cage balls and the stiffness of a ball on a torus."""
+"""Tests of rail.h: seats of cage balls and the stiffness of a ball on a torus."""
 
 import numpy as np
 import pytest
@@ -15,8 +15,8 @@ def seat(physics, gap=0.0, sign=1.0, tube=TUBE):
 
 
 def clearance(rail, radius, height):
-    """Distance between the surfaces of the ball and the tube (m); the ball's centre is at (radius,
-    height)."""
+    """Return the distance between the surfaces of the ball and the tube (m); the ball's centre is
+    at (radius, height)."""
     return np.hypot(radius - rail.circle, height - rail.offset) - BALL - rail.tube
 
 
@@ -47,8 +47,8 @@ def test_a_centred_ball_is_a_gap_away(physics, gap, sign):
 
 
 def test_the_pair_of_rails_is_a_stable_seat(physics):
-    # energy of the springs of both rails for a displacement outwards or sideways; a displacement
-    # inwards costs no energy
+    # energy of the springs of both rails for an outward or sideways displacement; an inward
+    # displacement costs no energy
     rails = [seat(physics, 0.0, sign) for sign in (1.0, -1.0)]
 
     def squeeze(dr, dz):
@@ -56,8 +56,8 @@ def test_the_pair_of_rails_is_a_stable_seat(physics):
 
     step = 1e-6
     outwards = squeeze(step, 0.0)
-    # 45 degrees: a displacement p closes the gap of each rail by p/sqrt(2), less p^2 over twice the
-    # distance
+    # at 45 degrees a displacement p closes the gap of each rail by p/sqrt(2), minus p^2 divided by
+    # twice the distance
     assert outwards == pytest.approx([step / np.sqrt(2)] * 2, abs=step**2 / (BALL + TUBE))
     for sign in (1, -1):
         up = squeeze(0.0, sign * step)
@@ -67,8 +67,8 @@ def test_the_pair_of_rails_is_a_stable_seat(physics):
 
 
 def curvature_along(rail, angle):
-    """Curvature, from differences, of the tube's surface in the direction around the ring axis, at
-    a point seen at `angle` (rad) from the ball's seat.
+    """Return the curvature of the tube's surface, from differences, in the direction around the
+    ring axis, at a point seen at `angle` (rad) from the ball's seat.
 
     It is found from the gap between the torus and its tangent plane at the point nearest to the
     ball, in the direction of the parallel.
@@ -87,8 +87,8 @@ def curvature_along(rail, angle):
         return brentq(outside, -0.2 * rail.tube, 0.2 * rail.tube, xtol=1e-18, rtol=1e-14)
 
     y = 2e-5
-    # height = c y^2/2 with a relative error of y^2/(4 r tube), 7e-6 for the thinnest tube; the
-    # rounding error of 1e-17/y^2 is smaller
+    # height = c y^2/2 with a relative error of y^2/(4 r tube), which is 7e-6 for the thinnest tube;
+    # the rounding error of 1e-17/y^2 is smaller
     return 2 * height(y) / y**2
 
 

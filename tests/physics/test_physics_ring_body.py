@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""ring_body.h: the symmetric top."""
+"""Tests of ring_body.h: the symmetric top."""
 
 import numpy as np
 import pytest
@@ -20,8 +20,8 @@ def drift(physics, L, e, h, steps=1):
 
 
 def precessed(physics, L, e, time):
-    """Closed form of a free symmetric top: its axis precesses about L at the rate |L|/I_t
-    (Goldstein 5.6)."""
+    """Return the closed-form solution for a free symmetric top, whose axis precesses about L at the
+    rate |L|/I_t (Goldstein 5.6)."""
     return physics.rotate(e, L * time / TRANSVERSE)
 
 
@@ -47,7 +47,7 @@ def test_free_precession_is_of_second_order(physics):
     errors = [
         np.linalg.norm(drift(physics, L, AXIS, time / n, n) - expected) for n in (200, 400, 800)
     ]
-    # the ratio is 4 except for terms of higher order, (w h)^2 = 1e-4
+    # the ratio is 4 up to higher-order terms, (w h)^2 = 1e-4
     assert errors[0] / errors[1] == pytest.approx(4, rel=0.02)
     assert errors[1] / errors[2] == pytest.approx(4, rel=0.01)
     assert errors[2] > 0
@@ -59,15 +59,15 @@ def test_one_step_misses_by_the_third_power(physics):
         np.linalg.norm(drift(physics, L, AXIS, h) - precessed(physics, L, AXIS, h))
         for h in (2e-5, 1e-5)
     ]
-    assert errors[0] / errors[1] == pytest.approx(8, rel=0.05)  # terms of next order: w h = 1e-2
+    assert errors[0] / errors[1] == pytest.approx(8, rel=0.05)  # higher-order terms: w h = 1e-2
 
 
 def test_the_axis_stays_a_unit_vector_and_keeps_its_angle_to_the_momentum(physics):
     L, steps = momentum(physics), 5000
     e = drift(physics, L, AXIS, 1e-5, steps)
     assert np.linalg.norm(e) == pytest.approx(1, abs=steps * 4e-16)  # one rounding error per step
-    # nutation: L.e is constant in the closed form; here it oscillates by an error of second order,
-    # without drift
+    # nutation: L.e is constant in the closed-form solution; here it oscillates with a second-order
+    # error, but does not drift
     assert L @ e / np.linalg.norm(L) == pytest.approx(L @ AXIS / np.linalg.norm(L), abs=2e-5)
 
 

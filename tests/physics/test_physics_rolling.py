@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""rolling.h: no slip at either raceway, frequencies of the 6208, limits."""
+"""Tests of rolling.h: no slip at either raceway, frequencies of the 6208, limits."""
 
 import numpy as np
 import pytest
@@ -42,8 +42,8 @@ def test_entrainment_of_the_errata(physics):  # 477.5 rpm gives 0.725 m/s, 0.41 
     for rpm, expected in ((477.5, 0.725), (270.0, 0.41)):
         omega = rpm * 2 * np.pi / 60
         motion = physics.rolling(omega)
-        # relative to the ball's centre, surfaces move with spin - orbit, at the same speed at both
-        # contacts
+        # relative to the ball's centre, the surfaces move with spin - orbit, and at the same speed
+        # at both contacts
         inner = abs((omega - motion.orbit) * (PITCH - BALL))
         ball = abs((motion.spin - motion.orbit) * BALL)
         assert [inner, ball] == pytest.approx([expected] * 2, abs=5e-4)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Slip, spin, rolling resistance, mixed friction and drag, compared with integrals over the
-contact, with 40-digit arithmetic and with published numbers."""
+"""Tests of slip, spin, rolling resistance, mixed friction and drag against integrals over the
+contact, 40-digit arithmetic and published values."""
 
 import numpy as np
 import pytest
@@ -57,7 +57,7 @@ def radii(side, cos_angle=1.0):
 
 
 def turning(side=INNER, speed=0.724764, **changes):
-    """A contact that rolls at the entrainment speed `speed` (m/s)."""
+    """Return a contact that rolls at the entrainment speed `speed` (m/s)."""
     at = REST | dict(side=side, entrainment=abs(speed)) | changes
     return at | dict(roll_w=speed / radii(side, at["cos_angle"])[0])
 
@@ -67,7 +67,8 @@ def of(physics, kind, contact, before=NONE):
 
 
 def slip_arguments(found, side=INNER, speed=0.724764, cos_angle=1.0):
-    """Arguments (load, friction, speed, a, R_d, R_x) of the functions in theory.sliding."""
+    """Return the arguments (load, friction, speed, a, R_d, R_x) of the functions in
+    theory.sliding."""
     r_d = sliding.deformed_radius(GROOVE, BALL)
     return found.load, FRICTION, speed, found.a, r_d, radii(side, cos_angle)[0]
 
@@ -87,7 +88,8 @@ def test_closed_form():
         assert found.couple == pytest.approx(couple, abs=1e-12)
         assert sliding.heathcote(slip, **unit) == pytest.approx((force, couple, power), abs=1e-12)
         assert sliding.secant(slip, **unit) == pytest.approx(found.secant, rel=1e-12)
-        # near s_e the root follows from the small deficit of F, so its rounding error is 1e-8
+        # near s_e the root follows from the small difference between F and its limit, so its
+        # rounding error is 1e-8
         root = laws.slip_root_of_force(found.force)
         assert root == pytest.approx(found.root, abs=1e-12 if slip < 0.9 else 1e-7)
     found = laws.differential_slip(0.0)
@@ -122,7 +124,7 @@ def test_free_rolling_loses_its_power(physics, side, edge, power):
 @pytest.mark.parametrize("speed", [0.0724764, 0.724764, -0.724764, 14.4946])
 @pytest.mark.parametrize("part", [-0.5, 0.0, 0.1, 0.120615, 0.5, 1.3])
 def test_slip_law_after_a_long_time(physics, side, speed, part):
-    """With dt >> tau, force, couple and power agree with theory.sliding. They are mirrored if the
+    """With dt >> tau, force, couple and power agree with theory.sliding. They change sign if the
     ball rolls backwards."""
     contact = turning(side, speed)
     arguments = slip_arguments(of(physics, "slip_of", contact), side, abs(speed))
@@ -161,7 +163,7 @@ def test_friction_has_one_circle(physics):
 
 @pytest.mark.parametrize("step", [1e-9, 1e-6, 5e-5, 1e-2])
 def test_spring_in_series(physics, step):
-    """Force and couple agree with `sliding.in_series`, for a given force at the start of the
+    """Force and couple agree with `sliding.in_series` for a given force at the start of the
     step."""
     contact = turning(sliding_t=0.009, dt=step)
     before = np.array([15.0, 0.0])
@@ -172,8 +174,8 @@ def test_spring_in_series(physics, step):
     force, _ = sliding.in_series(15.0, distance, secant, found.kt, step)
     assert found.friction_t == pytest.approx(force, rel=1e-11)
     assert list(found.states) == [found.friction_t, found.friction_w]
-    # the couple belongs to the part of the slip that the spring does not take; spring and slip have
-    # one force
+    # the couple belongs to the part of the slip that the spring does not take; spring and slip
+    # carry the same force
     edge = sliding.edge_slip(*arguments[2:])
     slip = brentq(
         lambda slip: sliding.heathcote(slip, *arguments).force - force, 0, edge, xtol=1e-16
@@ -189,8 +191,8 @@ def test_no_time_changes_nothing(physics):
 
 
 def test_spring_sticks_at_rest(physics):
-    """Without rolling, a contact under a force below mu Q creeps, at 1e-4/3.80 m/s for a force of
-    mu Q."""
+    """Without rolling, a contact under a force below mu Q creeps; for a force of mu Q the speed is
+    1e-4/3.80 m/s."""
     found = of(physics, "slip_of", REST | dict(sliding_t=1e-3, dt=1e-6))
     assert found.friction_t == pytest.approx(found.kt * 1e-3 * 1e-6, rel=1e-3)  # acts as a spring
     assert found.couple_w == 0
@@ -199,8 +201,8 @@ def test_spring_sticks_at_rest(physics):
 
 
 def test_force_falls_with_the_load(physics):
-    """While the ball unloads, a spring force above mu Q is limited to mu Q; the force vanishes
-    together with the load."""
+    """While the ball is being unloaded, a spring force above mu Q is limited to mu Q; the force
+    vanishes together with the load."""
     for overlap in (18e-6, 1e-6, 1e-8, 1e-12):
         found = of(physics, "slip_of", turning(overlap=overlap, dt=1e-7), [120.0, -50.0])
         assert np.hypot(found.friction_t, found.friction_w) <= FRICTION * found.load * (1 + 1e-14)
@@ -241,8 +243,8 @@ def test_mixed_friction(physics):
 
 @pytest.mark.parametrize("oil", [(0.04, 22e-9), (0.005, 15e-9), (0.1, 25e-9)])
 def test_film_coefficient(oil):
-    """The coefficient equals the sum over its eight Gauss points, in 40 digits; the integral itself
-    differs by less than 1 %."""
+    """The coefficient equals the sum over its eight Gauss points in 40-digit arithmetic; the
+    integral itself differs by less than 1 %."""
     lowest = []
     for pressure in (1e7, 1e9, 2.5e9, 4e9):
         for rate in np.geomspace(1e-3, 1e9, 13):
@@ -256,8 +258,8 @@ def test_film_coefficient(oil):
 
 
 def test_inverse_sinh_has_no_seam():
-    """The stress in the film is so low that the coefficient is asinh alone. It is then continuous
-    at x = 1e-3 and 1, where the formula changes."""
+    """The shear stress in the film is so low that the coefficient is determined by asinh alone. It
+    is then continuous at x = 1e-3 and 1, where the formula changes."""
     for x in (1e-6, 0.999e-3, 1.001e-3, 0.5, 30.0):
         found = traction.coefficient(1.0, 1e-30, 1e9, x, 1.0, 1.0)
         assert found == pytest.approx(1.5e-9 * np.arcsinh(x), rel=1e-12)
@@ -350,7 +352,7 @@ def test_pure_spin(physics, side, cos_angle):
 
 
 def test_slow_spin_at_rest_has_the_least_width_of_slip(physics):
-    """Without rolling the couple is proportional to the spin, if it is slow, through S_LEAST of
+    """Without rolling the couple of a slow spin is proportional to the spin, because of S_LEAST of
     heathcote."""
     couples = [
         of(physics, "dry_of", REST | dict(spin_n=1e-3, least=least)).couple_n
@@ -362,8 +364,8 @@ def test_slow_spin_at_rest_has_the_least_width_of_slip(physics):
 
 @pytest.mark.parametrize("part", [0.1, 0.3, 0.5, 0.7, 1.0, 2.0, 5.0])
 def test_spin_beside_differential_slip(physics, part):
-    """Moment and power agree with Gauss points over the ellipse, at the slip without force and a
-    spin omega a = part s_e."""
+    """Moment and power agree with an integration by Gauss points over the ellipse, at the slip
+    without force and a spin omega a = part s_e."""
     free = of(physics, "dry_of", turning())
     r_d = sliding.deformed_radius(GROOVE, BALL)
     edge = sliding.edge_slip(0.724764, free.a, r_d, radii(INNER)[0])
@@ -390,7 +392,7 @@ def test_drag_of_a_ball(physics):
     for reynolds in (1e-3, 0.1, 0.5, 1, 33, 1e3, 4e4, 1e5, 3e6):
         expected = reference.drag_coefficient(reynolds)
         assert drag.coefficient(reynolds) == pytest.approx(expected, rel=1e-13)
-    # without sliding the centre of the ball moves at -R_b roll_w
+    # without sliding, the centre of the ball moves at -R_b roll_w
     for speed in (-7.0, -0.3, 1e-6, 0.3, 7.0):
         contact = REST | dict(side=OUTER, roll_w=-speed / BALL)
         found = of(physics, "all_of", contact)
@@ -401,14 +403,14 @@ def test_drag_of_a_ball(physics):
         assert found.drag_power == pytest.approx(found.drag * speed, rel=1e-12)
     assert of(physics, "all_of", REST | dict(side=OUTER)).drag == 0
     assert of(physics, "all_of", contact | dict(side=INNER)).drag == 0
-    # 0.3 N per ball of a 6208 at 9549 rpm with an oil share of 0.1
+    # 0.3 N per ball of a 6208 at 9549 rpm with an oil fraction of 0.1
     found = of(physics, "all_of", REST | dict(side=OUTER, roll_w=-12.0 / BALL))
     assert found.drag == pytest.approx(0.3, rel=0.25)
 
 
 # ---- energy --------------------------------------------------------------------------------------
 def test_losses_are_the_work_on_the_motions(physics):
-    """The loss equals the sum of all forces and couples times their motions, except for the
+    """The loss equals the sum of all forces and couples multiplied by their motions, except for the
     Hertzian spring."""
     contact = turning(
         OUTER, 2.9, sliding_t=0.01, sliding_w=-0.02, spin_n=20.0, overlap_rate=0.003, cos_angle=0.9

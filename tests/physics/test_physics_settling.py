@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""settling_rest.h: the remaining change of a decay, estimated from means over ball passes."""
+"""Tests of settling_rest.h: the remaining change of a decay, estimated from means over ball
+passes."""
 
 import numpy as np
 import pytest
@@ -8,8 +9,8 @@ S = 1e-2  # accuracy required by `settled`
 
 
 def rest(physics, passes, **series):
-    """Remaining changes after `passes` ball passes, whose means are `series`. Means that are not
-    given are 1, except for the pitch, which is 0."""
+    """Return the remaining changes after `passes` ball passes, whose means are `series`. Means that
+    are not given are 1, except for the pitch, which is 0."""
     given = dict(
         torque=np.ones(passes),
         load=np.ones((passes, 2)),
@@ -32,7 +33,7 @@ def decay(passes, ratio, start=0.2):
 @pytest.mark.parametrize("passes", [3, 4, 7, 12, 19])
 def test_a_decay_has_its_rest(physics, ratio, passes):
     """The estimate is at least the true remaining change. It is at most the remaining change one
-    span earlier, or the change per ball pass, averaged over three spans."""
+    span earlier, or the change per ball pass averaged over three spans."""
     means = decay(passes, ratio)
     found, left = of_torque(physics, means) * means[-1], means[-1] - 1
     span = max(1, passes // 4)
@@ -66,17 +67,17 @@ def test_a_drift_that_does_not_decay(physics):
 
 
 def test_a_small_change_in_the_middle_of_a_decay(physics):
-    """A drift is not taken to end because one ball pass repeats the previous one."""
+    """A drift is not assumed to have ended because one ball pass repeats the previous one."""
     means = decay(8, 0.9)
     means[-1] = means[-2]
     assert of_torque(physics, means) > 3 * S
 
 
 def test_noise_ends_as_early_as_the_change_of_a_pass(physics):
-    """Without a drift the remaining change is the change per ball pass over the longest span, apart
-    from chance. The median number of ball passes is therefore about the same as with the change
-    alone as the criterion. The noise is a third of the limit, equal to the limit and three times
-    the limit."""
+    """Without a drift, the remaining change is the change per ball pass over the longest span,
+    except for random variation. The median number of ball passes is therefore about the same as if
+    the change alone were the criterion. The noise is a third of the limit, equal to the limit and
+    three times the limit."""
     draw = np.random.default_rng(3)
     for noise in (S / 3, S, 3 * S):
         ends, changes = [], []
@@ -97,7 +98,8 @@ def test_noise_ends_as_early_as_the_change_of_a_pass(physics):
 
 def test_a_slow_mode_shows_in_noise(physics):
     """A change of 1 % per ball pass with a time constant of 50 ball passes is detected in noise of
-    0.1 %. If the change alone were the criterion, settling would end at once, with 40 % left."""
+    0.1 %. If the change alone were the criterion, settling would end at once, with 40 % remaining.
+    """
     draw = np.random.default_rng(4)
     left = []
     for _ in range(100):
@@ -113,7 +115,7 @@ def test_one_pass_has_no_rest(physics):
 
 
 def test_pocket_forces_fall(physics):
-    """A fall of the pocket forces over a span counts, a rise does not."""
+    """A decrease in the pocket forces over a span counts, whereas an increase does not."""
     force = np.array([100.0, 100.0, 40.0, 20.0])
     assert rest(physics, 4, pocket_force=force).pocket_fall == pytest.approx(0.5)
     assert rest(physics, 4, pocket_force=force[::-1].copy()).pocket_fall == 0.0

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Slip and spin in slices of the ellipse, compared with fine Gauss points over the ellipse
-(references/spin) and with closed forms in the limits; states of the part over a time step."""
+"""Tests of slip and spin in slices of the ellipse against fine Gauss points over the ellipse
+(references/spin) and against closed-form limits; also of the states of the part over a time step.
+"""
 
 import itertools
 
@@ -22,7 +23,7 @@ def sums(**motion):
 
 
 def fine(along, across, turned, aspect=1 / 8):
-    """Reference values; forces are divided by mu Q, moments also by the semi-axis across the
+    """Return reference values; forces are divided by mu Q, moments also by the semi-axis across the
     groove."""
     return reference.with_slip(
         1.0, 1.0, 1.0, aspect, along, across, -turned, curve=1.0, width=1e-4, points=120
@@ -59,8 +60,7 @@ def test_pure_spin(kappa, expected, bound):
 
 def test_free_rolling():
     """Free rolling agrees with Heathcote's solution: the force is zero at a slip of 0.120615 s_e,
-    and the loss is 0.161142 mu Q s_e.
-    0.161142 mu Q s_e."""
+    and the loss is 0.161142 mu Q s_e."""
     found = sums(along=sliding.FREE**2)
     assert found.along == pytest.approx(0, abs=2e-3)
     power = found.couple + found.along * sliding.FREE**2
@@ -71,15 +71,16 @@ def test_free_rolling():
 
 
 def test_forces_have_no_steps():
-    """At every slip from 0 to s_e the sliding velocity is zero at some points of the ellipse; the
-    force does not jump."""
+    """At every slip from 0 to s_e the sliding velocity is zero at some points of the ellipse, but
+    the force does not jump."""
     slips = np.linspace(0, 1.2, 1201)
     forces = np.array([sums(along=slip, spin=0.2).along for slip in slips])
     assert 0 < np.diff(forces).min() and np.diff(forces).max() < 0.025
 
 
 def test_mirrored():
-    """If the spin is reversed, so is the moment; if rolling is reversed, so is the couple."""
+    """If the spin is reversed, the moment is reversed; if rolling is reversed, the couple is
+    reversed."""
     one = sums(along=0.3, across=0.1, spin=0.5)
     other = sums(along=0.3, across=0.1, spin=-0.5)
     assert (other.along, other.across) == pytest.approx((one.along, one.across), rel=1e-12)
@@ -106,7 +107,7 @@ def steady(physics, part, **changes):
 @pytest.mark.parametrize("part", [0.0, 0.2, 0.7, 2.0, 10.0])
 def test_free_rolling_with_spin(physics, part):
     """The moment of a freely rolling contact agrees within 1 % of mu Q a, and its power within 1 %;
-    the closed forms differ by up to 5 %."""
+    the closed-form solutions differ by up to 5 %."""
     free, edge, contact, gauss = steady(physics, part)
     lo, hi = 0.0, edge
     for _ in range(40):

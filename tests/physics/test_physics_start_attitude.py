@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The balls' initial rotation (start_rotation.h), compared with its definition. By definition a
-ball rolls on both raceways with the least potential of the spin couples; the test uses vectors in
-40 digits and searches for the minimum. Contact angles and loads follow from the equilibrium of a
-ball under thrust."""
+"""Tests of the balls' initial rotation (start_rotation.h) against its definition. By definition a
+ball rolls on both raceways with the smallest potential of the spin couples; the test uses vectors
+in 40-digit arithmetic and searches for the minimum. Contact angles and loads follow from the
+equilibrium of a ball under thrust."""
 
 from types import SimpleNamespace
 
@@ -15,12 +15,12 @@ from raceway.core import laws
 from references import hertz
 
 GROOVE, YOUNG = 6.552e-3, laws.reduced_modulus(210e9, 0.3, 210e9, 0.3)
-WIDTH = 0.78  # omega a over s_e (docs/tribology, Spin)
+WIDTH = 0.78  # omega a divided by s_e (docs/tribology, Spin)
 
 
 def contact(side, cosine, load):
-    """Compression (m), spin couple divided by the friction coefficient (N m) and half-width a (m)
-    of a contact."""
+    """Return the compression (m), the spin couple divided by the friction coefficient (N m) and the
+    half-width a (m) of a contact."""
     gamma = BALL / PITCH * cosine * (-1 if side == INNER else 1)
     r_x, r_y = BALL * (1 + gamma), BALL * GROOVE / (GROOVE - BALL)
     found = hertz.contact(r_x, r_y, YOUNG, load)
@@ -31,7 +31,7 @@ def contact(side, cosine, load):
 
 
 def under_thrust(thrust, centrifugal, clearance):
-    """Contact angles (rad), contacts, and radius (m) of the path of a ball."""
+    """Return the contact angles (rad), the contacts, and the radius (m) of the path of a ball."""
     slack = GROOVE - BALL
 
     def at(angle):
@@ -50,8 +50,8 @@ def under_thrust(thrust, centrifugal, clearance):
 
 
 def least(angles, contacts, path, speeds, orbit):
-    """(radial, axial, orbit) in rad/s of the motion with the least potential, found by golden
-    section."""
+    """Return (radial, axial, orbit) in rad/s for the motion with the smallest potential, found by
+    golden-section search."""
     normals = [(-mpmath.cos(angles[0]), -mpmath.sin(angles[0]))]
     normals.append((mpmath.cos(angles[1]), mpmath.sin(angles[1])))
 

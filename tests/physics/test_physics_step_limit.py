@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""step_limit.h, verified with velocity Verlet as in the host, at steps just below and just above
-the limit."""
+"""Tests of step_limit.h with velocity Verlet as in the host, at steps just below and just above the
+limit."""
 
 import numpy as np
 import pytest
@@ -11,8 +11,8 @@ SPRING, DAMPER = 4.19e8, 2 * 8.7e3
 
 
 def verlet(k, c, m, step, steps):
-    """Largest norm of (x, v in natural units) near the end of a run; the force is computed from x
-    and the velocity half a step earlier."""
+    """Return the largest norm of (x, v in natural units) near the end of a run; the force is
+    computed from x and the velocity half a step earlier."""
     x, v, force, unit = 1.0, 0.0, -k * 1.0, step
     sizes = []
     for _ in range(steps):
@@ -32,7 +32,7 @@ def verlet(k, c, m, step, steps):
 def test_the_limit_divides_growth_from_decay(physics, k, c):
     limit = physics.call("largest_step", k=k, c=c, m=BALL_MASS)
     # one per cent away from the limit the multiplier differs from one by about one per cent (by the
-    # square root of this for a spring alone)
+    # square root of that for a spring alone)
     assert verlet(k, c, BALL_MASS, 0.99 * limit, 4000) < 100
     assert verlet(k, c, BALL_MASS, 1.01 * limit, 4000) > 1e6
 

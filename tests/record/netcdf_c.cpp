@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A C interface to a netCDF file with one dimension and one variable of each kind, for the tests.
+// Exports the writer of a netCDF file with one dimension and one variable of each kind, for the
+// tests.
 #include "../../src-package/core/record/netcdf_file.cpp"
 #include "../../src-package/core/record/netcdf_header.cpp"
 
@@ -45,7 +46,7 @@ void define(Sample &s, double temperature)
 
 extern "C" {
 
-// records < 0: a new file
+// records < 0 creates a new file.
 Sample *begin(const char *path, int batch, long records, double temperature)
 {
   Sample *s = new Sample;
@@ -55,8 +56,8 @@ Sample *begin(const char *path, int batch, long records, double temperature)
   return s;
 }
 
-// Record k: time k/8, x = 1e-9 k + 0.1 (3 side + ball) except for (1, 2), which stays unset; load
-// k + ball/3.
+// Writes record k: time k/8, x = 1e-9 k + 0.1 (3 side + ball) except for (1, 2), which is not set,
+// and load k + ball/3.
 void write_record(Sample *s, long k)
 {
   s->file.start_record();

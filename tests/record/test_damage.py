@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Reading a damaged record ends with a message, whatever the damage."""
+"""Reading a damaged record stops with an error message, whatever the damage."""
 
 import random
 import shutil
@@ -18,7 +18,7 @@ CASES = 200
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """Seven samples."""
+    """Return the folder of a run with seven samples."""
     folder = tmp_path_factory.mktemp("tiny")
     deck = SMALL.replace("bearing/record 100", "bearing/record 500").replace(
         "run 20000", "run 3000"
@@ -67,7 +67,7 @@ def test_damage_is_found(folder, tmp_path):
     shutil.copytree(folder, to)
 
     def swap(dice, content, _):
-        """Swaps two samples."""
+        """Swap two samples."""
         a, b = (slice(at, at + one) for at in dice.sample(range(header, len(right), one), 2))
         content[a], content[b] = content[b], content[a]
 
@@ -75,7 +75,7 @@ def test_damage_is_found(folder, tmp_path):
         content, way = bytearray(right), (*WAYS, swap)[k % (len(WAYS) + 1)]
         at = dice.randrange(header if k % 2 else len(right))
         way(dice, content, at)
-        if content == right:  # zeros instead of zeros
+        if content == right:  # zeros were replaced by zeros
             continue
         (to / "record.nc").write_bytes(content)
         try:
@@ -93,7 +93,7 @@ def test_a_sample_is_found_wherever_it_is_read(folder, tmp_path):
     record = Record(tmp_path / "run")
     assert record.pick("load", (2, 0)).max() > 0  # another sample
     for read in (
-        lambda: raceway.open(tmp_path / "run"),  # measures load and speed
+        lambda: raceway.open(tmp_path / "run"),  # reads load and speed
         lambda: record.pick("ring_fx", (3, 0)),
         lambda: record.read(["load"]),
     ):

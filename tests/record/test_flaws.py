@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A record stores the flaws of its rings: every fix bearing/profile with its arguments."""
+"""A record stores the flaws of its rings, i.e. every fix bearing/profile with its arguments."""
 
 import pytest
 import raceway
@@ -40,7 +40,7 @@ def test_words_by_raceway(flawed):
 
 
 def test_run_yaml_has_them_too(flawed):
-    """run.yaml also has flaws with a file name that YAML would misread."""
+    """run.yaml also contains flaws with a file name that YAML would misread."""
     import yaml
 
     said = yaml.safe_load((flawed / "run/run.yaml").read_text())["flaws"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A bearing in any pose in the lab has the same figures as with its axis along z.
+"""The results for a bearing in any pose in the lab equal those for a bearing whose axis is along z.
 
 Records are rotated, not decks: integrators stop at a tolerance, which would hide small errors.
 """
@@ -24,7 +24,7 @@ from raceway.runs import envelope, losses, sensor, spectrum
 from recorded_runs import SMALL, small
 
 UPRIGHT = Pose()
-ALONG = [Pose((1, 2, 0)), Pose((2, 0, 1))]  # the axis along x, and along y
+ALONG = [Pose((1, 2, 0)), Pose((2, 0, 1))]  # with the axis along x, and along y
 COMMANDS = [
     "summary run",
     "summary run --json",
@@ -45,7 +45,7 @@ CIRCUITS = [
     "export run --format spice --resistivity 1e9",
     "report run",
 ]
-ELSEWHERE = [  # turned about its own axis, mirrored, turned over
+ELSEWHERE = [  # turned about its own axis, mirrored, turned upside down
     Pose((1, 0, 2), (1, -1, 1), (0.013, -0.02, 0.007)),
     Pose((1, 0, 2), (1, 1, 1), (0.013, -0.02, 0.007)),
     Pose((2, 1, 0), (1, 1, 1), (0.013, -0.02, 0.007)),
@@ -57,13 +57,13 @@ ELSEWHERE = [  # turned about its own axis, mirrored, turned over
 
 @pytest.fixture(scope="module", params=scenes.SCENES)
 def scene(request, tmp_path_factory):
-    """(name, folder of the run with its axis along z)"""
+    """Return (name, folder of the run with its axis along z)."""
     folder = tmp_path_factory.mktemp(request.param)
     return request.param, scenes.run(request.param, folder / "z")
 
 
 def written(source, folder, pose, commands):
-    """{command or file: its output} for the run in `source`, turned to a `pose`."""
+    """Return {command or file: its output} for the run in `source`, rotated to a `pose`."""
     turned.write(source, folder / "run", pose)
     before = {path.name for path in (folder / "run").iterdir()}
     found = {}
@@ -79,7 +79,7 @@ def written(source, folder, pose, commands):
     for path in (folder / "run").rglob("*"):
         if path.is_file() and path.relative_to(folder / "run").parts[0] not in before:
             found[str(path.relative_to(folder))] = path.read_bytes()
-    if "report run" in commands:  # it states the axis
+    if "report run" in commands:  # the report states the axis
         own = f">{'xyz'[pose.axis]}</td>".encode()
         assert own in found["run/report.html"]
         found["run/report.html"] = found["run/report.html"].replace(own, b"")
@@ -87,8 +87,8 @@ def written(source, folder, pose, commands):
 
 
 def figures(folder):
-    """{name: array} of everything that readers compute from the run in `folder`, and of data of the
-    run."""
+    """Return {name: array} for everything that readers compute from the run in `folder`, and for
+    data of the run."""
     run = raceway.open(folder)
     run = run if len(run.bearing_numbers) == 1 else run.select(2)
     found = {
@@ -109,13 +109,14 @@ def figures(folder):
         found |= {
             f"line {line.name} {line.harmonic} {key}": value
             for key, value in line._asdict().items()
-            if isinstance(value, float) and key != "prominence"  # over a floor of rounding
+            if isinstance(value, float) and key != "prominence"  # relative to rounding errors
         }
     return found | of_data_set(run)
 
 
 def of_data_set(run):
-    """{name: array} of quantities of `run` in a data set: lines of the bearing, sensor signals."""
+    """Return {name: array} for quantities of `run` in a data set: lines of the bearing, sensor
+    signals."""
     found = {
         f"label {line}": np.array(place)
         for (line, _), place in spectrum.places(run, harmonics=1).items()
@@ -127,7 +128,8 @@ def of_data_set(run):
 
 
 def of_circuit(run):
-    """{name: array} of an inverter's circuit with the bearing of `run`, including discharges."""
+    """Return {name: array} for an inverter's circuit with the bearing of `run`, including
+    discharges."""
     result = circuit.run(run, MOTOR_OF_INVERTER, Breakdown(70e6, arc=1.0), Leak(1e9))
     assert len(result.events) > 10
     tables = {"circuit": result.data, "event": result.events}
@@ -135,11 +137,11 @@ def of_circuit(run):
         f"{part} {name}": table[name].to_numpy()
         for part, table in tables.items()
         for name in table
-        if table[name].dtype.kind == "f" and name != "charge_error"  # rounding
+        if table[name].dtype.kind == "f" and name != "charge_error"  # a rounding error
     }
 
 
-VECTORS = {  # {name with {} for x, y, z: whether the vector is axial}
+VECTORS = {  # {name with {} for x, y, z: True if the vector is axial}
     "{}": False,
     "v{}": False,
     "a{}": False,
@@ -156,7 +158,7 @@ ABOUT_AXIS = {"spin", "cage_speed", "cage_speed_rad_s", "rpm_inner", "rpm_outer"
 
 
 def moved(found, pose):
-    """The `figures` found in a scene with a `pose`, in the frame of the bearing."""
+    """Return the `figures` found in a scene with a `pose`, in the frame of the bearing."""
     new = {}
     for name, values in found.items():
         part, _, key = name.partition(" ")
@@ -185,8 +187,8 @@ def moved(found, pose):
 
 
 def worst(found, wanted):
-    """[(error relative to the largest value or to the largest of the vector, name)] of figures that
-    differ by more than 1e-12."""
+    """Return [(error relative to the largest value or to the largest of the vector, name)] for
+    figures that differ by more than 1e-12."""
     wrong = []
     for name, one in wanted.items():
         if one is None or found[name] is None:
@@ -210,8 +212,8 @@ def largest(values):
 
 
 def components(name, known):
-    """Names of all components of the vector that contains `name`, of the spectrum that contains its
-    value, or `name` alone."""
+    """Return the names of all components of the vector that contains `name`, or of the spectrum
+    that contains its value, or `name` alone."""
     part, _, key = name.partition(" ")
     if part == "line" and key.endswith("amplitude"):
         return ["spectrum"]
@@ -248,7 +250,7 @@ def test_axis(scene, tmp_path):
 
 
 def test_run_about_x(tmp_path):
-    """If the same scene runs about z and about x, all figures except the cost agree."""
+    """If the same scene runs about z and about x, all results except the cost agree."""
     change = [("run 2000", "run 500")]
     about_x = [
         ("bearing/ehd ", "bearing/ehd axis x "),
@@ -267,8 +269,8 @@ def test_run_about_x(tmp_path):
 
 
 def test_plain_deck_about_x(tmp_path):
-    """In the main deck with *axis* in its pair style, warming, a one-piece cage and the record have
-    the same bits, apart from the order of the axes."""
+    """In the main deck with *axis* in its pair style, the results for warming, a one-piece cage and
+    the record are bitwise identical, except for the order of the axes."""
     words = {"lubricant": "vg46", "rpm": 3000, "models": "full", "cage": "ring", "heat": "yes"}
     words |= {"passes": 1, "samples": 40, "axial": 300, "warm_time": 20}
     text = (ROOT / "inputs" / "in.6208").read_text()
@@ -288,7 +290,8 @@ def test_plain_deck_about_x(tmp_path):
 
 
 def test_direction_without_a_load(tmp_path):
-    """A radial load at rounding level has no direction; the displacement's direction is used."""
+    """A radial load at rounding level has no direction, so the direction of the displacement is
+    used."""
     end = succeed(small(tmp_path, deck=SMALL.replace("run 20000", "run 500")), out=tmp_path)
     assert end.code == 0
     found = []
@@ -303,7 +306,8 @@ def test_direction_without_a_load(tmp_path):
 
 
 def test_run_up_names_the_spall(tmp_path):
-    """In in.run_up BPFO is found in orders, at the value calculated from the cage of the run."""
+    """In in.run_up BPFO is found in the order spectrum, at the value calculated from the cage of
+    the run."""
     folder = tmp_path / "run"
     deck = tmp_path / "deck"
     deck.write_text(scenes.changed("in.run_up", [("run 15000", "run 8000")]))

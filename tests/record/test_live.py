@@ -44,12 +44,12 @@ def start(folder):
 
 def wait_for(path, process):
     while not path.exists() or path.stat().st_size < 100_000:
-        assert process.poll() is None, "the run is over and has no record"
+        assert process.poll() is None, "the run has ended without a record"
         time.sleep(0.005)
 
 
 def look(folder):
-    """Number of complete samples that can be read by xarray alone and by the package."""
+    """Return the number of complete samples that can be read by xarray alone and by the package."""
     with xr.open_dataset(folder / "record.nc") as data:
         n = data.sizes["time"]
         steps, loads = data["step"].values, data["load"].max(("raceway", "ball")).values
@@ -63,7 +63,7 @@ def look(folder):
 
 
 def read_while_it_grows(folder, readers):
-    """Numbers of samples seen by each reader; runs are restarted when they end."""
+    """Return the numbers of samples seen by each reader; runs are restarted when they end."""
     seen, process = [], None
     while len(seen) < readers:
         if process is None or process.poll() is not None:
@@ -81,8 +81,8 @@ def read_while_it_grows(folder, readers):
 
 
 def kill(folder, whole, dice):
-    """Number of samples left by a run that was killed at a random moment. They equal the samples of
-    a complete run."""
+    """Return the number of samples left by a run that was killed at a random time. They must equal
+    the samples of a complete run."""
     process = start(folder)
     wait_for(folder / "record.nc", process)
     time.sleep(dice.uniform(0.0, 0.6))
@@ -119,7 +119,7 @@ def test_killed(whole, tmp_path):
 
 
 def test_programs_agree(whole):
-    """scipy, the reference library and its ncdump read the record of a run."""
+    """scipy, the reference library and its ncdump can read the record of a run."""
     import netCDF4  # slow to import
 
     folder, data = whole

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A record of several bearings: figures of one bearing need a choice, and commands accept its
-number."""
+"""In a record of several bearings, results for one bearing require a choice, and commands accept
+the number of the bearing."""
 
 import json
 import re
@@ -35,7 +35,7 @@ COMMANDS = [
 
 @pytest.fixture(scope="module")
 def many(tmp_path_factory):
-    """Folder of a run of inputs/in.many with two bearings."""
+    """Return the folder of a run of inputs/in.many with two bearings."""
     folder = tmp_path_factory.mktemp("many")
     words = dict(bearings=2, columns=2, time=6e-3, ramp=1e-3, record="all")
     succeed("inputs/in.many", out=folder / "run", **words)

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A figure that is missing from a record causes a one-line error that explains how to get it."""
+"""A quantity that is missing from a record causes a one-line error that explains how to record
+it.
+"""
 
 import re
 import shutil
@@ -18,7 +20,7 @@ NO_CONTACTS = "record.nc holds no contacts: record them with -var record all"
 
 @pytest.fixture(scope="module")
 def sums(tmp_path_factory):
-    """Folder of a run of the main deck with a record of sums only."""
+    """Return the folder of a run of the main deck with a record that contains only sums."""
     folder = tmp_path_factory.mktemp("sums") / "run"
     succeed(out=folder, **{**MAIN, "record": "summary", "dumps": "no"})
     return folder
@@ -26,7 +28,9 @@ def sums(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def motion_alone(tmp_path_factory):
-    """Folder of a run of docs/decks/in.smallest with a record of balls without contacts."""
+    """Return the folder of a run of docs/decks/in.smallest with a record of balls without
+    contacts.
+    """
     folder = tmp_path_factory.mktemp("motion")
     succeed(small(folder, "contacts none"))
     return folder / "run"
@@ -34,15 +38,17 @@ def motion_alone(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def load_alone(tmp_path_factory):
-    """Folder of a run of docs/decks/in.smallest with loads as the only contact column."""
+    """Return the folder of a run of docs/decks/in.smallest with loads as the only contact
+    column.
+    """
     folder = tmp_path_factory.mktemp("load")
     succeed(small(folder, "contacts load"))
     return folder / "run"
 
 
 def copied(folder, to, **changes):
-    """A copy of the folder of a run; `samples` is the number of samples left in its record, `cut`
-    the number of bytes kept."""
+    """Copy the folder of a run; `samples` is the number of samples left in its record, `cut` the
+    number of bytes kept."""
     shutil.copytree(folder, to)
     content = bytearray((to / "record.nc").read_bytes())
     if "samples" in changes:
@@ -81,7 +87,9 @@ def test_a_command_that_needs_contacts(sums, words, capsys):
     ids=lambda words: words[-1],
 )
 def test_contacts_of_one_column(load_alone, words, capsys):
-    """A command that needs more columns reports this in one line; a report omits such pictures."""
+    """A command that requires more columns reports this in one line; a report omits such
+    pictures.
+    """
     name, *more = words
     code = main([name, str(load_alone), *more])
     said = capsys.readouterr().err

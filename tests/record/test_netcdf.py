@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The netCDF writer: every reader agrees, also while a file grows, after a kill and after
+"""Tests of the netCDF writer: all readers agree, also while a file grows, after a kill and after
 truncation."""
 
 import ctypes
@@ -30,7 +30,7 @@ def library(tmp_path_factory):
 
 
 class Writer:
-    """A writer with the C interface of netcdf_c.cpp."""
+    """A writer that uses the C interface of netcdf_c.cpp."""
 
     def __init__(self, library, path, batch=4, records=-1, temperature=40.0):
         self.c = ctypes.CDLL(str(library))
@@ -58,7 +58,7 @@ class Writer:
 
 
 def expected(n):
-    """(time, x, load) of n records."""
+    """Return (time, x, load) of n records."""
     k = np.arange(n)
     x = 1e-9 * k[:, None] + 0.1 * np.arange(6)
     x[:, 5] = np.nan
@@ -67,7 +67,9 @@ def expected(n):
 
 
 def holds(path, n):
-    """Check that the file has n records with the expected values when read with xarray."""
+    """Check that the file contains n records with the expected values when it is read with
+    xarray.
+    """
     with xr.open_dataset(path, engine="scipy") as data:
         for found, wanted in zip((data["time"], data["x"], data["load"]), expected(n)):
             assert np.array_equal(found.to_numpy(), wanted, equal_nan=True)
@@ -124,7 +126,9 @@ def test_libnetcdf(library, path):
 
 
 def test_growing(library, path):
-    """A reader never sees more than was written, and sees everything once writing has stopped."""
+    """A reader never sees more than has been written, and sees everything once writing has
+    stopped.
+    """
     writer, seen = Writer(library, path, batch=3), 0
     for k in range(30):
         writer.write(k, k + 1)
@@ -148,8 +152,8 @@ def test_batches_leave_the_same_bytes(library, tmp_path):
 
 
 def test_go_on(library, tmp_path):
-    """A file that is cut to an earlier record, complete or not, and continued has the same bytes as
-    an undisturbed file."""
+    """A file that is truncated to an earlier record, complete or not, and continued has the same
+    bytes as an uninterrupted file."""
     whole, cut = tmp_path / "whole.nc", tmp_path / "cut.nc"
     for path in (whole, cut):
         writer = Writer(library, path)
@@ -219,8 +223,8 @@ def test_no_room(library):
 
 
 def test_killed(library, path):
-    """A process killed at any moment leaves a readable file, and 30 readers of the growing file see
-    complete records."""
+    """A process killed at any time leaves a readable file, and 30 readers of the growing file see
+    only complete records."""
     script = textwrap.dedent(f"""
         import sys
         sys.path.insert(0, {str(HERE)!r})

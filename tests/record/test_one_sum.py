@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every figure of a bearing or a ring is the sum or the extreme over its contacts, and the power
-supplied by shaft and loads equals the losses plus the rate of energy storage, for all models, types
-of bearing, integrators and hosts."""
+"""Every bearing or ring quantity is the sum or the extreme over its contacts, and the power
+supplied by shaft and loads equals the losses plus the rate of energy storage, for all models,
+bearing types, integrators and hosts."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ from scipy.interpolate import CubicSpline
 
 TABLES = core.table("columns")
 CONTACTS = [row["name"] for row in TABLES["contact"]]
-PLATES = {"capacitance", "capacitance_total"}  # columns of a film, which a dry bearing lacks
+PLATES = {"capacitance", "capacitance_total"}  # film columns, which do not exist for a dry bearing
 LOSSES = [name for name in CONTACTS if name.endswith("_power")]
 
 OIL = "lubricant 0.04 22e-9 roughness 1.0e-7 0 "
@@ -40,7 +40,7 @@ COMBINED = "x free y free z free rx free ry free"
 LOADS = {RADIAL: (0, -2000, 0), COMBINED: (0, -1000, 3000)}  # N
 MASS, TRANSVERSE = 0.2, 6.5e-5  # kg, kg m^2 of the inner ring
 RING = "x y z vx vy vz tilt_1 tilt_2 mz spin".split()
-# {type: (motion of the inner ring, distance of grooves from the middle plane, cage, bearings)}
+# {type: (motion of the inner ring, distance of grooves from the mid-plane, cage, bearings)}
 KINDS = {
     "radial": (RADIAL, 0.0, False, 1),
     "cage": (RADIAL, 0.0, True, 1),
@@ -70,7 +70,7 @@ FINER = {
     "dry, spring": 2,
     "paper, spring": 2,
     "full, no friction": 2,
-}  # losses of a falling dry ring have sharp peaks, and the branch returns the energy it has stored
+}  # the losses of a falling dry ring have sharp peaks, and the branch returns its stored energy
 
 
 def test_every_loss_of_a_contact_is_one_of_bearings_and_rings():
@@ -88,7 +88,7 @@ def deck(law, kind, integrator, out, finer):
     wet = law.startswith("lubricant")
     inner, arch, cage, number = KINDS[kind]
     gap = 6.552e-3 - 6.3e-3
-    high = np.sqrt(gap**2 - arch**2)  # offset of a groove's centre above the pitch circle
+    high = np.sqrt(gap**2 - arch**2)  # distance of a groove's centre above the pitch circle
     grooves = f"gothic_arch {arch}" if arch else ""
     radii = (
         (30.3e-3 + high - 6.552e-3, 30.3e-3 - high + 6.552e-3 - 2e-6) if arch else (24e-3, 36.6e-3)
@@ -146,7 +146,8 @@ def deck(law, kind, integrator, out, finer):
 
 
 class Ran:
-    """A scene that has run: its record, and output of computes and the energy balance by step."""
+    """A completed run of a scene: its record, and output of computes and the energy balance by
+    step."""
 
     def __init__(self, folder, text, wet=False, host="liggghts", ranks=1):
         self.wet = wet
@@ -155,7 +156,7 @@ class Ran:
         assert done.code == 0, done.text[-3000:]
         with xr.open_dataset(folder / "record.nc") as data:
             self.record = data.load()
-        # arrays: access to an element of a Dataset takes a hundred times as long
+        # arrays are used because access to an element of a Dataset takes a hundred times as long
         self.values = {n: column.to_numpy() for n, column in self.record.variables.items()}
         self.steps = self.values["step"].astype(int).tolist()
         lines = [
@@ -171,7 +172,8 @@ class Ran:
         }
 
     def contacts(self, step):
-        """{column: array (raceway, ball)}; without contact values are NaN, losses and loads 0."""
+        """Return {column: array (raceway, ball)}; without contact values are NaN, and losses and
+        loads 0."""
         at = self.steps.index(step)
         over_time = [n for n in CONTACTS if n in self.values and self.values[n].ndim == 3]
         return {n: self.values[n][at] for n in over_time}
@@ -182,7 +184,7 @@ class Ran:
 
 @pytest.fixture(scope="module")
 def runs(tmp_path_factory):
-    """{scene: its run}, computed on first use."""
+    """Return {scene: its run}, computed on first use."""
 
     class Runs(dict):
         def __missing__(self, scene):
@@ -205,13 +207,13 @@ def ran(scene, runs):
 
 
 def same(one, other, terms=()):
-    """True if values agree within 1e-13 of the value or of its largest term."""
+    """Return True if the values agree within 1e-13 of the value or of its largest term."""
     scale = max([abs(one), abs(other), *(abs(term) for term in np.ravel(terms))])
     return one == other or abs(one - other) <= 1e-13 * scale or (np.isnan(one) and np.isnan(other))
 
 
 def figures(contacts, inner, balls, wet):
-    """{name: (figure, its terms)} of the contacts of `balls`, as columns are defined."""
+    """Return {name: (figure, its terms)} for the contacts of `balls`, as columns are defined."""
     c = {name: values[:, balls] for name, values in contacts.items()}
     live = c["load"] > 0
     found = {"contacts": (live.sum(), ())}
@@ -324,7 +326,7 @@ def test_compute_total_has_the_sums_of_all_bearings(ran):
 
 @scenes([scene for scene in SCENES if "drag" in LAWS[scene[0]]])
 def test_each_ball_has_one_drag(ran):
-    """The drag of a ball counts once on the outer ring, with any number of grooves."""
+    """The drag of a ball counts once, on the outer ring, with any number of grooves."""
     inner, several = ran.inner(), 0
     for step in ran.steps:
         c = ran.contacts(step)
@@ -335,20 +337,21 @@ def test_each_ball_has_one_drag(ran):
 
 
 def losses(data):
-    """Losses in W of each sample."""
+    """Return the losses in W for each sample."""
     names = [f"bearing_{row['name']}" for row in TABLES["bearing"]]
     names = [name for name in names if name.endswith("_power") and name in data]
     return sum(data[name].sum("bearing").to_numpy() for name in names)
 
 
 def latter_half(data):
-    """First and last sample of the latter half, a multiple of four samples apart."""
+    """Return the first and last sample of the latter half, a multiple of four samples apart."""
     last = len(data["time"]) - 1
     return last - last // 8 * 4, last
 
 
 def integrals(data, power, every):
-    """Energies in J over the latter half of the samples, from every n-th sample, n in `every`."""
+    """Return the energies in J over the latter half of the samples, using every n-th sample, n in
+    `every`."""
     first, last = latter_half(data)
     time = data["time"].to_numpy()
     return [np.trapezoid(power[first : last + 1 : n], time[first : last + 1 : n]) for n in every]
@@ -357,7 +360,7 @@ def integrals(data, power, every):
 @scenes([scene for scene in SCENES if scene[2] == "verlet"])
 def test_power_in_is_losses_plus_what_the_host_stores(ran, scene):
     """Under velocity Verlet the stored energy is computed by the host. The work of constant loads
-    follows from the displacement."""
+    is computed from the displacement."""
     data, steps = ran.record, ran.steps
     moves = data["ring_raceway"] == 0
     ring = {name: data[f"ring_{name}"][:, moves].to_numpy() for name in RING}
@@ -380,9 +383,9 @@ def test_power_in_is_losses_plus_what_the_host_stores(ran, scene):
 
 @scenes([scene for scene in SCENES if scene[2] == "implicit"])
 def test_power_in_is_losses_plus_what_is_stored(ran):
-    """The energies are those of the balance of fix bearing/implicit. A sum over samples is accurate
-    to the difference between sums over every second and every fourth sample; the error of the
-    integrator is `missing` in the balance."""
+    """The energies are those in the energy balance of fix bearing/implicit. A sum over samples is
+    accurate to the difference between sums over every second and every fourth sample; the error of
+    the integrator is `missing` in the balance."""
     data, steps = ran.record, ran.steps
     first, last = latter_half(data)
     sums = integrals(data, losses(data), (1, 2, 4))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Frequencies, ball passes and speeds from the motion of balls and rings in a run: angular contact,
-rotation of either ring in either sense, a changing speed."""
+"""Tests of frequencies, ball passes and speeds computed from the motion of balls and rings in a
+run: angular contact, rotation of either ring in either direction, a changing speed."""
 
 import numpy as np
 import pytest
@@ -25,8 +25,8 @@ def run(request, tmp_path_factory):
 
 
 def angles(run):
-    """(cage, inner, outer): angles in rad (time,) through which the balls, on average, and the
-    rings have turned."""
+    """Return (cage, inner, outer): angles in rad (time,) through which the balls, on average, and
+    the rings have rotated."""
     x, y = (run.balls[name].transpose("time", "ball").to_numpy() for name in "xy")
     cage = np.unwrap(np.arctan2(y, x), axis=0).mean(1)
     data = run.tables.record.read(["ring_angle"])["ring_angle"]
@@ -38,12 +38,12 @@ def angles(run):
 def test_ball_passes_are_angles_of_the_cage(run):
     cage, _, _ = angles(run)
     passes = run.balls.sizes["ball"] * np.abs(cage) / (2 * np.pi)
-    # the coordinate integrates speeds by trapezoids
+    # the coordinate integrates speeds by the trapezoidal rule
     np.testing.assert_allclose(run.balls["passes"], passes, rtol=0, atol=1e-3 * passes[-1])
 
 
 def test_lines_are_those_of_its_balls_and_rings(run):
-    """FTF, BPFO, BPFI and the shaft line follow from the angles, BSF from the spins of the balls
+    """FTF, BPFO, BPFI and the shaft line agree with the angles, and BSF with the spins of the balls
     relative to the cage, within 0.1 %."""
     (cage, inner, outer), balls = angles(run), run.balls.sizes["ball"]
     seconds = float(run.balls["time"][-1] - run.balls["time"][0])
@@ -69,7 +69,7 @@ def test_lines_are_those_of_its_balls_and_rings(run):
 
 def test_rotation_of_balls_that_are_not_recorded(tmp_path):
     """A thrust causes a contact angle in a radial bearing. A record without contacts and balls, as
-    in data sets, has only the cage speed."""
+    in data sets, contains only the cage speed."""
     case = dict(axial=1000, load=300, clearance=30e-6, models="full", settle="auto")
     found = []
     for kind in ("all", "summary"):
@@ -84,7 +84,9 @@ def test_rotation_of_balls_that_are_not_recorded(tmp_path):
 
 
 def test_speed_at_the_largest_load(run):
-    """The summary has the speed at the largest load and the range of speeds, also during a ramp."""
+    """The summary states the speed at the largest load and the range of speeds, also during a
+    ramp.
+    """
     figures = summary(run.tables)
     data = run.tables.record.read(["ring_spin"])["ring_spin"]
     sides = list(run.tables.record.fixed("ring_raceway"))

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""raceway.open on records of real runs: the main deck, and a deck with one additional line."""
+"""Tests of raceway.open on records of real runs: the main deck, and a deck with one additional
+line."""
 
 import re
 
@@ -17,7 +18,7 @@ from recorded_runs import MAIN, SMALL, small
 
 @pytest.fixture(scope="module")
 def main_run(tmp_path_factory):
-    """Folder of a run of the main deck."""
+    """Return the folder of a run of the main deck."""
     folder = tmp_path_factory.mktemp("main")
     succeed(out=folder, **{**MAIN, "passes": 2, "dumps": "no"})
     return folder
@@ -25,7 +26,7 @@ def main_run(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def one_line(tmp_path_factory):
-    """Folder of a run of docs/decks/in.smallest with one additional line."""
+    """Return the folder of a run of docs/decks/in.smallest with one additional line."""
     folder = tmp_path_factory.mktemp("small")
     succeed(small(folder))
     return folder / "run"
@@ -36,7 +37,8 @@ def close(found, wanted):
 
 
 def test_summary_is_of_its_contacts_and_balls(main_run):
-    """Loads, films, capacitance, cage speed and losses equal values from every contact and ball."""
+    """Loads, films, capacitance, cage speed and losses equal the values computed from every contact
+    and ball."""
     run = raceway.open(main_run)
     figures, contacts, balls = run.summary(), run.contacts.load(), run.balls.load()
     load = contacts["load"]
@@ -93,7 +95,7 @@ def test_windows_and_blocks(main_run):
 
 
 def test_read_when_used(main_run):
-    """Opening reads no contacts: the values are still in the file."""
+    """Opening a record does not read contacts; the values are still in the file."""
     contacts = raceway.open(main_run).contacts
     assert not contacts["load"].variable._in_memory
     assert float(contacts["load"].max()) > 2000
@@ -184,7 +186,7 @@ def test_a_summary_has_the_figures(tmp_path):
 
 
 def test_unfinished(tmp_path):
-    """A run that has stopped half-way can be read, but its figures are refused."""
+    """A run that has stopped half-way can be read, but a summary of it is rejected."""
     folder = tmp_path / "run"
     succeed(small(tmp_path, deck=SMALL.replace("run 20000", "run 5000")))
     text = (folder / "run.yaml").read_text()

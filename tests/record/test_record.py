@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/record agrees with the host's dumps and gives the same bytes on any number of ranks,
-and a continued run writes the same bytes as an undisturbed run."""
+"""fix bearing/record agrees with the host's dumps and writes the same bytes on any number of ranks,
+and a continued run writes the same bytes as an uninterrupted run."""
 
 import re
 
@@ -186,7 +186,7 @@ def test_none(tmp_path):
 
 
 def test_notes_of_the_decks_variables(tmp_path):
-    """NAME=VARIABLE, repeated as needed, equals NAME VALUE in the same order."""
+    """NAME=VARIABLE, repeated as needed, is equivalent to NAME VALUE in the same order."""
     notes = {
         "plain": "number mass_kg 0.333333333333333 goal turns 3 text oil thin number load_N 2.5e3",
         "variables": "number mass_kg=third goal turns=turns text oil=oil number load_N=load",
@@ -214,7 +214,7 @@ def test_a_finished_run_stays(tmp_path):
 
 
 def test_several_runs(tmp_path):
-    """The end of one run is the start of the next and appears once."""
+    """The end of one run is the start of the next and is recorded only once."""
     whole, parts = tmp_path / "whole", tmp_path / "parts"
     for folder, runs in ((whole, "run 20000"), (parts, "run 5050\nrun 14950")):
         folder.mkdir()
@@ -224,7 +224,7 @@ def test_several_runs(tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_resume(ranks, tmp_path):
-    """A run resumes from a restart file written half-way: samples after this file are cut off."""
+    """A run resumes from a restart file written half-way; samples after this file are removed."""
     whole, parts = tmp_path / "whole", tmp_path / "parts"
     for folder in (whole, parts):
         folder.mkdir()
@@ -277,7 +277,7 @@ MANY = {"bearings": 6, "columns": 3, "time": 4e-3, "ramp": 1e-3}
 
 @pytest.fixture(scope="module")
 def many(tmp_path_factory):
-    """Runs of in.many with all digits in its table, on 1, 2 and 4 ranks."""
+    """Return the folder of runs of in.many with all digits in its table, on 1, 2 and 4 ranks."""
     folder = tmp_path_factory.mktemp("many")
     deck = folder / "in.many"
     text = (ROOT / "inputs" / "in.many").read_text()
@@ -296,8 +296,8 @@ def test_many_on_any_ranks(many):
 
 
 def test_many_is_its_table(many):
-    """The record equals the table, which has a row of compute bearing/ring for each inner ring and
-    sample."""
+    """The record equals the table, which contains a row of compute bearing/ring for each inner ring
+    and sample."""
     names = (
         "ring x y spin fx fy torque contacts balls load pressure h_min lambda orbit friction_power"
     )

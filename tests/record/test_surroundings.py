@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/capacitance ... surroundings: the total capacitance of a running bearing in the
-record, in the output of the fix and in computes."""
+"""Tests of fix bearing/capacitance ... surroundings: the total capacitance of a running bearing in
+the record, in the output of the fix and in computes."""
 
 import numpy as np
 import pytest
@@ -29,7 +29,7 @@ fix sums all print {every} "${{s}} ${{a}} ${{b}} ${{c}} ${{d}}" file {out}/sums.
 
 
 def main(folder, **variables):
-    """The loaded record of a run of the main deck, and a mask of existing contacts."""
+    """Return the loaded record of a run of the main deck, and a mask of existing contacts."""
     succeed("inputs/in.6208", out=folder, overwrite="yes", settle=1, passes=1, **variables)
     with xr.open_dataset(folder / "record.nc") as data:
         data = data.load()
@@ -37,18 +37,18 @@ def main(folder, **variables):
 
 
 def series(values):
-    """Capacitance of both raceways of a ball in series, by sample and ball."""
+    """Return the capacitance of both raceways of a ball in series, by sample and ball."""
     return 1 / (1 / values).sum(axis=1)
 
 
 def azimuth(data):
-    """Azimuth in rad from the load line, by sample and ball, in (-pi, pi]."""
+    """Return the azimuth in rad from the load line, by sample and ball, in (-pi, pi]."""
     return np.angle(1j * (data["ball_x"].values + 1j * data["ball_y"].values))
 
 
 @pytest.fixture(scope="module")
 def loaded(tmp_path_factory):
-    """Records at 3 kN and 1500 rpm without clearance, for each kind of surroundings."""
+    """Return records at 3 kN and 1500 rpm without clearance, for each kind of surroundings."""
     folder = tmp_path_factory.mktemp("loaded")
     named = {"load": 3000, "rpm": 1500} | OIL | SHOULDERS
     return {
@@ -76,8 +76,8 @@ def test_every_ball_has_both_capacitors(loaded):
     np.testing.assert_array_equal(plates == 0, ~live)
     np.testing.assert_array_equal(total, plates + outside)
     np.testing.assert_array_equal(np.isnan(data["h_c"].values), ~live)
-    # far from contact the separation is the gap between the rigid surfaces, under light loads the
-    # film thickness
+    # far from contact the separation is the gap between the rigid surfaces; under light loads it is
+    # the film thickness
     separation = data["separation"].values
     assert separation[~live].max() > 5e-6
     np.testing.assert_array_equal((data["h_c"].values >= separation)[live], True)
@@ -91,7 +91,8 @@ def test_every_ball_has_both_capacitors(loaded):
 
 
 def test_t6_balls_by_azimuth(loaded):
-    """Capacitance of a ball (pF) at 0, 40 and 80 degrees from the load, interpolated linearly."""
+    """The capacitance of a ball (pF) at 0, 40 and 80 degrees from the load, interpolated linearly,
+    agrees with known values."""
     known = {
         "none": (44.9, 33.3, 6.27),
         "flooded": (65.5, 52.9, 22.0),
@@ -108,7 +109,8 @@ def test_t6_balls_by_azimuth(loaded):
 
 
 def test_t6_the_bearing(loaded):
-    """With a ball on the load line, in pF: plates 124, about 248 flooded, about 214 cavitated."""
+    """With a ball on the load line, the capacitances in pF are: plates 124, about 248 flooded,
+    about 214 cavitated."""
     known = {"none": 124, "flooded": 248, "cavitated": 214}
     for word, truth in known.items():
         data, _ = loaded[word]
@@ -126,7 +128,8 @@ def test_t5_what_fills_the_gap(loaded):
 
 
 def test_t6_light_and_fast(tmp_path):
-    """At 400 N and 6000 rpm with 12 um clearance, in pF: plates 9.4, 101 flooded, 77 cavitated."""
+    """At 400 N and 6000 rpm with 12 um clearance, the capacitances in pF are: plates 9.4, 101
+    flooded, 77 cavitated."""
     named = {"load": 400, "rpm": 6000, "clearance": 12e-6} | OIL | SHOULDERS
     found = {}
     for word in ("flooded", "cavitated"):
@@ -142,9 +145,9 @@ def test_t6_light_and_fast(tmp_path):
 @pytest.mark.parametrize("rpm", [477.5, 9549])
 @pytest.mark.parametrize("models", ["paper", "film"])
 def test_t7_loss_and_return_of_contact(tmp_path, rpm, models):
-    """With 12 um clearance, the largest change of a contact's capacitance over a sample in which
-    contact is lost or regained falls to about a quarter with a quarter of the sampling interval:
-    the capacitance is continuous there. The mean does not change."""
+    """With 12 um clearance, the largest change in a contact's capacitance over a sample in which
+    contact is lost or regained decreases to about a quarter with a quarter of the sampling
+    interval, because the capacitance is continuous there. The mean does not change."""
     steps, means = [], []
     for samples in (200, 800):
         data, live = main(
@@ -165,7 +168,7 @@ def test_t7_loss_and_return_of_contact(tmp_path, rpm, models):
 
 
 def case(folder, fix, more="", host="liggghts", ranks=1, **variables):
-    """The folder of a run of in.case with a clearance."""
+    """Return the folder of a run of in.case with a clearance."""
     folder.mkdir(parents=True)
     every = variables.get("substeps", 1)
     commands = folder / "commands"
@@ -191,8 +194,8 @@ def recorded(folder, options="", **more):
 
 
 def test_within_a_step(tmp_path):
-    """Record and fix share one evaluation. Values at ends of steps do not depend on the number of
-    instants, and finer steps give the same values."""
+    """Record and fix share one evaluation. Values at the ends of steps do not depend on the number
+    of instants, and finer steps give the same values."""
     coarse = recorded(tmp_path / "coarse", "within 4", sample=4e-4, samples=20)
     plain = recorded(tmp_path / "plain", sample=4e-4, samples=20)
     fine = recorded(
@@ -220,8 +223,8 @@ def test_within_a_step(tmp_path):
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 def test_computes_and_the_fix(tmp_path, integrator):
-    """Computes and the fix have values for each ball, for each ring and in total. Balls that do not
-    touch a ring count as well."""
+    """Computes and the fix provide values for each ball, for each ring and in total. Balls that do
+    not touch a ring are included."""
     steps = {"implicit": 1, "verlet": 250}[integrator]
     fix = f"fix cap balls bearing/capacitance {steps} permittivity 2.2 surroundings dry\n"
     fix += f"fix rec all bearing/record {steps} {tmp_path}/run/rec\n"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/record ... within M: samples inside long steps of fix bearing/implicit."""
+"""Tests of fix bearing/record ... within M: samples inside long steps of fix bearing/implicit."""
 
 import numpy as np
 import pytest
@@ -16,7 +16,7 @@ CAPACITANCE = "fix cap balls bearing/capacitance 1 permittivity 2.25\n"
 
 
 def recorded(folder, options="", fixes=CAPACITANCE, ranks=1, control="tolerance 1e-9", **case):
-    """The loaded record of a run of in.case with `options`."""
+    """Return the loaded record of a run of in.case with `options`."""
     folder.mkdir()
     more = folder / "more"
     more.write_text(fixes + FIX.format(out=folder, options=options))
@@ -27,8 +27,8 @@ def recorded(folder, options="", fixes=CAPACITANCE, ranks=1, control="tolerance 
 
 @pytest.fixture(scope="module")
 def coarse_and_fine(tmp_path_factory):
-    """Records with host steps of 0.8 ms and 8 samples per step, and with host steps of 0.1 ms, or 1
-    degree of orbit, both with an error of 0.1 nm per internal step."""
+    """Return records with host steps of 0.8 ms and 8 samples per step, and with host steps of 0.1
+    ms, or 1 degree of orbit, both with an error of 0.1 nm per internal step."""
     folder = tmp_path_factory.mktemp("within")
     case = {"control": "tolerance 1e-10"}
     coarse = recorded(folder / "coarse", "within 8", sample=8e-4, samples=20, **case)
@@ -44,14 +44,14 @@ def test_times(coarse_and_fine):
 
 
 def test_every_column_is_what_finer_steps_give(coarse_and_fine):
-    """All variables of the file, after the start, agree to the share of the largest value that a
-    step error of 0.1 nm allows."""
+    """After the start, all variables in the file agree to within the fraction of their largest
+    value that a step error of 0.1 nm allows."""
     coarse, fine = coarse_and_fine
     seen = 0
     for name, truth in fine.data_vars.items():
         if "time" not in truth.dims or name in ("step", "regime", "mu", "checksum"):
             continue
-        # columns that are available at the ends of steps only
+        # columns that are available only at the ends of steps
         if name in ("bearing_cage_force", "bearing_cage_power"):
             continue
         found, truth = coarse[name].values[60:], truth.values[60:]
@@ -70,7 +70,7 @@ def test_every_column_is_what_finer_steps_give(coarse_and_fine):
 
 
 def test_ends_of_steps_are_those_of_a_record_without_instants(tmp_path):
-    """Values at the ends of steps, and balls, agree to the bit."""
+    """Values at the ends of steps, and balls, are bitwise identical."""
     with_them = recorded(tmp_path / "with", "within 5", sample=4e-4, samples=10)
     without = recorded(tmp_path / "without", sample=4e-4, samples=10)
     assert (tmp_path / "with/balls.dump").read_bytes() == (
@@ -83,8 +83,8 @@ def test_ends_of_steps_are_those_of_a_record_without_instants(tmp_path):
 
 
 def test_shares_the_evaluation_with_the_capacitance(tmp_path):
-    """Loads, films and capacitances of record and fix are the same numbers; the record has the same
-    numbers if the fix does not evaluate within steps."""
+    """Loads, films and capacitances in the record and in the fix are identical; the record contains
+    the same numbers if the fix does not evaluate within steps."""
     cap = (
         "fix cap balls bearing/capacitance 1 permittivity 2.25 within 6"
         f" contacts {tmp_path}/run/instants.txt\n"
@@ -102,7 +102,7 @@ def test_shares_the_evaluation_with_the_capacitance(tmp_path):
 
 def test_within_a_sample_everything_agrees(tmp_path):
     """At instants within a step, too, totals are sums over the contacts, and the force on the ring
-    is the force of the balls."""
+    is the force exerted by the balls."""
     data = recorded(tmp_path / "run", "within 10", sample=4e-4, samples=20).isel(
         time=slice(101, None)
     )
@@ -139,7 +139,9 @@ def test_ranks(ranks, tmp_path):
 
 @pytest.mark.parametrize("host", ["lammps", "wheel"])
 def test_hosts(host, tmp_path):
-    """Samples within steps exist in every host; the bits of a step depend on the host."""
+    """Samples within steps are available in every host; the results of a step depend on the
+    host.
+    """
     for name in ("liggghts", host):
         succeed("inputs/in.6208", host=name, out=tmp_path / name, samples=100, passes=1)
     one, other = (
@@ -188,21 +190,22 @@ def test_other_integrators_are_refused(tmp_path):
 
 
 def share(name, found, truth, where):
-    """Largest difference over the contacts `where`, relative to the largest value."""
+    """Return the largest difference over the contacts selected by `where`, relative to the largest
+    value."""
     off = np.abs(found[name].values - truth[name].values)[where]
     return off.max() / np.abs(truth[name].values[where]).max()
 
 
 def test_the_main_deck_is_accurate_enough(tmp_path):
     """Errors with the default tolerance and ten samples per step, relative to a tolerance of 1 pm
-    and one step per sample, are within the errors of columns stated in docs/output.rst."""
+    and one step per sample, are within the column errors stated in docs/output.rst."""
     case = {"passes": 1, "record": "all"}
     succeed("inputs/in.6208", out=tmp_path / "run", **case)
     succeed("inputs/in.6208", out=tmp_path / "fine", tolerance=1e-12, within=1, **case)
     found = xr.open_dataset(tmp_path / "run" / "record.nc").load()
     truth = xr.open_dataset(tmp_path / "fine" / "record.nc").load()
     assert np.ptp(found["step"].values) == 20 and np.ptp(truth["step"].values) == 200
-    # one run begins to measure at the end of a step of ten samples, the other run at once
+    # one run begins to measure at the end of a step of ten samples, the other run immediately
     azimuth = truth["azimuth"].values[0] - found["azimuth"].values[0]
     shift = int(np.rint(-np.nanmedian(azimuth) / ANGLE_A_SAMPLE))
     assert 0 <= shift < 10

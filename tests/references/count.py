@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Counts, law by law, the tests with an expected value that does not come from the package, but
-from 40-digit arithmetic, quadrature, another kind of solver or printed numbers.
+"""Counts, for each law, the tests whose expected value does not come from the package but from
+40-digit arithmetic, quadrature, another kind of solver or printed values.
 
     python tests/references/count.py [--list] [TREE ...]
 
-A test belongs to a law if words of the law occur in its name, its body or the name of its file. Its
-reference may also be in the helpers, fixtures and constants of its file that it uses."""
+A test is assigned to a law if words of the law occur in its name, its body or the name of its file.
+Its reference may also be in the helpers, fixtures and constants of its file that it uses."""
 
 import ast
 import re
@@ -14,7 +14,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDERS = ("physics", "python", "friction", "implicit")
-# {law: (tests at a7b5052, which had most laws in two languages; words that mark its tests)}
+# {law: (number of tests at a7b5052, which had most laws in two languages; words that mark its
+# tests)}
 LAWS = {
     "elliptic integrals, Hertz": (16, r"elliptic|ellipk|hertz|semi_axes"),
     "effective radii": (9, r"effective_radii|curvatures|meusnier"),
@@ -52,7 +53,7 @@ REFERENCE = re.compile(
 
 
 def _of_module(tree, source):
-    """({name: (its text, names that it uses)}, nodes of the tests)."""
+    """Return ({name: (its text, names that it uses)}, nodes of the tests)."""
     known, tests, imported, lines = {}, [], {}, source.splitlines()
     for node in tree.body:
         names = [getattr(node, "name", None)]
@@ -77,7 +78,7 @@ def _of_module(tree, source):
 
 
 def _all_of(name, known):
-    """Text of `name` and of everything that it uses in its file."""
+    """Return the text of `name` and of everything that it uses in its file."""
     seen, left, text = set(), [name], ""
     while left:
         one = left.pop()
@@ -91,7 +92,7 @@ def _all_of(name, known):
 
 
 def found(root: Path) -> dict[str, list[str]]:
-    """Tests of each law that have a reference, as `file::test`, in the tree `root`."""
+    """Return the tests of each law that have a reference, as `file::test`, in the tree `root`."""
     result = {law: [] for law in LAWS}
     for folder in FOLDERS:
         for path in sorted((root / "tests" / folder).glob("test_*.py")):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Slip and spin of a contact under Coulomb's law by Gauss points over the ellipse."""
+"""Slip and spin of a contact under Coulomb's law, by Gauss points over the ellipse."""
 
 from typing import NamedTuple
 
@@ -7,7 +7,7 @@ import numpy as np
 
 
 class Spin(NamedTuple):
-    """Forces (N), moment (N m) and power (W) of `with_slip`."""
+    """Forces (N), moment (N m) and power (W) returned by `with_slip`."""
 
     along: np.ndarray
     across: np.ndarray
@@ -16,11 +16,11 @@ class Spin(NamedTuple):
 
 
 def with_slip(load, friction, a, b, along, across, spin, *, curve=0.0, width=0.0, points=24):
-    """`Spin` if the point (x along, z across) slides with the velocity (along + spin z - curve z^2,
-    across - spin x).
+    """Return a `Spin` for a contact whose point (x along, z across) slides with the velocity
+    (along + spin z - curve z^2, across - spin x).
 
     The stress is mu p along the sliding velocity v, smoothed as v/sqrt(v^2 + width^2) with `width`
-    in m/s. There are `points` Gauss-Legendre radii and four times as many evenly spaced angles.
+    in m/s. There are `points` Gauss-Legendre radii and four times as many equally spaced angles.
     """
     along, across, spin = np.broadcast_arrays(
         *(np.asarray(v, float) for v in (along, across, spin))
@@ -43,8 +43,8 @@ def with_slip(load, friction, a, b, along, across, spin, *, curve=0.0, width=0.0
 
 
 def free_slip(load, friction, a, b, spin, curve, *, points=16):
-    """`with_slip` for `spin` (n,) at the slip along rolling that gives no force; stresses are
-    smoothed over 1e-3 of the slip at the edge."""
+    """Return `with_slip` for `spin` (n,) at the slip along rolling at which the force is zero;
+    stresses are smoothed over 1e-3 of the slip at the edge."""
     edge = curve * a**2
     low, high = np.zeros_like(spin), np.full_like(spin, edge)
     options = dict(curve=curve, width=1e-3 * edge, points=points)

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The gap around a contact from the closed forms in docs/electric, in 40 digits."""
+"""The gap around a contact from the closed-form solutions in docs/electric, in 40-digit
+arithmetic.
+"""
 
 import mpmath
 from mpmath import mpf
@@ -8,9 +10,9 @@ from references.hertz import ellipse
 
 
 def rigid(r_x, r_y, slack, separation, play, width):
-    """I (m) of an unloaded ball: 4 pi sqrt(R_x R) asinh(S/sqrt(2 R g_0)), where R is kappa^2 E
-    R_e/(ln 4 kappa - 1) divided by 1 - play/slack. Beyond concentric circles the inverse sine
-    replaces asinh."""
+    """Return I (m) for an unloaded ball: 4 pi sqrt(R_x R) asinh(S/sqrt(2 R g_0)), where R is
+    kappa^2 E R_e/(ln 4 kappa - 1) divided by 1 - play/slack. Beyond concentric circles the inverse
+    sine replaces asinh."""
     kappa, _, second, radius = ellipse(r_x, r_y)
     with mpmath.workdps(40):
         across = kappa**2 * second * radius / (mpmath.log(4 * kappa) - 1)
@@ -22,7 +24,7 @@ def rigid(r_x, r_y, slack, separation, play, width):
 
 
 def loaded(r_x, r_y, modulus, load, separation, width):
-    """I (m) around a loaded contact: 4 kappa E R (G + pi P sqrt(2 R_x g_s)/b)."""
+    """Return I (m) around a loaded contact: 4 kappa E R (G + pi P sqrt(2 R_x g_s)/b)."""
     kappa, first, second, radius = ellipse(r_x, r_y)
     with mpmath.workdps(40):
         d, pi = mpf, mpmath.pi

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Orientations of four balls, tracked if one of them has a profile: rotations from the ball's own
-// axes to the frame that turns with its azimuth (lane_frame.h). Like all components in that frame,
-// the spin of the ball relative to the frame is constant over a stage, so the rotation is exact.
+// Orientations of four balls, tracked if at least one of them has a profile: rotations from the
+// ball's own axes to the frame that turns with its azimuth (lane_frame.h). Like all components in
+// that frame, the spin of the ball relative to the frame is constant over a stage, so the rotation
+// is exact.
 #ifndef RACEWAY_BALL_TURNS_H
 #define RACEWAY_BALL_TURNS_H
 
@@ -15,7 +16,7 @@ struct BodyGroup;
 struct BallTurns {
   int group;
   Quaternion from[lanes], base[lanes], now[lanes], end[lanes] = {};
-  Vec3 turn[lanes];    // rad, from `base` to `now`
+  Vec3 turn[lanes];    // rad, rotation from `base` to `now`
 
   explicit BallTurns(int of) : group(of) {}
   void load(int lane, const LaneFrame &, const Quaternion &lab);
@@ -23,17 +24,17 @@ struct BallTurns {
   void start();                                          // starts a step: base = from
   void move(const BodyGroup &, double h);                // now is h seconds after base
   void coast(const BodyGroup &, double h, bool on);      // starts at `from`, or at `now` if `on`
-  void second_base(double beyond);                       // base = from, turned by `beyond` times
-                                                         // the last turn
+  void second_base(double beyond);                       // base = from, rotated by `beyond` times
+                                                         // the last rotation
   void accept();                                         // from = now
   void rest() { std::copy(from, from + lanes, now); }    // now = from
   void keep() { std::copy(now, now + lanes, end); }      // saves `now` before it is changed
   void put_back() { std::copy(end, end + lanes, now); }
-  // Orientation at the fraction s of a step of h seconds that ends at `end` with v and w.
+  // Sets the orientation at the fraction s of a step of h seconds that ends at `end` with v and w.
   void between(const BodyGroup &, const LaneFrame &end_frame, const Vec3L &v, const Vec3L &w,
                double h, double s);
 
-  // Angular velocity of a ball relative to its frame, rad/s.
+  // Returns the angular velocity of a ball relative to its frame, rad/s.
   static Vec3 rate(const Vec3L &v, const Vec3L &w, const LaneFrame &f, int lane)
   {
     return {w.x[lane], w.y[lane], w.z[lane] - v.y[lane] / f.r[lane]};

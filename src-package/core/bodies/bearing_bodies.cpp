@@ -34,7 +34,7 @@ void BearingBodies::place()
   std::vector<Key> key(model.bodies.size());
   for (const BearingModel::Groove &g : model.grooves) key[g.body].push_back({g.ring, g.physics});
   for (const BearingModel::Seat &s : model.seats) key[s.body].push_back({s.ring, s.rails});
-  // ordered by first body: the order must not depend on addresses
+  // sorted by first body, because the order must not depend on addresses
   std::vector<std::vector<int>> rows;
   for (int k = 0; k < static_cast<int>(key.size()); ++k) {
     auto same = [&](const std::vector<int> &row) {
@@ -49,7 +49,8 @@ void BearingBodies::place()
     const int first = static_cast<int>(groups.size());
     const int n = static_cast<int>(row.size()), padded = (n + lanes - 1) / lanes * lanes;
     for (int i = 0; i < padded; ++i) {
-      const int k = row[std::min(i, n - 1)];    // padding repeats the last body, without forces
+      // padding lanes repeat the last body and exert no force
+      const int k = row[std::min(i, n - 1)];
       if (i % lanes == 0) {
         groups.emplace_back();
         groups.back().spins = model.bodies[k].spins;
@@ -182,7 +183,7 @@ void BearingBodies::load(const std::vector<BodyPose> &bodies, const std::vector<
     rings[b.shaft].from =
         shaft_of(rings[first.ring].from, first.at, Deflection(*first.station, b.from));
   }
-  // balls orbit the fixed ring, the last one if there are several
+  // balls orbit the fixed ring, or the last one if there are several
   bool found = false;
   for (const RingBody &r : rings) {
     if (r.empty) continue;
@@ -282,7 +283,7 @@ RACEWAY_LANES void BearingBodies::second_base(double beyond)
     }
   for (BallTurns &t : turns) t.second_base(beyond);
   on_border([beyond](auto &one) { one.second_base(beyond); });
-  // initial guess: velocities of the first stage
+  // initial guess: velocities at the end of the first stage
   for (Coordinate &c : border) *c.gained = *c.first - *c.base;
 }
 

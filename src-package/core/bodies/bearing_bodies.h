@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Bodies and rings of one bearing in the layout of the implicit step: four bodies per group, with
-// balls on the same raceways and cage balls on the same rails next to each other.
+// Bodies and rings of one bearing in the layout used by the implicit step: four bodies per group,
+// with balls on the same raceways and cage balls on the same rails next to each other.
 #ifndef RACEWAY_BEARING_BODIES_H
 #define RACEWAY_BEARING_BODIES_H
 
@@ -19,22 +19,22 @@ struct alignas(32) RingBody {
   RingProgram program;
   RingPose from, base, now, first, end;
   double gained[RingProgram::N_DOF] = {};
-  // By degree of freedom; -1: none. `coordinate` belongs to the ring or to its rigid shaft.
+  // Indexed by degree of freedom; -1: none. `coordinate` belongs to the ring or to its rigid shaft.
   // `column` (BearingBodies::columns) equals the coordinate, but on a flexible shaft it belongs to
   // the ring alone.
   int coordinate[RingProgram::N_DOF], column[RingProgram::N_DOF];
   bool loose = false;      // at least one degree of freedom is free
   bool carried = false;    // sits on a shaft
   bool levered = false;    // sits on a rigid shaft, whose coordinates it shares
-  int holder = -1;         // ring at the other end of this ring's supports; -1: ground
-  int bend = -1;           // flexible shaft: index in BearingBodies::bends
-  bool holds = false;      // supports another ring
-  bool empty = false;      // no raceway: a housing or a cage
+  int holder = -1;         // ring that holds the other end of this ring's supports; -1: ground
+  int bend = -1;           // index in BearingBodies::bends if the shaft is flexible
+  bool holds = false;      // holds another ring by supports
+  bool empty = false;      // has no raceway, like a housing or a cage
   double pockets = 0.0;    // m, radius of the pocket circle; 0: not a cage
-  double at = 0.0;         // m, position of a carried ring from the shaft's centre
-  double span = 0.0;       // m, of a shaft: distance from its centre to its farthest ring
-  double spring = 0.0;     // N/m, sum over contacts; set only with dampers_only
-  Vec3 force, moment;      // contact loads: sums over the lanes
+  double at = 0.0;         // m, position of a carried ring relative to the shaft's centre
+  double span = 0.0;       // m, for a shaft: distance from its centre to its farthest ring
+  double spring = 0.0;     // N/m, summed over the contacts; set only with dampers_only
+  Vec3 force, moment;      // contact loads, summed over the lanes
 
   void start() { base = from; }
   void move(double h, double s) { now = moved(program, base, gained, h, s); }
@@ -56,37 +56,38 @@ class BearingBodies {
   void load(const std::vector<BodyPose> &, const std::vector<RingPose> &);
   void store(std::vector<BodyPose> &, std::vector<RingPose> &) const;
   void start();                       // starts a step
-  void second_base(double beyond);    // base = start, moved by beyond times the first stage
-  void accept();                      // the present state starts the next step
+  void second_base(double beyond);    // base = start, moved by `beyond` times the first stage
+  void accept();                      // the present state becomes the start of the next step
   void carry();                       // moves carried rings with their shafts
   void add_shafts();                  // adds forces and moments of carried rings to their shafts
-  // Calls `act` with each ring and shaft, then with the bending of each flexible shaft.
+  // Calls `act` for each ring and shaft, then for the bending of each flexible shaft.
   template <class Act> void on_border(const Act &act)
   {
     for (RingBody &r : rings) act(r);
     for (ShaftBend &b : bends) act(b);
   }
-  // Forces on the coordinates at the fraction s of the host's step, N or N m, without the moments
-  // that the bending of a shaft exerts on the tilts of that shaft.
+  // Computes the forces on the coordinates at the fraction s of the host's step, N or N m, without
+  // the moments that the bending of a shaft exerts on the tilts of that shaft.
   void border_forces(double s, std::vector<double> &);
-  void border_loads(double s, std::vector<double> &);    // forces of loads and weight alone
-  // Power of contacts and supports on the driven degrees of freedom of a ring, W.
+  void border_loads(double s, std::vector<double> &);    // only the forces of loads and weight
+  // Returns the power of contacts and supports on the driven degrees of freedom of a ring, W.
   double power_on_drives(const RingBody &) const;
-  // Pose on which the supports of a ring act: relative to the ring's holder, if any; for a flexible
-  // shaft, the pose of the shaft's centre.
+  // Returns the pose on which the supports of a ring act: relative to the ring's holder, if any;
+  // for a flexible shaft, the pose of the shaft's centre.
   RingPose held(const RingBody &r) const
   {
     if (r.bend >= 0) return bends[r.bend].bent_centre(r.now);
     return r.holder < 0 ? r.now : seen_from(r.now, rings[r.holder].now);
   }
-  // Force on a ring at the fraction s of the host's step, N: contacts, loads, supports and weight.
+  // Returns the force (N) of contacts, loads, supports and weight on a ring at the fraction s of
+  // the host's step.
   Vec3 force_on(const RingBody &, double s) const;
-  Vec3 moment_on(const RingBody &, double s) const;    // N m, with the same contributions
-  // Adds the force (N) and moment (N m) of the supports that hold other rings to this ring.
+  Vec3 moment_on(const RingBody &, double s) const;    // N m, from the same contributions
+  // Adds the force (N) and moment (N m) of the supports by which this ring holds other rings.
   void add_held(const RingBody &, Vec3 *force, Vec3 *moment) const;
 
-  // State variables of the contacts (part.h) in the order of the model's grooves, `states` values
-  // per groove.
+  // State variables of the contacts (part.h) in the order of the model's grooves, with `states`
+  // values per groove.
   int states() const { return states_; }
   void load_states(const double *);
   void store_states(double *) const;
@@ -109,11 +110,11 @@ class BearingBodies {
   };
 
   BearingModel model;
-  std::vector<int> slot, body_at;    // by body; by slot (group 4 k + lane), -1: padding
+  std::vector<int> slot, body_at;    // indexed by body; by slot (group 4 k + lane), -1: padding
   std::vector<BodyGroup> groups;
   std::vector<Track> tracks;
   bool flawed = false;    // at least one raceway or ball has a profile
-  // By group of contacts, with the rows of the depths; empty if no ball has a profile.
+  // Indexed by group of contacts, with the rows of the depths; empty if no ball has a profile.
   struct BallProfiles {
     bool any = false;
     const BallProfile *of[lanes] = {};
@@ -121,13 +122,13 @@ class BearingBodies {
   std::vector<BallProfiles> ball_profiles;
   std::vector<TurnRowT<Lane>> ball_rows;
   std::vector<BallTurns> turns;    // orientations in groups with profiled balls
-  std::vector<int> turns_at;       // by group, -1: none
+  std::vector<int> turns_at;       // indexed by group, -1: none
   std::vector<RailTrack> rail_tracks;
-  std::vector<int> pocket_of;     // by cage, then ball; a ball stays in its pocket
-  int n_contacts = 0;             // groups of contacts: the sum over the tracks
-  std::vector<int> contact_at;    // by groove of the model: lanes * group of contacts + lane
+  std::vector<int> pocket_of;     // indexed by cage, then by ball; a ball stays in its pocket
+  int n_contacts = 0;             // number of contact groups, summed over the tracks
+  std::vector<int> contact_at;    // indexed by groove of the model: lanes * contact group + lane
   std::vector<int> groove_at;     // inverse of contact_at, -1: none
-  std::vector<States> kept;       // by group of contacts, if the law has state variables
+  std::vector<States> kept;       // indexed by group of contacts, if the law has state variables
   std::vector<KeptSlopes> kept_slopes;
   // Entrainment speed (m/s) and cosine of the contact angle, which together with the overlap
   // determine the elastic energy of a contact; cos_angle < 0 without contact.
@@ -137,20 +138,22 @@ class BearingBodies {
   struct alignas(32) BalancedContact {
     EnergyBasis from, now;
   };
-  std::vector<BalancedContact> balanced;    // by group of contacts, empty without a balance
-  std::vector<RingBody> rings;              // rings of the model, then one per shaft
+  std::vector<BalancedContact> balanced;    // indexed by group of contacts; empty if no energy
+                                            // balance is requested
+  std::vector<RingBody> rings;              // rings of the model, followed by one ring per shaft
   std::vector<Carried> on_shafts;
   // Free degrees of freedom of rings and rigid shafts, then those of flexible shafts, then modes.
   std::vector<Coordinate> border;
   std::vector<Coupling> couplings;    // due to supports
   std::vector<ShaftBend> bends;
   // Numbers of ring motions at the contacts. The first `straight` of them are the coordinates
-  // without those of flexible shafts; then come all motions of each ring on a flexible shaft.
+  // except those of flexible shafts; they are followed by all motions of each ring on a flexible
+  // shaft.
   int columns = 0, straight = 0;
-  // Columns that can be nonzero, by group: all columns or, with flexible shafts, the columns of the
-  // group's own bearing; with flexible shafts also by column.
+  // Columns that can be nonzero, indexed by group and, with flexible shafts, also by column. They
+  // are all columns or, with flexible shafts, the columns of the group's own bearing.
   std::vector<std::vector<int>> columns_of_group, columns_of_column;
-  Vec3 centre;           // of the rotating frames
+  Vec3 centre;           // centre of the rotating frames
   Vec3 gravity;          // m/s^2, acts on all bodies and rings
   bool heavy = false;    // gravity is not zero
 

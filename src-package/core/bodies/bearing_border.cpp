@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Coordinates of rings and shafts, their couplings and the forces on them.
+// Coordinates of rings and shafts, the couplings between them and the forces on them.
 #include "bearing_bodies.h"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ void BearingBodies::add_modes(ShaftBend &b)
   }
 }
 
-// Coordinates stay the same during a run.
+// The set of coordinates does not change during a run.
 void BearingBodies::find_border()
 {
   border.clear();
@@ -70,7 +70,7 @@ void BearingBodies::find_border()
   if (!bends.empty()) find_columns();
 }
 
-// Supports of a flexible shaft act at its centre, which moves with the shaft and its modes.
+// The supports of a flexible shaft act at its centre, which moves with the shaft and its modes.
 void BearingBodies::find_couplings()
 {
   couplings.clear();
@@ -102,7 +102,7 @@ void BearingBodies::find_couplings()
     }
 }
 
-// Finds the parts of the bearing connected by contacts; rings are numbered first, then groups.
+// Finds the parts of the bearing that are connected by contacts; rings are numbered before groups.
 void BearingBodies::find_columns()
 {
   const int n = static_cast<int>(rings.size());
@@ -124,8 +124,7 @@ void BearingBodies::find_columns()
   columns_of_column.assign(columns, {});
   for (int pass = 0; pass < 2; ++pass)
     for (int k = 0; k < n; ++k) {
-      if (rings[k].levered || rings[k].bend >= 0) continue;    // uses the columns of its shaft, or
-                                                               // of the rings on this shaft
+      if (rings[k].levered || rings[k].bend >= 0) continue;    // it uses columns of its shaft
       for (int column : rings[k].column) {
         if (column < 0) continue;
         if (pass == 0) of_part[part[k]].push_back(column);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One bearing: pairs of bodies that may touch, the program of each ring, and the state. It is
-// independent of the host: atoms have tags, and the mover of a ring is an index into the caller's
-// list. Other indices refer to bodies and rings. The bearing axis is the third axis; units are SI.
+// Model of one bearing: pairs of bodies that may touch, the program of each ring, and the state. It
+// does not depend on the host: atoms have tags, and the mover of a ring is an index into the
+// caller's list. All other indices refer to bodies and rings. The bearing axis is the third axis;
+// units are SI.
 #ifndef RACEWAY_BEARING_MODEL_H
 #define RACEWAY_BEARING_MODEL_H
 
@@ -23,29 +24,30 @@ struct BearingModel {
   struct Body {
     Tag tag;
     double mass, radius;
-    bool spins;    // rolling balls spin, cage balls do not
+    bool spins;    // true for rolling balls, false for cage balls
   };
   struct Ring {
     Tag tag;
-    int mover;                     // in the caller's list, -1: at rest
-    std::vector<RingValue> own;    // values set for this ring alone
+    int mover;                     // index in the caller's list, -1: at rest
+    std::vector<RingValue> own;    // values set only for this ring
     bool on_shaft = false;         // moves as one body with all rings of the same mover
-    double at = 0.0;               // m, position along that shaft from its centre
-    Tag held_by = 0;               // ring to which the supports hold this ring; 0: ground
+    double at = 0.0;               // m, position along that shaft relative to its centre
+    Tag held_by = 0;               // tag of the ring to which the supports connect this ring; 0:
+                                   // ground
     int holder = -1;               // held_by as an index into rings
   };
   struct Shaft {    // rings that move as one body
     int mover;
     std::vector<int> rings;               // by tag
-    const ShaftModes *modes = nullptr;    // of a flexible shaft
+    const ShaftModes *modes = nullptr;    // only for a flexible shaft
   };
-  struct Groove {    // a ball that may touch a raceway
+  struct Groove {    // a ball and a raceway that it may touch
     int body, ring;
     const RacewayPhysics *physics;
     const RacewayProfile *profile = nullptr;    // null: the raceway is a torus
     const BallProfile *ball = nullptr;          // null: the ball is a sphere
   };
-  struct Pocket {    // two bodies that may touch, as spheres
+  struct Pocket {    // two bodies that may touch, both treated as spheres
     int a, b;
     double K, reach, mass;
   };
@@ -55,25 +57,25 @@ struct BearingModel {
     const std::vector<double> *stiffness;
   };
   struct Cage {        // a one-piece cage
-    int ring, land;    // land: the guiding ring, -1: none
+    int ring, land;    // land: ring that guides the cage, -1: none
     const CageRing *of;
     std::vector<int> balls;    // bodies, by tag
   };
-  std::vector<Body> bodies;       // rolling balls first, then cage balls, each by tag
-  std::vector<Ring> rings;        // by tag
-  std::vector<Shaft> shafts;      // by first ring
-  std::vector<Groove> grooves;    // by body, then ring
-  std::vector<Pocket> pockets;    // by smaller tag, then larger
-  std::vector<Seat> seats;        // by cage, then body
-  std::vector<Cage> cages;        // by ring
-  unsigned parts = 0;             // parts of the contact law of all raceways
+  std::vector<Body> bodies;       // rolling balls first, then cage balls, both sorted by tag
+  std::vector<Ring> rings;        // sorted by tag
+  std::vector<Shaft> shafts;      // sorted by first ring
+  std::vector<Groove> grooves;    // sorted by body, then ring
+  std::vector<Pocket> pockets;    // sorted by smaller tag, then larger tag
+  std::vector<Seat> seats;        // sorted by cage, then body
+  std::vector<Cage> cages;        // sorted by ring
+  unsigned parts = 0;             // parts of the contact law, common to all raceways
 
   Tag name() const { return rings.front().tag; }
 };
 
 struct BodyPose {
   Vec3 x, v, w;
-  Quaternion turn;    // rotation from the ball's own axes, if needed
+  Quaternion turn;    // rotation from the ball's own axes, where needed
 };
 
 }    // namespace raceway

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Four bodies in the implicit step: their motion and their part of the linear system.
+// Motion of four bodies in the implicit step, and their part of the linear system.
 #ifndef RACEWAY_BODY_GROUP_H
 #define RACEWAY_BODY_GROUP_H
 
@@ -7,18 +7,18 @@
 
 namespace raceway {
 
-// Structs with lanes are aligned for the widest vector instructions and list their lanes first.
+// Structs with lanes are aligned for the widest vector instructions and declare their lanes first.
 struct alignas(32) BodyGroup {
   Lane mass, inertia, radius;
   LaneMask used;
   LaneFrame from, base, now;
   Vec3L v_from, w_from, v_base, w_base, v, w, v_first;
-  Lane turn = {};      // rad, from `base` to `now`
-  Lane turned = {};    // rad, from `from` to `base`
+  Lane turn = {};      // rad, rotation from `base` to `now`
+  Lane turned = {};    // rad, rotation from `from` to `base`
   // the linear system: block, right-hand side, columns of the links (bearing_system.h)
   Lane A[36], rhs[6], link[2][6];
-  Lane spring = {}, damper = {};    // N/m, N s/m, sums over contacts; set only with dampers_only
-  Lane stiffness = {};              // N/m, of the stiffest contact with a raceway
+  Lane spring = {}, damper = {};    // N/m, N s/m, sums over contacts; only with dampers_only
+  Lane stiffness = {};              // N/m, stiffness of the stiffest contact with a raceway
   bool spins;
   bool coupled = false;    // has a coupling to the border
   bool linked = false;

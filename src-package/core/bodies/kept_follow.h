@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The states of the contacts (core/parts/part.h) depend on the velocities at the end of a stage.
 // The last evaluation gives the states and their slopes at the velocities before the last
-// correction. The first-order update in this file gives the states that the stage solved for, so
-// that momentum and contact forces agree. Without this update a stiff tangential spring would lag
-// by one correction, as in an explicit step, and be unstable.
+// correction. The first-order update in this file gives the states that belong to the solution of
+// the stage, so that momentum and contact forces agree. Without this update, a stiff tangential
+// spring would lag by one correction, as in an explicit step, and would be unstable.
 #ifndef RACEWAY_KEPT_FOLLOW_H
 #define RACEWAY_KEPT_FOLLOW_H
 
@@ -12,22 +12,22 @@
 
 namespace raceway {
 
-struct alignas(32) KeptSlopes {    // of four contacts, from the last evaluation with derivatives
+struct alignas(32) KeptSlopes {    // for four contacts, from the last evaluation with derivatives
   Vec3L normal, along, across,
       lever;         // lever: from the centre of the ring or its shaft to the contact, m
   Lane slope;        // slope of a profile along the path (profiled_contact.h)
-  Lane stiffness;    // N/m, of the elastic contact
-  LaneMask live;     // contacts of the last evaluation
+  Lane stiffness;    // N/m, stiffness of the elastic contact
+  LaneMask live;     // contacts closed in the last evaluation
   Lane of[most_states][6];
 };
 
-// Change of velocities by a correction, in the ball's frame.
+// Change of velocities due to a correction, in the ball's frame.
 struct Correction {
   Vec3L v, w;              // m/s, rad/s, of the balls
   Vec3L ring_v, ring_w;    // of the ring
 };
 
-// Converts a correction to motions of the contacts, in the order of contact_slopes.h.
+// Converts a correction to motions of the contacts, in the order defined in contact_slopes.h.
 RACEWAY_INLINE void motions_of(const KeptSlopes &s, double radius, const Correction &c,
                                Lane (&motion)[6])
 {

@@ -5,9 +5,9 @@
 // all bodies have been eliminated, the forces l of the links solve
 //   l_i/a_i + sum_j c_ij l_j = n_i . (x_first - x_second)
 // with c_ij = +-n_i . A^-1 n_j at a body that i and j share.
-// A link shares at most two bodies with others, so c is tridiagonal, with one corner entry if a
-// chain closes into a circle; elimination carries that corner along. The order of operations
-// depends only on the order of the links.
+// A link shares at most two bodies with other links, so c is tridiagonal, with one additional
+// corner entry if a chain closes into a circle; elimination carries that corner along. The order of
+// operations depends only on the order of the links.
 #ifndef RACEWAY_LINK_CHAIN_H
 #define RACEWAY_LINK_CHAIN_H
 
@@ -22,8 +22,8 @@ class LinkChain {
   struct End {
     int body;
     Vec3 n;         // the link's normal in the body's own frame
-    Vec3 answer;    // body's velocity due to a unit force along n: first three numbers of A^-1 n
-    int slot;       // 0 or 1: first or second link of the body
+    Vec3 answer;    // body's velocity due to a unit force along n: first three entries of A^-1 n
+    int slot;       // 0 or 1, whether it is the first or second link of the body
   };
   struct Link {
     End end[2];
@@ -38,7 +38,7 @@ class LinkChain {
     links.clear();
   }
 
-  // False if a body would have a third link; the links would then not form a chain.
+  // Returns false if a body would have a third link, because the links would then not form a chain.
   bool add(int first, int second, const Vec3 &n_first, const Vec3 &n_second, double a)
   {
     const int slot[2] = {of_body_[first].count, of_body_[second].count};
@@ -53,7 +53,7 @@ class LinkChain {
     return true;
   }
 
-  // Call it once the answers at both ends of every link are set.
+  // Must be called once the answers at both ends of every link are set.
   void factor()
   {
     const int n = static_cast<int>(links.size());
@@ -75,7 +75,7 @@ class LinkChain {
     for (const Chain &c : chains_) factor(c);
   }
 
-  // In place: turns right-hand sides into forces, by link.
+  // Replaces right-hand sides by forces in place; both are indexed by link.
   void solve(double *x) const
   {
     for (const Chain &c : chains_) {
@@ -106,7 +106,7 @@ class LinkChain {
     bool circle;
   };
 
-  // The other link of the body at this end of a link; -1 if there is none.
+  // Returns the other link of the body at this end of a link; -1 if there is none.
   int neighbour(int i, int end) const
   {
     const Pair &p = of_body_[links[i].end[end].body];
@@ -125,7 +125,7 @@ class LinkChain {
     }
   }
 
-  // c_ij at the body at end `end` of link i.
+  // Returns c_ij at the body at end `end` of link i.
   double coupling(int i, int end, int j) const
   {
     const End &e = links[i].end[end];
@@ -134,7 +134,7 @@ class LinkChain {
     return end == other ? d : -d;
   }
 
-  // low_ and row_ become multipliers, inv_ reciprocal pivots.
+  // After factor(), low_ and row_ contain multipliers and inv_ contains reciprocal pivots.
   void factor(const Chain &c)
   {
     const int last = c.end - 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Free, fixed and driven motion of a ring, under either integrator.
+// Free, fixed and driven motion of a ring, used by both integrators.
 #ifndef RACEWAY_RING_DRIVE_H
 #define RACEWAY_RING_DRIVE_H
 
@@ -54,14 +54,14 @@ inline void drive_rates(const RingProgram &p, const RingPlace &r, double *rate, 
   }
 }
 
-// Driven tilts set the axis directly, so that small rotations do not add up to a drift.
+// Driven tilts set the axis directly, so that small rotations do not accumulate to a drift.
 inline void tilt_by(RingPlace &r, const double *rate, double h)
 {
   for (int k = 0; k < 2; ++k) r.tilt[k] += rate[k] * h;
   r.e = rotate({0.0, 0.0, 1.0}, {r.tilt[0], r.tilt[1], 0.0});
 }
 
-// Spin (rad/s): `spin` if the spin is free, otherwise the driven spin or 0.
+// Returns the spin (rad/s), which is `spin` if the spin is free and otherwise the driven spin or 0.
 inline double driven_spin(const RingProgram &p, double spin, double s)
 {
   switch (p.mode[RingProgram::SPIN]) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A ring in the implicit step: w = W + spin e with W normal to its axis e, W = (rate_x, rate_y, .),
-// so that
+// Motion of a ring in the implicit step: w = W + spin e with W normal to its axis e, W = (rate_x,
+// rate_y, .), so that
 //   e' = W x e,    I_t W' = M_across - I_a spin (W x e),    I_a spin' = M.e
 // (M_across = M - (M.e) e; the component along e includes the drive of an imposed spin). The
 // gyroscopic moment is the term with the spin.
@@ -23,7 +23,7 @@ inline RingPose kicked(const RingProgram &p, const RingPose &base, const double 
   return r;
 }
 
-// Moves everything except free tilts, whose axis the caller finds.
+// Moves everything except free tilts, whose axis is computed by the caller.
 inline RingPose displaced(const RingProgram &p, const RingPose &base, double h, double s)
 {
   RingPose r = base;
@@ -35,9 +35,9 @@ inline RingPose displaced(const RingProgram &p, const RingPose &base, double h, 
   return r;
 }
 
-// Implicit Euler from `base` over h to the fraction s of the host's step: pose = base + h times
-// the velocities at the end. Free degrees of freedom have the velocities of the base plus `gained`
-// (N_DOF values); all others have the driven velocities.
+// Performs an implicit Euler step from `base` over h to the fraction s of the host's step: pose =
+// base + h times the velocities at the end. Free degrees of freedom have the velocities of the base
+// plus `gained` (N_DOF values); all others have the driven velocities.
 inline RingPose moved(const RingProgram &p, const RingPose &base, const double *gained, double h,
                       double s)
 {
@@ -61,7 +61,7 @@ inline RingPose coasted(const RingProgram &p, const RingPose &base, double h, do
   return r;
 }
 
-// from + b (to - from) in every coordinate: base of the second stage.
+// Returns from + b (to - from) in every coordinate, which is the base of the second stage.
 inline RingPose beyond(const RingPose &from, const RingPose &to, double b)
 {
   RingPose r = to;
@@ -79,8 +79,8 @@ inline RingPose beyond(const RingPose &from, const RingPose &to, double b)
   return r;
 }
 
-// Pose at the fraction s of a step of h seconds between two poses. Positions follow the cubic that
-// also matches the velocities at both ends; velocities are interpolated linearly.
+// Returns the pose at the fraction s of a step of h seconds between two poses. Positions follow the
+// cubic that also matches the velocities at both ends; velocities are interpolated linearly.
 inline RingPose between(const RingPose &from, const RingPose &to, double h, double s)
 {
   const Cubic at(s, h);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Ring motion per degree of freedom, in the rotating frame of a ball (lane_frame.h).
+// Ring motion for each degree of freedom, in the rotating frame of a ball (lane_frame.h).
 #ifndef RACEWAY_RING_MOTIONS_H
 #define RACEWAY_RING_MOTIONS_H
 
@@ -7,7 +7,7 @@
 
 namespace raceway {
 
-// Angular velocity of a ring per unit of a degree of freedom; e is its axis.
+// Returns the angular velocity of a ring per unit of a degree of freedom; e is its axis.
 RACEWAY_INLINE Vec3L rotation_of(int dof, const LaneFrame &f, const Vec3L &e)
 {
   const Lane none = {};
@@ -25,7 +25,7 @@ RACEWAY_INLINE Vec3L lever_of(const RingBody &ring, const Vec3L &e, const Vec3L 
   return ring.levered ? lever + e * ring.at : lever;
 }
 
-// Velocity of the point of the ring at `lever` from the ring's centre.
+// Returns the velocity of the point of the ring at `lever` from the ring's centre.
 RACEWAY_INLINE Vec3L motion_of(int dof, const LaneFrame &f, const Vec3L &e, const Vec3L &lever)
 {
   const Lane one = all_lanes(1.0), none = {};

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A ring under either integrator: free, fixed and driven degrees of freedom, loads and motion.
+// Free, fixed and driven degrees of freedom, loads and motion of a ring, for both integrators.
 //
-// The bearing axis is the third axis. Degrees of freedom: x, y, z, tilt about x, tilt about y, spin
-// about the ring's own axis e.
+// The bearing axis is the third axis. The degrees of freedom are x, y, z, tilt about x, tilt about
+// y, and spin about the ring's own axis e.
 //
 // Both integrators share displacements, driven tilts, the spin and the loads, but represent the
-// angular velocity differently. Velocity Verlet uses the vector w of the host (RingAtom) without a
-// change of bits (ring_verlet.h). The implicit step solves for rates (RingPose, ring_implicit.h).
+// angular velocity differently. Velocity Verlet uses the vector w of the host (RingAtom) without
+// rounding it again (ring_verlet.h). The implicit step solves for rates (RingPose,
+// ring_implicit.h).
 #ifndef RACEWAY_RING_PROGRAM_H
 #define RACEWAY_RING_PROGRAM_H
 
@@ -16,35 +17,35 @@ namespace raceway {
 
 enum class Freedom { fixed, free, speed, position };
 
-// A value set for one ring: `which` is a degree of freedom, FORCE + k or MOMENT + k of RingProgram.
+// A value set for one ring; `which` is a degree of freedom, FORCE + k or MOMENT + k of RingProgram.
 struct RingValue {
   int which;
   double value;
 };
 
-// A radial force that rotates about the bearing axis; the phase is counted from the first radial
+// A radial force that rotates about the bearing axis; its phase is measured from the first radial
 // axis.
 struct TurningForce {
   double size = 0.0, speed = 0.0, phase = 0.0;    // N, rad/s, rad
 };
 
-// An eccentric mass that turns with a ring of imposed spin.
+// An eccentric mass that rotates with a ring of imposed spin.
 struct Unbalance {
-  double moment = 0.0, phase = 0.0;    // kg m, mass times eccentricity; rad, from the ring's angle
+  double moment = 0.0, phase = 0.0;    // kg m, mass times eccentricity; rad, relative to the ring
 };
 
-// A parallel spring and damper from a ring to another ring, or to the ground at the ring's initial
-// position.
+// A spring and damper in parallel between a ring and another ring, or between a ring and the ground
+// at the ring's initial position.
 struct Support {
-  double stiffness = 0.0, damping = 0.0;    // N/m and N s/m; of a tilt N m/rad and N m s/rad
+  double stiffness = 0.0, damping = 0.0;    // N/m and N s/m; for a tilt N m/rad and N m s/rad
 };
 
 struct RingPlace;
 
 inline Vec3 across_at(double angle) { return {std::cos(angle), std::sin(angle), 0.0}; }
 
-// Program of a ring over the host's step. Times in the step are fractions s, from 0 at its start to
-// 1 at its end.
+// Program of a ring over the host's step. Times within the step are fractions s, from 0 at its
+// start to 1 at its end.
 struct RingProgram {
   enum { TILT = 3, SPIN = 5, N_DOF = 6, FORCE = N_DOF, MOMENT = FORCE + 3, N_VALUE = MOMENT + 3 };
   Freedom mode[N_DOF] = {Freedom::fixed, Freedom::fixed, Freedom::fixed,
@@ -56,16 +57,17 @@ struct RingProgram {
   Vec3 force[2], moment[2];    // N, N m, at both ends, linear in between, before the ramp
   TurningForce turning;
   Unbalance unbalance;
-  // For a shaft: first moments along its axis of loads and unbalances away from its centre.
+  // For a shaft: first moments along its axis of loads and unbalances that act away from its
+  // centre.
   Vec3 leverage[2];         // N m, at both ends, linear in between, before the ramp
   Unbalance couple;         // kg m^2
-  bool apart = false;       // such loads or unbalances exist
+  bool apart = false;       // true if there are such loads or unbalances
   Support support[SPIN];    // supports of displacements and tilts
   bool supported = false;
-  // Load of grains (N, and N m about the centre), constant over the host's step, without the ramp
+  // Load due to grains (N, and N m about the centre), constant over the host's step and not ramped.
   bool grains = false;
   Vec3 grain_force, grain_moment;
-  double spin_growth = 0.0;    // rad/s^2, of a driven spin
+  double spin_growth = 0.0;    // rad/s^2, growth rate of a driven spin
   double ramp = 0.0;           // s, time over which the loads are applied (3s^2 - 2s^3)
   double end = 0.0,
          length = 0.0;    // s: age of the load at the end of the host's step, length of that step
@@ -78,7 +80,7 @@ struct RingProgram {
     return dof < TILT ? &mass : dof == SPIN ? &inertia.axial : &inertia.transverse;
   }
   double inertia_of(int dof) const { return *inertia_at(dof); }
-  // The N_VALUE values at one end (0 start, 1 end of the host's step).
+  // Sets the N_VALUE values at one end (0 start, 1 end of the host's step).
   void set_values(int at, const double *values)
   {
     for (int k = 0; k < N_DOF; ++k) target[at][k] = values[k];
@@ -97,7 +99,7 @@ struct RingProgram {
     const double x = age / ramp;
     return x * x * (3.0 - 2.0 * x);
   }
-  // Force of the loads on a ring turned by `angle` (rad), N.
+  // Returns the force of the loads on a ring rotated by `angle` (rad), N.
   Vec3 force_at(double s, double angle) const
   {
     Vec3 total = force[0] + (force[1] - force[0]) * s;
@@ -107,7 +109,8 @@ struct RingProgram {
     if (grains) total += grain_force;
     return unbalance.moment == 0.0 ? total : total + unbalance_force(unbalance, s, angle);
   }
-  // Centrifugal force of the eccentric mass, and the force of its inertia when the spin changes.
+  // Returns the centrifugal force of the eccentric mass plus its inertial force when the spin
+  // changes.
   Vec3 unbalance_force(const Unbalance &of, double s, double angle) const
   {
     if (mode[SPIN] != Freedom::speed) return {};
@@ -115,15 +118,16 @@ struct RingProgram {
     const double w = target_at(SPIN, s);
     return (out * (w * w) - Vec3{-out.y, out.x, 0.0} * spin_growth) * of.moment;
   }
-  // Moment of the loads about the centre of a ring at this place, N m.
+  // Returns the moment of the loads about the centre of a ring at this position, N m.
   Vec3 moment_at(double s, const RingPlace &) const;
-  // Force (N) and moment (N m) of the supports on the ring; its tilt rates are W (ring_implicit.h).
+  // Return the force (N) and moment (N m) of the supports on the ring; its tilt rates are W
+  // (ring_implicit.h).
   Vec3 support_force(const RingPlace &) const;
   Vec3 support_moment(const RingPlace &, double rate_1, double rate_2) const;
-  double support_energy(const RingPlace &) const;    // J, of the springs
-  double support_loss(const RingPlace &, double rate_1, double rate_2) const;    // W, of the
-                                                                                 // dampers
-  // Acceleration of the free degrees of freedom under the total force (N), m/s^2.
+  double support_energy(const RingPlace &) const;    // J, stored in the springs
+  double support_loss(const RingPlace &, double rate_1, double rate_2) const;    // W, dissipated in
+                                                                                 // the dampers
+  // Returns the acceleration of the free degrees of freedom under the total force (N), m/s^2.
   Vec3 acceleration(const Vec3 &push) const
   {
     return {free(0) ? push.x / mass : 0.0, free(1) ? push.y / mass : 0.0,
@@ -131,7 +135,7 @@ struct RingProgram {
   }
 };
 
-// Position and orientation of a ring, with its rotation angles.
+// Position and orientation of a ring, including its rotation angles.
 struct RingPlace {
   Vec3 x, v, e{0.0, 0.0, 1.0}, origin;
   double angle = 0.0;             // rad, rotation about its axis
@@ -179,14 +183,14 @@ inline double RingProgram::support_loss(const RingPlace &r, double rate_1, doubl
   return sum;
 }
 
-// Ring in velocity Verlet: the host's atom.
+// State of a ring in velocity Verlet, i.e. the host's atom.
 struct RingAtom : RingPlace {
   Vec3 w;    // rad/s
 };
 
-// Ring in the implicit step.
+// State of a ring in the implicit step.
 struct RingPose : RingPlace {
-  double rate[2] = {0.0, 0.0};    // rad/s, W across the bearing axis
+  double rate[2] = {0.0, 0.0};    // rad/s, components of W across the bearing axis
   double spin = 0.0;              // rad/s
 
   const double *speed_of(int dof) const    // m/s or rad/s
@@ -208,7 +212,8 @@ struct RingPose : RingPlace {
   }
 };
 
-// Pose of a ring relative to another ring, for the supports between both. The axis is unchanged.
+// Returns the pose of a ring relative to another ring, for the supports between them. The axis is
+// unchanged.
 inline RingPose seen_from(const RingPose &r, const RingPose &from)
 {
   RingPose s = r;
@@ -221,12 +226,13 @@ inline RingPose seen_from(const RingPose &r, const RingPose &from)
   return s;
 }
 
-// Rotation vector (rad), normal to the bearing axis, that turns the bearing axis into e.
+// Computes the rotation vector (rad), normal to the bearing axis, that turns the bearing axis into
+// e.
 inline void tilt_of(const Vec3 &e, double *tilt)
 {
   const double sine = std::sqrt(e.x * e.x + e.y * e.y),
                factor = sine > 0.0 ? std::atan2(sine, e.z) / sine : 1.0;
-  tilt[0] = -factor * e.y + 0.0;    // no minus zero
+  tilt[0] = -factor * e.y + 0.0;    // avoids minus zero
   tilt[1] = factor * e.x + 0.0;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A ring in velocity Verlet: half kicks, drift and supports.
+// Motion of a ring in velocity Verlet: half kicks, drift and supports.
 #ifndef RACEWAY_RING_VERLET_H
 #define RACEWAY_RING_VERLET_H
 
@@ -7,9 +7,9 @@
 
 namespace raceway {
 
-// Springs and dampers at the end of a step of velocity Verlet, with velocities that lag by half a
-// step, `half` (s; 0 if they do not lag). `push` (N) is the sum of all other forces. A damper is
-// implicit, so it does not limit the time step: v = v_half + half (push - K d - C v)/m.
+// Computes springs and dampers at the end of a velocity Verlet step, with velocities that lag by
+// half a step, `half` (s; 0 if they do not lag). `push` (N) is the sum of all other forces. A
+// damper is implicit, so it does not limit the time step: v = v_half + half (push - K d - C v)/m.
 inline double verlet_support(const Support &on, double displacement, double behind, double push,
                              double inertia, double half)
 {
@@ -19,7 +19,7 @@ inline double verlet_support(const Support &on, double displacement, double behi
   return spring - on.damping * rate;
 }
 
-// One end of a support between two rings, in one degree of freedom of velocity Verlet. `push` is
+// One end of a support between two rings, for one degree of freedom in velocity Verlet. `push` is
 // the sum of all other forces except `ground`, the support to the ground.
 struct SupportEnd {
   bool free;
@@ -27,9 +27,9 @@ struct SupportEnd {
   Support ground;
 };
 
-// As above for a support between two rings: the support's damper and the damper from the second
-// ring to the ground are implicit in the velocities of both rings. Returns the force on the first
-// ring.
+// Does the same for a support between two rings: the support's damper and the damper from the
+// second ring to the ground are implicit in the velocities of both rings. Returns the force on the
+// first ring.
 inline double verlet_support(const Support &on, const SupportEnd &held, const SupportEnd &holder,
                              double half)
 {
@@ -45,7 +45,8 @@ inline double verlet_support(const Support &on, const SupportEnd &held, const Su
   return spring - on.damping * rate;
 }
 
-// Applies force (N) and moment (N m) over h seconds to the free degrees of freedom, without motion.
+// Applies force (N) and moment (N m) over h seconds to the free degrees of freedom without moving
+// the ring.
 inline RingAtom kicked(const RingProgram &p, const RingAtom &base, const Vec3 &force,
                        const Vec3 &moment, double h)
 {
@@ -56,7 +57,7 @@ inline RingAtom kicked(const RingProgram &p, const RingAtom &base, const Vec3 &f
     if (p.free(k)) gained[k] = h / p.mass * push[k];
   gain(p, r, gained);
   if (p.tilts_free()) {
-    // the momentum includes the gyroscopic coupling; an imposed spin carries the reaction
+    // the momentum includes the gyroscopic coupling; an imposed spin takes the reaction
     const double spin = dot(r.w, r.e);
     r.w = angular_velocity(p.inertia, angular_momentum(p.inertia, r.w, r.e) + moment * h, r.e);
     if (!p.free(RingProgram::SPIN)) r.w += r.e * (spin - dot(r.w, r.e));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A flexible shaft in the implicit step: its modes are coordinates in addition to the coordinates
-// of the rigid shaft.
+// A flexible shaft in the implicit step. Its modes are coordinates in addition to those of the
+// rigid shaft.
 #ifndef RACEWAY_SHAFT_BEND_H
 #define RACEWAY_SHAFT_BEND_H
 
@@ -8,13 +8,14 @@
 
 namespace raceway {
 
-// Modal loads over the host's step, like the loads of RingProgram on the rigid shaft.
+// Modal loads over the host's step, analogous to the loads of RingProgram on the rigid shaft.
 struct BendProgram {
-  std::vector<double> load[2];         // N, by mode of both planes, at both ends, before the ramp
-  std::vector<Unbalance> unbalance;    // by mode of a plane
-  std::vector<double> centre;          // displacement of the centre by mode, for a rotating force
+  std::vector<double> load[2];         // N, by mode in both planes, at both ends, before the ramp
+  std::vector<Unbalance> unbalance;    // by mode in a plane
+  std::vector<double> centre;          // by mode, displacement of the centre for a rotating force
 
-  // Modal forces (N) at the fraction s of the host's step, written to `of`, which is reused.
+  // Computes the modal forces (N) at the fraction s of the host's step and writes them to `of`,
+  // which is reused.
   void forces(const RingProgram &shaft, double s, double angle, std::vector<double> &of) const
   {
     const size_t n = unbalance.size();
@@ -43,23 +44,23 @@ struct ShaftBend {
   };
   const ShaftModes *modes = nullptr;
   const ShaftModes::Station *centre = nullptr;    // centre of mass
-  int shaft = -1;                                 // in BearingBodies::rings
-  int mode = -1;                                  // coordinate of the first mode
+  int shaft = -1;                                 // index in BearingBodies::rings
+  int mode = -1;                                  // index of the first mode's coordinate
   std::vector<Seat> seats;
   BendProgram program;
   BendState from, base, now, first, end;
-  std::vector<double> gained;      // m/s, by mode, change since the base
-  std::vector<double> contacts;    // N, by mode, from the bearings
+  std::vector<double> gained;      // m/s, change of modal velocities since the base
+  std::vector<double> contacts;    // N, modal forces of the bearings
 
   int size() const { return 2 * modes->size(); }    // number of unknowns
-  // Pose of the centre of mass including the deflection; supports act there.
+  // Returns the pose of the centre of mass including the deflection; supports act there.
   RingPose bent_centre(const RingPose &shaft) const
   {
     return carried(shaft, 0.0, shaft.origin, Deflection(*centre, now));
   }
-  // Modal forces, N. loads() has those of the loads alone, forces() those of contacts, loads,
-  // supports, stiffness, damping and the spin of the rigid shaft. The results are valid until the
-  // next call, because their memory is reused.
+  // Return modal forces, N. loads() returns those of the loads alone, forces() those of contacts,
+  // loads, supports, stiffness, damping and the spin of the rigid shaft. The results are valid
+  // until the next call, because their memory is reused.
   const std::vector<double> &loads(const RingProgram &, const RingPose &shaft, double s);
   const std::vector<double> &forces(const RingProgram &, const RingPose &shaft, double s);
   void start() { base = now = from; }

@@ -21,7 +21,7 @@ void ShaftLift::find(const BearingBodies &all)
         if (unknown >= 0) entries_.push_back({seat.column + dof, unknown, factor});
       };
       for (int dof = 0; dof < RingProgram::N_DOF; ++dof) add(dof, shaft.coordinate[dof], 1.0);
-      // axial velocity of a point off the shaft's centre, due to tilts of the shaft
+      // axial velocity, due to tilts of the shaft, of a point that is not at the shaft's centre
       add(0, shaft.coordinate[tilt + 1], seat.at * e.z);
       add(1, shaft.coordinate[tilt], -seat.at * e.z);
       add(2, shaft.coordinate[tilt], seat.at * e.y);

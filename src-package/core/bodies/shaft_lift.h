@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Map T from the unknowns of the border to the motions of rings at contacts: columns = T unknowns.
-// A ring on a flexible shaft moves with the rigid shaft and with the shaft's modes. For all other
-// rings T is the identity.
+// The map T from the unknowns of the border to the motions of rings at contacts: columns = T
+// unknowns. A ring on a flexible shaft moves with the rigid shaft and with the shaft's modes. For
+// all other rings T is the identity.
 #ifndef RACEWAY_SHAFT_LIFT_H
 #define RACEWAY_SHAFT_LIFT_H
 
@@ -13,7 +13,7 @@ class BearingBodies;
 
 class ShaftLift {
  public:
-  void find(const BearingBodies &);    // T at the present state
+  void find(const BearingBodies &);    // computes T in the present state
   // unknowns += T^T columns T; both matrices are square and stored row by row
   void add_matrix(const std::vector<double> &columns, std::vector<double> &unknowns);
   // unknowns += T^T columns
@@ -27,7 +27,7 @@ class ShaftLift {
     double factor;
   };
   std::vector<Entry> entries_;
-  const std::vector<std::vector<int>> *coupled_ = nullptr;    // columns coupled to a column
+  const std::vector<std::vector<int>> *coupled_ = nullptr;    // columns coupled to each column
   std::vector<double> half_;                                  // columns T
 };
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Bending of a round shaft: elastic modes in addition to its rigid-body motion, the same in the
-// planes of both radial axes (the bearing axis is the third). Modal coordinates are lengths; the
-// modes do not rotate with the shaft. They are mass-orthogonal to the rigid-body motion, and
+// Bending of a round shaft: elastic modes in addition to its rigid-body motion. The modes are the
+// same in the planes of both radial axes (the bearing axis is the third). Modal coordinates are
+// lengths; the modes do not rotate with the shaft. They are mass-orthogonal to the rigid-body
+// motion, and
 //   m a'' + c a' + k a + spin g b' = f_a,    m b'' + c b' + k b - spin g a' = f_b
-// with the coordinates a of the first plane and b of the second. The gyroscopic matrix g also
-// couples them to the slopes of the rigid shaft, which have its first row and column.
+// with the coordinates a in the first plane and b in the second. The gyroscopic matrix g also
+// couples the modes to the slopes of the rigid shaft, which occupy its first row and column.
 #ifndef RACEWAY_SHAFT_MODES_H
 #define RACEWAY_SHAFT_MODES_H
 
@@ -17,16 +18,17 @@ namespace raceway {
 
 struct ShaftModes {
   struct Station {
-    double at;                            // m, from the centre of mass
-    std::vector<double> moved, tilted;    // deflection (1) and slope (rad/m), by mode
+    double at;                            // m, relative to the centre of mass
+    std::vector<double> moved, tilted;    // deflection (1) and slope (rad/m), indexed by mode
   };
   std::vector<double> mass, stiffness, damping;    // kg, N/m, N s/m
-  std::vector<double> gyroscopic;                  // row by row, the slope of the rigid shaft first
-  std::vector<Station> stations;                   // in order of position
+  std::vector<double> gyroscopic;                  // stored row by row, the slope of the rigid
+                                                   // shaft first
+  std::vector<Station> stations;                   // sorted by position
 
-  int size() const { return static_cast<int>(mass.size()); }    // modes of a plane
+  int size() const { return static_cast<int>(mass.size()); }    // number of modes in a plane
   double g(int i, int k) const { return gyroscopic[i * (size() + 1) + k]; }
-  const Station &station(double at) const    // the station nearest to `at`
+  const Station &station(double at) const    // returns the station nearest to `at`
   {
     const Station *best = &stations.front();
     for (const Station &s : stations)
@@ -46,9 +48,9 @@ struct BendState {
   }
 };
 
-// Deflection at a position of the shaft relative to the rigid shaft.
+// Deflection at a position on the shaft, relative to the rigid shaft.
 struct Deflection {
-  double moved[2] = {}, slope[2] = {};    // m, rad; of the shaft's axis, along both radial axes
+  double moved[2] = {}, slope[2] = {};    // m, rad, of the shaft's axis in both radial directions
   double speed[2] = {}, rate[2] = {};     // m/s, rad/s
 
   Deflection(const ShaftModes::Station &s, const BendState &b)
@@ -65,7 +67,7 @@ struct Deflection {
   }
 };
 
-// Axis with these slopes, and its rate of change.
+// Return the axis with these slopes, and its rate of change.
 inline Vec3 axis_of(double x, double y) { return {x, y, std::sqrt(1.0 - x * x - y * y)}; }
 inline Vec3 axis_speed(const Vec3 &e, double x, double y)
 {
@@ -88,7 +90,7 @@ void turn_axis(Place &r, const Vec3 &e, const Vec3 &from, double rate_1, double 
   tilt_of(r.e, r.tilt);
 }
 
-// Place of a ring on a flexible shaft.
+// Returns the state of a ring on a flexible shaft.
 template <class Place>
 Place carried(const Place &shaft, double at, const Vec3 &origin, const Deflection &d)
 {
@@ -100,7 +102,7 @@ Place carried(const Place &shaft, double at, const Vec3 &origin, const Deflectio
   return ring;
 }
 
-// Place of the rigid shaft, from the place of a ring on it.
+// Returns the state of the rigid shaft from that of a ring on it.
 template <class Place> Place shaft_of(const Place &ring, double at, const Deflection &d)
 {
   Place straight = ring;
@@ -131,8 +133,9 @@ inline void add_supports(const ShaftModes::Station &s, const RingProgram &p, con
                p.support_moment(there, there.rate[0], there.rate[1]), of);
 }
 
-// Moment about the centre of the rigid shaft with the axis e, from the force and the moment on a
-// ring with the axis `own`. The moment about the ring's own axis acts about the shaft's axis.
+// Returns the moment about the centre of the rigid shaft with the axis e, from the force and the
+// moment on a ring with the axis `own`. The moment about the ring's own axis acts about the shaft's
+// axis.
 inline Vec3 moment_about_centre(const Vec3 &e, double at, const Vec3 &own, const Vec3 &force,
                                 const Vec3 &moment)
 {
@@ -141,8 +144,8 @@ inline Vec3 moment_about_centre(const Vec3 &e, double at, const Vec3 &own, const
   return moment_about_centre(e, at, force, across + e * (torque - dot(across, e)));
 }
 
-// Modal forces (N) of stiffness, damping and gyroscopic coupling on the modes of a shaft, written
-// to `of`, which is reused without reallocation.
+// Computes the modal forces (N) due to stiffness, damping and gyroscopic coupling of the modes of a
+// shaft and writes them to `of`, which is reused without reallocation.
 inline void own_forces(const ShaftModes &m, const BendState &b, const RingPose &shaft,
                        std::vector<double> &of)
 {
@@ -160,7 +163,7 @@ inline void own_forces(const ShaftModes &m, const BendState &b, const RingPose &
   }
 }
 
-// Gyroscopic moment of the modes on the tilts of their shaft, N m.
+// Returns the gyroscopic moment of the modes on the tilts of their shaft, N m.
 inline Vec3 moment_of_modes(const ShaftModes &m, const BendState &b, double spin)
 {
   Vec3 sum;
@@ -182,7 +185,7 @@ inline double strain_energy(const ShaftModes &m, const BendState &b)    // J
   return sum;
 }
 
-// Acceleration of a ring on a flexible shaft relative to the rigid shaft, m/s^2.
+// Returns the acceleration of a ring on a flexible shaft relative to the rigid shaft, m/s^2.
 inline Vec3 bending_acceleration(const ShaftModes &m, const ShaftModes::Station &s,
                                  const std::vector<double> &forces)
 {

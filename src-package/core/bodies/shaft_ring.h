@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A shaft is a ring without raceways (RingProgram, RingPose) that carries rings, each fixed on its
-// axis at a distance `at` (m) from its centre. A carried ring has the axis, the angular velocity
-// and the rotation angle of its shaft.
+// Relations between a shaft and the rings that it carries. A shaft is a ring without raceways
+// (RingProgram, RingPose); each carried ring is fixed on its axis at a distance `at` (m) from its
+// centre and has the axis, the angular velocity and the rotation angle of the shaft.
 #ifndef RACEWAY_SHAFT_RING_H
 #define RACEWAY_SHAFT_RING_H
 
@@ -12,7 +12,7 @@ namespace raceway {
 inline Vec3 turning(const RingPose &r) { return r.across(); }
 inline Vec3 turning(const RingAtom &r) { return r.w; }
 
-// Place of a ring on its shaft. `origin` is the origin of the ring.
+// Returns the state of a ring on its shaft. `origin` is the origin of the ring.
 template <class Place> Place carried(const Place &shaft, double at, const Vec3 &origin)
 {
   Place ring = shaft;
@@ -22,7 +22,7 @@ template <class Place> Place carried(const Place &shaft, double at, const Vec3 &
   return ring;
 }
 
-// Place of the shaft of a ring. The shaft's initial axis was the bearing axis.
+// Returns the state of a ring's shaft. The shaft's initial axis was the bearing axis.
 template <class Place> Place shaft_of(const Place &ring, double at)
 {
   Place shaft = ring;
@@ -32,14 +32,15 @@ template <class Place> Place shaft_of(const Place &ring, double at)
   return shaft;
 }
 
-// Moment about the shaft's centre, from a moment and a force that act `at` metres along its axis.
+// Returns the moment about the shaft's centre of a moment and a force that act `at` metres along
+// its axis.
 inline Vec3 moment_about_centre(const Vec3 &e, double at, const Vec3 &force, const Vec3 &moment)
 {
   return moment + cross(e * at, force);
 }
 
-// Acceleration of a carried ring, m/s^2; push (N) and moment (N m) act at the shaft's centre. Fixed
-// and driven degrees of freedom have no acceleration of their own.
+// Returns the acceleration of a carried ring, m/s^2; push (N) and moment (N m) act at the shaft's
+// centre. Fixed and driven degrees of freedom have no acceleration of their own.
 inline Vec3 carried_acceleration(const RingProgram &p, const RingPose &shaft, double at,
                                  const Vec3 &push, const Vec3 &moment)
 {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A contact law of any set of parts, on lanes: each part is a separate function, compiled once
-// (any_law_parts.h), and the parts of the set are called in turn. The results are bit-identical to
-// those of a law compiled as a whole (contact.h), but take 1.3 to 1.9 times as long.
+// A contact law with any set of parts, evaluated on lanes: each part is a separate function,
+// compiled once (any_law_parts.h), and the parts of the set are called one after another. The
+// results are bitwise identical to those of a law compiled as a whole (contact.h), but take 1.3 to
+// 1.9 times as long.
 #ifndef RACEWAY_ANY_LAW_H
 #define RACEWAY_ANY_LAW_H
 
@@ -25,7 +26,7 @@ struct LawFunctions {
 };
 extern const LawFunctions wide_law, narrow_law;    // narrow: for processors without AVX2
 
-// Has the members of LawOf (law.h). n: number of motions on which forces depend, 3 or 6.
+// Has the same members as LawOf (law.h). n: number of motions on which forces depend, 3 or 6.
 template <int n> class AnyLaw {
  public:
   static constexpr int room = most_states, motions = n;
@@ -80,7 +81,7 @@ template <int n> class AnyLaw {
   const LawFunctions &f_;
 };
 
-// Calls f(law) with the law of a set of parts.
+// Calls f(law) with the law for a set of parts.
 template <class F>
 RACEWAY_INLINE void with_any_law(unsigned parts, const LawFunctions &functions, const F &f)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// For processors without AVX2.
+// The same laws, compiled for processors without AVX2.
 #include "../numbers/lane.h"
 
 #ifdef RACEWAY_TWO_TARGETS    // otherwise any_law.cpp covers the only target

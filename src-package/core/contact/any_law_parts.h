@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The parts of the contact law as functions, for the files that compile any_law.h. Each of these
-// files has its own copy, because they are compiled for different instruction sets.
+// files has its own copy, because the files are compiled for different instruction sets.
 #ifndef RACEWAY_ANY_LAW_PARTS_H
 #define RACEWAY_ANY_LAW_PARTS_H
 
@@ -19,8 +19,9 @@ RACEWAY_CALLED void call_act(const RacewayPhysics &p, const RacewayConstantsT<Va
   Part::act(p.of<Part>(), p, k, m, c);
 }
 
-// Parts available for a number type: numbers with three derivatives are for laws without couples,
-// and numbers with derivatives exclude parts that are only for explicit integration.
+// Selects the parts available for a number type: numbers with three derivatives are for laws
+// without couples, and numbers with derivatives exclude parts that support explicit integration
+// only.
 template <class Part, class T> struct Takes : std::true_type {};
 template <class Part, class B, int n>
 struct Takes<Part, Dual<B, n>>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The parts of the contact law, and the laws compiled as a whole. Any other set of parts uses
-// any_law.h.
+// The parts of the contact law, and the laws that are compiled as a whole. Any other set of parts
+// uses any_law.h.
 #ifndef RACEWAY_CONTACT_H
 #define RACEWAY_CONTACT_H
 
@@ -22,8 +22,8 @@
 
 namespace raceway {
 
-// The parts act in this order; parts whose results others use come first. It is also the bit order
-// of a set of parts and the order of tables in the docs.
+// The parts act in this order, so that each part follows the parts whose results it uses. The order
+// also defines the bits in a set of parts and the order of tables in the docs.
 using Parts =
     PartList<HertzContactPart, FilmInGapPart, HysteresisPart, FilmThicknessPart, FilmDamperPart,
              NormalForcePart, FilmBranchPart, ConstantFrictionPart, StribeckFrictionPart,
@@ -41,8 +41,8 @@ using FullLaw =
 
 template <class... L> struct LawList {};
 
-// The laws of inputs/models; for each, a loop over contacts is compiled with the law inlined. This
-// list affects only the speed, not the results.
+// The laws in inputs/models; for each of them a loop over contacts is compiled with the law
+// inlined. This list affects only the speed, not the results.
 using DryLaws = LawList<DryLaw<ConstantFrictionPart, TangentialSpringPart>,
                         DryLaw<ConstantFrictionPart, SmoothedFrictionPart>>;
 using PaperLaws = LawList<LubricatedLaw<StribeckFrictionPart, TangentialSpringPart>,
@@ -52,8 +52,8 @@ using FilmLaws = LawList<FullLaw<StribeckFrictionPart, TangentialSpringPart>,
 using FullLaws = LawList<FullLaw<MixedFrictionPart, DifferentialSlipPart, HydrodynamicRollingPart,
                                  RollingHysteresisPart, SpinPart, DragPart>>;
 
-// Calls f(law) if a law of the list has exactly these parts; otherwise returns false. f must be
-// inlined where lanes are used (RACEWAY_INLINE, lane.h).
+// Calls f(law) if one of the laws in the list has exactly these parts; otherwise returns false. f
+// must be inlined where lanes are used (RACEWAY_INLINE, lane.h).
 template <class F, class... L>
 RACEWAY_INLINE bool with_law(unsigned parts, LawList<L...>, const F &f)
 {

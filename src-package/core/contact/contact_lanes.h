@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Contacts of balls with one groove, four at a time and without derivatives, for the host's step.
-// Each lane is bit-identical to the contact evaluated alone.
+// Contacts of balls with one groove, evaluated four at a time and without derivatives, for the
+// host's step. Each lane is bitwise identical to the contact evaluated alone.
 #ifndef RACEWAY_CONTACT_LANES_H
 #define RACEWAY_CONTACT_LANES_H
 
@@ -9,14 +9,14 @@
 
 namespace raceway {
 
-// Contact position on a profile of the raceway or of the ball.
+// Position of a contact on a profile of the raceway or of the ball.
 struct FlawedPlace {
-  bool ring = false, ball = false;    // true for each that has a profile
+  bool ring = false, ball = false;    // true for each of them that has a profile
   ProfiledContact on;
   BallSlopes turned;    // slopes of the ball's profile
 };
 
-// Contacts of up to four balls with one groove. A lane without a ball points to the ball of another
+// Contacts of up to four balls with one groove. A lane without a ball refers to the ball of another
 // lane and has its own storage for results.
 struct ContactLanes {
   struct BallArrays {
@@ -44,11 +44,11 @@ struct ContactLanes {
 
 // Finds the contacts that may touch.
 void find_places(const RacewayPhysics &, ContactLanes &);
-// Evaluates law and kinematics: contact states, forces and, with dt > 0, state variables. The
-// results are valid only for contacts that touch. If the law has no reach, the contacts must be
+// Evaluates law and kinematics, i.e. contact states, forces and, if dt > 0, state variables. The
+// results are valid only for contacts that touch. If the law has no reach, all contacts must be
 // near.
 void act_in_lanes(const RacewayPhysics &, ContactLanes &);
-// As above for any law, with each part as a separate function.
+// Does the same for any law, with each part as a separate function.
 void act_by_parts(const RacewayPhysics &, ContactLanes &);
 
 }    // namespace raceway

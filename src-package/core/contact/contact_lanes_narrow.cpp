@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Contacts in lanes, with any set of parts, for processors without AVX2.
+// Contacts in lanes with any set of parts, compiled for processors without AVX2.
 #include "../numbers/lane.h"
 
 #ifdef RACEWAY_TWO_TARGETS    // otherwise contact_lanes.cpp covers the only target

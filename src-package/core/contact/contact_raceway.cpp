@@ -22,8 +22,8 @@ template <class... P> constexpr unsigned parts_when(PartList<P...>, When when)
   return ((P::when == when ? Parts::bit<P>() : 0u) | ...);
 }
 
-// Friction includes the tangential spring unless a keyword chose another tangential law; without
-// friction there is none.
+// Friction includes the tangential spring unless a keyword chooses another tangential law; a law
+// without friction has no tangential law.
 unsigned completed(unsigned parts)
 {
   const unsigned friction = Parts::in_slot("friction"), tangential = Parts::in_slot("tangential");

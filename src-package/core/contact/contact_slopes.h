@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A contact law and its derivatives with respect to the local motions of the contact, for the
-// implicit step. The law is evaluated once, in dual numbers (dual.h); this file is independent of
-// the law.
+// Evaluates a contact law and its derivatives with respect to the local motions of the contact, for
+// the implicit step. The law is evaluated once, in dual numbers (dual.h); this file does not depend
+// on the law.
 //
-// Motions: approach of ball and raceway, sliding along t and w; if the law has couples, also the
-// relative rotations about n, t and w. Forces: N, f_t, f_w and, if the law has couples, the couples
-// about n, t, w. The overlap follows the approach over the time in which positions follow
-// velocities.
+// The motions are the approach of ball and raceway, the sliding along t and w and, if the law has
+// couples, the relative rotations about n, t and w. The forces are N, f_t, f_w and, if the law has
+// couples, the couples about n, t, w. The overlap follows the approach over the time in which
+// positions follow velocities.
 #ifndef RACEWAY_CONTACT_SLOPES_H
 #define RACEWAY_CONTACT_SLOPES_H
 
@@ -20,8 +20,8 @@ template <class T, int n> struct alignas(sizeof(Value<T>)) ContactSlopesT {
   T state[most_states][n];    // state[j][k]: derivative of state variable j
 };
 
-// Like law.act(); only the values of c that the law sets are changed. `follows` (s): time over
-// which the overlap follows the approach, which is the length of an implicit stage, or 0 if
+// Works like law.act(); only the values of c that the law sets are changed. `follows` (s) is the
+// time over which the overlap follows the approach, i.e. the length of an implicit stage, or 0 if
 // positions are given.
 template <class L, class B>
 RACEWAY_INLINE void act_with_slopes(const L &law, const RacewayPhysics &p,

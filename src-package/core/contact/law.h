@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A contact law as a compile-time list of parts (part.h), each in its own file: parts that a scene
-// does not use are not in its list and cost nothing.
+// A contact law as a compile-time list of parts (part.h), each defined in a file of its own. Parts
+// that a scene does not use are not in its list and cost nothing.
 #ifndef RACEWAY_LAW_H
 #define RACEWAY_LAW_H
 
@@ -19,7 +19,7 @@ constexpr bool same_text(const char *a, const char *b)
 }
 }    // namespace detail
 
-// All available parts; a set of them is a word of bits, in the order of the list.
+// All available parts; a set of them is a bit mask in the order of the list.
 template <class... P> struct PartList {
   using Parameters = std::tuple<typename P::Parameters...>;
   static constexpr int size = sizeof...(P);
@@ -41,7 +41,7 @@ template <class... P> struct PartList {
   {
     return ((detail::same_text(P::slot, slot) ? bit<P>() : 0u) | ...);
   }
-  // Largest number of state variables per contact in any set of parts; parts with the same slot
+  // Largest number of state variables per contact for any set of parts; parts with the same slot
   // exclude each other.
   static constexpr int most_states()
   {
@@ -61,7 +61,7 @@ template <class... P> struct PartList {
   template <class Part> struct Tag {
     using type = Part;
   };
-  template <class F> static void each(const F &f) { (f(Tag<P>()), ...); }    // type of its argument
+  template <class F> static void each(const F &f) { (f(Tag<P>()), ...); }    // F takes Tag<P>
 };
 
 namespace detail {
@@ -74,7 +74,7 @@ struct Decides<
     : std::true_type {};
 }    // namespace detail
 
-// Initial values of every law, whatever its parts.
+// Sets the initial values that every law needs, regardless of its parts.
 template <bool couples, class T> RACEWAY_INLINE void begin_law(ContactStateT<T> &c)
 {
   c.compression = c.overlap;
@@ -85,18 +85,18 @@ template <bool couples, class T> RACEWAY_INLINE void begin_law(ContactStateT<T> 
   }
 }
 
-// A law: its parts act in this order. All is the list of all parts. any_law.h has the same members
-// for a set of parts.
+// A law, whose parts act in this order. All is the list of all parts. The class in any_law.h has
+// the same members for a set of parts.
 template <class All, class... P> struct LawOf {
   static constexpr unsigned parts = (All::template bit<P>() | ...);
   static_assert(All::template in_order<P...>(), "parts act in the order of the list of all parts");
   static constexpr int states = (P::states + ...);
-  static constexpr int room = states > 0 ? states : 1;    // length of an array of states
+  static constexpr int room = states > 0 ? states : 1;    // length of an array of state variables
   static constexpr bool couples = (P::couples || ...);
   static constexpr bool explicit_step = (P::explicit_step || ...);
   static constexpr int motions = couples ? 6 : 3;    // number of motions on which forces depend
   static constexpr bool decides = (detail::Decides<P>::value || ...);
-  static constexpr bool takes_profiles = false;    // loops for smooth raceways only
+  static constexpr bool takes_profiles = false;    // for smooth raceways only
 
   // Evaluates all parts for the motions in c.
   template <class T>
@@ -107,7 +107,7 @@ template <class All, class... P> struct LawOf {
     (one<P>(p, k, m, c), ...);
   }
 
-  // True if a part decides that there is no contact although the overlap exceeds -reach.
+  // Returns true if a part decides that there is no contact although the overlap exceeds -reach.
   template <class T>
   static RACEWAY_INLINE auto misses(const RacewayPhysics &p, const RacewayConstantsT<T> &k,
                                     ContactStateT<T> &c)
@@ -117,7 +117,7 @@ template <class All, class... P> struct LawOf {
     return some;
   }
 
-  // Overlap beyond the onset of the load, m, from the part that defines the onset.
+  // Returns the overlap beyond the onset of the load, m, from the part that defines the onset.
   template <class T>
   static RACEWAY_INLINE T beyond(const RacewayPhysics &p, const ContactStateT<T> &c)
   {
@@ -126,7 +126,7 @@ template <class All, class... P> struct LawOf {
     return result;
   }
 
-  // Stored energy, J
+  // Returns the stored energy, J.
   template <class T>
   static RACEWAY_INLINE Value<T> energy(const RacewayPhysics &p, const ContactStateT<T> &c)
   {
@@ -135,7 +135,7 @@ template <class All, class... P> struct LawOf {
     return sum;
   }
 
-  // Power lost to damping, friction and all other parts, W.
+  // Returns the power dissipated by damping, friction and all other parts, W.
   template <class T> static RACEWAY_INLINE Value<T> loss(const ContactStateT<T> &c)
   {
     Value<T> sum = Value<T>();

@@ -8,7 +8,7 @@
 namespace raceway {
 
 namespace {
-// The losses in Known, followed by those that Lists add; each loss occurs once.
+// The losses in Known, followed by those that Lists add; each loss occurs only once.
 template <class Known, class... Lists> struct DistinctLosses {
   using type = Known;
 };
@@ -29,9 +29,9 @@ constexpr bool same_text(const char *a, const char *b)
   while (*a && *a == *b) ++a, ++b;
   return *a == *b;
 }
-// Position of a column. Outputs keep the column order of versions in which parts did not declare
-// their losses; new columns follow in the order of the parts. For a name without a loss, the result
-// is the number of columns.
+// Returns the position of a column. Outputs keep the column order of versions in which parts did
+// not declare their losses; new columns follow in the order of the parts. For a name without a
+// loss, the result is the number of columns.
 template <class... L> constexpr int loss_place(LossList<L...>, const char *name)
 {
   const char *const names[] = {"friction_power",   "damping_power", "rolling_power",
@@ -47,7 +47,7 @@ template <class... L> constexpr int loss_place(LossList<L...>, const char *name)
   return place;
 }
 
-using AllLosses = LossesOf<Parts>::type;    // each loss once
+using AllLosses = LossesOf<Parts>::type;    // every loss occurs only once
 constexpr int loss_columns = loss_place(AllLosses(), "");
 static_assert(loss_columns <= most_loss_columns, "loss_table.h: most_loss_columns is too small");
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The loss columns of all parts of the contact law (loss.h), and the losses of a contact by column.
+// The loss columns of all parts of the contact law (loss.h), and the losses of a contact in these
+// columns.
 #ifndef RACEWAY_LOSS_TABLE_H
 #define RACEWAY_LOSS_TABLE_H
 
@@ -10,20 +11,20 @@
 
 namespace raceway {
 
-// Maximum number of loss columns; loss_table.cpp asserts that it suffices.
+// Maximum number of loss columns; loss_table.cpp asserts that it is sufficient.
 constexpr int most_loss_columns = 16;
 
-// Power lost in each loss column, W
+// Power dissipated in each loss column, W.
 struct LossPowers {
   double of[most_loss_columns] = {};
 };
 
-// Losses of a loaded contact; 0 for parts that are not in its law.
+// Returns the losses of a loaded contact; they are 0 for parts that are not in its law.
 LossPowers loss_powers(const ContactState &c);
 
 struct LossEntry {
   LossColumn is;
-  unsigned parts;                                            // set of parts with this loss
+  unsigned parts;                                            // set of parts that have this loss
   double (*value)(const Raceway &, const ContactState &);    // W, loss of a contact
   StateColumn column() const
   {
@@ -31,7 +32,7 @@ struct LossEntry {
   }
 };
 
-// The loss columns, in the order of every output.
+// Returns the loss columns in the order used by every output.
 const std::vector<LossEntry> &loss_table();
 
 }    // namespace raceway

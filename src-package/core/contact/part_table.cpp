@@ -86,14 +86,14 @@ std::string contradiction(unsigned parts)
     if (!has(k)) continue;
     const PartEntry &part = table[k];
     const std::string law = "the contact law " + law_text(parts) + " has " + part.name;
-    if (part.film && !law_facts(parts).film) return law + ", which needs a film";
+    if (part.film && !law_facts(parts).film) return law + ", which requires a film";
     bool found = part.needs.empty();
     for (size_t i = 0; i < table.size(); ++i) {
       found |= has(i) && table[i].name == part.needs;
       if (i > k && has(i) && !part.slot.empty() && table[i].slot == part.slot)
-        return law + " and " + table[i].name + ", of which one is possible";
+        return law + " and " + table[i].name + ", which exclude each other";
     }
-    if (!found) return law + " without " + part.needs + ", which it needs";
+    if (!found) return law + " but not " + part.needs + ", which it requires";
   }
   return "";
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// All parts of the contact law as data, from which keywords are read and error messages and the
-// tables of the docs are made. Generated from the declarations of the parts (part.h).
+// All parts of the contact law as data. Keywords are read from this table, and error messages and
+// the tables in the docs are made from it. It is generated from the declarations of the parts
+// (part.h).
 #ifndef RACEWAY_PART_TABLE_H
 #define RACEWAY_PART_TABLE_H
 
@@ -22,7 +23,7 @@ struct ParameterEntry {
 };
 
 struct KeywordEntry {
-  std::string name, form;    // form "": none
+  std::string name, form;    // form is "" if there is none
   std::vector<ParameterEntry> parameters;
   std::function<void(RacewayPhysics &, const double *)> set;    // also enables the keyword's part
   const char *(*wrong)(const double *);                         // or null
@@ -33,7 +34,7 @@ struct PartEntry {
   std::string name, slot;
   When when;
   bool film;            // needs a lubricant
-  std::string needs;    // name of another part that it needs, or ""
+  std::string needs;    // name of another part that this part needs, or ""
   int states;
   std::vector<KeywordEntry> keywords;
   std::vector<StateColumn> columns;
@@ -41,11 +42,11 @@ struct PartEntry {
 
 const std::vector<PartEntry> &part_table();
 
-// "hertz + hysteresis + normal_force", for messages
+// Returns for example "hertz + hysteresis + normal_force", for use in messages.
 std::string law_text(unsigned parts);
 
-// Reason why a contact cannot have this set of parts; "" if it can. A set made by keywords has at
-// most one part per slot.
+// Returns the reason why a contact cannot have this set of parts, or "" if it can. A set made by
+// keywords has at most one part per slot.
 std::string contradiction(unsigned parts);
 
 }    // namespace raceway

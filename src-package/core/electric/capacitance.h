@@ -10,14 +10,14 @@ namespace raceway {
 
 constexpr double vacuum_permittivity = 8.8541878128e-12;    // F/m, CODATA 2018
 
-// rho/rho_0 at pressure p (Pa), eq 11 (Dowson & Higginson 1966).
+// Returns rho/rho_0 at the pressure p (Pa), eq 11 (Dowson & Higginson 1966).
 template <class T> RACEWAY_INLINE T density_ratio(const T &p)
 {
   return (0.59e9 + 1.34 * p) / (0.59e9 + p);
 }
 
-// Relative permittivity at the pressure p (Pa) from its value at ambient pressure, eq 10
-// (Clausius-Mossotti): (eps - 1)/(eps + 2) is proportional to the density. Pre-condition:
+// Returns the relative permittivity at the pressure p (Pa) from its value at ambient pressure, eq
+// 10 (Clausius-Mossotti): (eps - 1)/(eps + 2) is proportional to the density. Precondition:
 // eps_ambient >= 1.
 template <class T> RACEWAY_INLINE T permittivity_at(double eps_ambient, const T &p)
 {
@@ -25,15 +25,16 @@ template <class T> RACEWAY_INLINE T permittivity_at(double eps_ambient, const T 
   return (1.0 + 2.0 * c) / (1.0 - c);
 }
 
-// Mean relative permittivity over a Hertz contact with the maximum pressure p (Pa). With
-// q = pressure/p, the fraction of the area at pressures above q p is 1 - q^2, and by eqs 10 and 11
-// eps(q p) = eps_ambient + slope p q/(1 + r q).
+// Returns the mean relative permittivity over a Hertz contact with the maximum pressure p (Pa).
+// With q = pressure/p, the fraction of the area at pressures above q p is 1 - q^2, and by eqs 10
+// and 11 eps(q p) = eps_ambient + slope p q/(1 + r q).
 template <class T> RACEWAY_INLINE T mean_permittivity(double eps_ambient, const T &p)
 {
   const double c = (eps_ambient - 1.0) / (eps_ambient + 2.0), reference = 0.59e9;
   const double slope = 1.02 * c / ((1.0 - c) * (1.0 - c) * reference);
   const T r = (1.0 - 1.34 * c) / ((1.0 - c) * reference) * p;
-  // the integral of 2 q^2/(1 + r q) from 0 to 1, by a series where the difference would lose digits
+  // the integral of 2 q^2/(1 + r q) from 0 to 1, by a series where the difference would suffer from
+  // cancellation
   const auto small = magnitude(r) < 0.03;
   const T series =
       2.0 * (1.0 / 3 -
@@ -44,25 +45,25 @@ template <class T> RACEWAY_INLINE T mean_permittivity(double eps_ambient, const 
   return eps_ambient + slope * p * where(small, series, closed);
 }
 
-// Capacitance of parallel plates with the area of the Hertz ellipse, eq 8, F; a, b: semi-axes (m),
-// h: central film thickness (m).
+// Returns the capacitance (F) of parallel plates with the area of the Hertz ellipse, eq 8; a, b:
+// semi-axes (m), h: central film thickness (m).
 template <class T>
 RACEWAY_INLINE T contact_capacitance(const T &eps_r, const T &a, const T &b, const T &h)
 {
   return vacuum_permittivity * eps_r * 3.14159265358979323846 * a * b / h;
 }
 
-// Mean of 1/gap of rough surfaces over 1/h, for a gap with a gamma distribution:
-// Lambda^2/(Lambda^2 - 1), Lambda = h/sigma. The argument is sigma/h. Below Lambda = 2.5 the factor
-// is constant, because closer surfaces count as touching.
+// Returns the mean of 1/gap between rough surfaces divided by 1/h, for a gap with a gamma
+// distribution: Lambda^2/(Lambda^2 - 1), Lambda = h/sigma. The argument is sigma/h. Below Lambda =
+// 2.5 the factor is constant, because closer surfaces are considered to touch.
 template <class T> RACEWAY_INLINE T rough_film_factor(const T &sigma_over_h)
 {
   const T s = where(sigma_over_h > 0.4, 0.4, sigma_over_h);
   return 1.0 / (1.0 - s * s);
 }
 
-// Capacitance of the inner and outer contact of a ball in series, F, one term of eq 12; 0 if a side
-// has no contact.
+// Returns the capacitance (F) of the inner and outer contacts of a ball in series, one term of eq
+// 12. It is 0 if there is no contact on one side.
 inline double series_capacitance(double inner, double outer)
 {
   return inner > 0.0 && outer > 0.0 ? inner * outer / (inner + outer) : 0.0;

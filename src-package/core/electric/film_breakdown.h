@@ -11,24 +11,24 @@ namespace raceway {
 struct FilmFailure {
   size_t ball;
   bool at_outer;
-  int order;                                                // position in its discharge, from 1
+  int order;                                                // position in the sequence of its
+                                                            // discharge, from 1
   double film_voltage, ring_voltage, ring_voltage_after;    // V
   double film_energy, energy;                               // J
 };
 
-// Local thinning of a film, in standard deviations of the roughness.
+// Reduction of the local film thickness, in standard deviations of the roughness.
 constexpr double film_peaks = 3.0;
 
-// Local thickness of a film, m: `thickness` reduced by `less` (m) for the roughness of the
-// surfaces; at least `floor` (m).
+// Returns the local thickness of a film, m: `thickness` reduced by `less` (m) to account for the
+// roughness of the surfaces, but at least `floor` (m).
 inline double local_thickness(double thickness, double less, double floor)
 {
   return std::fmax(thickness - less, floor);
 }
 
-// Current (A) of a failure through the resistance `arc` (ohm), and the time (s) in which the
-// current falls to 1/e. The capacitance C behind the film follows from
-// energy = C film_voltage^2/2.
+// Current (A) at a failure through the resistance `arc` (ohm), and the time (s) in which the
+// current falls to 1/e. The capacitance C behind the film follows from energy = C film_voltage^2/2.
 struct ArcCurrent {
   double peak, duration;
 
@@ -39,17 +39,17 @@ struct ArcCurrent {
   }
 };
 
-// Breakdown voltage (V) of a film: local_thickness() of the film times `strength` (V/m). Infinite
-// without a film.
+// Returns the breakdown voltage (V) of a film, i.e. its local_thickness() times `strength` (V/m).
+// It is infinite without a film.
 inline double film_limit(double thickness, double strength, double less, double floor)
 {
   if (!(thickness > 0.0)) return std::numeric_limits<double>::infinity();
   return strength * local_thickness(thickness, less, floor);
 }
 
-// Smallest voltage (V) between the rings at which a film fails if the balls are uncharged; 0 if
-// this film is bridged, that is, if its limit is at most `bridged` (V), the limit at the film
-// floor.
+// Returns the smallest voltage (V) between the rings at which a film fails if the balls are
+// uncharged; 0 if this film is bridged, i.e. if its limit is at most `bridged` (V), the limit at
+// the film floor.
 inline double threshold_voltage(const BearingFilms &films, double bridged)
 {
   double least = std::numeric_limits<double>::infinity();
@@ -64,7 +64,7 @@ inline double threshold_voltage(const BearingFilms &films, double bridged)
   return least;
 }
 
-// Energy in films, parallel capacitances and the coupling, J.
+// Returns the energy stored in films, parallel capacitances and the coupling, J.
 inline double stored_energy(const BearingFilms &films, const OuterPoint &outer, const NodeValues &v)
 {
   const double across = v.ring - outer.driving;
@@ -76,12 +76,13 @@ inline double stored_energy(const BearingFilms &films, const OuterPoint &outer, 
   return 0.5 * twice;
 }
 
-// Conducting films of a ball.
+// Which films of a ball conduct.
 struct Broken {
   bool inner = false, outer = false;
 };
 
-// Voltages after a failure, from the charges before it, with broken films as conductors.
+// Computes voltages after a failure from the charges before it, with the failed films as
+// conductors.
 inline void redistribute(const BearingFilms &films, const OuterPoint &outer,
                          const NodeValues &charge, const std::vector<Broken> &broken,
                          NodeValues &voltage)
@@ -93,10 +94,10 @@ inline void redistribute(const BearingFilms &films, const OuterPoint &outer,
     const double in = films[k].inner.capacitance, out = films[k].outer.capacitance;
     if (broken[k].inner && broken[k].outer) {
       grounded = true;
-    } else if (broken[k].inner) {    // one conductor with the inner ring
+    } else if (broken[k].inner) {    // the ball forms one conductor with the inner ring
       on_ring += charge.ball[k];
       capacitance += out;
-    } else if (broken[k].outer) {    // connected to the frame
+    } else if (broken[k].outer) {    // the ball is connected to the frame
       capacitance += in;
     } else {
       const double share = in * inverse_or_zero(in + out);
@@ -114,9 +115,9 @@ inline void redistribute(const BearingFilms &films, const OuterPoint &outer,
   }
 }
 
-// As long as a film exceeds its limit, the most overloaded film fails; `failed` is called for each
-// failure. Broken films conduct until the end of the discharge and are intact afterwards. Returns
-// the work (J) of the driving voltage while charges move.
+// As long as any film exceeds its limit, lets the most overloaded film fail; `failed` is called for
+// each failure. Failed films conduct until the end of the discharge and are intact afterwards.
+// Returns the work (J) of the driving voltage while charges move.
 template <class Failed>
 double discharge(const BearingFilms &films, const OuterPoint &outer, NodeValues &charge,
                  NodeValues &voltage, Failed &&failed)

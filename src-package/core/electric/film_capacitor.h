@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Capacitor of a ball and a raceway: the contact ellipse as plates and, on request, the
-// surroundings of the ellipse, also without contact (docs/fix_bearing_capacitance).
+// Capacitor formed by a ball and a raceway: the contact ellipse as plates and, on request, the
+// surroundings of the ellipse, which also exist without contact (docs/fix_bearing_capacitance).
 #ifndef RACEWAY_FILM_CAPACITOR_H
 #define RACEWAY_FILM_CAPACITOR_H
 
@@ -12,21 +12,23 @@
 
 namespace raceway {
 
-enum class PermittivityAt { maximum, mean, two_thirds };    // the Hertz contact pressure used
+enum class PermittivityAt { maximum, mean, two_thirds };    // Hertz contact pressure at which the
+                                                            // permittivity is evaluated
 enum class Surroundings { none, flooded, dry, cavitated };
 
 // Settings of the capacitor.
 struct CapacitorModel {
   double permittivity = 0.0;    // relative, of the lubricant at ambient pressure; 0: no capacitor
-  double film_floor = 1e-9;     // m, thickness below which a film would be a short circuit
+  double film_floor = 1e-9;     // m, a thinner film would be treated as a short circuit
   PermittivityAt at = PermittivityAt::maximum;
   bool rough = false;
   Surroundings surroundings = Surroundings::none;
-  double permittivity_outlet = 1.0;    // relative, medium in the downstream half if cavitated
+  double permittivity_outlet = 1.0;    // relative, medium in the downstream half when cavitated
   double inner_shoulder = 0.0, outer_shoulder = 0.0;    // m, diameters; 0: default groove depth
 
   bool surrounded() const { return surroundings != Surroundings::none; }
-  // Relative permittivity of the gap outside the ellipse; both halves are equal.
+  // Returns the relative permittivity of the gap outside the ellipse; if cavitated, the mean of the
+  // two halves, which are of equal size.
   double outside() const
   {
     return surroundings == Surroundings::flooded ? permittivity
@@ -51,7 +53,7 @@ struct CapacitorModel {
 };
 
 // Central film thickness (eq 9) and capacitance of the ellipse; separation and capacitance of the
-// surroundings, 0 unless requested.
+// surroundings, which are 0 unless requested.
 template <class T> struct FilmCapacitorT {
   T h_c, capacitance;       // m, F; 0 without contact
   T separation, outside;    // m, F
@@ -67,7 +69,7 @@ RACEWAY_INLINE T film_permittivity(const CapacitorModel &m, const T &largest_pre
   return permittivity_at(m.permittivity, largest_pressure);
 }
 
-// Film thickness by the power law at any load; c provides the sliding speed.
+// Returns the film thickness by the power law at any load; c provides the sliding speed.
 template <class T>
 RACEWAY_INLINE T central_film(const RacewayPhysics &p, const RacewayConstantsT<T> &k,
                               const ContactStateT<T> &c, const FilmPointT<T> &at)
@@ -77,7 +79,7 @@ RACEWAY_INLINE T central_film(const RacewayPhysics &p, const RacewayConstantsT<T
   return h;
 }
 
-// Capacitance of the plates of a lubricated contact.
+// Returns the capacitance of the plates of a lubricated contact.
 template <class T>
 RACEWAY_INLINE FilmCapacitorT<T> film_capacitor(const RacewayPhysics &p, const ContactStateT<T> &c,
                                                 const CapacitorModel &m)
@@ -95,12 +97,13 @@ RACEWAY_INLINE FilmCapacitorT<T> film_capacitor(const RacewayPhysics &p, const C
 
 // A raceway and the surroundings of its contacts.
 //
-// The separation is the film thickness at the contact load, but at no less than 0.1 N or Q_u, the
-// load of a ball guided by the outer raceway alone, m_b r_pitch omega_c^2. It is therefore defined
-// where the contact load vanishes. Without contact the separation is the gap, if the gap is larger.
-// With film in the gap (part_film_gap) contacts begin at a gap. The gap is then used once it
-// exceeds the film, and the play is measured from the onset of contact, so that capacitances do not
-// jump at the onset. If a film has a thickness at any load, that thickness is the separation.
+// The separation is the film thickness at the contact load, but at least at the larger of 0.1 N and
+// Q_u = m_b r_pitch omega_c^2, the load of a ball guided by the outer raceway alone. It is
+// therefore defined where the contact load vanishes. Without contact the separation is the gap if
+// the gap is larger. With film in the gap (part_film_gap) contacts begin at a gap. In this case the
+// gap is used once it exceeds the film, and the clearance is measured from the onset of contact, so
+// that capacitances are continuous at the onset. If a film has a thickness at any load, that
+// thickness is the separation.
 class SurroundedRaceway {
  public:
   static constexpr double least_load = 0.1;    // N
@@ -125,8 +128,8 @@ class SurroundedRaceway {
     return shoulder_.reach(sine, cosine);
   }
 
-  // cage_speed: orbital speed of the ball (rad/s). Without contact the state has position, overlap
-  // and entrainment speed.
+  // cage_speed is the orbital speed of the ball (rad/s). Without contact, the state contains
+  // position, overlap and entrainment speed.
   template <class T, class Mask>
   RACEWAY_INLINE FilmCapacitorT<T> capacitor(const ContactStateT<T> &c, const Mask &live,
                                              const T &cage_speed) const
@@ -161,8 +164,8 @@ class SurroundedRaceway {
  private:
   template <class T> struct Films {
     RacewayConstantsT<T> law;
-    T h, apart, ln_apart;    // m, film at the load; film at the limited load; logarithm of `apart`
-    T ln_load;               // logarithm of the load on the film
+    T h, apart, ln_apart;    // m, film at the load; film at the limited load; ln of `apart`
+    T ln_load;               // logarithm of the load that determines the film thickness
     T begins;                // m, gap at the onset of contact
   };
 
@@ -194,7 +197,7 @@ class SurroundedRaceway {
     }
     f.begins = none;
     if (begins_ > 0.0) {
-      // the film thickness is taken at a load of at least least_load_
+      // the film thickness is evaluated at a load of at least least_load_
       const auto cut = live & (Q <= least_load_);
       if (any(cut)) f.ln_load = where(cut, logarithm(c.load), f.ln_load);
       if (any(!live))
@@ -204,7 +207,7 @@ class SurroundedRaceway {
     return f;
   }
 
-  // Film thickness h and its logarithm.
+  // Computes the film thickness h and its logarithm.
   template <class T>
   RACEWAY_INLINE T film(const ContactStateT<T> &c, const RacewayConstantsT<T> &k,
                         const FilmPointT<T> &at, T &h) const
@@ -222,7 +225,7 @@ class SurroundedRaceway {
   RACEWAY_INLINE T integral(const ContactStateT<T> &c, const Films<T> &f, const Mask &live,
                             const T &h, const T &ln_film, const T &play) const
   {
-    // like the constants of the law: exact at zero contact angle
+    // exact at zero contact angle, like the constants of the law
     const auto oblique = 1.0 - c.cos_angle >= 1e-12;
     const GapShapeT<T> s =
         any(oblique)
@@ -268,11 +271,11 @@ class SurroundedRaceway {
   GrooveShoulder shoulder_;
   GapShape radial_;
   GrooveReachT<double> upright_;    // reach at zero contact angle
-  double flatter_ = 0.0;            // 1/m, flattening of the gap per unit of play
+  double flatter_ = 0.0;            // 1/m, flattening of the gap per unit of clearance
   double ln_floor_ = 0.0;
-  double begins_ = 0.0;    // gap at the onset of contact over the film thickness
+  double begins_ = 0.0;    // gap at the onset of contact divided by the film thickness
   double least_load_ = least_load;
-  bool any_load_ = false;    // the film has a thickness at any load
+  bool any_load_ = false;    // the film thickness is defined at any load
 };
 
 }    // namespace raceway

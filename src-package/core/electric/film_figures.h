@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Electrical figures of a bearing at one instant: leak, impedance, smallest voltage at which a film
-// fails, energy of the resulting discharge (docs/electric, Breakdown and Impedance).
+// Electrical quantities of a bearing at one instant: leakage resistance, impedance, smallest
+// voltage at which a film fails, and energy of the resulting discharge (docs/electric, Breakdown
+// and Impedance).
 #ifndef RACEWAY_FILM_FIGURES_H
 #define RACEWAY_FILM_FIGURES_H
 
@@ -10,7 +11,7 @@
 
 namespace raceway {
 
-// Requested figures; 0: not requested.
+// Requested quantities; 0: not requested.
 struct FilmQuestions {
   double resistivity = 0.0;    // of the lubricant, ohm m
   double frequency = 0.0;      // Hz
@@ -19,14 +20,14 @@ struct FilmQuestions {
   bool any() const { return resistivity > 0.0 || frequency > 0.0 || strength > 0.0; }
 };
 
-// A film at a sample; a film without capacitance is open.
+// A film at one sample of a run. A film without capacitance is open.
 struct SampledFilm {
   double capacitance = 0.0;    // F
   double thickness = 0.0;      // m
   double roughness = 0.0;      // m, composite
-  double paths = 0.0;          // m, resistivity of the oil over the resistance of the film
+  double paths = 0.0;          // m, resistivity of the oil divided by the resistance of the film
 
-  // Adds another film between the same ball and ring; the thinner one fails.
+  // Adds another film between the same ball and ring; the thinner of the two fails.
   void add(const SampledFilm &beside)
   {
     if (!(beside.capacitance > 0.0)) return;
@@ -42,28 +43,29 @@ struct SampledBall {
   SampledFilm film[2];    // inner, outer
 };
 
-// Values are 0 if not requested or infinite.
+// A value is 0 if it was not requested or is infinite.
 struct FilmFigures {
-  double leak = 0.0;                      // ohm, direct current
+  double leak = 0.0;                      // ohm, for direct current
   double impedance = 0.0, phase = 0.0;    // ohm, rad
-  double threshold = 0.0, local = 0.0;    // V, breakdown by mean and by local film thickness
-  double energy = 0.0;                    // J, stored at the voltage `threshold`
+  double threshold = 0.0, local = 0.0;    // V, breakdown voltage from the mean and from the local
+                                          // film thickness
+  double energy = 0.0;                    // J, energy stored at the voltage `threshold`
 };
 
-// Area of a contact ellipse, m^2.
+// Returns the area of a contact ellipse, m^2.
 inline double hertz_area(const RacewayPhysics &p, const ContactState &c)
 {
   const RacewayConstants k = p.law.at(c.cos_angle);
   return 3.14159265358979323846 * k.a * k.b * c.root * c.root;
 }
 
-// Fraction of the gap outside the ellipse that is filled with oil.
+// Returns the fraction of the gap outside the ellipse that is filled with oil.
 inline double wet_share(Surroundings s)
 {
   return s == Surroundings::flooded ? 1.0 : s == Surroundings::cavitated ? 0.5 : 0.0;
 }
 
-// Sample of a capacitor with this contact ellipse (m^2) and composite roughness (m).
+// Returns the sample of a capacitor with this contact ellipse (m^2) and composite roughness (m).
 inline SampledFilm sampled_film(const CapacitorModel &m, const FilmCapacitorT<double> &c,
                                 double area, double roughness)
 {
@@ -77,8 +79,8 @@ inline SampledFilm sampled_film(const CapacitorModel &m, const FilmCapacitorT<do
   return f;
 }
 
-// Figures of the films of all balls; `beside` (F) is a capacitance between the rings, parallel to
-// the films.
+// Computes the results for the films of all balls; `beside` (F) is a capacitance between the rings,
+// in parallel with the films.
 inline FilmFigures film_figures(const FilmQuestions &ask, const std::vector<SampledBall> &balls,
                                 double beside)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The network of a bearing: balls that float between two films, the inner ring, and the outer ring
-// as frame (docs/electric_circuit, Network). The unknowns are charges; the cost of a point in time
-// is O(balls).
+// The electrical network of a bearing: balls that float between two films, the inner ring, and the
+// outer ring, which is the frame (docs/electric_circuit, Network). The unknowns are charges; the
+// cost of a point in time is O(balls).
 #ifndef RACEWAY_FILM_NETWORK_H
 #define RACEWAY_FILM_NETWORK_H
 
@@ -11,12 +11,12 @@
 
 namespace raceway {
 
-// One film at one point in time. A film with capacitance 0 is open and passes no displacement
+// One film at one point in time. A film with capacitance 0 is open and carries no displacement
 // current.
 struct CircuitFilm {
   double capacitance = 0.0;                                  // F
   double conductance = 0.0;                                  // S
-  double limit = std::numeric_limits<double>::infinity();    // V, voltage at which it fails
+  double limit = std::numeric_limits<double>::infinity();    // V, voltage at which the film fails
 };
 struct BallFilms {
   CircuitFilm inner, outer;
@@ -39,7 +39,7 @@ struct NodeValues {
   double ring = 0.0;
 };
 
-// Charges (C) that pass through resistances in a step: through the films of each ball towards the
+// Charges (C) that flow through resistances in a step: through the films of each ball towards the
 // outer ring, and from the driving voltage.
 struct StepCharges {
   std::vector<double> inner, outer;
@@ -48,7 +48,8 @@ struct StepCharges {
 
 inline double inverse_or_zero(double x) { return x != 0.0 ? 1.0 / x : 0.0; }
 
-// Voltages (V) from `charge`, where conductances times `length` (s) are added to the capacitances.
+// Computes voltages (V) from `charge`, with conductances times `length` (s) added to the
+// capacitances.
 inline void find_voltages(const BearingFilms &films, const OuterPoint &outer, double length,
                           const NodeValues &charge, NodeValues &voltage)
 {
@@ -75,7 +76,7 @@ inline void find_voltages(const BearingFilms &films, const OuterPoint &outer, do
   voltage.ring = ring;
 }
 
-// Capacitance of both films in series, summed over the balls, F.
+// Returns the capacitance of both films in series, summed over the balls, F.
 inline double bearing_capacitance(const BearingFilms &films)
 {
   double sum = 0.0;
@@ -85,7 +86,7 @@ inline double bearing_capacitance(const BearingFilms &films)
   return sum;
 }
 
-// The charge of an inner ring at these voltages, C.
+// Returns the charge of an inner ring at these voltages, C.
 inline double ring_charge(const BearingFilms &films, const OuterPoint &outer, const NodeValues &v)
 {
   double sum = outer.beside * v.ring + outer.coupling * (v.ring - outer.driving);
@@ -102,7 +103,8 @@ inline bool has_resistance(const BearingFilms &films, const OuterPoint &outer)
   return false;
 }
 
-// Films at the fraction `share` of the way between two points; the result has no breakdown limits.
+// Interpolates the films at the fraction `share` of the interval between two points; the result has
+// no breakdown limits.
 inline BallFilms between(const BallFilms &from, const BallFilms &to, double share)
 {
   const auto film = [share](const CircuitFilm &a, const CircuitFilm &b) {
@@ -129,7 +131,7 @@ inline OuterPoint between(const OuterPoint &from, const OuterPoint &to, double s
   return p;
 }
 
-// One step of `length` (s) to the films and the outer circuit at the end of the step, by a
+// Performs one step of `length` (s) to the films and the outer circuit at the end of the step, by a
 // two-stage SDIRK method that is L-stable and of second order.
 inline void network_step(const BearingFilms &from, const BearingFilms &to,
                          const OuterPoint &outer_from, const OuterPoint &outer_to, double length,

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Integral of dA/gap over the area outside the contact ellipse, m. Multiplied by the permittivity
-// it gives the capacitance of this area (docs/fix_bearing_capacitance, Surroundings).
+// The integral of dA/gap over the area outside the contact ellipse, m. Multiplied by the
+// permittivity, it gives the capacitance of this area (docs/fix_bearing_capacitance, Surroundings).
 //
 // Under load, with the film thickness h within the ellipse and the Hertz gap g outside:
 //   I = 4 kappa Ebar R {G + pi P sqrt(2 R_x g_s)/b},  g_s = overlap/Fbar,  H = h/g_s,
-// with G beside the ellipse (strips along rolling, each a line contact; a function of H alone) and
-// P beyond the ends of the ellipse, along the groove's section up to S. Both are fits to integrals,
-// accurate to 1 % of the capacitance of plates and surroundings together for conformities from
-// 0.505 to 0.54, h from 20 nm to 2 um, and loads up to 3 kN on a 6208.
+// where G accounts for the area beside the ellipse (strips along rolling, each a line contact; a
+// function of H alone) and P for the area beyond the ends of the ellipse, along the groove's
+// cross-section up to S. Both are fits to integrals, accurate to 1 % of the capacitance of plates
+// and surroundings together for conformities from 0.505 to 0.54, h from 20 nm to 2 um, and loads up
+// to 3 kN on a 6208.
 //
-// Without load, at the gap g_0, the integral is the limit of the form above at zero load with
-// h = g_0, so that both forms agree:
+// Without load, at the gap g_0, the integral is the limit of the above form at zero load with h =
+// g_0, so that both forms agree:
 //   I = 4 pi sqrt(R_x R_y') asinh(S/sqrt(2 R_y' g_0)),  R_y' = Fbar a^2/(2 e overlap c),
-// e = ln(4 kappa) - 1. At c = 1, R_y' equals the radius R_y across the groove within 1 %. c is
-// 1 - play/(r_c - R_b): with play, the centres of ball and groove are closer together and the gap
-// is flatter. Beyond the position of concentric circles c < 0, and asinh becomes asin.
+// e = ln(4 kappa) - 1. At c = 1, R_y' equals the radius R_y across the groove to within 1 %. c is 1
+// - play/(r_c - R_b): with clearance, the centres of ball and groove are closer together and the
+// gap is flatter. Beyond the position of concentric circles c < 0, and asinh becomes asin.
 //
 // 4 kappa Ebar R = 2 Fbar a b/overlap and sqrt(2 R_x g_s)/b do not depend on the load, and Fbar =
-// pi E' a/(3 K sqrt(overlap)), so everything follows from the constants of the contact law
+// pi E' a/(3 K sqrt(overlap)), so all quantities follow from the constants of the contact law
 // (hertz.h).
 #ifndef RACEWAY_GAP_INTEGRAL_H
 #define RACEWAY_GAP_INTEGRAL_H
@@ -26,9 +27,9 @@
 
 namespace raceway {
 
-// The part independent of load and film.
+// The part that does not depend on load and film.
 template <class T> struct GapShapeT {
-  T a;        // sqrt(m), semi-axis across over sqrt(overlap)
+  T a;        // sqrt(m), semi-axis across the groove divided by sqrt(overlap)
   T Fbar;     // overlap/g_s
   T scale;    // m, 4 kappa Ebar R
   T ends;     // pi sqrt(2 R_x g_s)/(b root_e)
@@ -39,8 +40,8 @@ template <class T> struct GapShapeT {
 };
 using GapShape = GapShapeT<double>;
 
-// Eprime as in hertz.h (Pa), R_x along rolling (m). An ellipse that is longer along rolling, which
-// does not occur in a groove, is treated as a circle.
+// Eprime is defined in hertz.h (Pa), and R_x is the radius along rolling (m). An ellipse that is
+// longer along rolling, which does not occur in a groove, is treated as a circle.
 template <class T>
 RACEWAY_INLINE GapShapeT<T> gap_shape(const RacewayConstantsT<T> &k, double Eprime, const T &Rx)
 {
@@ -59,7 +60,7 @@ RACEWAY_INLINE GapShapeT<T> gap_shape(const RacewayConstantsT<T> &k, double Epri
   return s;
 }
 
-// G is up/down, a function of the sixth root X of H, within 0.2 % of the integral.
+// G is up/down, a function of the sixth root X of H, accurate to 0.2 % of the integral.
 template <class T> struct GapBeside {
   T up, down;
 
@@ -86,7 +87,7 @@ template <class T> struct GapEnd {
 };
 
 // The gap of a loaded contact, from the square root of the overlap (sqrt(m)), the logarithms of the
-// load (N) and of h (m), and h.
+// load (N) and of h (m), and h itself.
 template <class T> struct LoadedGapT {
   const GapShapeT<T> &shape;
   T root, H, end, G;
@@ -94,7 +95,7 @@ template <class T> struct LoadedGapT {
   RACEWAY_INLINE LoadedGapT(const GapShapeT<T> &s, const T &any_root, const T &ln_load, const T &h,
                             const T &ln_h) : shape(s)
   {
-    const auto pressed = any_root > 1e-8;    // otherwise the limit without load, to rounding
+    const auto pressed = any_root > 1e-8;    // otherwise the limit without load, within rounding
     root = where(pressed, any_root, 1e-8);
     T ln_X = (s.log_H + ln_h) * (1.0 / 6) - ln_load * (1.0 / 9);
     if (any(!pressed))
@@ -107,7 +108,7 @@ template <class T> struct LoadedGapT {
     G = beside.up * (inverse * tip.down);
     end = tip.D * (inverse * beside.down);
   }
-  // Stretch up to the groove's reach on one side (m)
+  // Returns the stretch up to the reach of the groove on one side (m).
   RACEWAY_INLINE T stretch(const T &reach) const
   {
     const GapShapeT<T> &s = shape;
@@ -118,7 +119,7 @@ template <class T> struct LoadedGapT {
   }
 };
 
-// The stretch whose logarithm is the inverse sine of z; z is limited to 1.
+// Returns the stretch whose logarithm is the inverse sine of z; z is limited to 1.
 RACEWAY_INLINE double sine_stretch(double z) { return std::exp(std::asin(z < 1.0 ? z : 1.0)); }
 RACEWAY_INLINE Lane sine_stretch(const Lane &z)
 {
@@ -127,7 +128,7 @@ RACEWAY_INLINE Lane sine_stretch(const Lane &z)
 
 // The gap of surfaces without contact, for the gap width g (m) and c; G is 0.
 template <class T> struct OpenGapT {
-  T wider;    // 1/sqrt(c); for concentric circles its limit, to rounding
+  T wider;    // 1/sqrt(c); for concentric circles its limit, to rounding accuracy
 
   RACEWAY_INLINE OpenGapT(const GapShapeT<T> &s, const T &g, const T &any_c) : c(any_c)
   {
@@ -148,7 +149,7 @@ template <class T> struct OpenGapT {
   T c, over;
 };
 
-// The integral I, m, from the gap and the stretches on both sides
+// Returns the integral I, m, from the gap and the stretches on both sides.
 template <class T>
 RACEWAY_INLINE T gap_integral(const GapShapeT<T> &s, const T &G, const T &near, const T &far)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Impedance of films, balls and a bearing, and the inverse for instrument readings (docs/electric,
-// Impedance). A film is a capacitor parallel to its leak: Z = 1/(G + j omega C).
+// Impedance of films, balls and a bearing, and the inverse calculation for instrument readings
+// (docs/electric, Impedance). A film is a capacitor in parallel with its leakage resistance: Z =
+// 1/(G + j omega C).
 #ifndef RACEWAY_IMPEDANCE_H
 #define RACEWAY_IMPEDANCE_H
 
@@ -12,14 +13,14 @@ namespace raceway {
 
 using Complex = std::complex<double>;
 
-// Admittance of a film, S, at omega (rad/s; 0: direct current)
+// Returns the admittance of a film, S, at omega (rad/s; 0: direct current).
 inline Complex admittance(const CircuitFilm &f, double omega)
 {
   return {f.conductance, omega * f.capacitance};
 }
 
-// Admittance of a bearing, S: both films of a ball in series, the balls in parallel. A ball with an
-// open film adds nothing.
+// Returns the admittance of a bearing, S, with both films of a ball in series and the balls in
+// parallel. A ball with an open film contributes nothing.
 inline Complex admittance(const BearingFilms &films, double omega)
 {
   Complex sum = 0.0;
@@ -30,13 +31,14 @@ inline Complex admittance(const BearingFilms &films, double omega)
   return sum;
 }
 
-// Capacitance C (F) from a measured impedance (ohm): -sin(phi)/(omega |Z|), phi = arg Z.
+// Returns the capacitance C (F) from a measured impedance (ohm): -sin(phi)/(omega |Z|), phi = arg
+// Z.
 inline double capacitance_of(const Complex &z, double omega)
 {
   return -z.imag() / (omega * std::norm(z));
 }
 
-// Resistance R (ohm) parallel to that capacitance, |Z|/cos(phi).
+// Returns the resistance R (ohm) in parallel with that capacitance, |Z|/cos(phi).
 inline double resistance_of(const Complex &z) { return std::norm(z) / z.real(); }
 
 }    // namespace raceway

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Driving voltage of an outer circuit over time (docs/electric_circuit, Outer circuit).
+// Driving voltage of an outer circuit as a function of time (docs/electric_circuit, Outer circuit).
 #ifndef RACEWAY_WAVEFORM_H
 #define RACEWAY_WAVEFORM_H
 
@@ -11,29 +11,29 @@
 
 namespace raceway {
 
-// A kink or a jump of a driving voltage.
+// A kink or a jump in a driving voltage.
 struct Edge {
   double time, before, after;    // s, V, V
 };
 
 struct Waveform {
   enum Kind { constant, sine, common_mode, table } kind = constant;
-  double voltage = 0.0;                      // V: constant, amplitude, or DC link voltage
-  double frequency = 0.0, phase = 0.0;       // Hz, rad: of a sine or of the phases of an inverter
+  double voltage = 0.0;                      // V, constant voltage, amplitude, or DC link voltage
+  double frequency = 0.0, phase = 0.0;       // Hz, rad, for a sine or for the phases of an inverter
   double carrier = 0.0, modulation = 0.0;    // Hz; 0 to 1
-  std::vector<double> times, voltages;       // s, in ascending order; V, linear in between
+  std::vector<double> times, voltages;       // s, in ascending order; V, linearly interpolated
 
-  // Shortest period, s; infinite if the waveform does not limit the step.
+  // Returns the shortest period, s; infinite if the waveform does not limit the step.
   double shortest() const
   {
     if (kind == sine) return 1.0 / frequency;
     return kind == common_mode ? 1.0 / carrier : std::numeric_limits<double>::infinity();
   }
 
-  // False if a leg could switch twice between two peaks of the triangle.
+  // Returns false if a leg could switch twice between two peaks of the triangle wave.
   bool carrier_fits() const { return carrier >= 2.0 * frequency; }
 
-  // Voltage at time t (s), V.
+  // Returns the voltage at time t (s), V.
   double at(double t) const
   {
     if (kind == sine) return voltage * std::sin(turn * frequency * t + phase);
@@ -41,8 +41,8 @@ struct Waveform {
     return kind == table ? between(t) : voltage;
   }
 
-  // Edges after `from` up to `to` (s), in order: one for each row of a table and for each switching
-  // of an inverter's leg. Legs that switch at the same time do so one after another.
+  // Returns the edges after `from` up to `to` (s), in order: one for each row of a table and for
+  // each switching of an inverter leg. Legs that switch at the same time do so one after another.
   std::vector<Edge> edges(double from, double to) const
   {
     std::vector<Edge> found;
@@ -73,8 +73,8 @@ struct Waveform {
  private:
   static constexpr double turn = 2.0 * 3.14159265358979323846;
 
-  // A leg is at plus half the link voltage while its sine is at or above a triangle wave that
-  // starts at +1; otherwise it is at minus half the link voltage.
+  // Returns whether a leg is at plus half the link voltage, i.e. whether its sine is at or above a
+  // triangle wave that starts at +1; otherwise the leg is at minus half the link voltage.
   bool up(int leg, double t) const
   {
     const double cycles = carrier * t;
@@ -84,7 +84,8 @@ struct Waveform {
   int legs_up(double t) const { return up(0, t) + up(1, t) + up(2, t); }
   double mean(int legs) const { return voltage * (legs / 3.0 - 0.5); }
 
-  // The first time after `lo` at which a leg has the state that it has at `hi`, by bisection.
+  // Returns the first time after `lo` at which a leg has the state that it has at `hi`, by
+  // bisection.
   double instant(int leg, double lo, double hi) const
   {
     const bool was = up(leg, lo);

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Departure of a ball from its sphere, in its own axes: pits, waviness and tables. A direction from
-// the ball's centre has an azimuth about the third axis and a latitude from the equator.
+// Deviation of a ball from a sphere, in its own axes: pits, waviness and tables. A direction from
+// the ball's centre has an azimuth about the third axis and a latitude measured from the equator.
 //
 // The depth at a contact is the depth in the direction of the contact normal, as for a raceway at
-// the ball's azimuth (raceway_profile.h). The path over a pit is the same as on a raceway: it
-// depends on the effective radius along rolling. A wave is a spherical harmonic,
+// the ball's azimuth (raceway_profile.h). The path over a pit depends on the effective radius along
+// rolling, as on a raceway. A wave is a spherical harmonic,
 //   depth = A cos(n azimuth + phase) cos^n(latitude),
-// smooth everywhere and equal to A cos(n azimuth + phase) on the equator. A table gives the depth
-// along the equator, which fades as cos^2(latitude), so the slope is zero at the poles. The path
-// over a table follows the same rule as on a raceway.
+// which is smooth everywhere and equal to A cos(n azimuth + phase) on the equator. A table gives
+// the depth along the equator, which fades as cos^2(latitude), so the slope is zero at the poles.
+// The path over a table follows the same rule as on a raceway.
 //
 // A pit narrower than the contact patch covers a strip of the patch from y1 to y2, measured from
-// the middle of the patch. The strip's share of the load is half the difference between the shares
-// of two central pits of half widths |y2| and |y1|, or half their sum if y1 and y2 lie on opposite
-// sides.
+// the middle of the patch. The fraction of the load on the strip is half the difference between the
+// fractions for two central pits of half-widths |y2| and |y1|, or half their sum if y1 and y2 lie
+// on opposite sides.
 #ifndef RACEWAY_BALL_PROFILE_H
 #define RACEWAY_BALL_PROFILE_H
 
@@ -24,7 +24,7 @@
 namespace raceway {
 
 struct BallPitShape : NotchShape {
-  double latitude = 0.0;    // rad, of the pit's middle
+  double latitude = 0.0;    // rad, latitude of the pit's centre
 };
 
 struct BallShape {
@@ -37,21 +37,23 @@ struct BallShape {
 template <class T> struct alignas(sizeof(T)) BallSlopesT {
   T along = T(), across = T();              // m/rad, derivatives of the depth
   T path_along = T(), path_across = T();    // derivatives of the azimuth in the ball's axes
-  T bend = T();                             // m, second derivative of waves and tables, by azimuth
-  T cross = T(), side = T();    // N, N m: stiffness between approach and azimuth; in azimuth
+  T bend = T();                             // m, second derivative of waves and tables with respect
+                                            // to azimuth
+  T cross = T(), side = T();    // N, N m: stiffness between approach and azimuth, in azimuth
 };
 using BallSlopes = BallSlopesT<double>;
 
-// Normal and directions along and across rolling (groove.h), in the ball's own axes.
+// Contact normal and directions along and across rolling (groove.h), in the ball's own axes.
 struct BallView {
   Vec3 n, t, w;
 };
 
-// The profile of a kind of ball on a kind of raceway.
+// The profile of one kind of ball on one kind of raceway.
 class BallProfile {
  public:
-  // Radius of the ball and effective radius along rolling, m; semi-axis of the contact patch across
-  // the groove over sqrt(overlap), sqrt(m); stiffness of the contact, N/m^1.5.
+  // The arguments are the radius of the ball and the effective radius along rolling, m; the
+  // semi-axis of the contact patch across the groove divided by sqrt(overlap), sqrt(m); and the
+  // stiffness of the contact, N/m^1.5.
   BallProfile(const BallShape &shape, double radius, double rolling, double ellipse,
               double stiffness) :
       radius_(radius), ellipse_(ellipse), stiffness_(stiffness), waves_(shape.waves)
@@ -64,8 +66,8 @@ class BallProfile {
     }
   }
 
-  // Overlap (m) reduced by waves and tables. They are subtracted before a raceway's profile, pits
-  // after a raceway's profile.
+  // Returns the overlap (m) reduced by waves and tables. These are subtracted before a raceway's
+  // profile, whereas pits are subtracted after it.
   double all_round(double overlap, const BallView &view, BallSlopes &b) const
   {
     const Place at(view);
@@ -95,7 +97,8 @@ class BallProfile {
     return overlap;
   }
 
-  // Overlap (m) reduced by pits; `energy` (J) and `follows` as in ProfiledContact.
+  // Returns the overlap (m) reduced by pits; `energy` (J) and `follows` are defined in
+  // ProfiledContact.
   double pits(double d, const BallView &view, BallSlopes &b, double &energy, double &follows) const
   {
     if (pits_.empty()) return d;
@@ -110,7 +113,7 @@ class BallProfile {
     return d;
   }
 
-  // Longest step (s) for a normal n that moves over the ball at the rate `moves` (1/s).
+  // Returns the longest step (s) for a normal n that moves over the ball at the rate `moves` (1/s).
   double longest_step(const Vec3 &n, const Vec3 &moves) const
   {
     const double round = n.x * n.x + n.y * n.y, speed = norm(moves);
@@ -130,7 +133,7 @@ class BallProfile {
     double latitude, width;    // rad, m
   };
 
-  // A direction in the ball's axes, and changes of azimuth and latitude per unit along t and w.
+  // A direction in the ball's axes, and the changes in azimuth and latitude per unit along t and w.
   struct Place {
     double sine, cosine, azimuth, latitude;
     double path_along, path_across, up_along, up_across;
@@ -187,7 +190,7 @@ class BallProfile {
   double radius_, ellipse_, stiffness_;    // m, sqrt(m), N/m^1.5
   std::vector<Wave> waves_;
   std::vector<PeriodicCurve> tables_;    // paths over the tables
-  std::vector<double> spacings_;         // rad, of the tables as given
+  std::vector<double> spacings_;         // rad, spacings of the tables as given
   std::vector<Pit> pits_;
 };
 

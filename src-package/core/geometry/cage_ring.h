@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A one-piece cage: pockets at equal angles on the pitch circle, and a land that may guide it. Both
-// integrators evaluate the same contact of a ball and its pocket.
+// integrators use the same contact model for a ball and its pocket.
 //
-// A pocket is a slot along its radial axis p. Its half plays are c_t along the pitch circle and
-// c_z along the bearing's axis. A cylindrical pocket leaves the ball free along p; a spherical
-// pocket also holds it along p. The contact of ball and wall follows damped_hertz.h or, if the bars
-// of the cage deform more than the contact does, pocket_wall.h. Coulomb friction opposes the
-// sliding of the ball's surface on the wall, smoothed below `creep`; oil in the pocket is sheared
-// by the relative spin. Forces on ball and cage act through one point, so momentum and angular
+// A pocket is a slot along its radial axis p. Its half clearances are c_t along the pitch circle
+// and c_z along the bearing's axis. A cylindrical pocket leaves the ball free along p; a spherical
+// pocket also holds it along p. The contact between ball and wall follows damped_hertz.h or, if the
+// bars of the cage deform more than the contact does, pocket_wall.h. Coulomb friction opposes the
+// sliding of the ball's surface on the wall and is smoothed below `creep`; the relative spin shears
+// the oil in the pocket. Forces on ball and cage act through one point, so momentum and angular
 // momentum are conserved.
 #ifndef RACEWAY_CAGE_RING_H
 #define RACEWAY_CAGE_RING_H
@@ -20,27 +20,31 @@
 
 namespace raceway {
 
-// Estimates as fractions of the ball's diameter (docs/cage): play along the pitch circle, height of
-// the oil band in a pocket, radial extent of a cage beyond the pitch circle
+// Estimates as fractions of the ball's diameter (docs/cage): clearance along the pitch circle,
+// height of the oil band in a pocket, radial extent of a cage beyond the pitch circle
 constexpr double usual_play = 0.025, usual_band = 0.35, usual_reach = 0.3;
 
 struct CageRing {
   enum Guide { by_balls, by_inner, by_outer };
   int pockets = 0;
   bool spherical = false;
-  double pitch = 0.0, phase = 0.0;        // m, circle of the pockets; rad, of the first pocket
-  double along = 0.0, across = 0.0;       // m, half plays along the circle and along the axis
-  double stiffness = 0.0;                 // N/m^1.5, of ball on wall
+  double pitch = 0.0, phase = 0.0;        // m, radius of the circle of pockets; rad, position of
+                                          // the first pocket
+  double along = 0.0, across = 0.0;       // m, half clearances along the circle and along the axis
+  double stiffness = 0.0;                 // N/m^1.5, contact between ball and wall
   double wall = 0.0;                      // N/m, wall of a pocket with flexible bars; 0: Hertz
+                                          // contact
+                                          // contact
   double mass = 0.0;                      // kg
-  double friction = 0.0, creep = 1e-2;    // of ball on wall; m/s
+  double friction = 0.0, creep = 1e-2;    // between ball and wall; m/s
   double shear = 0.0;                     // N m s, pocket_shear()
   Guide guide = by_balls;
   LandGap land;
-  double land_stiffness = 0.0;    // N/m^1.5, of cage on land
+  double land_stiffness = 0.0;    // N/m^1.5, contact between cage and land
   double oil_share = 0.0, oil_density = 0.0, oil_viscosity = 0.0, outer_radius = 0.0;    // churning
 
-  // Effective half play, m: the smaller half play, but at least a thousandth of the ball's radius
+  // Returns the effective half clearance, m: the smaller half clearance, but at least a thousandth
+  // of the ball's radius.
   double least_play(double ball_radius) const
   {
     return std::fmax(std::fmin(along, across), 1e-3 * ball_radius);
@@ -51,9 +55,9 @@ struct CageRing {
   }
 };
 
-// Stiffness of a ball in the bore of its pocket, N/m^1.5. With the play c to one side, the radius
-// of the bore is R + c; along the axis of a cylinder the wall is straight. A bore without play is
-// treated as if its play were a thousandth of the ball's radius.
+// Returns the stiffness of a ball in the bore of its pocket, N/m^1.5. If the clearance on one side
+// is c, the radius of the bore is R + c; along the axis of a cylinder the wall is straight. A bore
+// without clearance is treated as if its clearance were a thousandth of the ball's radius.
 inline double pocket_stiffness(bool spherical, double ball_radius, double play, double Eprime)
 {
   const double R = ball_radius, bore = R + std::fmax(play, 1e-3 * R);
@@ -61,28 +65,30 @@ inline double pocket_stiffness(bool spherical, double ball_radius, double play, 
   return hertz_contact(spherical ? around : R, around, Eprime, Ellipse::exact).K;
 }
 
-// Stiffness of a cage that touches its land, N/m^1.5. Along the circle of the land the radii differ
-// by the play; the curvature of the land across the circle is assumed to equal that of the circle.
+// Returns the stiffness of a cage that touches its land, N/m^1.5. Along the circle of the land the
+// radii differ by the clearance; the curvature of the land across the circle is assumed to equal
+// that of the circle.
 inline double land_stiffness(const LandGap &land, double Eprime)
 {
   const double r = land.radius;
   return hertz_contact(r * (r + land.clearance) / land.clearance, r, Eprime, Ellipse::exact).K;
 }
 
-// Position and motion of the cage; e is its axis, angle its rotation (rad) about e since the start.
+// Position and motion of the cage; e is its axis, and angle its rotation (rad) about e since the
+// start.
 struct CageMotion {
   Vec3 x, v, e, w;
   double angle = 0.0;
 };
 
-// A direction normal to the bearing's axis, carried along as that axis turns into e.
+// Returns a direction normal to the bearing's axis, rotated with that axis into e.
 inline Vec3 carried_across(const Vec3 &e, double c, double s)
 {
   const double share = (e.x * c + e.y * s) / (1.0 + e.z);
   return {c - share * e.x, s - share * e.y, -share * (1.0 + e.z)};
 }
 
-// Number of the pocket of a ball at d (m) from the cage's centre.
+// Returns the number of the pocket of a ball at d (m) from the cage's centre.
 inline int pocket_at(const CageRing &cage, const CageMotion &m, const Vec3 &d)
 {
   const double turn = 2.0 * 3.14159265358979323846;
@@ -93,7 +99,7 @@ inline int pocket_at(const CageRing &cage, const CageMotion &m, const Vec3 &d)
   return k % cage.pockets;
 }
 
-// Direction from the cage's centre to the centre of a pocket.
+// Returns the direction from the cage's centre to the centre of a pocket.
 inline Vec3 pocket_axis(const CageRing &cage, const CageMotion &m, int pocket)
 {
   const double turn = 2.0 * 3.14159265358979323846;
@@ -102,17 +108,19 @@ inline Vec3 pocket_axis(const CageRing &cage, const CageMotion &m, int pocket)
 }
 
 struct PocketContact {
-  Vec3 offset;       // m, from the pocket's to the ball's centre, along circle, axis and radius
+  Vec3 offset;       // m, from the pocket's centre to the ball's centre, along circle, axis and
+                     // radius
   double overlap;    // m, negative: gap
   Vec3 normal;       // from wall to ball
   Vec3 lever;        // m, from the cage's centre to the ball's centre
   DampedHertz h;
   double rate = 0.0;    // m/s, rate of the overlap
   double bend = 0.0;    // N/m, due to rotation of the normal with the ball's position in the bore
-  Vec3 side, axis;      // across the normal in the pocket's section; axis of the pocket
+  Vec3 side, axis;      // direction across the normal in the pocket's cross-section; axis of the
+                        // pocket
   bool spherical = false;
   Vec3 slide;                 // direction of the ball's sliding times its fraction of full friction
-  double braking = 0.0;       // N s/m, friction over sliding speed
+  double braking = 0.0;       // N s/m, friction divided by sliding speed
   Vec3 force, ball_torque;    // on the ball, N and N m
   Vec3 cage_moment;           // on the cage about its centre, N m
   double loss = 0.0, energy = 0.0;    // W, J
@@ -123,8 +131,8 @@ struct PocketBall {
   double radius, mass;
 };
 
-// Contact of a ball and its pocket. Up to a gap of `close` (m) derivatives are taken at the overlap
-// `barely` (m), but forces at the gap.
+// Evaluates the contact between a ball and its pocket. Up to a gap of `close` (m), derivatives are
+// evaluated at the overlap `barely` (m), but forces at the gap.
 inline PocketContact pocket_contact(const CageRing &cage, const CageMotion &m, int pocket,
                                     const PocketBall &ball, double close = 0.0, double barely = 0.0)
 {
@@ -170,7 +178,7 @@ inline PocketContact pocket_contact(const CageRing &cage, const CageMotion &m, i
   c.energy = (cage.wall > 0.0 ? 0.5 : 0.4) * spring * c.overlap;
   c.loss += (c.h.force - spring) * c.rate;
   if (!(c.h.force > 0.0)) return c;
-  // if the half plays differ, the slot has straight walls, on which the normal does not rotate
+  // if the half clearances differ, the slot has straight walls, on which the normal does not rotate
   const bool turns = cage.spherical || cage.along == cage.across || (qt != 0.0 && qz != 0.0);
   c.bend = turns ? c.h.force / off : 0.0;
   c.force = n * c.h.force;
@@ -191,12 +199,14 @@ inline PocketContact pocket_contact(const CageRing &cage, const CageMotion &m, i
 // centre, and on the ring through the same point.
 struct LandContact {
   Vec3 force, moment;                               // on the cage, N and N m
-  Vec3 lever;                                       // m, from the ring's to the cage's centre
+  Vec3 lever;                                       // m, from ring centre to cage centre
   double displaced[2][2] = {}, moved[2][2] = {};    // -d force/d place, -d force/d velocity
-  Vec3 axis[2];                                     // their axes, normal to the ring's axis
+  Vec3 axis[2];                                     // axes of these matrices, normal to the ring's
+                                                    // axis
   double loss = 0.0, energy = 0.0;                  // W, J
-  double share = 0.0;                               // eccentricity over clearance
-  double push = 0.0, stiffness = 0.0;               // N and N/m, of the touching surfaces
+  double share = 0.0;                               // eccentricity divided by clearance
+  double push = 0.0, stiffness = 0.0;               // N and N/m, force and stiffness of the
+                                                    // touching surfaces
 };
 
 LandContact land_contact(const CageRing &, const CageMotion &cage, const CageMotion &ring);

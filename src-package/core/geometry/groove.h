@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A ball in the torus groove of a ring, at any contact angle and ring tilt.
+// Position of a ball in the torus groove of a ring, at any contact angle and ring tilt.
 //
 // Law (docs/theory, Geometry; Farah 2020 fig. 4): the centres of curvature of the groove lie on a
 // circle of radius rho about the ring axis e. With d = ball centre - ring centre, z = d.e, r = |d -
@@ -8,8 +8,8 @@
 // The same expression applies to both rings: rho lies outside the ball path for the inner ring
 // (n points to the axis) and inside it for the outer ring.
 //
-// Local frame: u (radial), t = e x u (circumferential, rolling), e (axial); w = n x t.
-// Pre-conditions: r > 0 (a ball on the axis has no azimuth), r_c > R_b.
+// The local frame consists of u (radial), t = e x u (circumferential, rolling), e (axial); w = n x
+// t. Preconditions: r > 0 (a ball on the axis has no azimuth), r_c > R_b.
 #ifndef RACEWAY_GROOVE_H
 #define RACEWAY_GROOVE_H
 
@@ -21,20 +21,20 @@ enum class Side { inner = 0, outer = 1 };
 
 struct Groove {
   Side side = Side::inner;
-  double raceway_radius = 0.0;    // m, R_i or R_e: bottom of the groove
-  double groove_radius = 0.0;     // m, r_c: radius of the cross-section
+  double raceway_radius = 0.0;    // m, R_i or R_e, radius at the bottom of the groove
+  double groove_radius = 0.0;     // m, r_c, radius of the cross-section
   double ball_radius = 0.0;       // m, R_b
-  double offset = 0.0;            // m, along the axis, from the ring's middle plane to the centres
+  double offset = 0.0;            // m, along the axis, from the ring's mid-plane to the centres
 
-  // Radius of the circle of groove centres, m.
+  // Returns the radius of the circle of groove centres, m.
   double centre_circle() const
   {
     return side == Side::inner ? raceway_radius + groove_radius : raceway_radius - groove_radius;
   }
-  // Distance of the ball centre from that circle at which the surfaces touch, m.
+  // Returns the distance of the ball centre from that circle at which the surfaces touch, m.
   double slack() const { return groove_radius - ball_radius; }
-  // For a ball in the ring's middle plane in contact with an offset groove: cosine of the contact
-  // angle, and bottom radius (m) of an equivalent groove in the middle plane.
+  // For a ball in the ring's mid-plane in contact with an offset groove: cosine of the contact
+  // angle, and bottom radius (m) of an equivalent groove in the mid-plane.
   double middle_cosine() const
   {
     const double sine = offset / slack();
@@ -71,9 +71,10 @@ RACEWAY_INLINE void set_frame(const Vec3T<T> &radial, const Vec3T<T> &e, double 
   p.ne = p.z * inverse;
 }
 
-// Locates a ball centre at d from the ring centre; e is the unit axis of the ring. False, with only
-// r and z set, if the ball centre is no farther than `slack` from the circle of groove centres (no
-// contact); with slack < 0 the position is always set. True for NaN, which must not count as a gap.
+// Locates a ball centre at d from the ring centre; e is the unit axis of the ring. Returns false,
+// with only r and z set, if the ball centre is no farther than `slack` from the circle of groove
+// centres (no contact); with slack < 0 the position is always set. Returns true for NaN, which must
+// not count as a gap.
 inline bool locate_beyond(const Vec3 &d, const Vec3 &e, double centre_circle, double slack,
                           GroovePosition &p)
 {
@@ -86,7 +87,7 @@ inline bool locate_beyond(const Vec3 &d, const Vec3 &e, double centre_circle, do
   return true;
 }
 
-// As above, but without a branch and for every position.
+// Does the same without a branch and for every position.
 template <class T>
 RACEWAY_INLINE void locate(const Vec3T<T> &d, const Vec3T<T> &e, double centre_circle,
                            GroovePositionT<T> &p)

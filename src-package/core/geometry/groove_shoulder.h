@@ -5,15 +5,15 @@
 // The shoulder of a groove of depth t lies at the angle theta_b from the bottom, seen from the
 // ball's centre:
 //   cos theta = 1 - t/r_c,  tan theta_b = r_c sin theta/(R_b - t).
-// Along y across the groove the gap's parabola ends at
+// Along y across the groove, the parabola that approximates the gap ends at
 //   S = R_b [4 tan((theta_b -+ alpha)/4) +- 0.09 gamma],  +0.09 inner, -0.09 outer,
 // on the two sides of a contact at the contact angle alpha; gamma = R_b cos(alpha)/r_pitch. Within
 // the contact ellipse the groove already has the shape of that parabola, so the excess of the arc
-// within the ellipse is subtracted: 4 R_b q_a - a from the first term and the fraction (q_a/q)^2
-// of the second, where q is the tangent in S, q_a = tan(a/(4 R_b)), and a the semi-axis across the
+// within the ellipse is subtracted: 4 R_b q_a - a from the first term and the fraction (q_a/q)^2 of
+// the second, where q is the tangent in S, q_a = tan(a/(4 R_b)), and a is the semi-axis across the
 // groove.
 //
-// If a ring has two grooves, each ends at the other groove, in the ring's middle plane. Seen from a
+// If a ring has two grooves, each ends at the other groove, in the ring's mid-plane. Seen from a
 // ball in that plane, the shoulder of a groove is at
 //   tan theta_b = (r_c sin theta - G)/(R_b - t + (r_c - R_b)(1 - cos alpha_0)),
 // with the distance G of the groove's centres from the plane and the contact angle alpha_0 of the
@@ -26,15 +26,15 @@
 
 namespace raceway {
 
-// Default depth of a groove over the ball diameter, used without shoulder data.
+// Default depth of a groove as a fraction of the ball diameter, used if shoulder data are missing.
 constexpr double usual_groove_depth = 0.18;
 
-// Tangent of half an angle from its sine and cosine; 0 <= angle < pi.
+// Returns the tangent of half an angle from its sine and cosine; 0 <= angle < pi.
 template <class T> RACEWAY_INLINE T half_tangent(const T &sine, const T &cosine)
 {
   return sine / (1.0 + cosine);
 }
-// Tangent of half an angle from its tangent.
+// Returns the tangent of half an angle from its tangent.
 template <class T> RACEWAY_INLINE T half_tangent(const T &tangent)
 {
   return tangent / (1.0 + square_root(T(1.0 + tangent * tangent)));
@@ -42,7 +42,7 @@ template <class T> RACEWAY_INLINE T half_tangent(const T &tangent)
 
 template <class T> struct GrooveSideT {
   T reach;        // m
-  T cotangent;    // of a quarter of the angle from the contact to the shoulder
+  T cotangent;    // cotangent of a quarter of the angle from the contact to the shoulder
 };
 template <class T> struct GrooveReachT {
   GrooveSideT<T> near, far;    // the side towards which the contact leans, and the other side
@@ -51,7 +51,7 @@ template <class T> struct GrooveReachT {
 class GrooveShoulder {
  public:
   GrooveShoulder() = default;
-  // depth: of the groove at the shoulder (m); pre-condition: 0 < depth < ball radius
+  // depth is that of the groove at the shoulder (m); precondition: 0 < depth < ball radius
   GrooveShoulder(const Groove &g, double depth, double pitch_radius) :
       radius_(g.ball_radius),
       curved_((g.side == Side::inner ? 0.09 : -0.09) * g.ball_radius / pitch_radius),
@@ -68,9 +68,9 @@ class GrooveShoulder {
     quarter_ = half_tangent(across / (down + std::hypot(across, down)));
   }
 
-  // Reach for the sine and cosine (both 0 or more) of the contact angle; negative towards a
-  // shoulder that the contact has passed. With two grooves per ring the far side ends at the other
-  // groove.
+  // Returns the reach for the sine and cosine (both 0 or more) of the contact angle; it is negative
+  // towards a shoulder that the contact has passed. With two grooves per ring the far side ends at
+  // the other groove.
   template <class T> RACEWAY_INLINE GrooveReachT<T> reach(const T &sine, const T &cosine) const
   {
     const T lean = half_tangent(half_tangent(sine, cosine)), both = quarter_ * lean,
@@ -81,7 +81,7 @@ class GrooveShoulder {
             {radius_ * (4.0 * far + curved), 1.0 / far}};
   }
 
-  // Reach around an ellipse with the semi-axis a (m) across the groove.
+  // Returns the reach around an ellipse with the semi-axis a (m) across the groove.
   template <class T>
   RACEWAY_INLINE T around(const GrooveSideT<T> &side, const T &cosine, const T &a) const
   {

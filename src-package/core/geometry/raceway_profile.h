@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Departure of a raceway from its torus: notches and pits, waviness and measured tables. Depths are
-// measured from the torus into the ring, azimuths in the ring's own frame.
+// Deviation of a raceway from a torus: notches and pits, waviness and measured tables. Depths are
+// measured from the torus into the ring, and azimuths in the ring's own frame.
 //
 // A ball follows a flaw only as far as the ball's size allows (docs/theory, Flaws of a raceway).
 // With the effective radius R_x along rolling and edges of radius E, the path of the ball over a
 // notch of length w is
 //   depth = (w/2 - |s|)^2/(2 (R_x + E)),
-// but no more than the depth of the notch; s is measured along the raceway from the middle of the
+// but at most the depth of the notch; s is measured along the raceway from the middle of the
 // notch. The bend of the path, in the middle or at the bottom, is spread over +-E.
 #ifndef RACEWAY_RACEWAY_PROFILE_H
 #define RACEWAY_RACEWAY_PROFILE_H
@@ -20,7 +20,7 @@
 namespace raceway {
 
 struct NotchShape {
-  double azimuth = 0.0;                             // rad, of the notch's middle
+  double azimuth = 0.0;                             // rad, azimuth of the notch's centre
   double length = 0.0, width = 0.0, depth = 0.0;    // m; width HUGE_VAL: across the whole groove
   double edge = 0.0;                                // m, radius of the edges
 };
@@ -36,7 +36,7 @@ struct ProfileShape {
   std::vector<PeriodicCurve> tables;    // depth, m
 };
 
-// The path of balls of one kind over a notch.
+// The path of one kind of ball over a notch.
 class NotchPath {
  public:
   NotchPath(const NotchShape &n, double raceway_radius, double rolling_radius) :
@@ -52,11 +52,11 @@ class NotchPath {
   const NotchShape &shape() const { return shape_; }
   double half_angle() const { return half_ / raceway_; }    // rad
   double deepest() const { return deepest_; }               // m, largest depth reached by the ball
-  // True if the path has a slope before its bend.
+  // Returns true if the path has a slope before its bend.
   bool falls() const { return half_ > turns_; }
 
-  // Largest step (rad) from an azimuth in the direction of `rate`: up to the edge of the notch, or
-  // inside the notch a fifth of the edge radius.
+  // Returns the largest step (rad) from an azimuth in the direction of `rate`: up to the edge of
+  // the notch, or inside the notch a fifth of the edge radius.
   double longest_turn(double azimuth, double rate) const
   {
     const double fine = 0.2 * shape_.edge / raceway_;
@@ -65,13 +65,13 @@ class NotchPath {
     return std::fmax((x < 0.0 ? -x : 2.0 * M_PI - x) - half_angle(), fine);
   }
 
-  // Azimuth relative to the middle of the notch, rad, -pi to pi
+  // Returns the azimuth relative to the middle of the notch, rad, from -pi to pi.
   double from_middle(double azimuth) const
   {
     return std::remainder(azimuth - shape_.azimuth, 2.0 * M_PI);
   }
 
-  // Depth, and its derivatives with respect to the azimuth.
+  // Returns the depth and its derivatives with respect to the azimuth.
   CurveAt at(double from_middle) const
   {
     const double s = raceway_ * from_middle, a = std::fabs(s);
@@ -92,8 +92,8 @@ class NotchPath {
   double turned_, turns_, steepest_, deepest_;    // m, m, 1, m; the path bends from turns_ inwards
 };
 
-// The path of a ball over a surface given by a table: the part of the surface that the ball can
-// touch.
+// Returns the path of a ball over a surface given by a table, i.e. the part of the surface that the
+// ball can touch.
 inline PeriodicCurve rolled(const PeriodicCurve &surface, double raceway_radius,
                             double rolling_radius)
 {
@@ -116,8 +116,8 @@ inline PeriodicCurve rolled(const PeriodicCurve &surface, double raceway_radius,
 
 class RacewayProfile {
  public:
-  // Radius of the raceway and effective radius along rolling, m; semi-axis of the contact patch
-  // across the groove over sqrt(overlap), sqrt(m).
+  // The arguments are the radius of the raceway and the effective radius along rolling, m, and the
+  // semi-axis of the contact patch across the groove divided by sqrt(overlap), sqrt(m).
   RacewayProfile(const ProfileShape &shape, double radius, double rolling, double ellipse) :
       radius_(radius), ellipse_(ellipse), waves_(shape.waves)
   {
@@ -129,9 +129,10 @@ class RacewayProfile {
   }
 
   const std::vector<NotchPath> &notches() const { return notches_; }
-  double ellipse() const { return ellipse_; }    // sqrt(m), semi-axis across over sqrt(overlap)
+  double ellipse() const { return ellipse_; }    // sqrt(m), semi-axis across the groove divided by
+                                                 // sqrt(overlap)
 
-  // Sum of the profiles that extend across the whole groove.
+  // Returns the sum of the profiles that extend across the whole groove.
   CurveAt across(double azimuth) const
   {
     CurveAt sum;
@@ -150,7 +151,7 @@ class RacewayProfile {
     return sum;
   }
 
-  // The pit under a ball, or null; pits do not overlap.
+  // Returns the pit under a ball, or null; pits do not overlap.
   const NotchPath *pit(double azimuth) const
   {
     for (const NotchPath &n : notches_)
@@ -159,9 +160,9 @@ class RacewayProfile {
     return nullptr;
   }
 
-  // Longest step (s) for a ball at this azimuth that moves along the raceway at `rate` (rad/s): up
-  // to the edge of a notch, a fifth of the edge radius inside a notch, a sixteenth of a wave, and
-  // one point of a table.
+  // Returns the longest step (s) for a ball at this azimuth that moves along the raceway at `rate`
+  // (rad/s): up to the edge of a notch, a fifth of the edge radius inside a notch, a sixteenth of a
+  // wave, and one point of a table.
   double longest_step(double azimuth, double rate) const
   {
     if (rate == 0.0) return HUGE_VAL;
@@ -177,7 +178,7 @@ class RacewayProfile {
   std::vector<NotchPath> notches_;
   std::vector<Wave> waves_;
   std::vector<PeriodicCurve> tables_;
-  std::vector<double> spacings_;    // rad, of the tables as given
+  std::vector<double> spacings_;    // rad, spacings of the tables as given
 };
 
 }    // namespace raceway

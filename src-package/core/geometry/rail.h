@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A cage ball on a torus rail (docs/theory, Rings): elastic, frictionless, critically damped.
+// Contact of a cage ball with a torus rail (docs/theory, Rings): elastic, frictionless, critically
+// damped.
 //
 // The rail is a torus with a centre-circle radius, a tube radius and an axial offset of that circle
-// along the ring axis. A ball touches it if the ball's centre is nearer to the centre circle than
+// along the ring axis. A ball touches it if the ball's centre is closer to the centre circle than
 // ball radius + tube radius. The Hertz constants apply to the seat: the ball touches the tube at
-// the seat angle (0 = radially outside the ball) from the side of the ring axis, so that the
-// surface is concave along the rail.
+// the seat angle (0 = radially outside the ball) from the side of the ring axis, so the surface is
+// concave along the rail.
 #ifndef RACEWAY_RAIL_H
 #define RACEWAY_RAIL_H
 
@@ -21,17 +22,17 @@ struct Rail {
   double offset = 0.0;    // m, along the axis
 };
 
-// Two rails outside the pitch circle, one on each side, touching a cage ball of radius R that is
-// centred on the pitch circle (gap = 0). A cage ball squeezed between two balls is pushed outwards,
-// because the chord between the balls lies inside the pitch circle. Outer rails at +-45 degrees
-// form a V that seats the cage ball and holds it axially. See docs/theory, "Cage".
+// Returns one of two rails outside the pitch circle, one on each side, which touch a cage ball of
+// radius R centred on the pitch circle (gap = 0). A cage ball squeezed between two balls is pushed
+// outwards, because the chord between the balls lies inside the pitch circle. Outer rails at +-45
+// degrees form a V that seats the cage ball and holds it axially. See docs/theory, "Cage".
 inline Rail seat_rail(double pitch, double ball_radius, double tube, double gap, double sign)
 {
   const double reach = (ball_radius + tube + gap) * 0.70710678118654752440;
   return {pitch + reach, tube, sign * reach};
 }
 
-// Stiffness of ball on rail, N/m^1.5. pitch: radius of the ball path.
+// Returns the stiffness between ball and rail, N/m^1.5. pitch: radius of the ball path.
 inline double rail_stiffness(const Rail &rail, double ball_radius, double pitch, double Eprime)
 {
   const double dr = rail.circle - pitch, dz = rail.offset;
@@ -44,9 +45,9 @@ inline double rail_stiffness(const Rail &rail, double ball_radius, double pitch,
   return hertz_contact(1.0 / along, 1.0 / across, Eprime, Ellipse::exact).K;
 }
 
-// One cage ball on one rail in the meridional plane of the ring: ball centre at radius r and height
-// z (m), velocities vr, ve (m/s) relative to the ring. The code has no branches, so that a loop
-// over many balls vectorises; without contact the force is 0.
+// Contact of one cage ball with one rail in the meridional plane of the ring, for a ball centre at
+// radius r and height z (m) and velocities vr, ve (m/s) relative to the ring. The code has no
+// branches, so that a loop over many balls vectorises; without contact the force is 0.
 template <class T> struct RailContactT {
   T nr, ne;     // normal from rail to ball, radial and axial
   T overlap;    // m
@@ -69,8 +70,8 @@ RACEWAY_INLINE RailContactT<T> rail_contact(const Rail &rail, double K, const T 
   return c;
 }
 
-// True if a cage ball may be within `margin` (m) of the rail, without the square root. Despite
-// rounding, it is true whenever rail_contact() finds an overlap.
+// Returns true if a cage ball may be within `margin` (m) of the rail, without computing the square
+// root. Despite rounding, it is true whenever rail_contact() finds an overlap.
 template <class T>
 RACEWAY_INLINE auto may_touch(const Rail &rail, const T &r, const T &z, const T &radius,
                               double margin)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A ring as a symmetric top in the inertial frame: unit axis e, angular velocity w,
-// inertia I_a about the axis and I_t across it. Gyroscopic moments follow from the angular momentum
-// L = I_t w + (I_a - I_t)(w.e) e; nothing is added by hand (docs/theory, Rings).
+// A ring as a symmetric top in the inertial frame: unit axis e, angular velocity w, inertia I_a
+// about the axis and I_t across it. Gyroscopic moments follow from the angular momentum L = I_t w +
+// (I_a - I_t)(w.e) e; no separate gyroscopic term is added (docs/theory, Rings).
 #ifndef RACEWAY_RING_BODY_H
 #define RACEWAY_RING_BODY_H
 
@@ -23,11 +23,11 @@ inline Vec3 angular_velocity(const RingInertia &I, const Vec3 &L, const Vec3 &e)
   return L * (1.0 / I.transverse) + e * ((1.0 / I.axial - 1.0 / I.transverse) * dot(L, e));
 }
 
-// The functions below give the axis e after the time h. The integrators treat the angular velocity
-// within the step in different ways.
+// The functions below return the axis e after the time h. The integrators treat the angular
+// velocity within the step in different ways.
 
 // Velocity Verlet: the moments act in the half kicks before and after the drift, so the angular
-// momentum L is constant in the drift. The midpoint rule is of second order and keeps |e| to
+// momentum L is constant in the drift. The midpoint rule is of second order and preserves |e| to
 // rounding.
 inline Vec3 drift_axis(const RingInertia &I, const Vec3 &L, const Vec3 &e, double h)
 {
@@ -36,8 +36,8 @@ inline Vec3 drift_axis(const RingInertia &I, const Vec3 &L, const Vec3 &e, doubl
 }
 
 // An implicit stage: e_new = e + h W x e_new with the angular velocity at the end of the stage, as
-// for every other coordinate of the stage. `across` gives W (normal to the axis) for an axis;
-// e.z > 0. The iteration contracts by the factor h |W|.
+// for every other coordinate of the stage. `across` returns W (normal to the axis) for an axis; e.z
+// > 0. The iteration contracts by the factor h |W|.
 template <class Across> Vec3 implicit_axis(const Vec3 &e, Across across, double h)
 {
   Vec3 end = e;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A bearing from its usual data; radii are computed as in raceway.inputs. SI units.
+// Dimensions of a bearing from its usual data; radii are computed as in raceway.inputs. All values
+// are in SI units.
 //
 // The pitch diameter is the diameter of the circle of ball centres in contact with both raceways at
 // the contact angle, so a contact angle above 0 determines the clearance.
@@ -14,10 +15,11 @@ struct UsualData {
   double balls, ball_diameter, pitch_diameter;
   double contact_angle;    // rad
 
-  // Radius of a raceway at the bottom of a groove of radius `groove`, m.
+  // Return the radius of a raceway at the bottom of a groove of radius `groove`, m.
   double inner_radius(double groove) const { return 0.5 * pitch_diameter - groove + reach(groove); }
   double outer_radius(double groove) const { return 0.5 * pitch_diameter + groove - reach(groove); }
-  // Diameter of cage balls that leave each ball the clearance `play` along the pitch circle.
+  // Returns the diameter of cage balls that leave each ball the clearance `play` along the pitch
+  // circle.
   double cage_ball_diameter(double play) const
   {
     return 2.0 * pitch_diameter * std::sin(0.5 * M_PI / balls) - ball_diameter - play;
@@ -30,7 +32,7 @@ struct UsualData {
   }
 };
 
-// Estimate of the inner ring as a hollow cylinder with shoulders 0.18 ball diameters above the
+// Estimate of the inner ring as a hollow cylinder whose shoulders are 0.18 ball diameters above the
 // bottom of the groove.
 struct RingCylinder {
   double bore_diameter, width, outer_radius;
@@ -43,7 +45,7 @@ struct RingCylinder {
   {
     return density * M_PI * (outer_radius * outer_radius - bore2()) * width;
   }
-  // Moments of inertia about its axis and about a diameter (kg m^2), for a mass (kg)
+  // Return the moments of inertia about its axis and about a diameter (kg m^2), for a mass (kg).
   double inertia(double mass) const { return 0.5 * mass * (outer_radius * outer_radius + bore2()); }
   double inertia_t(double mass) const { return 0.5 * inertia(mass) + mass * width * width / 12.0; }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Share of the contact load carried by asperities, L_a = exp(-B Lambda^C) (Zhou and Hoeprich 1991,
-// in Schwarz et al., Lubricants 2023, 11, 369; found with roller bearings) or 1 - erf(Lambda)
-// (Clarke et al. 2016), and the resulting friction coefficient mu = L_a mu_b + (1 - L_a) mu_film
-// (docs/theory, Mixed friction).
+// This file computes the fraction of the contact load that is carried by asperities, L_a = exp(-B
+// Lambda^C) (Zhou and Hoeprich 1991, in Schwarz et al., Lubricants 2023, 11, 369; measured on
+// roller bearings) or 1 - erf(Lambda) (Clarke et al. 2016), and the resulting friction coefficient
+// mu = L_a mu_b + (1 - L_a) mu_film (docs/theory, Mixed friction).
 #ifndef RACEWAY_ASPERITIES_H
 #define RACEWAY_ASPERITIES_H
 
@@ -17,7 +17,7 @@ struct Asperities {
   AsperityLaw law = AsperityLaw::zhou;
 };
 
-// 1 - erf(x) for x >= 0 within 1.5e-7 (Abramowitz and Stegun 7.1.26)
+// Returns 1 - erf(x) for x >= 0, accurate to 1.5e-7 (Abramowitz and Stegun 7.1.26).
 template <class T> RACEWAY_INLINE T complementary_error(const T &x)
 {
   const T t = 1.0 / (1.0 + 0.3275911 * x);
@@ -26,14 +26,14 @@ template <class T> RACEWAY_INLINE T complementary_error(const T &x)
   return sum * exponential(T(-x * x));
 }
 
-// Asperity share from ln Lambda; 1 without a film.
+// Returns the asperity fraction L_a from ln Lambda. It is 1 without a film.
 template <class T> RACEWAY_INLINE T asperity_share(const Asperities &own, const T &ln_lambda)
 {
   if (own.law == AsperityLaw::clarke) return complementary_error(exponential(ln_lambda));
   return exponential(T(-own.b * exponential(T(own.c * ln_lambda))));
 }
 
-// Friction coefficient mu of a contact with the asperity share L_a.
+// Returns the friction coefficient mu of a contact with the asperity fraction L_a.
 template <class Film, class T>
 RACEWAY_INLINE T mixed_friction(double boundary, const Film &film, const T &share)
 {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Drag of a ball in a mixture of oil and air (docs/theory, Drag): C_D X rho A v^2/2, A = pi R_b^2,
-// X the volume fraction of oil, C_D the drag coefficient of a sphere at Re = rho v 2R_b/eta by
-// log-log interpolation of a table; Stokes's law below Re 0.1, constant above 1e5.
+// Drag of a ball in a mixture of oil and air (docs/theory, Drag): C_D X rho A v^2/2 with A = pi
+// R_b^2, where X is the volume fraction of oil. C_D is the drag coefficient of a sphere at Re = rho
+// v 2R_b/eta. It is interpolated from a table on log-log axes, follows Stokes's law below Re = 0.1
+// and is constant above 1e5.
 #ifndef RACEWAY_BALL_DRAG_H
 #define RACEWAY_BALL_DRAG_H
 
@@ -11,7 +12,7 @@ namespace raceway {
 
 struct DragTable {
   static constexpr int size = 7;
-  double x[size], bend[size], first;    // ln Re; change of slope at ln Re; first ln C_D
+  double x[size], bend[size], first;    // ln Re; change of slope at each ln Re; first ln C_D
 };
 
 inline const DragTable &drag_table()

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Oil in a one-piece cage: shear in the pockets, film between cage and guiding land, and churning
-// of the cage's faces. Sources: Petroff's couple and Ocvirk's short bearing (DuBois and Ocvirk,
-// NACA Report 1157, 1953), with whirl as in Booker (J. Basic Eng. 87, 1965); disc in a fluid:
-// Schlichting, Boundary-Layer Theory. SI units.
+// Drag of the oil on a one-piece cage: shear in the pockets, the film between the cage and its
+// guiding land, and churning at the cage's faces. Sources: Petroff's couple and Ocvirk's short
+// bearing (DuBois and Ocvirk, NACA Report 1157, 1953), with whirl as in Booker (J. Basic Eng. 87,
+// 1965); disc in a fluid: Schlichting, Boundary-Layer Theory. All values are in SI units.
 #ifndef RACEWAY_CAGE_DRAG_H
 #define RACEWAY_CAGE_DRAG_H
 
@@ -10,10 +10,10 @@
 
 namespace raceway {
 
-// Couple of a ball that spins in its pocket, N m per rad/s of relative spin normal to the axis of
-// the pocket: Couette flow over a band of height H (m) in the gap c (m), filled to the share X. The
-// couple is the integral of (eta w R |cos|/c) R |cos| over the band; the couple about the pocket's
-// axis is twice as large.
+// Returns the couple on a ball that spins in its pocket, in N m per rad/s of relative spin normal
+// to the axis of the pocket. The flow is a Couette flow over a band of height H (m) in the gap c
+// (m), of which the fraction X is filled with oil. The couple is the integral of (eta w R |cos|/c)
+// R |cos| over the band; the couple about the pocket's axis is twice as large.
 inline double pocket_shear(double viscosity, double ball_radius, double height, double gap,
                            double filled)
 {
@@ -23,17 +23,17 @@ inline double pocket_shear(double viscosity, double ball_radius, double height, 
 
 // The gap between a cage and the land of a ring that guides it.
 struct LandGap {
-  double radius = 0.0, clearance = 0.0;    // m, radius of the land; radial play
+  double radius = 0.0, clearance = 0.0;    // m, radius of the land; radial clearance
   double width = 0.0;                      // m, width of one land
   int lands = 2;                           // number of lands
-  double viscosity = 0.0, filled = 1.0;    // Pa s, share of the gap with oil
+  double viscosity = 0.0, filled = 1.0;    // Pa s; fraction of the gap that is filled with oil
 };
 
-// Largest eccentricity in the film law; beyond it the surfaces touch.
+// Largest eccentricity ratio in the film law; beyond it the surfaces touch.
 constexpr double most_eccentric = 0.99;
 
-// Petroff's couple in an eccentric gap, N m per rad/s of relative speed; e is the ratio of
-// eccentricity to clearance.
+// Returns Petroff's couple in an eccentric gap, in N m per rad/s of relative speed; e is the ratio
+// of eccentricity to clearance.
 inline double land_couple(const LandGap &g, double e)
 {
   const double pi = 3.14159265358979323846, r = g.radius;
@@ -47,10 +47,10 @@ template <class T> struct LandForce {
   T x, y;
 };
 
-// Force of the half film of a short bearing. x, y (m) and vx, vy (m/s): position and velocity of
-// the cage relative to the land; sum: sum of the speeds of cage and land, rad/s. The film resists
-// approach and is dragged round at half that sum, so it does not support a cage that whirls at half
-// the sum.
+// Returns the force of the half film of a short bearing. x, y (m) and vx, vy (m/s) are the position
+// and velocity of the cage relative to the land; `sum` is the sum of the speeds of cage and land,
+// rad/s. The film resists approach and is dragged round at half that sum, so it does not support a
+// cage that whirls at half the sum.
 template <class T>
 LandForce<T> land_film(const LandGap &g, const T &x, const T &y, const T &vx, const T &vy,
                        double sum)
@@ -64,7 +64,7 @@ LandForce<T> land_film(const LandGap &g, const T &x, const T &y, const T &vx, co
   const T share = e / away, ex = x * share, ey = y * share;
   const T wx = vx / g.clearance, wy = vy / g.clearance;
   const T out = ex * wx + ey * wy, round = (ex * wy - ey * wx) / e;
-  const T turn = sum * e - 2.0 * round;    // the entrainment seen by the whirling gap
+  const T turn = sum * e - 2.0 * round;    // entrainment relative to the whirling gap
   const T m = 1.0 - e * e, root = square_root(m);
   const T even = pi / (m * root),
           radial = 3.0 * pi * out / (m * m * root) + 2.0 * magnitude(turn) / (m * m),
@@ -72,9 +72,9 @@ LandForce<T> land_film(const LandGap &g, const T &x, const T &y, const T &vx, co
   return {-k * (even * wx + radial * ex + along * ey), -k * (even * wy + radial * ey - along * ex)};
 }
 
-// Couple of both faces of a disc of radius r (m) that turns at w (rad/s) in a mixture of density
-// rho (kg/m^3) with the share X of oil, N m: X rho w^2 r^5 C_m/2, C_m = 3.87/sqrt(Re) below
-// Re = rho w r^2/eta = 3e5, 0.146/Re^0.2 above.
+// Returns the couple (N m) on both faces of a disc of radius r (m) that rotates at w (rad/s) in a
+// mixture of density rho (kg/m^3) with the oil fraction X: X rho w^2 r^5 C_m/2, where C_m =
+// 3.87/sqrt(Re) below Re = rho w r^2/eta = 3e5 and 0.146/Re^0.2 above.
 inline double churning_couple(double share, double density, double viscosity, double radius,
                               double speed)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Frictionless sphere-like contact of cage parts: Hertz spring with critical damping (docs/theory,
-// Friction).
+// Frictionless contact of cage parts, treated as spheres: a Hertz spring with critical damping
+// (docs/theory, Friction).
 #ifndef RACEWAY_DAMPED_HERTZ_H
 #define RACEWAY_DAMPED_HERTZ_H
 
@@ -9,16 +9,17 @@
 namespace raceway {
 
 template <class T> struct DampedHertzT {
-  T stiffness = T();    // N/m, dF/d(overlap) of the spring
+  T stiffness = T();    // N/m, dF/d(overlap) for the spring alone
   T damping = T();      // N s/m
-  T growth = T();       // N/m, growth of the force with the overlap, including the damping force
+  T growth = T();       // N/m, derivative of the force with respect to the overlap, including the
+                        // damping force
   T force = T();        // N, >= 0 (no adhesion)
 };
 using DampedHertz = DampedHertzT<double>;
 
-// Force K overlap^1.5 plus critical damping 2 sqrt(k m), with the reduced mass m and the present
-// stiffness k. Pre-conditions: overlap >= 0 (m), K >= 0 (N/m^1.5), m > 0 (kg); overlap_rate in m/s,
-// > 0 when closing.
+// Computes the force K overlap^1.5 plus critical damping 2 sqrt(k m), with the reduced mass m and
+// the present stiffness k. Preconditions: overlap >= 0 (m), K >= 0 (N/m^1.5), m > 0 (kg).
+// overlap_rate is in m/s and positive when the gap closes.
 template <class T>
 RACEWAY_INLINE DampedHertzT<T> damped_hertz(double K, const T &overlap, const T &overlap_rate,
                                             const T &m)
@@ -34,8 +35,8 @@ RACEWAY_INLINE DampedHertzT<T> damped_hertz(double K, const T &overlap, const T 
   return h;
 }
 
-// Power lost, W. While the bodies separate faster than the spring relaxes, there is no contact
-// force, and the energy of the spring is lost.
+// Returns the dissipated power, W. While the bodies separate faster than the spring relaxes, there
+// is no contact force, and the energy of the spring is dissipated.
 template <class T>
 RACEWAY_INLINE T damping_loss(const DampedHertzT<T> &h, const T &overlap, const T &overlap_rate)
 {

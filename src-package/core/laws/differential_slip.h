@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Differential slip of a ball in its groove (Heathcote) under Coulomb's law, in closed form
-// (docs/theory, Differential slip; derived there).
+// Differential slip (Heathcote slip) of a ball in its groove under Coulomb's law, in closed form
+// (docs/theory, Differential slip, has the derivation).
 //
-// Ball and ring roll on one another at Omega (rad/s, about w). The surface of contact is curved
-// across the groove with R_d = 2 r_c R_b/(r_c + R_b), so the sliding speed along rolling is
+// Ball and ring roll on one another at Omega (rad/s, about w). The contact surface is curved across
+// the groove with the radius R_d = 2 r_c R_b/(r_c + R_b), so the sliding speed along rolling is
 //   s(z) = s - Omega z^2/(2 R_d),  s_e = |Omega| a^2/(2 R_d) from the centre to the edge z = a.
-// With slip s at the centre, along rolling, and t0 = sqrt(s/s_e) in [0, 1]:
+// If the slip along rolling at the centre is s, and t0 = sqrt(s/s_e) is in [0, 1], then
 //   F/(mu Q) = 3 t0 - t0^3 - 1,  C/(mu Q a^2/(2 R_d)) = t0^3 - 3/5 t0^5 - 1/5,
-// with the values at t0 = 0 and 1 beyond that range. The power lost in the contact is
-// F s - C |Omega|. Without slip Omega is u/R_x, with the entrainment speed u.
+// Outside this range, F and C have their values at t0 = 0 or 1. The power dissipated in the contact
+// is F s - C |Omega|. Without slip, Omega is u/R_x, with the entrainment speed u.
 #ifndef RACEWAY_DIFFERENTIAL_SLIP_H
 #define RACEWAY_DIFFERENTIAL_SLIP_H
 
@@ -17,31 +17,31 @@
 namespace raceway {
 
 constexpr double free_root = 0.34729635533386070;      // 2 sin(pi/18): F = 0
-constexpr double free_part = free_root * free_root;    // slip of free rolling over s_e
-// mean sliding speed of free rolling, weighted by the load, over s_e
+constexpr double free_part = free_root * free_root;    // slip in free rolling divided by s_e
+// mean sliding speed in free rolling, weighted by the load, divided by s_e
 constexpr double free_speed = 0.2 + free_part * free_root * (0.6 * free_part - 1.0);
 constexpr double free_lean = 1.5 * (1.0 - free_part) / free_root;    // s_e dF/ds/(mu Q) there
 
-// Curvature radius of the contact surface across the groove, m.
+// Returns the radius of curvature of the contact surface across the groove, m.
 inline double deformed_radius(double groove, double ball)
 {
   return 2.0 * groove * ball / (groove + ball);
 }
 
-// Slip s_e at the edge, m/s.
+// Returns the slip s_e at the edge, m/s.
 inline double edge_slip(double speed, double a, double deformed, double rolling_radius)
 {
   return std::fabs(speed) * a * a / (2.0 * deformed * rolling_radius);
 }
 
-// t0 at the slip `off` relative to free rolling; both in units of s_e.
+// Returns t0 at the slip `off` relative to free rolling, where both slips are in units of s_e.
 template <class T> RACEWAY_INLINE T slip_root(const T &off)
 {
   const T q = free_part + off;
   return square_root(T(where(q > 0.0, where(q < 1.0, q, 1.0), 0.0)));
 }
 
-// Secant of the slip law: F/(mu Q) over the slip `off`.
+// Returns the secant of the slip law: F/(mu Q) divided by the slip `off`.
 template <class T> RACEWAY_INLINE T slip_secant(const T &off)
 {
   const T q = free_part + off, t = slip_root(off);
@@ -50,16 +50,16 @@ template <class T> RACEWAY_INLINE T slip_secant(const T &off)
   return where(q < 0.0, beyond, where(q > 1.0, beyond, inside));
 }
 
-// F/(mu Q) at the slip `off`; 1 or -1 beyond the range of t0.
+// Returns F/(mu Q) at the slip `off`, which is 1 or -1 outside the range of t0.
 template <class T> RACEWAY_INLINE T slip_force(const T &off)
 {
   const T q = free_part + off;
   return where(q < 0.0, -1.0, where(q > 1.0, 1.0, slip_secant(off) * off));
 }
 
-// t0 of a force F in units of mu Q: 1 - t0 is the root x of x^2 (3 - x) = 1 - F. A polynomial in
-// sqrt(1 - F) is within 1e-3 of the root; one step with four terms of the inverted Taylor series
-// then makes it exact to rounding.
+// Returns t0 for a force F in units of mu Q: 1 - t0 is the root x of x^2 (3 - x) = 1 - F. A
+// polynomial in sqrt(1 - F) approximates the root within 1e-3; one step with four terms of the
+// inverted Taylor series then gives it to rounding accuracy.
 template <class T> RACEWAY_INLINE T force_root(const T &force)
 {
   constexpr double least = 1e-24;    // lower limit of 1 - F, because x is a divisor
@@ -67,13 +67,13 @@ template <class T> RACEWAY_INLINE T force_root(const T &force)
   const T q = square_root(r);
   const T x = q * (0.57692098 + q * (0.06107723 + q * (-0.00171489 + q * 0.01645284)));
   const T inverse = 1.0 / (3.0 * x * (2.0 - x)), s = (r - x * x * (3.0 - x)) * inverse;
-  const T a = 3.0 * (1.0 - x) * inverse, b = -inverse, a2 = a * a;    // coefficients of e^2, e^3
-                                                                      // over the slope
+  const T a = 3.0 * (1.0 - x) * inverse, b = -inverse, a2 = a * a;    // coefficients of e^2 and e^3
+                                                                      // divided by the slope
   const T e = s * (1.0 - s * (a - s * ((2.0 * a2 - b) - s * (5.0 * a * (a2 - b)))));
   return 1.0 - (x + e);
 }
 
-// C/(mu Q a^2/(2 R_d)).
+// Returns C/(mu Q a^2/(2 R_d)).
 template <class T> RACEWAY_INLINE T slip_couple(const T &t)
 {
   const T cube = t * t * t;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Complete elliptic integrals by the arithmetic-geometric mean, and the quotient
-// D(m) = (K - E)/m that the Hertz equations need without cancellation at small m.
-// Source: Abramowitz & Stegun 17.6. The relative error is a few 1e-16 (tested against mpmath).
-// Pre-condition: 0 <= m < 1, m = 1 - m1, with the complementary parameter m1 as input (accurate
-// near m = 1).
+// Complete elliptic integrals by the arithmetic-geometric mean, and the quotient D(m) = (K - E)/m,
+// which the Hertz equations need without cancellation at small m. Source: Abramowitz & Stegun 17.6.
+// The relative error is a few 1e-16 (tested against mpmath). Precondition: 0 <= m < 1. The input is
+// the complementary parameter m1 = 1 - m, which is accurate near m = 1.
 #ifndef RACEWAY_ELLIPTIC_H
 #define RACEWAY_ELLIPTIC_H
 

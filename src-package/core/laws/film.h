@@ -3,8 +3,8 @@
 //
 // All laws here have the form h/R_x = c U^p G^g W^m (1 - k1 exp(-k2 kappa)) with
 //   U = eta u/(E' R_x),  G = xi E',  W = Q/(E' R_x^2),
-// and kappa constant per raceway and contact angle. So ln h = lnA + p ln u + m ln Q. The constants
-// are computed once; each contact then costs two logarithms and one exponential.
+// and kappa is constant for a given raceway and contact angle, so ln h = lnA + p ln u + m ln Q. The
+// constants are computed once; each contact then costs only two logarithms and one exponential.
 //   u entrainment speed, m/s;  Q elastic contact load, N;  h in m.
 // Sources: Masjedi & Khonsari 2015 (smooth part, point contact); Hamrock & Dowson 1977.
 #ifndef RACEWAY_FILM_H
@@ -22,7 +22,7 @@ struct Lubricant {
 };
 
 template <class T> struct FilmLawT {
-  T lnA = T();    // ln of the prefactor, SI
+  T lnA = T();    // ln of the prefactor in SI units
   T p = T();      // exponent of the entrainment speed
   T m = T();      // exponent of the load (negative)
 };
@@ -57,7 +57,8 @@ inline FilmPair film_laws(FilmModel model, double kappa, const Lubricant &oil, d
                                  oil, Eprime, Rx);
     return f;
   }
-  // eq 6 as printed; eq 9 with +exponents of kappa (errata), or with - as printed
+  // eq 6 as printed; eq 9 with positive exponents of kappa (errata), or with negative ones as
+  // printed
   const double sign = model == FilmModel::masjedi_khonsari_printed ? -1.0 : 1.0;
   f.min = detail::film_law(1.637, 0.711 * std::pow(kappa, -0.023), 0.65 * std::pow(kappa, -0.045),
                            -0.09 * std::pow(kappa, -0.15), 1.0 - 0.974 * std::exp(-0.676 * kappa),
@@ -69,7 +70,7 @@ inline FilmPair film_laws(FilmModel model, double kappa, const Lubricant &oil, d
   return f;
 }
 
-// Input for both film thicknesses of a contact, minimum and central.
+// Input for the minimum and the central film thickness of a contact.
 template <class T> struct FilmPointT {
   T ln_speed, ln_load;
 };
@@ -79,19 +80,20 @@ template <class T> RACEWAY_INLINE FilmPointT<T> film_point(const T &speed, const
   return {logarithm(speed), logarithm(load)};
 }
 
-// Logarithm of the film thickness h (m).
+// Returns the logarithm of the film thickness h (m).
 template <class T> RACEWAY_INLINE T ln_film_thickness(const FilmLawT<T> &f, const FilmPointT<T> &at)
 {
   return f.lnA + f.p * at.ln_speed + f.m * at.ln_load;
 }
 
-// Film thickness h, m; 0 at zero speed (no film at rest).
+// Returns the film thickness h, m. It is 0 at zero speed, because there is no film at rest.
 template <class T> RACEWAY_INLINE T film_thickness(const FilmLawT<T> &f, const FilmPointT<T> &at)
 {
   return exponential(ln_film_thickness(f, at));
 }
 
-// Composite roughness sqrt(s1^2 + s2^2), m; the lambda ratio is Lambda = h_min/composite (eq 7).
+// Returns the composite roughness sqrt(s1^2 + s2^2), m; the lambda ratio is Lambda =
+// h_min/composite (eq 7).
 inline double composite_roughness(double s1, double s2) { return std::sqrt(s1 * s1 + s2 * s2); }
 
 }    // namespace raceway

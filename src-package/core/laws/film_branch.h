@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Film damping of a rolling contact: a spring k_m and a dashpot k_m tau in series, parallel to the
-// Hertz spring (docs/tribology, Damping by the film).
+// Film damping of a rolling contact: a spring k_m and a dashpot k_m tau in series, which act in
+// parallel with the Hertz spring (docs/tribology, Damping by the film).
 //
 //   df/dt = k_m d(overlap)/dt - f/tau,  k_m = 0.44 k h_c/x,  tau = 1.33 b/u
-//   k = 1.5 Q/x of the Hertz contact, N/m;  x elastic approach, m;  h_c/x at most 1
+//   k = 1.5 Q/x for the Hertz contact, N/m;  x elastic approach, m;  h_c/x at most 1
 // These are fits to the linear response of a steady elastohydrodynamic line contact, applied to the
 // contact ellipse.
 #ifndef RACEWAY_FILM_BRANCH_H
@@ -26,8 +26,9 @@ RACEWAY_INLINE FilmBranchT<T> film_branch(const T &k, const T &h_c, const T &com
   return {0.44 * k * thin, speed / (1.33 * b)};
 }
 
-// A step over dt: f becomes `left` f + `slope` d(overlap)/dt. The step is exact at a constant rate;
-// in a stage of an implicit method it is the step of backward Euler (LawStates).
+// Coefficients of a step over dt, in which f becomes `left` f + `slope` d(overlap)/dt. The step is
+// exact at a constant rate; in a stage of an implicit method it is a backward Euler step
+// (LawStates).
 template <class T> struct BranchStepT {
   T left;     // 1
   T slope;    // N s/m
@@ -41,7 +42,7 @@ RACEWAY_INLINE BranchStepT<T> branch_step(const FilmBranchT<T> &f, double dt, bo
     return {left, f.stiffness * dt * left};
   }
   const T left = exponential(T(-part));
-  // (1 - e^-part)/part, by a series where the difference would lose digits
+  // (1 - e^-part)/part, by a series where the difference would suffer from cancellation
   const T series = 1.0 - part * (0.5 - part * (1.0 / 6 - part * (1.0 / 24 - part * (1.0 / 120))));
   const T mean = where(part > 1e-3, T((1.0 - left) / part), series);
   return {left, f.stiffness * dt * mean};

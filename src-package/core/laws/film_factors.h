@@ -5,9 +5,9 @@
 //   Murch and Wilson 1975   3.94/(3.94 + L^0.62)
 //   Wilson 1979             1/(1 + 0.1 L^0.64)
 //   Gupta et al. 1992       (1 - 13.2 P L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64)
-// with P = p_max/E', S = s/u and the sliding speed s, valid for L below about 10. The term
+// with P = p_max/E', S = s/u and the sliding speed s. They are valid for L below about 10. The term
 // 13.2 P L^0.42 is limited to 0.9. Starvation is a factor given by the user. Derivatives of a law
-// keep the factors fixed.
+// treat the factors as constants.
 #ifndef RACEWAY_FILM_FACTORS_H
 #define RACEWAY_FILM_FACTORS_H
 
@@ -17,20 +17,21 @@ namespace raceway {
 
 enum class InletShear { none, murch, wilson, gupta };
 
-// Thermal loading L from the entrainment speed (m/s), which is half the sum of the surface speeds
+// Returns the thermal loading L from the entrainment speed (m/s), which is half the sum of the
+// surface speeds.
 inline double thermal_loading(double temperature_viscosity, double viscosity, double speed,
                               double conductivity)
 {
   return temperature_viscosity * viscosity * speed * speed / conductivity;
 }
 
-// Factor of Murch and Wilson from ln L
+// Returns the factor of Murch and Wilson from ln L.
 template <class T> RACEWAY_INLINE T murch_wilson(const T &ln_L)
 {
   return 3.94 / (3.94 + exponential(T(0.62 * ln_L)));
 }
 
-// Gupta's factor of a contact: unpressed (1 - least(per_pressure P, 0.9)).
+// Gupta's factor for a contact: unpressed (1 - least(per_pressure P, 0.9)).
 template <class T> struct GuptaFactorT {
   T unpressed, per_pressure;
 
@@ -49,7 +50,7 @@ struct FilmFactors {
   double conductivity = 0.0;             // k_f, W/(m K)
   double starvation = 1.0;
 
-  // derived by prepare()
+  // computed by prepare()
   double ln_loading = 0.0;    // ln(L/u^2)
   bool any = false;
   bool by_pressure = false;    // true: Gupta's factor is used, which of() does not include
@@ -62,7 +63,8 @@ struct FilmFactors {
       ln_loading = std::log(thermal_loading(temperature_viscosity, viscosity, 1.0, conductivity));
   }
 
-  // Product of the factors other than Gupta's, from the logarithm of the entrainment speed (m/s).
+  // Returns the product of all factors except Gupta's, from the logarithm of the entrainment speed
+  // (m/s).
   template <class T> RACEWAY_INLINE T of(const T &ln_speed) const
   {
     const T all = T() + starvation;
@@ -71,7 +73,7 @@ struct FilmFactors {
     if (inlet_shear == InletShear::murch) return all * murch_wilson(ln_L);
     return all / (1.0 + 0.1 * exponential(T(0.64 * ln_L)));
   }
-  // Gupta's factor, 1 at rest; slip2: sliding speed squared, m^2/s^2.
+  // Returns Gupta's factor, which is 1 at rest; slip2 is the squared sliding speed, m^2/s^2.
   template <class T> RACEWAY_INLINE GuptaFactorT<T> gupta(const T &ln_speed, const T &slip2) const
   {
     const auto moves = ln_speed > -50.0;

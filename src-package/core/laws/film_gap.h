@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A film between the bodies adds to the overlap in the Hertz contact (docs/tribology, Film in the
-// gap).
+// Solves the Hertz contact with a film between the bodies that adds to the overlap (docs/tribology,
+// Film in the gap).
 //
 //   x = d + z h(Q),  Q = K x^1.5,  h = e (Q/Q_0)^-m,  h = e below Q_0
 //   x elastic approach of the bodies, m;  d overlap of the rigid surfaces, m (< 0 for a gap)
-//   e film thickness at the load Q_0, m;  z share of the film thickness that adds to the overlap
+//   e film thickness at the load Q_0, m;  z fraction of the film thickness that adds to the overlap
 //
-// With r = x/x_0, x_0 = (Q_0/K)^(2/3), n = 1.5 m this is r - H r^-n = D for r > 1, r - H = D below:
-// the left side increases with r and is concave, so there is one root, between 1 and D + H. A step
-// from r to r (1 + e) uses four terms of the inverted Taylor series in Newton's relative step s.
-// All derivatives follow from r^-n. The first step, from D + H with a rough r^-n, ends within 1e-3
-// of the root for films up to 16 x_0. One more step with the exact r^-n is then exact to rounding;
-// thicker films need more steps. Each lane stops independently, so its bits do not depend on other
-// lanes.
+// With r = x/x_0, x_0 = (Q_0/K)^(2/3) and n = 1.5 m, this is r - H r^-n = D for r > 1 and r - H = D
+// below. The left side increases with r and is concave, so there is exactly one root, and it lies
+// between 1 and D + H. A step from r to r (1 + e) uses four terms of the inverted Taylor series in
+// Newton's relative step s. All derivatives follow from r^-n. The first step, from D + H with an
+// approximate r^-n, ends within 1e-3 of the root for films up to 16 x_0. One more step with the
+// exact r^-n then reaches rounding accuracy; thicker films need more steps. Each lane stops
+// independently, so its result does not depend on the other lanes.
 #ifndef RACEWAY_FILM_GAP_H
 #define RACEWAY_FILM_GAP_H
 
@@ -20,7 +20,8 @@
 
 namespace raceway {
 
-constexpr double power_law_cut = 1.0;    // N, load below which a power law's thickness is constant
+constexpr double power_law_cut = 1.0;    // N, below it the film thickness of a power law is
+                                         // constant
 
 template <class T> struct FilmGapT {
   T compression;    // x, m
@@ -31,7 +32,7 @@ template <class T> struct FilmGapT {
 
 namespace detail {
 // One step from r towards r = D + H q, q = r^-n: Newton's step s and the four-term step e, both
-// over r.
+// divided by r.
 template <class T> struct GapStepT {
   T s, e;
 };
@@ -40,20 +41,21 @@ RACEWAY_INLINE GapStepT<T> gap_step(const T &r, const T &h, const T &D, const T 
 {
   const T inverse = 1.0 / (r + n * h), s = (D + h - r) * inverse, w = n * h * inverse;
   const T a = -0.5 * (n + 1.0) * w, b = (-1.0 / 3) * (n + 2.0) * a, c = -0.25 * (n + 3.0) * b,
-          a2 = a * a;    // coefficients of e^2, e^3, e^4 over the slope
+          a2 = a * a;    // coefficients of e^2, e^3, e^4 divided by the slope
   const T fourth = a * (5.0 * a2 - 5.0 * b) + c;
   return {s, s * (1.0 - s * (a - s * ((2.0 * a2 - b) - s * fourth)))};
 }
 }    // namespace detail
 
-// zero: x_0, m; film: z e, m; load_exponent: exponent m. Pre-condition: overlap + film > 0.
+// Solves the power law. zero: x_0, m; film: z e, m; load_exponent: exponent m. Precondition:
+// overlap + film > 0.
 template <class T>
 RACEWAY_INLINE FilmGapT<T> compress(const T &overlap, const T &film, const T &zero,
                                     const T &load_exponent)
 {
   constexpr int most = 30;
   constexpr double small = 1e-3;       // step whose fifth power is below rounding
-  constexpr double long_step = 0.1;    // longer steps, whose series may diverge, are Newton's alone
+  constexpr double long_step = 0.1;    // limit of the step; beyond it the series may diverge
   const T n = 1.5 * load_exponent, per = 1.0 / zero, D = overlap * per, H = film * per, all = D + H;
   const auto thinned = all > 1.0;
   const T from = where(thinned, all, 1.0);
@@ -83,7 +85,8 @@ RACEWAY_INLINE FilmGapT<T> compress(const T &overlap, const T &film, const T &ze
   return {zero * x, thinning, slope, 1.5 * ln_r};
 }
 
-// Work to thin a power-law film h from its thickness `edge` (m) at the load `cut` (N), J.
+// Returns the work (J) that thins a power-law film h from its thickness `edge` (m) at the load
+// `cut` (N).
 template <class T>
 RACEWAY_INLINE T thinning_work(double share, const T &load_exponent, const T &load, const T &h,
                                double cut, const T &edge)
@@ -92,9 +95,9 @@ RACEWAY_INLINE T thinning_work(double share, const T &load_exponent, const T &lo
          where(load > cut, T(h * load - edge * cut), 0.0);
 }
 
-// For any film law: solves ln(x + gap) = ln(z h + squeezed), both sides of which are nearly linear
-// in ln x, by Newton iteration from `start`. Law::at(ln x) gives the film thickness and its fall
-// with ln x.
+// Solves ln(x + gap) = ln(z h + squeezed) for any film law by Newton iteration from `start`; both
+// sides are nearly linear in ln x. Law::at(ln x) gives the film thickness and the rate at which it
+// decreases with ln x.
 template <class T> struct FilmRootT {
   T compression, thickness, slope;    // m, m, dx/dd
 };

@@ -6,7 +6,7 @@
 // With U = 2 eta u/(E' R_x), M = Q/(E' R_x^2) U^(-3/4), L = xi E' U^(1/4), lambda = R_x/R_y:
 //   h = R_x sqrt(U) {[RI^1.5 + (EI^-4 + H_0^-4)^(-3/8)]^(2s/3) + (RP^-8 + EP^-8)^(-s/8)}^(1/s),
 //   s = 1.5 (1 + e^(-1.2 EI/EP)).
-// The code works with logarithms, because the asymptotes are straight lines in ln M.
+// The code works with logarithms, because the asymptotes are straight lines as functions of ln M.
 #ifndef RACEWAY_FILM_REGIMES_H
 #define RACEWAY_FILM_REGIMES_H
 
@@ -15,7 +15,7 @@
 
 namespace raceway {
 
-// Film at a load. `fall` is -d(ln h)/d(ln Q).
+// Film thickness at a load. `fall` is -d(ln h)/d(ln Q).
 template <class T> struct FilmAtLoadT {
   T thickness, fall;    // m, 1
 };
@@ -43,9 +43,9 @@ RACEWAY_INLINE MoesShapeT<T> moes_shape(const T &rolling_radius, double ln_trans
           std::log(1.8) - l};
 }
 
-// Constants of a raceway during a run.
+// Constants of a raceway that do not change during a run.
 struct MoesRaceway {
-  double ln_speed = 0.0, ln_material = 0.0;        // ln of 2 eta/E' and xi E'
+  double ln_speed = 0.0, ln_material = 0.0;        // ln of 2 eta/E' and of xi E'
   double ln_modulus = 0.0, ln_transverse = 0.0;    // ln of E' and R_y
   MoesShapeT<double> radial{};                     // at zero contact angle
 
@@ -57,7 +57,8 @@ struct MoesRaceway {
   {
   }
 
-  // Geometry factors at a contact angle. Like a raceway's constants they are exact at zero angle.
+  // Returns the geometry factors at a contact angle. Like a raceway's constants, they are exact at
+  // zero angle.
   template <class T>
   RACEWAY_INLINE MoesShapeT<T> shape(const T &cos_angle, const T &rolling_radius,
                                      double radial_radius) const
@@ -71,12 +72,12 @@ struct MoesRaceway {
   }
 };
 
-// Film of one contact at one entrainment speed (m/s, not zero) as a function of the logarithm of
-// its load.
+// Film thickness of one contact at one entrainment speed (m/s, not zero) as a function of the
+// logarithm of its load.
 template <class T> class MoesFilmT {
  public:
   MoesFilmT() = default;
-  // ln_factor: logarithm of a factor on the film thickness
+  // ln_factor is the logarithm of a factor on the film thickness.
   RACEWAY_INLINE MoesFilmT(const MoesRaceway &k, const MoesShapeT<T> &shape, const T &ln_u,
                            const T &ln_factor)
   {
@@ -110,9 +111,10 @@ template <class T> class MoesFilmT {
     return {exponential(T(scale_ + ln_H)), fall};
   }
 
-  // Logarithm of the load of a rigid contact with a film of thickness e^ln_h: a lower bound.
+  // Returns the logarithm of the load at which a rigid contact has a film of thickness e^ln_h. It
+  // is a lower bound.
   RACEWAY_INLINE T below(const T &ln_h) const { return unit_ + 0.5 * (ri_ - (ln_h - scale_)); }
-  // Logarithm of the thickness exceeded only by a rigid contact.
+  // Returns the logarithm of the thickness that only a rigid contact exceeds.
   RACEWAY_INLINE T widest() const { return widest_; }
 
  private:

@@ -2,9 +2,9 @@
 // Friction coefficient of a sliding film in a Hertz contact (docs/tribology, Traction):
 //   tau(p) = min(tau_0 asinh(eta(p) s/(h tau_0)), Lambda_L p),  eta(p) after Roelands,
 //   mu Q = integral of tau over the ellipse = 3 Q/p_max integral of tau(t p_max) t dt, t in 0 to 1,
-// by eight Gauss points in t = sqrt(1 - r^2), with the radius r in units of the semi-axes. The
-// error is at most 0.9 % (with six points 2.8 %), mostly from the kink of tau. The sliding speed s
-// is the same over the whole ellipse.
+// The integral uses eight Gauss points in t = sqrt(1 - r^2), where the radius r is in units of the
+// semi-axes. The error is at most 0.9 % (2.8 % with six points) and is mostly due to the kink of
+// tau. The sliding speed s is assumed to be uniform over the ellipse.
 #ifndef RACEWAY_FILM_TRACTION_H
 #define RACEWAY_FILM_TRACTION_H
 
@@ -19,14 +19,14 @@ template <class T> RACEWAY_INLINE T inverse_sinh(const T &x)
   return where(x < 1e-3, small, logarithm(T(x + square_root(T(x2 + 1.0)))));
 }
 
-// Shear stress tau, Pa, from x = eta s/(h tau_0).
+// Returns the shear stress tau, Pa, from x = eta s/(h tau_0).
 template <class T> RACEWAY_INLINE T eyring_shear(double stress, const T &x, const T &most)
 {
   const T tau = stress * inverse_sinh(x);
   return where(tau > most, most, tau);
 }
 
-// ln(eta(p)/eta(0)) = lift ((1 + p/unit)^exponent - 1)
+// Roelands' equation: ln(eta(p)/eta(0)) = lift ((1 + p/unit)^exponent - 1)
 struct Roelands {
   static constexpr double unit = 1.96e8;    // Pa
   double lift = 0.0, exponent = 0.0;
@@ -46,7 +46,7 @@ struct Roelands {
 struct FilmTraction {
   double stress = 0.0, limit = 0.0;    // tau_0, Pa; Lambda_L
 
-  // derived
+  // computed from the values above
   Roelands roelands;
   double ln_rate = 0.0;    // ln(eta_0/tau_0)
 
@@ -58,9 +58,9 @@ struct FilmTraction {
     ln_rate = std::log(oil.viscosity / stress);
   }
 
-  // Friction coefficient from the maximum pressure (Pa) and the logarithm of the shear rate s/h
-  // (1/s). The Gauss points are evaluated in lanes, in a function that is compiled once rather than
-  // inlined into every law.
+  // Returns the friction coefficient from the maximum pressure (Pa) and the logarithm of the shear
+  // rate s/h (1/s). The Gauss points are evaluated in lanes, in a function that is compiled once
+  // rather than inlined into every law.
   __attribute__((noinline)) double coefficient(double pressure, double ln_shear) const
   {
     // Gauss-Legendre nodes on 0 to 1

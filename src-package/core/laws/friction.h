@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Friction coefficient (docs/theory, Friction; Farah 2020 fig. 5), the tangential spring with a
-// Coulomb cap, and Coulomb's law smoothed over a creep speed.
+// Friction coefficient (docs/theory, Friction; Farah 2020 fig. 5), tangential spring with a Coulomb
+// cap, and Coulomb's law smoothed over a creep speed.
 //
-// mu is a constant or depends on the lambda ratio Lambda. It has its boundary value below Lambda_1
-// and its full-film value above Lambda_2. In between it follows the cubic 3s^2 - 2s^3,
-// s = (Lambda - Lambda_1)/(Lambda_2 - Lambda_1), so that mu and dmu/dLambda are continuous (the
-// curve of fig. 5 is schematic; the cubic is our choice).
+// The friction coefficient mu is a constant or depends on the lambda ratio Lambda. In the latter
+// case it has its boundary value below Lambda_1 and its full-film value above Lambda_2. In between
+// it follows the cubic 3s^2 - 2s^3, s = (Lambda - Lambda_1)/(Lambda_2 - Lambda_1), so that mu and
+// dmu/dLambda are continuous (the curve in fig. 5 is schematic; the cubic is our choice).
 #ifndef RACEWAY_FRICTION_H
 #define RACEWAY_FRICTION_H
 
@@ -25,14 +25,14 @@ template <class T> RACEWAY_INLINE T stribeck(const StribeckCurve &c, const T &la
   return where(lambda <= c.lambda_1, c.mu_boundary, where(lambda >= c.lambda_2, c.mu_full, mixed));
 }
 
-// Lubrication regime: 0 boundary, 1 mixed, 2 full film.
+// Returns the lubrication regime: 0 boundary, 1 mixed, 2 full film.
 inline int regime(const StribeckCurve &c, double lambda)
 {
   return lambda < c.lambda_1 ? 0 : lambda > c.lambda_2 ? 2 : 1;
 }
 
 // Tangential spring-dashpot in the two directions t and w of the contact frame, capped at mu N. xi
-// is the elongation of the spring (m); if the contact slides, it is reset so that spring force plus
+// is the elongation of the spring (m); if the contact slides, xi is reset so that spring force plus
 // dashpot force equals the cap. The contact frame turns with the ball's azimuth, so xi needs no
 // transformation. ft and fw receive the force of the raceway on the ball along -t and -w.
 template <class T> struct TangentialSpringT {
@@ -57,10 +57,10 @@ RACEWAY_INLINE void tangential_force(const TangentialSpringT<T> &s, const T &cap
   xi[1] = where(slides, T((fw - s.c * vw) / s.k), xi[1]);
 }
 
-// Coulomb's law smoothed over a sliding speed v_0:  f = mu N s/sqrt(|s|^2 + v_0^2).
-// The law has no history, is odd and monotone in s, tends to mu N for |s| >> v_0 and is a dashpot
-// mu N/v_0 at small s: a loaded contact creeps slightly where a spring would stick. In a rolling
-// contact the law acts as a traction curve: with v_0 = c u (u entrainment speed) f depends only on
+// Coulomb's law smoothed over a sliding speed v_0:  f = mu N s/sqrt(|s|^2 + v_0^2). The law has no
+// history, is odd and monotonic in s, tends to mu N for |s| >> v_0 and acts as a dashpot mu N/v_0
+// at small s, so a loaded contact creeps slightly where a spring would stick. In a rolling contact
+// the law acts as a traction curve: if v_0 = c u (with the entrainment speed u), f depends only on
 // the slide-roll ratio s/u, with a knee at s/u = c. Returns f/s, N s/m; cap = mu N.
 template <class T, class S>
 RACEWAY_INLINE T smoothed_friction(const T &cap, const S &slip_t, const S &slip_w, const S &v_0)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Contact of a grain with a grain or a wall: linear spring and dashpot, friction by a spring with
-// history (Cundall and Strack, Geotechnique 29, 1979, 47; docs/fix_bearing_grains).
+// Contact between a grain and another grain or a wall: linear spring and dashpot, and friction by a
+// spring with history (Cundall and Strack, Geotechnique 29, 1979, 47; docs/fix_bearing_grains).
 #ifndef RACEWAY_GRAIN_CONTACT_H
 #define RACEWAY_GRAIN_CONTACT_H
 
@@ -9,29 +9,31 @@
 
 namespace raceway {
 
-// State of a contact that is kept from step to step. Forces and moments act on the first body.
+// State of a contact that is kept between steps. Forces and moments act on the first body.
 struct GrainContact {
   Vec3 spring;            // m, tangential
   Vec3 force;             // N
-  Vec3 couple;            // N, normal x force: moment on a body divided by the body's lever
-  Vec3 moment;            // N m, of the force about the centre of a turning wall
-  double energy = 0.0;    // J, energy of both springs
+  Vec3 couple;            // N, normal x force: moment on a body divided by that body's lever
+  Vec3 moment;            // N m, moment of the force about the centre of a rotating wall
+  double energy = 0.0;    // J, stored in both springs
 };
 
-// Two bodies during a step: a grain, and a second grain or a wall that turns about its centre.
+// Two bodies in contact during a step: a grain, and a second grain or a wall that rotates about its
+// centre.
 struct GrainMeeting {
   double mass;       // kg, reduced
   double overlap;    // m
   Vec3 n;            // unit normal towards the first body
-  Vec3 v;            // m/s, velocity of the first body's centre relative to the second's
-  Vec3 turn;         // m/s, sum of angular velocity times lever over the grains
-  Vec3 arm, spin;    // of a wall: contact relative to its centre, m; angular velocity, rad/s
+  Vec3 v;            // m/s, velocity of the first body's centre relative to that of the second
+  Vec3 turn;         // m/s, sum of angular velocity times lever over the grains in contact
+  Vec3 arm, spin;    // of a wall: position of the contact relative to its centre, m; angular
+                     // velocity, rad/s
 };
 
-// Advances a contact by dt (s) and returns the energy lost in it (J): the work of the bodies on the
-// contact minus the energy stored in the springs. Velocities are taken at the half step, forces and
-// moments as the mean of both ends of the step. This equals the loss in velocity Verlet, except for
-// the change of the grains' levers within a step.
+// Advances a contact by dt (s) and returns the energy dissipated in it (J), i.e. the work of the
+// bodies on the contact minus the energy stored in the springs. Velocities are evaluated at the
+// half step; forces and moments are averaged over both ends of the step. The result equals the loss
+// in velocity Verlet except for the change of the grains' levers within a step.
 inline double advance(GrainContact &c, const GrainLaw &law, const GrainMeeting &m, double dt)
 {
   const GrainContact before = c;
@@ -43,7 +45,7 @@ inline double advance(GrainContact &c, const GrainLaw &law, const GrainMeeting &
                  normal = push > 0.0 ? push : 0.0;    // no attraction
     const double kt = GrainLaw::tangential * law.stiffness;
     const Vec3 slide = v + m.n * closing;
-    // the spring turns with the tangent plane of the contact without a change of length
+    // the spring turns with the tangent plane of the contact and keeps its length
     Vec3 s = before.spring - m.n * dot(before.spring, m.n);
     const double length = norm(before.spring), left = norm(s);
     if (left > 0.0) s = s * (length / left);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Parameters of a contact between grains: linear spring and dashpot, and friction
-// (grain_contact.h).
+// Parameters of a contact between grains: linear spring, dashpot and friction (grain_contact.h).
 #ifndef RACEWAY_GRAIN_LAW_H
 #define RACEWAY_GRAIN_LAW_H
 
@@ -14,16 +13,16 @@ struct GrainLaw {
   static constexpr double tangential = 2.0 / 7.0;
 
   double stiffness = 0.0;      // N/m
-  double restitution = 1.0;    // restitution of a slow collision without friction
+  double restitution = 1.0;    // coefficient of restitution of a slow collision without friction
   double friction = 0.0;
 
-  // Dashpot constant for the reduced mass m (kg), N s/m
+  // Returns the dashpot constant for the reduced mass m (kg), N s/m.
   double damping(double m) const
   {
     const double a = std::log(restitution);
     return -2.0 * a * std::sqrt(m * stiffness / (M_PI * M_PI + a * a));
   }
-  // Duration of a collision without damping, s
+  // Returns the duration of a collision without damping, s.
   double duration(double m) const { return M_PI * std::sqrt(m / stiffness); }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Heat of a bearing (docs/heat): conductances and thermal expansion. SI units, temperatures in
-// degrees C.
+// Heat transfer in a bearing (docs/heat): conductances and thermal expansion. Values are in SI
+// units and temperatures in degrees C.
 #ifndef RACEWAY_HEAT_H
 #define RACEWAY_HEAT_H
 
@@ -8,17 +8,17 @@
 
 namespace raceway {
 
-// Bearing steel
+// Properties of bearing steel
 constexpr double steel_conductivity = 46.0;    // W/(m K)
 constexpr double steel_density = 7850.0;       // kg/m^3
 constexpr double steel_heat = 460.0;           // J/(kg K)
 constexpr double steel_expansion = 12e-6;      // 1/K
 
-// Conductance (W/K) of a contact ellipse through which both surfaces move at the speed u (m/s).
-// Each point conducts into two half-spaces for the time 2b sqrt(1 - z^2)/u, where z is the position
-// across rolling over a. The prefactor is the integral of (1 - z^2)^(1/4) over z from 0 to 1,
-// sqrt(pi) G(5/4)/(2 G(7/4)). Derived for the package; valid for u b rho c/(2 k) > 5, which holds
-// in every rotating bearing.
+// Returns the conductance (W/K) of a contact ellipse through which both surfaces move at the speed
+// u (m/s). Each point conducts into two half-spaces for the time 2b sqrt(1 - z^2)/u, where z is the
+// position across the rolling direction divided by a. The prefactor is the integral of (1 -
+// z^2)^(1/4) over z from 0 to 1, sqrt(pi) G(5/4)/(2 G(7/4)). The formula was derived for this
+// package and is valid for u b rho c/(2 k) > 5, which holds in every rotating bearing.
 inline double contact_conductance(double a, double b, double u)
 {
   constexpr double integral = 0.8740191847640399;
@@ -26,16 +26,16 @@ inline double contact_conductance(double a, double b, double u)
   return integral * 2.0 * a * std::sqrt(2.0 * property * b * u / 3.14159265358979323846);
 }
 
-// Conductance (W/K) of seats and housing of a radial bearing of this size (m), at the reference
-// conditions of ISO 15312: W_s = q_r pi B (D + d)/50 K, q_r = 0.016 W/mm^2 (from memory,
-// unchecked).
+// Returns the conductance (W/K) of the seats and housing of a radial bearing with these dimensions
+// (m) at the reference conditions of ISO 15312: W_s = q_r pi B (D + d)/50 K, q_r = 0.016 W/mm^2
+// (from memory, unchecked).
 inline double iso_15312_conductance(double bore, double outside, double width)
 {
   return 0.016e6 * 3.14159265358979323846 * width * (outside + bore) / 50.0;
 }
 
-// Change of the diametral clearance (m) due to temperature rises (K) of inner ring, balls and outer
-// ring, for raceways and balls of these radii (m).
+// Returns the change in diametral clearance (m) due to temperature rises (K) of the inner ring, the
+// balls and the outer ring, for the given radii of raceways and balls (m).
 inline double clearance_change(double inner_radius, double outer_radius, double ball_radius,
                                double inner, double balls, double outer)
 {

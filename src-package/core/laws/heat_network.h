@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Heat flow between the parts of a bearing: inner ring, balls, outer ring, housing and ambient, as
+// Heat flow between the parts of a bearing (inner ring, balls, outer ring, housing and ambient) as
 // a linear network that is advanced exactly by its matrix exponential (docs/heat).
 //
 //   ambient -shaft- inner ring -inner- balls -outer- outer ring -seat- housing -housing- ambient
 //
 // If the housing is not a node (capacity 0), the outer ring is cooled through seat and housing in
-// series. Flowing oil links inner ring, balls and outer ring with one another and with the oil
-// inlet; the mass of the oil is negligible.
+// series. Flowing oil connects inner ring, balls and outer ring with one another and with the oil
+// inlet; the heat capacity of the oil inside the bearing is neglected.
 #ifndef RACEWAY_HEAT_NETWORK_H
 #define RACEWAY_HEAT_NETWORK_H
 
@@ -19,27 +19,28 @@
 namespace raceway {
 
 constexpr int heat_nodes = 4;                  // inner ring, balls, outer ring, housing
-constexpr int heat_inputs = heat_nodes + 1;    // W, into the nodes and into flowing oil
+constexpr int heat_inputs = heat_nodes + 1;    // W, into the nodes and into the flowing oil
 
 struct HeatNetwork {
   double capacity[heat_nodes] = {};    // J/K; housing: 0 if there is none
-  double inner = 0.0, outer = 0.0;     // W/K, from each ring to all balls
+  double inner = 0.0, outer = 0.0;     // W/K, from each ring to all balls together
   double shaft = 0.0;                  // W/K, from the inner ring to ambient
-  double seat = 0.0;                   // W/K, outer ring to housing; 0: no thermal resistance
+  double seat = 0.0;                   // W/K, from the outer ring to the housing; 0: no thermal
+                                       // resistance
   double housing = 0.0;                // W/K, from the housing to ambient
   double ambient = 20.0;               // C
   OilFlow oil;
 
   int nodes() const { return capacity[3] > 0.0 ? 4 : 3; }
-  // W/K, from the outer ring to ambient in steady state
+  // Returns the steady-state conductance from the outer ring to ambient, W/K.
   double cooling() const
   {
     return seat > 0.0 && housing > 0.0 ? seat * housing / (seat + housing) : housing;
   }
 };
 
-// The network in terms of its modes, for heat (W, heat_inputs) that is constant or varies linearly
-// to `end` within `over` seconds.
+// The network expressed in its modes, with heat inputs (W, heat_inputs) that are constant or vary
+// linearly to `end` within `over` seconds.
 class HeatFlow {
  public:
   HeatFlow(const HeatNetwork &of, const double *heat, const double *end, double over) :
@@ -67,7 +68,8 @@ class HeatFlow {
     } else {
       to_ambient[2] = of.cooling();
     }
-    if (of.oil.flows()) {    // eliminated: links between the surfaces and to the inlet
+    if (of.oil.flows()) {    // the oil is eliminated: it contributes links between the surfaces and
+                             // to the inlet
       const OilFlow &oil = of.oil;
       for (int i = 0; i < OilFlow::surfaces; ++i) {
         const double share = oil.conductance(i) / oil.total(), to_inlet = share * oil.flow;
@@ -85,7 +87,7 @@ class HeatFlow {
       g[i][i] += to_ambient[i];
       into[i] = heat[i] + from_oil[i];
     }
-    if (n_ == 3) into[2] += heat[3];    // for a housing without capacity
+    if (n_ == 3) into[2] += heat[3];    // heat into a housing without capacity
     find_steady(g, into);
     for (int i = 0; i < n_; ++i)
       for (int j = 0; j < n_; ++j) g[i][j] /= root_[i] * root_[j];
@@ -94,14 +96,14 @@ class HeatFlow {
       for (int i = 0; i < n_; ++i) steady_[m] += mode_[m][i] * root_[i] * steady_rise_[i];
   }
 
-  // s, time constant of the slowest mode
+  // Returns the time constant of the slowest mode, s.
   double slowest() const { return 1.0 / *std::min_element(rate_, rate_ + n_); }
 
-  // Temperatures (C) after `time` seconds from `from`; returns the heat (J) released to ambient and
-  // carried away by the oil.
+  // Computes the temperatures (C) `time` seconds after `from`; returns the heat (J) released to
+  // ambient and carried away by the oil.
   double advance(const double *from, double time, double *to) const
   {
-    double now[heat_nodes], sum[heat_nodes];    // rises over ambient times root_; their integrals
+    double now[heat_nodes], sum[heat_nodes];    // rises over ambient times root_; time integrals
     double rise[heat_nodes] = {}, spent[heat_nodes] = {};
     for (int m = 0; m < n_; ++m) {
       double begin = 0.0;
@@ -126,14 +128,14 @@ class HeatFlow {
     return carried;
   }
 
-  // Temperatures (C) of the steady state
+  // Computes the steady-state temperatures (C).
   void steady(double *to) const
   {
     for (int i = 0; i < n_; ++i) to[i] = net_.ambient + steady_rise_[i];
     if (n_ == 3) to[3] = housing_of(to[2]);
   }
 
-  // The longest time (s) up to `most` in which no node changes by more than `change` (K).
+  // Returns the longest time (s), up to `most`, in which no node changes by more than `change` (K).
   double time_of_change(const double *from, double change, double most) const
   {
     const auto fits = [&](double time) {
@@ -159,16 +161,18 @@ class HeatFlow {
     return net_.ambient + (outer_ring - net_.ambient) * net_.seat / (net_.seat + net_.housing);
   }
 
-  // Temperature rises over ambient in equilibrium with the conductances `g`. The elimination keeps
-  // the conductance of each part to ambient apart from the links between parts, so it never
-  // subtracts nearly equal numbers (Grassmann, Taksar, Heyman, Oper. Res. 33, 1985).
+  // Computes the equilibrium temperature rises over ambient for the conductances `g`. The
+  // elimination stores the conductance of each part to ambient separately from the links between
+  // parts, so it never subtracts nearly equal numbers (Grassmann, Taksar, Heyman, Oper. Res. 33,
+  // 1985).
   void find_steady(const double g[heat_nodes][heat_nodes], const double *heat)
   {
     double link[heat_nodes][heat_nodes] = {}, out[heat_nodes], drive[heat_nodes], own[heat_nodes];
     for (int i = 0; i < n_; ++i) {
       for (int j = 0; j < n_; ++j)
         if (i != j) link[i][j] = -g[i][j];
-      out[i] = to_ambient_[i];    // conductance to ambient, also through parts eliminated so far
+      out[i] = to_ambient_[i];    // conductance to ambient, including paths through parts
+                                  // eliminated so far
       drive[i] = heat[i];
     }
     for (int k = 0; k < n_; ++k) {
@@ -189,7 +193,7 @@ class HeatFlow {
     }
   }
 
-  // Eigenvalues and vectors of a symmetric matrix by Jacobi's rotations.
+  // Computes eigenvalues and eigenvectors of a symmetric matrix by Jacobi rotations.
   void find_modes(double a[heat_nodes][heat_nodes])
   {
     double v[heat_nodes][heat_nodes] = {};

@@ -6,10 +6,11 @@
 //   E' = 2/sum((1 - nu^2)/E),
 //   a = (6 kappa^2 Ebar Q R / (pi E'))^(1/3),  b = a/kappa,  p_max = 1.5 Q/(pi a b).
 //
-// R_x is the effective radius along rolling, R_y across the groove. Internally the longer axis of
-// the ellipse is "major"; kappa = a/b is reported across/along rolling and may be below 1.
-// Units SI. Source of the exact relation: Johnson, Contact Mechanics (1985), eqs 4.25-4.28;
-// fits: Hamrock & Brewe 1983, and the form printed in Farah 2020 (F = 1 + q ln alpha).
+// R_x is the effective radius along the rolling direction and R_y across the groove. Internally the
+// longer axis of the ellipse is "major"; kappa = a/b is reported as the axis across the groove over
+// the axis along rolling and may be below 1. All values are in SI units. Source of the exact
+// relation: Johnson, Contact Mechanics (1985), eqs 4.25-4.28; fits: Hamrock & Brewe 1983, and the
+// form printed in Farah 2020 (F = 1 + q ln alpha).
 #ifndef RACEWAY_HERTZ_H
 #define RACEWAY_HERTZ_H
 
@@ -22,16 +23,16 @@ namespace raceway {
 enum class Ellipse { exact, hamrock, printed };
 
 struct ContactEllipse {
-  double kappa = 1.0;    // a/b: axis across the groove over axis along rolling
+  double kappa = 1.0;    // a/b: axis across the groove divided by axis along rolling
   double Ebar = 0.0;     // elliptic integral of the second kind
   double Fbar = 0.0;     // elliptic integral of the first kind
 };
 
-// Axis ratio from the ratio of effective radii, by bisection and the secant method in ln(kappa).
-// R_minor/R_major = (1/R_y)/(1/R_x) = m1 D(m)/(K(m) - D(m)), m1 = 1/kappa^2.
+// Finds the axis ratio from the ratio of effective radii by bisection and the secant method in
+// ln(kappa): R_minor/R_major = (1/R_y)/(1/R_x) = m1 D(m)/(K(m) - D(m)), m1 = 1/kappa^2.
 inline ContactEllipse exact_ellipse_major(double alpha)    // alpha = R_y/R_x >= 1
 {
-  // f is monotone in L = ln kappa: f(0) = -ln(alpha) <= 0. kappa <= alpha always.
+  // f is monotonic in L = ln kappa, f(0) = -ln(alpha) <= 0, and always kappa <= alpha.
   auto residual = [alpha](double L, EllipticIntegrals &v) {
     const double m1 = std::exp(-2.0 * L);
     v = complete_elliptic(m1);
@@ -70,9 +71,9 @@ inline ContactEllipse fitted_ellipse_major(double alpha, Ellipse form)
   return c;
 }
 
-// Ellipse for R_y/R_x above or below 1, with F and E as functions of the squared modulus
-// 1 - 1/kappa^2. Below 1 the axes are swapped: with kappa' = 1/kappa,
-// F(1 - 1/kappa^2) = kappa' F(1 - 1/kappa'^2) and E(1 - 1/kappa^2) = E(1 - 1/kappa'^2)/kappa'.
+// Returns the ellipse for any R_y/R_x, with F and E as functions of the squared modulus 1 -
+// 1/kappa^2. If R_y/R_x is below 1, the axes are swapped: with kappa' = 1/kappa, F(1 - 1/kappa^2) =
+// kappa' F(1 - 1/kappa'^2) and E(1 - 1/kappa^2) = E(1 - 1/kappa'^2)/kappa'.
 inline ContactEllipse contact_ellipse(double Rx, double Ry, Ellipse form)
 {
   const bool swapped = Ry < Rx;
@@ -85,28 +86,28 @@ inline ContactEllipse contact_ellipse(double Rx, double Ry, Ellipse form)
 
 inline double hertz_radius(double Rx, double Ry) { return 1.0 / (1.0 / Rx + 1.0 / Ry); }
 
-// Stiffness K of the contact, N/m^1.5
+// Returns the stiffness K of the contact, N/m^1.5.
 inline double hertz_stiffness(const ContactEllipse &c, double R, double Eprime)
 {
   const double pi = 3.14159265358979323846;
   return pi * c.kappa * Eprime * std::sqrt(c.Ebar * R / (4.5 * c.Fbar * c.Fbar * c.Fbar));
 }
 
-// Semi-axis a at a load (N), m; b is a/kappa.
+// Returns the semi-axis a (m) at a load (N); b is a/kappa.
 inline double hertz_semi_axis(const ContactEllipse &c, double R, double Eprime, double load)
 {
   const double pi = 3.14159265358979323846;
   return std::cbrt(6.0 * c.kappa * c.kappa * c.Ebar * load * R / (pi * Eprime));
 }
 
-// Maximum pressure of an ellipse with these semi-axes (m), Pa.
+// Returns the maximum pressure (Pa) of an ellipse with these semi-axes (m).
 inline double hertz_pressure(double load, double a, double b)
 {
   const double pi = 3.14159265358979323846;
   return 1.5 * load / (pi * a * b);
 }
 
-// Load Q at an overlap (m), N
+// Returns the load Q (N) at an overlap (m).
 inline double hertz_load(double stiffness, double overlap)
 {
   return overlap <= 0.0 ? 0.0 : stiffness * overlap * std::sqrt(overlap);
@@ -121,10 +122,10 @@ struct HertzContact {
   double p = 0.0;    // Pa/sqrt(m): p_max = p sqrt(overlap)
 };
 
-// Range of Young's moduli that styles and data files accept, Pa.
+// Range of Young's moduli accepted by styles and data files, Pa.
 constexpr double LEAST_YOUNG = 1e8, LARGEST_YOUNG = 1e13;
 
-// E' = 2/sum((1 - nu^2)/E), Pa.
+// Returns E' = 2/sum((1 - nu^2)/E), Pa.
 inline double reduced_modulus(double E1, double nu1, double E2, double nu2)
 {
   return 2.0 / ((1.0 - nu1 * nu1) / E1 + (1.0 - nu2 * nu2) / E2);
@@ -148,8 +149,9 @@ inline HertzContact hertz_contact(double Rx, double Ry, double Eprime, Ellipse f
   return h;
 }
 
-// Effective radii of a ball in a groove at contact angle alpha (cosine given), docs/theory,
-// Geometry: gamma = R_b cos(alpha)/r_pitch, R_x = R_b (1 -+ gamma), R_y = R_b r_c/(r_c - R_b).
+// Effective radii of a ball in a groove at a contact angle alpha, whose cosine is given
+// (docs/theory, Geometry): gamma = R_b cos(alpha)/r_pitch, R_x = R_b (1 -+ gamma), R_y = R_b
+// r_c/(r_c - R_b).
 struct EffectiveRadii {
   double x, y;
 };
@@ -161,16 +163,16 @@ inline EffectiveRadii groove_radii(double ball_radius, double groove_radius, dou
           ball_radius * groove_radius / (groove_radius - ball_radius)};
 }
 
-// Sphere on sphere: K = 4/3 E* sqrt(R), E* = E'/2 (the algebra of Farah 2020 eq. 3 without its
-// extra 1/(1 - nu); multiply it by 1/(1 - nu) for the form as printed).
+// Returns the stiffness of two spheres, K = 4/3 E* sqrt(R), E* = E'/2 (the algebra of Farah 2020
+// eq. 3 without its extra 1/(1 - nu); multiply by 1/(1 - nu) to obtain the form as printed).
 inline double sphere_stiffness(double R1, double R2, double Eprime)
 {
   return 2.0 / 3.0 * Eprime * std::sqrt(R1 * R2 / (R1 + R2));
 }
 
-// Ratio of tangential to normal incremental stiffness of a sticking circular contact,
-// k_t/k_n = 4 G*/E*, 1/G* = sum((2 - nu)/G), E* = E'/2 (Mindlin 1949; 2(1-nu)/(2-nu) for like
-// bodies).
+// Returns the ratio of tangential to normal incremental stiffness of a sticking circular contact,
+// k_t/k_n = 4 G*/E*, 1/G* = sum((2 - nu)/G), E* = E'/2 (Mindlin 1949; 2(1-nu)/(2-nu) for bodies of
+// the same material).
 inline double tangential_ratio(double E1, double nu1, double E2, double nu2)
 {
   const double g =
@@ -178,9 +180,9 @@ inline double tangential_ratio(double E1, double nu1, double E2, double nu2)
   return 4.0 * g / (0.5 * reduced_modulus(E1, nu1, E2, nu2));
 }
 
-// Smallest overlap (m) at which the semi-axis across the groove, a sqrt(overlap), reaches the
-// groove radius, so that the half-space assumption of Hertz no longer holds. `raceway static`
-// applies the same rule.
+// Returns the smallest overlap (m) at which the semi-axis across the groove, a sqrt(overlap),
+// reaches the groove radius, where the half-space assumption of Hertz is no longer valid. `raceway
+// static` applies the same rule.
 inline double widest_overlap(double a, double groove_radius)
 {
   const double ratio = groove_radius / a;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Oil properties at a temperature from data sheets (docs/tribology, Lubricant by temperature).
-// Temperatures in degrees C, kinematic viscosities in mm^2/s.
+// Oil properties at a given temperature, from data sheets (docs/tribology, Lubricant by
+// temperature). Temperatures are in degrees C, kinematic viscosities in mm^2/s.
 //   Walther, ASTM D341   lg lg(nu + 0.7) = A - B lg T, T in K, through nu at 40 and 100 C
 //   Vogel                eta = k exp(b/(T + c))
 //   density, 1/xi        linear in temperature: FVA 3 at ambient pressure has this form of 1/xi
@@ -17,7 +17,7 @@ struct KinematicViscosity {
   double slope;    // -d(ln nu)/dT, 1/K
 };
 
-// Pre-condition: nu_40 > nu_100 > 0.3, the limit of the double logarithm.
+// Precondition: nu_40 > nu_100 > 0.3, the limit of the double logarithm.
 inline KinematicViscosity walther(double nu_40, double nu_100, double temperature)
 {
   const auto twice = [](double nu) { return std::log10(std::log10(nu + 0.7)); };
@@ -30,7 +30,8 @@ inline KinematicViscosity walther(double nu_40, double nu_100, double temperatur
 
 struct OilData {
   double density_40;                                       // kg/m^3
-  double density_slope;                                    // kg/(m^3 K): decrease of the density
+  double density_slope;                                    // kg/(m^3 K), decrease in density per
+                                                           // kelvin
   double pressure_viscosity_40, pressure_viscosity_100;    // 1/Pa
   double permittivity_40;                                  // relative
 
@@ -40,7 +41,7 @@ struct OilData {
   }
 };
 
-// k in Pa s, b in K, c in degrees C
+// k is in Pa s, b in K, c in degrees C
 inline KinematicViscosity vogel(double k, double b, double c, const OilData &oil,
                                 double temperature)
 {

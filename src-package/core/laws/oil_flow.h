@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Oil that flows through a bearing and carries heat away (docs/heat). SI units, temperatures in
-// degrees C.
+// Oil that flows through a bearing and carries heat away (docs/heat). Values are in SI units and
+// temperatures in degrees C.
 #ifndef RACEWAY_OIL_FLOW_H
 #define RACEWAY_OIL_FLOW_H
 
@@ -8,12 +8,12 @@
 
 namespace raceway {
 
-// Heat transfer coefficient (W/(m^2 K)) between flowing oil and the surfaces of a bearing, equal to
-// the coefficient at the distance x from the leading edge of a plate in laminar flow at speed u:
-// h = 0.332 k Pr^(1/3) sqrt(u/(nu x)), Pr = eta c_p/k (Pohlhausen). Here x is the pitch diameter
-// (m) and u a third of the speed of the balls on the pitch circle (Harris, Rolling Bearing
-// Analysis, after Eckert; from memory, unchecked). `orbit` (rad/s) is the speed of the balls around
-// the bearing.
+// Returns the heat transfer coefficient (W/(m^2 K)) between flowing oil and the surfaces of a
+// bearing. It equals the coefficient at the distance x from the leading edge of a plate in laminar
+// flow at speed u: h = 0.332 k Pr^(1/3) sqrt(u/(nu x)), Pr = eta c_p/k (Pohlhausen). Here x is the
+// pitch diameter (m), and u is a third of the speed of the balls on the pitch circle (Harris,
+// Rolling Bearing Analysis, after Eckert; from memory, unchecked). `orbit` (rad/s) is the speed of
+// the balls around the bearing.
 inline double oil_convection(double conductivity, double heat_capacity, double density,
                              double viscosity, double orbit, double pitch_diameter)
 {
@@ -23,8 +23,8 @@ inline double oil_convection(double conductivity, double heat_capacity, double d
          std::sqrt(speed * density / (viscosity * pitch_diameter));
 }
 
-// Surfaces (m^2) that oil wets: the balls, and cylinders with the radii of the raceways and the
-// width of the bearing (m).
+// Areas of the surfaces wetted by oil (m^2): the balls, and cylinders with the radii of the
+// raceways and the width of the bearing (m).
 struct WettedSurfaces {
   double inner, balls, outer;
 };
@@ -36,7 +36,8 @@ inline WettedSurfaces wetted_surfaces(double inner_radius, double outer_radius, 
           2.0 * pi * outer_radius * width};
 }
 
-// The oil between inlet and outlet: it is mixed to one temperature, and its mass is negligible.
+// The oil between inlet and outlet, which is assumed to be perfectly mixed and to have no heat
+// capacity of its own.
 struct OilFlow {
   static constexpr int surfaces = 3;    // inner ring, balls, outer ring
   double flow = 0.0;                    // W/K, mass flow times heat capacity; 0: no flow
@@ -50,8 +51,8 @@ struct OilFlow {
   {
     return flow + convection * (wetted[0] + wetted[1] + wetted[2]);
   }
-  // Temperature (C) of the oil between surfaces at the temperatures `surface` (C), with the heat
-  // `heat` (W) generated in the oil
+  // Returns the temperature (C) of the oil between surfaces at the temperatures `surface` (C) if
+  // the heat `heat` (W) is generated in the oil.
   double outlet(const double *surface, double heat) const
   {
     double sum = flow * inlet + heat;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Wall of a cage pocket as a linear spring (bending of the bars) with a damper that grows over the
-// first micrometres. This is the contact model of multi-body programs (IMPACT of ADAMS and
+// Wall of a cage pocket, modelled as a linear spring (bending of the bars) with a damper that grows
+// over the first micrometres. Multi-body programs use the same contact model (IMPACT in ADAMS and
 // MotionSolve, exponent 1).
 #ifndef RACEWAY_POCKET_WALL_H
 #define RACEWAY_POCKET_WALL_H
@@ -11,12 +11,12 @@
 
 namespace raceway {
 
-// Overlap at which the damper is fully active, as a fraction of the pocket's half play.
+// Overlap at which the damper is fully active, as a fraction of the pocket's half clearance.
 constexpr double full_damping = 0.02;
 
-// Force k overlap + (c overlap/whole) overlap_rate, never attractive. The damping c is critical,
-// 2 sqrt(k m), and fully active above the overlap `whole` (m). k: stiffness, N/m; m: reduced mass,
-// kg; overlap >= 0.
+// Computes the force k overlap + (c overlap/whole) overlap_rate, which is never attractive. The
+// damping c is critical, 2 sqrt(k m), and fully active above the overlap `whole` (m). k is the
+// stiffness, N/m, m the reduced mass, kg; precondition: overlap >= 0.
 inline DampedHertz damped_wall(double k, double whole, double overlap, double overlap_rate,
                                double m)
 {

@@ -7,13 +7,14 @@
 namespace raceway {
 
 struct Rolling {
-  double orbit = 0.0;    // rad/s, ball centres (cage) about the bearing axis
+  double orbit = 0.0;    // rad/s, ball centres (and cage) about the bearing axis
   double spin =
-      0.0;    // rad/s, ball about its own axis parallel to the bearing axis, in the inertial frame
+      0.0;    // rad/s, spin of the ball about its own axis, parallel to the bearing axis, in the
+              // inertial frame
 };
 
-// Ball radius R (m), pitch radius r (m), ring speeds (rad/s). There is no slip at the radii r - R
-// (inner raceway) and r + R (outer raceway).
+// Computes pure rolling from the ball radius R (m), the pitch radius r (m) and the ring speeds
+// (rad/s). There is no slip at the radii r - R (inner raceway) and r + R (outer raceway).
 inline Rolling pure_rolling(double R, double r, double inner_speed, double outer_speed)
 {
   Rolling k;

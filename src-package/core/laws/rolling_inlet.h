@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Share of the flooded rolling resistance that remains with a short inlet (docs/tribology, Rolling
-// resistance). The resisting force of the inlet follows from Reynolds's equation for a line contact
-// with the central thickness h_c and Hertz's gap in front of the contact, up to a meniscus at m b:
+// Fraction of the flooded rolling resistance that remains with a short inlet (docs/tribology,
+// Rolling resistance). The resisting force of the inlet follows from Reynolds's equation for a line
+// contact with the central thickness h_c and Hertz's gap in front of the contact, up to a meniscus
+// at m b:
 //   f ~ integral from 1 to m of (h - h_c)/h^2 dX,  h = h_c + b^2 g(X)/(2 R_x),
 //   g = X sqrt(X^2 - 1) - arcosh X,  X = x/b.
-// The share of the flooded resistance depends on m and H = 2 R_x h_c/b^2. The shortest inlet that
-// still feeds the full film, m = 1 + 3.06 (H/2)^0.58 (Hamrock and Dowson), gives a share of 0.50
-// to 0.57 for H from 0.007 to 18. The share is therefore limited to at least 1/2.
+// The fraction of the flooded resistance depends on m and H = 2 R_x h_c/b^2. For the shortest inlet
+// that still feeds the full film, m = 1 + 3.06 (H/2)^0.58 (Hamrock and Dowson), the fraction is
+// 0.50 to 0.57 for H from 0.007 to 18. It is therefore limited to at least 1/2.
 #ifndef RACEWAY_ROLLING_INLET_H
 #define RACEWAY_ROLLING_INLET_H
 
@@ -17,7 +18,7 @@
 namespace raceway {
 
 namespace detail {
-// Integral up to the meniscus at X = m, by Simpson's rule in s = ln(X - 1)
+// Returns the integral up to the meniscus at X = m, by Simpson's rule in s = ln(X - 1).
 inline double inlet_integral(double m, double H)
 {
   const double low = -14.0, high = std::log(m - 1.0);
@@ -37,24 +38,25 @@ inline double inlet_integral(double m, double H)
 }
 }    // namespace detail
 
-// Share of the flooded resistance with the inlet length m at H, by quadrature. m, in semi-axes b
-// along rolling, is above 1.
+// Computes the fraction of the flooded resistance for the inlet length m at H by quadrature. m is
+// in units of the semi-axis b along rolling and must be above 1.
 inline double inlet_share(double m, double H)
 {
-  constexpr double far = 1e4;    // beyond it the integrand is 1/X^2
+  constexpr double far = 1e4;    // above this value the integrand is approximated by 1/X^2
   const double all = detail::inlet_integral(far, H) + 1.0 / far;
   return (m < far ? detail::inlet_integral(m, H) : all) / all;
 }
 
-// The share used by contacts: ln((1 - share)/share) is interpolated in ln H between five Chebyshev
-// points; the share is within 0.007 for H from 0.001 to 20, and limited to at least 1/2.
+// Approximation of the fraction that contacts use: ln((1 - share)/share) is interpolated in ln H
+// between five Chebyshev points. The result is accurate to 0.007 for H from 0.001 to 20 and is
+// limited to at least 1/2.
 struct RollingInlet {
   static constexpr int nodes = 5;
   static constexpr double low = -6.9, high = 3.0;    // range of ln H
-  double node[nodes] = {}, slope[nodes] = {};        // Newton's form of the polynomial
+  double node[nodes] = {}, slope[nodes] = {};        // Newton form of the polynomial
   bool short_inlet = false;
 
-  // length: inlet length in semi-axes b; 0: flooded, 1: shortest inlet
+  // length: inlet length in units of the semi-axis b; 0: flooded, 1: shortest inlet
   void prepare(double length)
   {
     short_inlet = length > 0.0;
@@ -70,7 +72,8 @@ struct RollingInlet {
         slope[k] = (slope[k] - slope[k - 1]) / (node[k] - node[k - order]);
   }
 
-  // Share for the film thickness h_c, the semi-axis b and the rolling radius R_x, all in m
+  // Returns the fraction for the film thickness h_c, the semi-axis b and the rolling radius R_x,
+  // all in m.
   template <class T> RACEWAY_INLINE T share(const T &h_c, const T &b, const T &rolling_radius) const
   {
     const T H = 2.0 * rolling_radius * h_c / (b * b);

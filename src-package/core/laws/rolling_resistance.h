@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Couples of rolling resistance (docs/theory, Rolling resistance).
+// Couples due to rolling resistance (docs/theory, Rolling resistance).
 //
 // Hydrodynamic: the film inlet resists with the force f and consumes the power 2 f u (Biboulet and
-// Houpert 2010, part 2, eq 32; here in powers of u and Q after Balan et al. 2015, within 0.6 %):
+// Houpert 2010, part 2, eq 32; here in powers of u and Q after Balan et al. 2015, accurate to 0.6
+// %):
 //   f/(E' R_x^2) = (I - E)/(1 + M/6.6) + E,  r = R_y/R_x,  U = eta u/(E' R_x),  W = Q/(E' R_x^2),
 //   I = 2.9766 r^0.3316 W^(1/3) U^(2/3),  E = 7.5826 r^0.4055 W^(1/3) U^(3/4),
 //   M = 0.5549 r^-0.6029 W U^(-3/4).
 // Inlet shear heats the oil (murch_wilson in film_factors.h).
 //
-// Hysteresis of the steel: couple alpha Q 2b/(3 pi) (Johnson 1985, section 9.4).
+// Hysteresis of the steel: a couple alpha Q 2b/(3 pi) (Johnson 1985, section 9.4).
 #ifndef RACEWAY_ROLLING_RESISTANCE_H
 #define RACEWAY_ROLLING_RESISTANCE_H
 
@@ -16,7 +17,7 @@
 
 namespace raceway {
 
-// Logarithms of constants.
+// Logarithms of the constants.
 struct RollingConstants {
   double speed = 0.0, modulus = 0.0, transverse = 0.0;    // ln of eta/E', E' and R_y
 
@@ -27,7 +28,7 @@ struct RollingConstants {
   }
 };
 
-// Geometry factors (SI units) of the law in the form, with v = u^(1/12),
+// Geometry factors (SI units) of the law, written with v = u^(1/12) as
 //   f = rigid Q^(1/3) v^8 ((1 - elastic v) v^9/(v^9 + mean Q) + elastic v).
 template <class T> struct RollingShapeT {
   T rigid, elastic, mean;
@@ -42,7 +43,7 @@ RACEWAY_INLINE RollingShapeT<T> rolling_shape(const RollingConstants &k, const T
           (0.5549 / 6.6) * exponential(T(-0.6029 * r - unit - 0.75 * u))};
 }
 
-// Force f, N. ln_u: logarithm of u (m/s); root: cube root of Q, N^(1/3).
+// Returns the force f, N. ln_u: logarithm of u (m/s); root: cube root of Q, N^(1/3).
 template <class T>
 RACEWAY_INLINE T rolling_force(const RollingShapeT<T> &k, const T &ln_u, const T &load,
                                const T &root)
@@ -52,7 +53,7 @@ RACEWAY_INLINE T rolling_force(const RollingShapeT<T> &k, const T &ln_u, const T
   return k.rigid * root * v8 * ((1.0 - elastic) * v9 / (v9 + k.mean * load) + elastic);
 }
 
-// Couple of hysteresis, N m
+// Returns the couple due to hysteresis, N m.
 template <class T> RACEWAY_INLINE T hysteresis_couple(double alpha, const T &load, const T &b)
 {
   return alpha * load * b * (2.0 / (3.0 * 3.14159265358979323846));

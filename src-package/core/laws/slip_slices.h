@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Combined differential slip, spin and sliding of one contact under Coulomb's law: sums over slices
-// of the contact ellipse across its major axis (docs/tribology, Slip and spin in slices).
+// Combined differential slip, spin and sliding of one contact under Coulomb's law, summed over
+// slices of the contact ellipse across its major axis (docs/tribology, Slip and spin in slices).
 //
-// At (x along rolling, z across, both over a) the sliding velocity of the ball on the ring is
+// At the point (x, z), with x along rolling and z across it, both divided by a, the sliding
+// velocity of the ball on the ring is
 //   v_t = s_t - q z - e z^2,  v_w = s_w + q x,
-// with q = omega_n a of spin and e = Omega a^2/(2 R_d) of differential slip, m/s. The stress is
-// mu p along v. A slice carries the load of the Hertz pressure on it, half at each of the two Gauss
-// points of its chord. Within a slice v is taken as linear, with the mean direction
+// with q = omega_n a due to spin and e = Omega a^2/(2 R_d) due to differential slip, m/s. The
+// stress is mu p along v. A slice carries the load of the Hertz pressure on it, half at each of the
+// two Gauss points of its chord. Within a slice v is assumed to be linear, with the mean direction
 //   mean(v/|v|) = 2 mean(v)/(|v| at one end + |v| at the other),
-// which is exact if v keeps its direction. Forces therefore have no steps where the sliding of a
-// point reverses. All sums share one weight per point, so the power lost is positive for any
-// motion.
+// which is exact if the direction of v is constant. Forces are therefore continuous where the
+// sliding direction of a point reverses. All sums use the same weight for each point, so the
+// dissipated power is positive for any motion.
 #ifndef RACEWAY_SLIP_SLICES_H
 #define RACEWAY_SLIP_SLICES_H
 
@@ -27,10 +28,10 @@ template <class T> struct SlipMotionT {
   T aspect;                       // b/a
   T least;
 };
-// Forces over mu Q and the moment over mu Q a, each opposing its motion; `couple`, over mu Q,
-// belongs to e. The slopes (s/m) are for implicit steps. The slopes of the forces are tangents,
-// blended into secants the more the contact slides as a whole; those of moment and couple are
-// secants, which are positive.
+// Forces divided by mu Q and the moment divided by mu Q a, each opposing its motion; `couple`,
+// divided by mu Q, is conjugate to e. The slopes (s/m) are for implicit steps. The slopes of the
+// forces are tangents that are blended into secants the more the contact slides as a whole; those
+// of moment and couple are secants, which are positive.
 template <class T> struct SlipForcesT {
   T along, across, moment, couple;
   T slope_along, slope_across, slope_moment, slope_couple;
@@ -113,10 +114,11 @@ class SlipSlices {
   }
 
  private:
-  static constexpr int slices = 24, borders = slices + lanes;    // the last three are unused
+  static constexpr int slices = 24, borders = slices + lanes;    // three borders are unused
 
   // Values at the borders of the slices: z; z^2, corrected so that the mean of both ends of a slice
-  // is the mean within the slice; Gauss point of the chord, over b. Values by slice: the load.
+  // is the mean within the slice; position of the Gauss point on the chord, divided by b. Values
+  // for each slice: the load.
   struct Table {
     double z[borders], z2[borders], chord[borders], load[slices];
   };
@@ -125,7 +127,7 @@ class SlipSlices {
   {
     static const Table made = [] {
       constexpr double width = 2.0 / slices;
-      // integral of the load per unit of z on a chord, 3/4 (1 - z^2)
+      // integral over z of the load carried by a chord, 3/4 (1 - z^2)
       auto up_to = [](double z) { return 0.75 * (z - z * z * z / 3.0); };
       Table t = {};
       for (int k = 0; k < borders; ++k) {

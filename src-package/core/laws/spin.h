@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Couple against spin about the contact normal (docs/theory, Spin): (3/8) mu Q a E for pure spin
-// under Coulomb's law, with the complete elliptic integral E of the ellipse.
+// Couple that opposes spin about the contact normal (docs/theory, Spin): (3/8) mu Q a E for pure
+// spin under Coulomb's law, with the complete elliptic integral E of the ellipse.
 //
 // If the contact also slides, the couple at small spin is proportional to the spin. Integration
-// over the ellipse by Gauss points (tests/references/spin.py) gives the width of this range:
-// omega a = 0.78 s_e with differential slip, omega a = 1.9 s with gross sliding. Spin in turn
-// reduces the couple of differential slip by the factor 1 - 1.35 (omega a/s_e)^2. Moment and power
-// agree with the integration within 5 % of mu Q a and mu Q s_e.
+// over the ellipse by Gauss points (tests/references/spin.py) gives the width of this range: omega
+// a = 0.78 s_e with differential slip, omega a = 1.9 s with gross sliding. Conversely, spin reduces
+// the couple of differential slip by the factor 1 - 1.35 (omega a/s_e)^2. Moment and power agree
+// with the integration within 5 % of mu Q a and mu Q s_e.
 #ifndef RACEWAY_SPIN_H
 #define RACEWAY_SPIN_H
 
@@ -14,10 +14,10 @@
 
 namespace raceway {
 
-// Couple of pure spin, N m, from mu Q and the Hertz constants. With K, a and b known, E need not be
-// evaluated:
+// Returns the couple of pure spin (N m) from mu Q and the Hertz constants. If K, a and b are known,
+// E need not be evaluated:
 //   (3/8) mu Q a E = mu Q sqrt(delta) pi E' a^2 b^2 (1/R_x + 1/R_y)/(16 K),
-// with a and b over sqrt(delta).
+// with a and b divided by sqrt(delta).
 template <class T>
 RACEWAY_INLINE T spin_couple(const T &limit, double modulus, const T &root, const T &a, const T &b,
                              const T &K, const T &rolling_radius, double transverse_radius)
@@ -26,15 +26,15 @@ RACEWAY_INLINE T spin_couple(const T &limit, double modulus, const T &root, cons
   return limit * root * (3.14159265358979323846 / 16.0 * modulus) * ab * ab * curvature / K;
 }
 
-// Couple of pure spin from a known E, N m.
+// Returns the couple of pure spin (N m) from a known E.
 inline double pure_spin_couple(double limit, double a, double E) { return 0.375 * limit * a * E; }
 
-// Fits: omega a over s_e and over s up to which the couple grows, and the coefficient of the
-// reduction of the couple of differential slip
+// Fitted constants: omega a divided by s_e and by s up to which the couple grows, and the
+// coefficient in the reduction of the differential-slip couple
 constexpr double spin_width = 0.78, spin_loss = 1.35, spin_slide = 1.9;
 
-// Speed (m/s) from omega a, the width s_e and the sliding speed. The spin couple is the couple of
-// pure spin times omega a over this speed.
+// Returns a speed (m/s) from omega a, the width s_e and the sliding speed. The spin couple is the
+// couple of pure spin multiplied by omega a and divided by this speed.
 template <class T> RACEWAY_INLINE T spin_growth(const T &speed, const T &width, const T &slide)
 {
   const T slip = spin_slide * slide, wide = spin_width * width;
@@ -42,7 +42,7 @@ template <class T> RACEWAY_INLINE T spin_growth(const T &speed, const T &width, 
   return where(speed > least, speed, least);
 }
 
-// Factor by which spin reduces the couple of differential slip
+// Returns the factor by which spin reduces the couple of differential slip.
 template <class T> RACEWAY_INLINE T slip_beside_spin(const T &speed, const T &width)
 {
   const T x = speed / width, rest = 1.0 - spin_loss * x * x;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Rotation of a ball that rolls on both raceways with the least total loss to spin
+// Rotation of a ball that rolls on both raceways with the smallest total loss due to spin
 // (docs/theory, Start of the balls).
 //
 // In the plane of the bearing's axis (e) and the ball's radial direction (u), contact k has the
-// normal n_k from ball to raceway. Rolling on both raceways leaves one free speed x, and orbit,
+// normal n_k from ball to raceway. Rolling on both raceways leaves one free speed x; the orbit, the
 // rotation and both spins omega_k are linear in x. The spin moments M_k(omega_k) grow up to a width
-// and are constant beyond. They balance where the sum of M_k d omega_k/dx vanishes. With zero width
-// this is the motion of least loss, in which one raceway controls the ball; otherwise both raceways
-// share the spin. The sum increases with x, so the root is unique. It lies between the motion
-// without spin at one raceway and the motion without spin at the other.
+// and are constant beyond it. They balance where the sum of M_k d omega_k/dx vanishes. With zero
+// width this is the motion of least loss, in which one raceway controls the ball; otherwise both
+// raceways share the spin. The sum increases with x, so the root is unique. It lies between the
+// motion without spin at one raceway and the motion without spin at the other.
 #ifndef RACEWAY_START_ATTITUDE_H
 #define RACEWAY_START_ATTITUDE_H
 
@@ -17,13 +17,13 @@
 
 namespace raceway {
 
-// A contact of the ball. Its angle is positive on the side of +e at the outer raceway and of -e at
-// the inner one.
+// One of the two contacts of the ball. Its angle is positive on the +e side at the outer raceway
+// and on the -e side at the inner one.
 struct SpinContact {
   double angle = 0.0;     // rad, below pi/2 in magnitude
   double speed = 0.0;     // rad/s, of the ring
-  double couple = 1.0;    // couple of pure spin, N m or any unit common to both contacts
-  double width = 0.0;     // rad/s, spin up to which the couple grows
+  double couple = 1.0;    // couple of pure spin, in N m or any unit common to both contacts
+  double width = 0.0;     // rad/s, spin up to which the couple increases
 
   double moment(double spin) const
   {
@@ -33,9 +33,9 @@ struct SpinContact {
 };
 
 struct BallRotation {
-  double orbit = 0.0;                  // rad/s, ball centres (cage) about the bearing axis
+  double orbit = 0.0;                  // rad/s, ball centres (and cage) about the bearing axis
   double radial = 0.0, axial = 0.0;    // rad/s, inertial frame
-  double spin[2] = {};                 // rad/s, ball minus ring, about the normal
+  double spin[2] = {};                 // rad/s, ball relative to ring, about the contact normal
 
   BallRotation operator-(const BallRotation &o) const
   {
@@ -46,33 +46,33 @@ struct BallRotation {
   }
 };
 
-// The motion that rolls on both raceways with the radial rotation `radial` (rad/s), for the ball
-// radius R and the radius r of the circle of ball centres (m).
+// Returns the motion that rolls on both raceways with the radial rotation `radial` (rad/s), for the
+// ball radius R and the radius r of the circle of ball centres (m).
 inline BallRotation rolling_on_both(const SpinContact &inner, const SpinContact &outer, double R,
                                     double r, double radial)
 {
   const double ci = std::cos(inner.angle), si = std::sin(inner.angle);
   const double co = std::cos(outer.angle), so = std::sin(outer.angle);
-  const double way_i = r / R - ci, way_o = r / R + co;    // radii of the contact points over R
+  const double way_i = r / R - ci, way_o = r / R + co;    // contact radii divided by R
   BallRotation m;
   m.radial = radial;
   m.orbit = (inner.speed * way_i * co + outer.speed * way_o * ci + radial * (ci * so - si * co)) /
             (way_i * co + way_o * ci);
   const double to_inner = inner.speed - m.orbit, to_outer = outer.speed - m.orbit;
-  const double axial = (to_outer * way_o + radial * so) / co;    // seen from the cage
+  const double axial = (to_outer * way_o + radial * so) / co;    // relative to the cage
   m.axial = m.orbit + axial;
   m.spin[0] = -radial * ci - (axial - to_inner) * si;
   m.spin[1] = radial * co + (axial - to_outer) * so;
   return m;
 }
 
-// The motion with the least loss.
+// Returns the motion with the smallest loss.
 inline BallRotation start_attitude(const SpinContact &inner, const SpinContact &outer, double R,
                                    double r)
 {
   const BallRotation none = rolling_on_both(inner, outer, R, r, 0.0),
                      turn = rolling_on_both(inner, outer, R, r, 1.0) - none;
-  double ends[2];    // motions without spin at one raceway
+  double ends[2];    // motions without spin at one of the raceways
   for (int k = 0; k < 2; ++k) ends[k] = -none.spin[k] / turn.spin[k];
   double low = std::min(ends[0], ends[1]), high = std::max(ends[0], ends[1]);
   for (int k = 0; k < 200; ++k) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// SKF's starvation factor phi_rs of the rolling couple (Rolling bearings, 10000 EN, 2013). K_rs is
-// 3e-8 for an oil bath or jet, 6e-8 for grease and oil-air; K_Z depends on the type of bearing.
+// SKF's starvation factor phi_rs for the rolling couple (Rolling bearings, 10000 EN, 2013). K_rs is
+// 3e-8 for an oil bath or jet and 6e-8 for grease and oil-air; K_Z depends on the bearing type.
 #ifndef RACEWAY_STARVATION_H
 #define RACEWAY_STARVATION_H
 
@@ -10,7 +10,7 @@ namespace raceway {
 
 constexpr double deep_slender = 3.1, angular_slender = 4.4;    // K_Z; single-row angular contact
 
-// bore and outside diameter in mm, kinematic viscosity in mm^2/s, speed in rpm
+// Bore and outside diameter are in mm, the kinematic viscosity in mm^2/s and the speed in rpm.
 inline double skf_starvation(double bore, double outside, double kinematic, double speed,
                              double replenishment = 3.0e-8, double slender = deep_slender)
 {

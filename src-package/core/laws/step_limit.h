@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Largest stable step of velocity Verlet with a force that depends on the half-step velocity.
 //
-// For m x'' = -k x - c x' one step gives v' = (1 - h c/m) v - (h k/m) x, x' = x + h v'; the two
+// For m x'' = -k x - c x', one step gives v' = (1 - h c/m) v - (h k/m) x, x' = x + h v'. The two
 // multipliers of the step lie inside the unit circle if h^2 k/m + 2 h c/m < 4. Hence
 //   h_max = (sqrt(c^2 + 4 k m) - c)/k,  2 sqrt(m/k) without a damper, 2 m/c without a spring.
 //
-// A Maxwell branch k_m, tau with a force advanced by an exact step adds one multiplier; at the
-// limit one of the multipliers is -1:
+// A Maxwell branch k_m, tau, whose force is advanced by an exact step, adds one multiplier; at the
+// stability limit one of the multipliers is -1:
 //   h^2 k/m + 2 h c/m + (2 h/m) k_m tau tanh(h/(2 tau)) = 4.
-// tanh(x) is below x and below 1, so the branch acts at most like a spring k_m and at most like a
-// dashpot k_m tau. The larger of the two step limits is safe.
+// Since tanh(x) is below x and below 1, the branch acts at most like a spring k_m and at most like
+// a dashpot k_m tau. The larger of the two step limits is therefore safe.
 #ifndef RACEWAY_STEP_LIMIT_H
 #define RACEWAY_STEP_LIMIT_H
 
@@ -18,9 +18,9 @@
 
 namespace raceway {
 
-// Sum of the film branches of a body.
+// Sums over the film branches of a body.
 struct FilmBranches {
-  double stiffness = 0.0, dashpot = 0.0;    // N/m, N s/m: sums of k_m and of k_m tau
+  double stiffness = 0.0, dashpot = 0.0;    // N/m, N s/m, sums of k_m and of k_m tau
 
   void add(double k_m, double rate)    // rate = 1/tau, 1/s
   {
@@ -29,8 +29,8 @@ struct FilmBranches {
   }
 };
 
-// Largest step, s, for k in N/m, c in N s/m and m in kg; infinite without spring and damper. The
-// formula is written so that k -> 0 is exact.
+// Returns the largest step (s) for k in N/m, c in N s/m and m in kg. It is infinite without spring
+// and damper. The formula is written so that it is exact as k -> 0.
 inline double verlet_step_limit(double k, double c, double m)
 {
   const double q = c + std::sqrt(c * c + 4.0 * k * m);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Checksum of files in four lanes of 64-bit words. Each step is a bijection of its lane, so damage
-// to one word always changes the state. The cost is a tenth of that of a table-driven CRC-32.
+// Checksum of files, computed in four lanes of 64-bit words. Each step is a bijection of its lane,
+// so damage to one word always changes the state. The cost is a tenth of that of a table-driven
+// CRC-32.
 #ifndef BEARING_CHECKSUM_H
 #define BEARING_CHECKSUM_H
 
@@ -10,7 +11,7 @@
 
 namespace bearing {
 
-// Checksum of n bytes; it depends on the `seed`.
+// Returns the checksum of n bytes, which depends on the `seed`.
 inline uint32_t checksum(const void *from, size_t n, uint64_t seed = 0)
 {
   constexpr uint64_t odd = 0x9e3779b97f4a7c15;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Description of an output column, used by computes, Python and the pages.
+// Description of an output column, used by computes, Python and the documentation pages.
 #ifndef RACEWAY_COLUMN_H
 #define RACEWAY_COLUMN_H
 
@@ -7,7 +7,7 @@
 
 namespace raceway {
 
-// Value of a column if there is no contact: zero, or no value.
+// Value in a column when there is no contact: zero, or no value.
 constexpr double vanishes = 0.0, has_none = NAN;
 constexpr const char *const as_real = "%.12g", *const as_whole = "%.0f";    // formats as text
 
@@ -19,8 +19,8 @@ struct Column {
   const char *format = as_real;
 };
 
-// Requirement of a column: a lubricant (film); also a fix bearing/capacitance; or a fix
-// bearing/capacitance with surroundings
+// What a column requires: a lubricant (film), a lubricant and a fix bearing/capacitance, or a
+// lubricant and a fix bearing/capacitance with surroundings.
 enum class Needs { nothing, film, capacitance, surroundings };
 
 }    // namespace raceway

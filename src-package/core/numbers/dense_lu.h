@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Dense LU for a few unknowns, with row pivoting: factored once, solved often.
+// Dense LU decomposition with row pivoting for a few unknowns, factored once and used for many
+// right-hand sides.
 #ifndef RACEWAY_DENSE_LU_H
 #define RACEWAY_DENSE_LU_H
 
@@ -45,7 +46,7 @@ class DenseLU {
     }
   }
 
-  std::vector<double> a;    // row by row
+  std::vector<double> a;    // stored row by row
 
  private:
   double &at(int i, int j) { return a[static_cast<size_t>(i) * n_ + j]; }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Numbers that carry their derivatives: a law written for a number type also gives its derivative.
+// Numbers that carry their derivatives, so a law written for a number type also yields its
+// derivative.
 //
 // Dual<B, n> is a value of type B (double or Lane) with n partial derivatives (forward mode;
-// Griewank and Walther, Evaluating Derivatives, 2008, ch. 3). The value uses the same operations as
-// the plain type, so it is bit-identical. held(x) is the value alone, without derivatives: a law
-// uses it for everything that its derivatives keep fixed. For a plain number, held(x) is x.
+// Griewank and Walther, Evaluating Derivatives, 2008, ch. 3). The value is computed with the same
+// operations as for the plain type, so it is bitwise identical. held(x) is the value alone, without
+// derivatives; a law uses it for all quantities that its derivatives treat as constant. For a plain
+// number, held(x) is x.
 #ifndef RACEWAY_DUAL_H
 #define RACEWAY_DUAL_H
 
@@ -35,14 +37,14 @@ using IfPlain =
     std::enable_if_t<std::is_same<S, double>::value || std::is_same<S, Lane>::value, int>;
 }    // namespace detail
 
-// The plain type of T: T itself, or the type of a Dual's value.
+// The plain type of T, which is T itself or the type of a Dual's value.
 template <class T> using Value = typename detail::ValueOf<T>::type;
 
 RACEWAY_INLINE double held(double a) { return a; }
 RACEWAY_INLINE Lane held(const Lane &a) { return a; }
 template <class B, int n> RACEWAY_INLINE B held(const Dual<B, n> &a) { return a.value; }
 
-// ---- a dual and a dual
+// ---- operations on two duals
 template <class B, int n>
 RACEWAY_INLINE Dual<B, n> operator+(const Dual<B, n> &a, const Dual<B, n> &b)
 {
@@ -79,7 +81,7 @@ template <class B, int n> RACEWAY_INLINE Dual<B, n> operator-(const Dual<B, n> &
   return r;
 }
 
-// ---- a dual and a plain number, which is a constant
+// ---- operations on a dual and a plain number, which is a constant
 template <class B, int n, class S, detail::IfPlain<S> = 0>
 RACEWAY_INLINE Dual<B, n> operator+(const Dual<B, n> &a, const S &b)
 {

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Exponential and logarithm by series, for a double or a Lane: within 2 units in the last place.
+// Exponential and logarithm by series, for a double or a Lane, accurate to 2 units in the last
+// place.
 //
-// The last bits of the C library's functions depend on the processor, and these functions take one
-// number at a time. Only + - * / and shifts are used here, so the bits are the same on all
-// processors and in all lanes.
+// The last bits of the C library's functions depend on the processor, and these functions process
+// one number at a time. Only + - * / and shifts are used here, so the results are bitwise identical
+// on all processors and in all lanes.
 //
-// Exponential: x = k ln 2 + r, |r| <= ln(2)/2; e^r by Taylor's series to r^13 (remainder below
-// 5e-18). It is 0 below x = -708, where results would lose precision, and infinite above x = 709.
+// Exponential: x = k ln 2 + r, |r| <= ln(2)/2; e^r is computed by the Taylor series to r^13
+// (remainder below 5e-18). The result is 0 below x = -708, where results would lose precision, and
+// infinite above x = 709.
 //
 // Logarithm: x = 2^k m, sqrt(1/2) <= m < sqrt(2); ln m = 2 artanh f, f = (m - 1)/(m + 1),
 // |f| < 0.1716, by the series to f^21 (remainder below 2e-18). It is minus infinity for x below the
 // smallest normal number and undefined for x < 0 or infinite x.
 //
-// Rough versions to start an iteration: logarithm within 3e-4; exponential within 2 % for
-// -1 <= x <= 0, and with its value at -1 below -1.
+// The rough versions provide starting values for an iteration: the logarithm is accurate to 3e-4
+// and the exponential to 2 % for -1 <= x <= 0; below -1 the exponential keeps its value at -1.
 //
-// NaN gives NaN.
+// All functions return NaN for NaN.
 #ifndef RACEWAY_EXP_LOG_H
 #define RACEWAY_EXP_LOG_H
 
@@ -54,7 +56,7 @@ template <class T> RACEWAY_INLINE T exponential(const T &x)
   using namespace detail;
   const T shifted = x * 1.4426950408889634 + whole, k = shifted - whole;
   const T r = (x - k * ln2_high) - k * ln2_low, r2 = r * r, r4 = r2 * r2;
-  // groups of four, to shorten the chain of dependent sums
+  // in groups of four, which shortens the chain of dependent sums
   const T low = (1.0 / 6 + r * (1.0 / 24)) + r2 * (1.0 / 120 + r * (1.0 / 720));
   const T middle = (1.0 / 5040 + r * (1.0 / 40320)) + r2 * (1.0 / 362880 + r * (1.0 / 3628800));
   const T high = 1.0 / 39916800 + r * (1.0 / 479001600) + r2 * (1.0 / 6227020800);
@@ -67,8 +69,8 @@ template <class T> RACEWAY_INLINE T exponential(const T &x)
 template <class T> RACEWAY_INLINE T logarithm(const T &x)
 {
   using namespace detail;
-  // exponent of x/sqrt(1/2), rounded down; it is converted to a number by the same trick as
-  // `whole`: placed, with an offset, in the last bits of a large number
+  // exponent of x/sqrt(1/2), rounded down; it is converted to a number in the same way as with
+  // `whole`, by placing it with an offset in the last bits of a large number
   const auto above = bits(x) - 0x3fe6a09e667f3bcdULL + (2048ULL << 52);
   const auto exponent = above >> 52;
   const T k = number(exponent | 0x4330000000000000ULL) - (0x1p52 + 2048.0);

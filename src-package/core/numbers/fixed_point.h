@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The fixed point x = g(x) of a map that is expensive to evaluate: Anderson acceleration.
+// Anderson acceleration for the fixed point x = g(x) of a map that is expensive to evaluate.
 //
 // D. G. Anderson, J. ACM 12 (1965) 547; type II as in H. F. Walker and P. Ni, SIAM J. Numer. Anal.
-// 49 (2011) 1715. With the residuals f = g(x) - x of the last starts, the next start is
+// 49 (2011) 1715. With the residuals f = g(x) - x at the most recent starts, the next start is
 //   g_k - sum_j c_j (g_j+1 - g_j),   c: least squares of f_k - sum_j c_j (f_j+1 - f_j),
-// which for an affine map equals GMRES: each slowly decaying mode costs one more value of the map.
-// Residuals and moves are measured with weights, in the norm sqrt(sum (w_i y_i)^2). A difference of
-// residuals that is a combination of later differences, up to a fraction `apart`, is noise and is
-// omitted. A difference below `flat` times the residual is omitted as well: if residuals hardly
-// depend on the start, the next start lies further in the direction of the residuals.
+// which is equivalent to GMRES for an affine map: each slowly decaying mode costs one more
+// evaluation of the map. Residuals and moves are measured in the weighted norm sqrt(sum (w_i
+// y_i)^2). A difference of residuals that is a combination of later differences, up to a fraction
+// `apart`, is noise and is omitted. A difference below `flat` times the residual is omitted as
+// well: if residuals hardly depend on the start, the next start is placed further along the
+// residuals.
 #ifndef RACEWAY_FIXED_POINT_H
 #define RACEWAY_FIXED_POINT_H
 
@@ -23,16 +24,16 @@ class FixedPoint {
  public:
   using Vector = std::vector<double>;
   struct Settings {
-    size_t memory = 5;      // number of starts that are kept
+    size_t memory = 5;      // number of starts that are stored
     double reach = 0.1;     // longest move from g_k, in the norm
-    double apart = 1e-2;    // least fraction of a difference independent of later differences
-    double flat = 0.02;     // smallest difference, over the residual
+    double apart = 1e-2;    // smallest independent fraction of a difference
+    double flat = 0.02;     // smallest difference relative to the residual
   };
   struct Next {
     Vector start;
     double residual = HUGE_VAL;    // norm of f_k
-    // norm of the distance from x_k to the fixed point of the affine map through the kept values;
-    // infinite with one start
+    // norm of the distance from x_k to the fixed point of the affine map through the stored values;
+    // infinite if there is only one start
     double distance = HUGE_VAL;
   };
 
@@ -40,7 +41,7 @@ class FixedPoint {
   FixedPoint(const Settings &set, Vector weights) : set_(set), weights_(std::move(weights)) {}
   bool begun() const { return !weights_.empty(); }
 
-  // Adds a start x and the map's value g there.
+  // Adds a start x and the value g of the map at x.
   void add(Vector x, Vector g)
   {
     x_.push_back(std::move(x));
@@ -50,14 +51,15 @@ class FixedPoint {
     g_.erase(g_.begin());
   }
 
-  void forget()    // all except the last
+  void forget()    // forgets all starts except the last
   {
     if (x_.size() < 2) return;
     x_.erase(x_.begin(), x_.end() - 1);
     g_.erase(g_.begin(), g_.end() - 1);
   }
 
-  // Component of the last residual along the previous one, over the previous one; 0 with one start.
+  // Returns the component of the last residual along the previous one, as a fraction of the
+  // previous one; 0 if there is only one start.
   double contraction() const
   {
     if (x_.size() < 2) return 0.0;
@@ -96,7 +98,7 @@ class FixedPoint {
     }
     for (size_t b = 0; b < basis.size(); ++b) subtract(move, dot(basis[b], f), images[b]);
     if (basis.empty() && last > 0) {
-      // the sum of all further residuals if they keep decreasing by that factor
+      // sum of all further residuals if they keep decreasing by that factor
       const double share = contraction(), sum = share < 1.0 ? share / (1.0 - share) : HUGE_VAL;
       subtract(move, -std::min(sum, 2.0 * set_.reach / to.residual), f);
       to.distance = to.residual * (1.0 + sum);
@@ -111,7 +113,7 @@ class FixedPoint {
     return to;
   }
 
-  // All data as numbers, for a restart file.
+  // Returns all data as numbers, for a restart file.
   Vector packed() const
   {
     Vector all = {double(weights_.size()), double(x_.size())};

@@ -14,7 +14,7 @@ bool wide_lanes()
       __builtin_cpu_supports("avx2") && std::getenv("RACEWAY_NARROW_LANES") == nullptr;
   return wide;
 #else
-  return true;    // only one compilation exists
+  return true;    // there is only one compilation
 #endif
 }
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Selects between the two compilations of a large function on this processor (core/numbers/lane.h).
+// Selects one of the two compilations of a large function for the processor in use
+// (core/numbers/lane.h).
 #ifndef RACEWAY_INSTRUCTION_SET_H
 #define RACEWAY_INSTRUCTION_SET_H
 
 namespace raceway {
 
-// True if functions with RACEWAY_WIDE run on this processor. The environment variable
-// RACEWAY_NARROW_LANES disables them, so that the independence of results can be checked.
+// Returns true if functions with RACEWAY_WIDE run on this processor. The environment variable
+// RACEWAY_NARROW_LANES disables them, so that one can check that results do not depend on the
+// choice.
 bool wide_lanes();
 
 }    // namespace raceway

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Conversion between lab axes (x, y, z) and axes of which the third is the bearing axis. The
-// permutation is cyclic, so right-handed axes stay right-handed and no bit changes.
+// Converts between lab axes (x, y, z) and axes of which the third is the bearing axis. The
+// permutation is cyclic, so right-handed axes stay right-handed and no value changes.
 #ifndef RACEWAY_LAB_AXES_H
 #define RACEWAY_LAB_AXES_H
 
@@ -11,7 +11,7 @@ namespace raceway {
 struct LabAxes {
   int along = 2;    // lab axis of the bearing: 0 x, 1 y, 2 z
 
-  // The lab axis of component k when the bearing axis is third.
+  // Returns the lab axis of component k for axes whose third axis is the bearing axis.
   int lab_axis(int k) const { return (along + 1 + k) % 3; }
   Vec3 third(const Vec3 &lab) const
   {

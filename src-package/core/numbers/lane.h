@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Four numbers, one per ball; formulas accept a Lane instead of a double.
+// Four numbers, one for each of four balls; formulas accept a Lane instead of a double.
 //
 // A Lane is the compiler's own vector type, with + - * / and comparisons; the missing functions are
-// here, for double and Lane alike. Nothing is reordered, fused or approximated: lane k of a result
-// has the bits of the same operation on doubles, on every instruction set.
+// defined here for both double and Lane. Nothing is reordered, fused or approximated: on every
+// instruction set, lane k of a result is bitwise identical to the same operation on doubles.
 #ifndef RACEWAY_LANE_H
 #define RACEWAY_LANE_H
 
 #include <cmath>
 
-// g++ compiles lanes for processors with AVX2 and for processors without it, except with
-// sanitizers, with RACEWAY_ONE_TARGET, and for other families of processors. clang does not accept
-// functions for two targets.
+// g++ compiles lanes for processors with and without AVX2, except with sanitizers, with
+// RACEWAY_ONE_TARGET, and for other processor families. clang does not accept functions for two
+// targets.
 #if defined(__clang__) && !defined(RACEWAY_ONE_TARGET)
 #define RACEWAY_ONE_TARGET 1
 #endif
@@ -21,16 +21,16 @@
 
 // A function with a Lane argument must be compiled for the instruction set of its caller, so it is
 // always inlined. A function that calls such functions is compiled for several instruction sets;
-// the best one is chosen at run time. There is no fused multiply-add, so all give the same bits.
+// the best one is chosen at run time. There is no fused multiply-add, so all of them give bitwise
+// identical results.
 //
-// Functions that contain contact laws are large, and their version for processors without AVX2
-// takes three quarters of the compile time. They are therefore compiled for AVX2 only
-// (RACEWAY_WIDE), and once more in a file for one target; instruction_set.h selects the one to
-// call.
+// Functions that contain contact laws are large, and the version for processors without AVX2 takes
+// three quarters of the compile time. They are therefore compiled for AVX2 only (RACEWAY_WIDE), and
+// once more in a file for a single target; instruction_set.h selects the version to call.
 //
 // For a single target all of them are plain functions, which compile several times faster. A single
-// target is used with sanitizers, which do not support the selection at run time, and if speed does
-// not matter (RACEWAY_ONE_TARGET).
+// target is used with sanitizers, which do not support the selection at run time, and when speed
+// does not matter (RACEWAY_ONE_TARGET).
 #if defined(__SANITIZE_ADDRESS__) || defined(RACEWAY_ONE_TARGET)
 #define RACEWAY_INLINE inline
 #else

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Small dense systems, four at a time: LU without pivoting, and substitution. The stride of rows is
-// 6.
-// Pre-condition: the symmetric part of each matrix is positive definite (mass + h C + h^2 k), so no
-// pivot can vanish.
+// Small dense systems, solved four at a time: LU decomposition without pivoting, and substitution.
+// The stride of the rows is 6. Precondition: the symmetric part of each matrix is positive definite
+// (mass + h C + h^2 k), so no pivot can vanish.
 #ifndef RACEWAY_LANE_BLOCKS_H
 #define RACEWAY_LANE_BLOCKS_H
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Four bodies on orbits about an axis, each in the frame that rotates with it: radius r, azimuth,
-// height, and velocities along the radial, circumferential and axial direction of that frame.
+// height, and velocities along the radial, circumferential and axial directions of that frame.
 //
-// Over a step h a body drifts by r += h v_r, azimuth += h v_c/r (with the new r), z += h v_z with
+// In a step h a body drifts by r += h v_r, azimuth += h v_c/r (with the new r), z += h v_z with
 // constant velocity components. The drift is exact on a circular path, whereas a straight line
 // would leave the path by h^2 v^2/(2r). Components in a rotating frame require the acceleration due
-// to the frame: with w = v_c/r it is -w z x v for a vector v, that is, +w v_c along the radius and
-// -w v_r along the circle; the same applies to the spin.
+// to the frame. With w = v_c/r this is -w z x v for a vector v, i.e. +w v_c along the radius and -w
+// v_r along the circle; the same applies to the spin.
 #ifndef RACEWAY_LANE_FRAME_H
 #define RACEWAY_LANE_FRAME_H
 
@@ -16,8 +16,9 @@ namespace raceway {
 
 using Vec3L = Vec3T<Lane>;
 
-// Cosine and sine by Taylor series to x^16: error below 1e-18 up to 0.6 rad, the limit of a stage,
-// and 5e-15 at 1.2 rad, the limit of a whole step of two stages or drifts.
+// Cosine and sine are computed by Taylor series to x^16, with an error below 1e-18 up to 0.6 rad,
+// the limit for a stage, and of 5e-15 at 1.2 rad, the limit for a whole step with two stages or
+// drifts.
 constexpr double largest_turn = 0.6;
 RACEWAY_INLINE void small_turn(const Lane &x, Lane &cosine, Lane &sine)
 {
@@ -40,7 +41,7 @@ struct LaneFrame {
   Lane r = {}, z = {};    // m
   Lane c = {}, s = {};    // cosine and sine of the azimuth
 
-  // v in lab axes (axis along z) <-> (radial, circumferential, axial)
+  // Convert a vector between lab axes (bearing axis along z) and (radial, circumferential, axial).
   RACEWAY_INLINE Vec3L local(const Vec3L &v) const
   {
     return {v.x * c + v.y * s, v.y * c - v.x * s, v.z};
@@ -55,7 +56,7 @@ struct LaneFrame {
   }
   RACEWAY_INLINE Vec3L place() const { return {r * c, r * s, z}; }
 
-  // One body: lane i.
+  // Sets one body, in lane i.
   void set(int i, const Vec3 &x)
   {
     r[i] = std::sqrt(x.x * x.x + x.y * x.y);
@@ -64,8 +65,8 @@ struct LaneFrame {
     s[i] = x.y / r[i];
   }
 
-  // Frame after the time h at local velocity v; `turn` is the rotation (rad), accurate up to
-  // largest_turn.
+  // Returns the frame after the time h at the local velocity v; `turn` is the rotation (rad), which
+  // is accurate up to largest_turn.
   RACEWAY_INLINE LaneFrame drifted(const Vec3L &v, double h, Lane &turn) const
   {
     LaneFrame f;
@@ -86,7 +87,8 @@ struct LaneFrame {
   }
 };
 
-// Rate of change of the components of `vector` in a frame that rotates at `rate` (rad/s).
+// Returns the rate of change of the components of `vector` in a frame that rotates at `rate`
+// (rad/s).
 RACEWAY_INLINE Vec3L frame_acceleration(const Lane &rate, const Vec3L &vector)
 {
   return {rate * vector.y, -rate * vector.x, Lane{}};

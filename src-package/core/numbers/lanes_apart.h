@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Conversion of a struct of lanes to four structs of doubles, and back.
+// Converts a struct of lanes to four structs of doubles, and back.
 #ifndef RACEWAY_LANES_APART_H
 #define RACEWAY_LANES_APART_H
 
@@ -10,7 +10,7 @@
 
 namespace raceway {
 
-// Four lanes chosen from `a` (indices 0 to 3) and `b` (indices 4 to 7)
+// Returns four lanes chosen from `a` (indices 0 to 3) and `b` (indices 4 to 7).
 template <int i, int j, int k, int l> RACEWAY_INLINE Lane lanes_of(const Lane &a, const Lane &b)
 {
 #ifdef __clang__

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A smooth curve through values at evenly spaced angles over one turn: piecewise cubic with the
-// slopes of Fritsch and Butland (SIAM J. Sci. Stat. Comput. 5, 1984). It does not overshoot, so a
-// step in a table stays a step; a spline would oscillate.
+// A smooth curve through values at equally spaced angles over one revolution: piecewise cubic with
+// the slopes of Fritsch and Butland (SIAM J. Sci. Stat. Comput. 5, 1984). It does not overshoot, so
+// a step in a table remains a step, whereas a spline would oscillate.
 #ifndef RACEWAY_PERIODIC_CURVE_H
 #define RACEWAY_PERIODIC_CURVE_H
 
@@ -11,12 +11,12 @@
 namespace raceway {
 
 struct CurveAt {
-  double value = 0.0, slope = 0.0, bend = 0.0;    // value, first and second derivative
+  double value = 0.0, slope = 0.0, bend = 0.0;    // value, first and second derivatives
 };
 
 class PeriodicCurve {
  public:
-  // Value k holds at the angle first + k 2 pi/n.
+  // Value k applies at the angle first + k 2 pi/n.
   PeriodicCurve(double first, std::vector<double> values) :
       first_(first), step_(2.0 * M_PI / values.size()), y_(std::move(values)), rise_(y_.size())
   {
@@ -45,7 +45,7 @@ class PeriodicCurve {
 
  private:
   double first_, step_;
-  std::vector<double> y_, rise_;    // values; slopes as change per step
+  std::vector<double> y_, rise_;    // values; slopes as changes per step
 };
 
 }    // namespace raceway

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A rotation as a unit quaternion, from the axes of a body to the axes of the observer.
+// A rotation from the axes of a body to the axes of the observer, as a unit quaternion.
 #ifndef RACEWAY_QUATERNION_H
 #define RACEWAY_QUATERNION_H
 
@@ -11,7 +11,7 @@ struct Quaternion {
   double w = 1.0;
   Vec3 v;
 
-  // Rotation by the rotation vector a (rad).
+  // Returns the rotation by the rotation vector a (rad).
   static Quaternion by(const Vec3 &a)
   {
     const double angle = norm(a), half = 0.5 * angle;
@@ -19,7 +19,7 @@ struct Quaternion {
     return {std::cos(half), a * share};
   }
 
-  // Applies b first, then this.
+  // Returns the rotation that applies b first and then this one.
   Quaternion operator*(const Quaternion &b) const
   {
     return {w * b.w - dot(v, b.v), b.v * w + v * b.w + cross(v, b.v)};
@@ -35,7 +35,7 @@ struct Quaternion {
     const double inverse = 1.0 / std::sqrt(w * w + dot(v, v));
     return {w * inverse, v * inverse};
   }
-  // Rotation vector of the shorter rotation, rad.
+  // Returns the rotation vector of the shorter rotation, rad.
   Vec3 vector() const
   {
     const double sine = norm(v), side = w < 0.0 ? -1.0 : 1.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Three-component vector with the algebra needed for contacts and rings. T is double, or Lane
+// Three-component vector with the algebra needed for contacts and rings. T is double or Lane
 // (lane.h).
 #ifndef RACEWAY_VEC3_H
 #define RACEWAY_VEC3_H
@@ -61,7 +61,8 @@ template <class T> RACEWAY_INLINE Vec3T<T> cross(const Vec3T<T> &a, const Vec3T<
 }
 template <class T> RACEWAY_INLINE T norm(const Vec3T<T> &a) { return square_root(dot(a, a)); }
 
-// Rotate a about the rotation vector w (radians, right-handed): Rodrigues' formula, exact.
+// Rotates a about the rotation vector w (radians, right-handed) by Rodrigues' formula, which is
+// exact.
 inline Vec3 rotate(const Vec3 &a, const Vec3 &w)
 {
   const double angle = norm(w);

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The losses of a contact. A loss is a struct with an output column and a power; each part of the
-// contact law lists its losses:
+// contact law lists its losses, for example
 //
 //   struct SpinLoss {
-//     static constexpr LossColumn column = {"spin_power", "spin", "power lost to spin", false};
+//     static constexpr LossColumn column = {"spin_power", "spin", "power dissipated by spin",
+//                                           false};
 //     template <class T> static Value<T> of(const ContactStateT<T> &c);    // W
 //   };
 //   using Losses = LossList<SpinLoss>;
 //
 // Parts that exclude each other share a loss; losses of different parts may share a column. The
-// loss of a law, the columns of contacts, rings, bearings and records, and losses_W of `raceway
-// summary` all follow from these lists (loss_table.h).
+// total loss of a law, the columns for contacts, rings, bearings and records, and losses_W in
+// `raceway summary` all follow from these lists (loss_table.h).
 #ifndef RACEWAY_LOSS_H
 #define RACEWAY_LOSS_H
 
@@ -19,14 +20,14 @@
 namespace raceway {
 
 struct LossColumn {
-  const char *name;    // name of the column, W
-  const char *key;     // key in losses_W of `raceway summary`
+  const char *name;    // name of the column, in W
+  const char *key;     // key in losses_W in `raceway summary`
   const char *meaning;
   bool usual;    // true: a column of every law, included in records by default
 };
 
 template <class... L> struct LossList {
-  // Sum of the powers of the losses, W
+  // Returns the sum of the powers of the losses, W.
   template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
   {
     Value<T> sum = Value<T>();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Output columns for the motions of a contact; the columns for its forces are in the parts of the
-// law.
+// Output columns for the motions of a contact; the columns for its forces are defined by the parts
+// of the law.
 #ifndef RACEWAY_MOTION_COLUMNS_H
 #define RACEWAY_MOTION_COLUMNS_H
 
@@ -19,7 +19,7 @@ inline std::vector<StateColumn> motion_columns()
            [](const Raceway &, const ContactState &s) { return s.overlap; }},
           {{"entrainment", "m/s", "entrainment speed along rolling"},
            [](const Raceway &, const ContactState &s) { return s.entrainment; }},
-          {{"sliding", "m/s", "speed of the ball's surface relative to the ring's"},
+          {{"sliding", "m/s", "speed of the ball's surface relative to that of the ring"},
            [](const Raceway &, const ContactState &s) {
              return std::hypot(s.sliding_t, s.sliding_w);
            }}};

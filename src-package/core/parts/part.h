@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A part of the contact law: a struct with
+// A part of the contact law is a struct with the following members:
 //
 //   name         one word, for tables and messages
 //   when         always, with a film, or only on request by a keyword
 //   slot         parts with the same slot exclude each other; "" for none
-//   needs_film   true if it has no meaning without a film
+//   needs_film   true if the part requires a film
 //   needs        name of another required part; "" for none
-//   Parameters   its own numbers with their defaults; prepare(raceway) if some of them are derived,
-//                and reach(raceway), the gap (m) at which its contacts begin, if that is not 0
-//   keywords()   the words that set its Parameters, with unit and range (Keyword below)
-//   states       number of its state variables per contact, kept from step to step
+//   Parameters   its own numbers with their defaults; has a function prepare(raceway) if some of
+//                them are computed, and reach(raceway) if the gap (m) at which its contacts begin
+//                is not 0
+//   keywords()   the keywords that set its Parameters, with unit and range (Keyword below)
+//   states       number of state variables per contact that are kept between steps
 //   couples      true if it sets couple_n, couple_t, couple_w
 //   explicit_step   true if it is not available in an implicit step
 //   columns()    output columns of a contact
@@ -21,7 +22,7 @@
 //   Losses       its losses (loss.h): power taken from the motion
 //   energy()     stored energy, J
 //
-// PartBase has the defaults. docs/extend explains how to add a part.
+// PartBase defines the defaults. docs/extend explains how to add a part.
 #ifndef RACEWAY_PART_H
 #define RACEWAY_PART_H
 
@@ -79,11 +80,11 @@ template <class Own> struct Keyword {
   const char *name, *form;
   bool chooses;
   std::vector<Parameter<Own>> parameters;
-  const char *(*wrong)(const double *values) = nullptr;    // error in the combination of the values
-  const char *note = "";                                   // text for the page of the command
+  const char *(*wrong)(const double *values) = nullptr;    // error in the combination of values
+  const char *note = "";                                   // text for the command's documentation
 };
 
-// An output column computed from the state of a contact.
+// An output column that is computed from the state of a contact.
 struct StateColumn {
   Column is;
   double (*value)(const Raceway &, const ContactState &);
@@ -91,8 +92,8 @@ struct StateColumn {
   bool usual = true;    // included in records by default
 };
 
-// State variables of a contact before and after a time dt; dt = 0 changes nothing. Decay at the
-// rate r is exact, e^-(r dt), for constant motions over dt. In a stage of an implicit method the
+// State variables of a contact before and after a time dt; dt = 0 changes nothing. For constant
+// motions over dt, decay at the rate r is exact, e^-(r dt). In a stage of an implicit method the
 // factor is 1/(1 + r dt), as in backward Euler, because the order of the method depends on it.
 template <class T> struct LawStates {
   double dt = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Normal damping of the paper: hysteresis, the film damper, and the sum N = max(0, Q + C rate)
-// (damping.h). Derivatives keep C fixed.
+// Normal damping as in the paper: hysteresis, the film damper, and the sum N = max(0, Q + C rate)
+// (damping.h). Derivatives treat C as constant.
 #ifndef RACEWAY_PART_DAMPING_H
 #define RACEWAY_PART_DAMPING_H
 
@@ -28,7 +28,7 @@ struct HysteresisPart : PartBase {
 
   static std::vector<StateColumn> columns()
   {
-    return {{{"damping", "N s/m", "normal damping, of the material and the film", vanishes},
+    return {{{"damping", "N s/m", "normal damping by the material and the film", vanishes},
              [](const Raceway &, const ContactState &s) { return s.damping; }}};
   }
 
@@ -84,14 +84,14 @@ struct FilmDamperPart : PartBase {
   }
 };
 
-// Column of all normal damping: by the steel, and by the film through its damper or branch.
+// Column for all normal damping: by the steel, and by the film through its damper or branch.
 struct DampingPower {
-  static constexpr LossColumn column = {"damping_power", "film", "power lost to normal damping",
-                                        true};
+  static constexpr LossColumn column = {"damping_power", "film",
+                                        "power dissipated by normal damping", true};
 };
 
 struct NormalForceLoss : DampingPower {
-  // energy stored in the film's branch is not a loss; the branch has its own loss
+  // Energy stored in the film's branch is not dissipated; the branch has a loss of its own.
   template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
   {
     return (held(c.normal) - held(c.load) - c.film_force) * held(c.overlap_rate);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Differential slip along rolling and, across it, Coulomb's law with the slope of free rolling,
+// Differential slip along rolling, and across rolling Coulomb's law with the slope of free rolling,
 // each in series with the contact's tangential spring k_t (Mindlin):
 //   f' = k_t (s - f/c),  f <- f e^(-dt/tau) + c s (1 - e^(-dt/tau)),  tau = c/k_t,
-// with s the slip relative to free rolling and c the secant of the slip law. It acts as a slip law
-// for dt >> tau, as a spring for dt << tau, and sticks at rest. |f| stays below mu N. The states
-// are the forces, in the frame that turns with the ball's azimuth. In explicit steps only the
+// with s the slip relative to free rolling and c the secant of the slip law. The law acts as a slip
+// law for dt >> tau, as a spring for dt << tau, and sticks at rest. |f| stays below mu N. The
+// states are the forces in the frame that turns with the ball's azimuth. In explicit steps only the
 // spring acts, so both integrators support this law.
 //
-// Derivatives keep mu, k_t, the ellipse and the shape of the secant fixed, but not N.
+// Derivatives treat mu, k_t, the ellipse and the shape of the secant as constant, but not N.
 #ifndef RACEWAY_PART_DIFFERENTIAL_SLIP_H
 #define RACEWAY_PART_DIFFERENTIAL_SLIP_H
 
@@ -47,10 +47,10 @@ struct DifferentialSlipPart : PartBase {
     const T along = c.sliding_t - turn * curve * free_part;
     const B off_t = held(along) * forward / width, off_w = held(c.sliding_w) / width;
 
-    // secants for sliding in both directions, which share the friction limit
+    // secants for sliding in both directions, which share the same friction limit
     const B alone = slip_secant(off_t), cross = alone * off_w;
     const B sharing = square_root(B(1.0 + cross * cross));
-    // m/s, mu N over the secants, needed before mu N is known
+    // m/s, mu N divided by the secants, needed before mu N is known
     const B speed_t = width * sharing / alone;
     const B speed_w =
         width * square_root(B(off_t * off_t + off_w * off_w + 1.0 / (free_lean * free_lean)));
@@ -77,9 +77,9 @@ struct DifferentialSlipPart : PartBase {
     m.after[0] = c.friction_t;
     m.after[1] = c.friction_w;
 
-    // The couple belongs to the slip after the spring and follows from the force. If it were
-    // computed from f/c, with c at the present sliding, oscillations of the spring would grow in
-    // explicit steps.
+    // The couple depends on the slip after the spring and is computed from the force. If it were
+    // computed from f/c, with c at the present sliding speed, oscillations of the spring would grow
+    // in explicit steps.
     const B used = held(c.friction_t) * sharing * forward / (most + none);
     const B against = -slip_couple(force_root(used)) * most * curve * curve / width;    // N m s
     c.slip_couple = against * turn;
@@ -87,8 +87,8 @@ struct DifferentialSlipPart : PartBase {
   }
 
  private:
-  // Remaining fraction of a force after a time dt; part = -dt k_t/(mu N). A tiny fraction has no
-  // derivative, because a contact may have no load.
+  // Returns the fraction of a force that remains after a time dt; part = -dt k_t/(mu N). A tiny
+  // fraction has no derivative, because a contact may have no load.
   template <class T> static RACEWAY_INLINE T left_of(const T &part, const Value<T> &speed)
   {
     const T x = part * speed;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Oil drag on the balls (ball_drag.h) at their speed relative to the outer ring, which takes the
-// reaction. A ball off the outer raceway has no drag; in a Gothic arch the groove with the larger
-// overlap carries the drag. Derivatives keep the force fixed, because it changes the speed of a
-// ball by at most a fraction of 1e-3 over an implicit step.
+// Oil drag on the balls (ball_drag.h), which depends on their speed relative to the outer ring; the
+// outer ring takes the reaction. A ball that does not touch the outer raceway has no drag; in a
+// Gothic arch the groove with the larger overlap carries the drag. Derivatives treat the force as
+// constant, because it changes the speed of a ball by at most a fraction of 1e-3 in an implicit
+// step.
 #ifndef RACEWAY_PART_DRAG_H
 #define RACEWAY_PART_DRAG_H
 
@@ -12,7 +13,7 @@
 namespace raceway {
 
 struct DragLoss {
-  static constexpr LossColumn column = {"drag_power", "drag", "power lost to drag", false};
+  static constexpr LossColumn column = {"drag_power", "drag", "power dissipated by drag", false};
   template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
   {
     return c.drag_power;
@@ -25,7 +26,7 @@ struct DragPart : PartBase {
   using Losses = LossList<DragLoss>;
   struct Parameters {
     double density = 870.0, share = 0.0;       // kg/m^3; volume fraction of oil in the bearing
-    double reynolds = 0.0, prefactor = 0.0;    // derived: s/m, N s^2/m^2
+    double reynolds = 0.0, prefactor = 0.0;    // computed by prepare(): s/m, N s^2/m^2
     DragTable table;
     void prepare(const Raceway &p)
     {
@@ -46,7 +47,7 @@ struct DragPart : PartBase {
              true,
              {P::positive("RHO", "density of the oil (kg/m^3)",
                           [](Raceway &, Parameters &own) -> double & { return own.density; }),
-              P::within("X", "share of oil in the bearing", 0.0, 1.0,
+              P::within("X", "volume fraction of oil in the bearing", 0.0, 1.0,
                         [](Raceway &, Parameters &own) -> double & { return own.share; })},
              nullptr,
              "drag of oil and air on the balls"}};
@@ -55,7 +56,7 @@ struct DragPart : PartBase {
   static std::vector<StateColumn> columns()
   {
     return {
-        {{"drag", "N", "drag of oil and air on the ball, booked at the outer raceway", vanishes},
+        {{"drag", "N", "drag of oil and air on the ball, counted at the outer raceway", vanishes},
          [](const Raceway &, const ContactState &s) { return s.drag; },
          Needs::nothing,
          false}};
@@ -81,8 +82,9 @@ struct DragPart : PartBase {
   }
 
  private:
-  // True if a ball at z (m) from its groove's centres has a smaller overlap with the twin groove at
-  // -offset. In the middle plane, to rounding, the groove at the positive offset carries the drag.
+  // Returns whether a ball at z (m) from its groove's centres has a smaller overlap with the twin
+  // groove at -offset. A ball in the mid-plane, to rounding accuracy, is assigned to the groove
+  // at the positive offset.
   template <class B> static RACEWAY_INLINE auto deeper(double offset, const B &z)
   {
     const B from_middle = z + offset;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Film thickness and lambda ratio at the present load and entrainment speed (film.h), times the
-// factors of film_factors.h. Derivatives keep thickness, ratio and factors fixed, which affects the
-// convergence of the Newton iteration but not its result.
+// Film thickness and lambda ratio at the present load and entrainment speed (film.h), multiplied by
+// the factors in film_factors.h. Derivatives treat thickness, ratio and factors as constant, which
+// affects the convergence of the Newton iteration but not its result.
 #ifndef RACEWAY_PART_FILM_H
 #define RACEWAY_PART_FILM_H
 
@@ -10,7 +10,8 @@
 
 namespace raceway {
 
-// Central thickness for the act() of a later part; with the film in the gap it is already set.
+// Returns the central thickness for the act() of a later part; with the film in the gap it has
+// already been computed.
 template <class T>
 RACEWAY_INLINE Value<T> held_central_film(const Raceway &p, const RacewayConstantsT<Value<T>> &k,
                                           const ContactStateT<T> &c)
@@ -92,11 +93,11 @@ struct FilmThicknessPart : PartBase {
               [](Raceway &p, Parameters &) -> double & { return p.factors.conductivity; },
               "no factor")},
          nullptr,
-         "a factor on the film: the oil is heated where it enters"},
+         "a factor on the film thickness, because the oil is heated at the inlet"},
         {"starvation",
          "",
          false,
-         {P::within("PHI", "starvation factor on the film", 1e-3, 1.0,
+         {P::within("PHI", "starvation factor on the film thickness", 1e-3, 1.0,
                     [](Raceway &p, Parameters &) -> double & { return p.factors.starvation; })}}};
   }
 
@@ -121,8 +122,8 @@ struct FilmThicknessPart : PartBase {
                                  ContactStateT<T> &c)
   {
     using B = Value<T>;
-    const bool in_gap = p.reach > 0.0;    // then these values have been set by the part for the
-                                          // film in the gap
+    const bool in_gap = p.reach > 0.0;    // with a film in the gap, part_film_gap.h has already
+                                          // computed these values
     if (!in_gap) {
       const FilmPointT<B> at = film_point(c.entrainment, c.film_load);
       c.ln_speed = at.ln_speed;

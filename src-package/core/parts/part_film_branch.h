@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Film damping by a spring and a dashpot in series (film_branch.h) instead of eq 5. This part acts
-// after the normal force and adds to it. Derivatives keep the force of the branch fixed.
+// after the normal force and adds to it. Derivatives treat the force of the branch as constant.
 #ifndef RACEWAY_PART_FILM_BRANCH_H
 #define RACEWAY_PART_FILM_BRANCH_H
 
@@ -9,8 +9,8 @@
 
 namespace raceway {
 
-// Power of the branch, f times the rate of overlap; negative while the film springs back. k_m
-// changes with the film, so f^2/(2 k_m) is not a potential (at rest k_m falls to 0 while f
+// Power of the branch, f times the rate of overlap, which is negative while the film springs back.
+// k_m changes with the film, so f^2/(2 k_m) is not a potential (at rest k_m becomes 0 while f
 // remains), and the loss in the dashpot alone, f^2/(k_m tau), would not add up to the work done on
 // the branch.
 struct FilmBranchLoss : DampingPower {
@@ -33,12 +33,12 @@ struct FilmBranchPart : PartBase {
              true,
              {},
              nullptr,
-             "one Maxwell branch beside Hertz's spring, after *gap*"}};
+             "one Maxwell branch in parallel with the Hertz spring, after *gap*"}};
   }
 
   static std::vector<StateColumn> columns()
   {
-    return {{{"film_force", "N", "force of the film's branch", vanishes},
+    return {{{"film_force", "N", "force of the film's Maxwell branch", vanishes},
              [](const Raceway &, const ContactState &s) { return s.film_force; },
              Needs::film,
              false}};

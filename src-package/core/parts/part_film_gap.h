@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Elastic contact with the film in the gap (film_gap.h) instead of Hertz contact alone: contacts
-// begin at a gap as wide as the film of a lightly loaded contact. The derivative with respect to
-// the overlap is exact; the entrainment speed is kept fixed.
+// Elastic contact with the film in the gap (film_gap.h) instead of Hertz contact alone: the load
+// starts at a gap as wide as the film of a lightly loaded contact. The derivative with respect to
+// the overlap is exact at constant entrainment speed.
 //
-// The film follows the power law of film.h, constant below 1 N, or the law of all regimes
-// (gap_film.h).
+// The film follows either the power law of film.h, with a constant thickness below 1 N, or the law
+// for all regimes (gap_film.h).
 #ifndef RACEWAY_PART_FILM_GAP_H
 #define RACEWAY_PART_FILM_GAP_H
 
@@ -20,15 +20,16 @@ struct FilmInGapPart : PartBase {
   struct Parameters {
     double share = 1.0;
     bool all_regimes = false;
-    double unit_of_cut = std::pow(cut, 2.0 / 3.0);    // compression at the cut over that at 1 N
-    MoesRaceway moes;                                 // derived
+    double unit_of_cut = std::pow(cut, 2.0 / 3.0);    // compression at the cut relative to 1 N
+    MoesRaceway moes;                                 // computed by prepare()
     void prepare(const Raceway &p)
     {
       if (all_regimes)
         moes = {p.model.lubricant, p.material.Eprime(), p.rolling_radius(1.0),
                 p.transverse_radius()};
     }
-    // wider than any film in a bearing, because the force would jump if a film were cut off
+    // The reach is wider than any film in a bearing, because the force would jump if a film were
+    // cut off.
     double reach(const Raceway &p) const { return 0.01 * p.groove.ball_radius; }
     double widest(const Raceway &p) const { return share > 0.0 ? p.reach / share : p.reach; }
   };
@@ -40,7 +41,7 @@ struct FilmInGapPart : PartBase {
              "",
              true,
              {P::within(
-                 "ZETA", "share of the film that adds to the overlap", 0.0, 2.0,
+                 "ZETA", "fraction of the film that adds to the overlap", 0.0, 2.0,
                  [](Raceway &, Parameters &own) -> double & { return own.share; },
                  "no film in the gap")},
              nullptr,
@@ -63,14 +64,14 @@ struct FilmInGapPart : PartBase {
              false}};
   }
 
-  // True if there is no load at this position and speed. NaN does not count as a gap.
+  // Returns true if there is no load at this position and speed. NaN does not count as a gap.
   template <class T>
   static RACEWAY_INLINE auto misses(const Parameters &own, const Raceway &p,
                                     const RacewayConstantsT<T> &k, ContactStateT<T> &c)
   {
     c.ln_speed = logarithm(c.entrainment);
     if (p.factors.any && !p.factors.by_pressure) c.film_factor = p.factors.of(c.ln_speed);
-    if (own.all_regimes) {    // a film of unlimited thickness, counted up to the reach
+    if (own.all_regimes) {    // a film of unlimited thickness, counted only up to the reach
       c.h_edge = where(c.entrainment > resting, T() + own.widest(p), 0.0);
     } else if (p.factors.by_pressure) {
       const T film = GapFilmT<T, false>(own.moes, p, k, c).at(logarithm(kept(own, k))).thickness;
@@ -84,7 +85,7 @@ struct FilmInGapPart : PartBase {
     }
     return beyond(own, c) <= 0.0;
   }
-  // Overlap beyond the onset of the load, m; call it after misses()
+  // Returns the overlap beyond the onset of the load, m; call it after misses().
   template <class T>
   static RACEWAY_INLINE T beyond(const Parameters &own, const ContactStateT<T> &c)
   {
@@ -122,7 +123,7 @@ struct FilmInGapPart : PartBase {
     c.film_energy = thinning_work(own.share, exponent, Q, c.h_c, cut, c.h_edge);
   }
 
-  // The work against the film starts at the onset of thinning; the entrainment speed is constant.
+  // Returns the work against the film from the onset of thinning, at constant entrainment speed.
   template <class T>
   static RACEWAY_INLINE Value<T> energy(const Parameters &own, const Raceway &p,
                                         const ContactStateT<T> &c)
@@ -134,14 +135,15 @@ struct FilmInGapPart : PartBase {
   }
 
  private:
-  // Compression below which the film thickness of a power law is constant, m
+  // Returns the compression below which the film thickness of a power law is constant, m.
   template <class T>
   static RACEWAY_INLINE T kept(const Parameters &own, const RacewayConstantsT<T> &k)
   {
     return k.unit * own.unit_of_cut;
   }
 
-  // Root for films without a closed form; above c.h_edge the film thickness is h_edge.
+  // Finds the root for films without a closed-form solution; above c.h_edge the film thickness is
+  // h_edge.
   template <bool all, class T>
   static RACEWAY_INLINE FilmRootT<Value<T>> root(const Parameters &own, const Raceway &p,
                                                  const RacewayConstantsT<Value<T>> &k,
@@ -155,7 +157,8 @@ struct FilmInGapPart : PartBase {
             where(wide, c.h_edge, g.thickness), where(wide, 1.0, g.slope)};
   }
 
-  // Energy of squeezing the film: integral of zeta m h over the load, with the fall m of h.
+  // Returns the energy of squeezing the film: the integral of zeta m h over the load, where m is
+  // the decrease of ln h with ln Q.
   template <bool all, class T>
   static RACEWAY_INLINE Value<T> work(const Parameters &own, const Raceway &p,
                                       const ContactStateT<T> &c)

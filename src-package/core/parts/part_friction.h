@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Friction (friction.h): a coefficient, constant or a function of the lambda ratio, and a
+// Friction (friction.h): a coefficient that is constant or a function of the lambda ratio, and a
 // tangential law, either a spring with history or Coulomb's law smoothed over a creep speed.
 //
-// The derivative of the smoothed law is the secant f/s: mu, v_0 and the denominator are kept fixed,
-// but not N. At a sliding contact the tangent is nearly flat, so a single correction with the
-// tangent would throw a light ball past zero sliding.
+// The derivative of the smoothed law is the secant f/s: mu, v_0 and the denominator are treated as
+// constant, but not N. For a sliding contact the tangent is nearly flat, so a single correction
+// with the tangent would throw a light ball past zero sliding.
 #ifndef RACEWAY_PART_FRICTION_H
 #define RACEWAY_PART_FRICTION_H
 
@@ -13,10 +13,10 @@
 
 namespace raceway {
 
-// Loss in any tangential law; energy stored in a spring counts as lost until it is returned.
+// Loss in any tangential law. Energy stored in a spring counts as dissipated until it is returned.
 struct FrictionLoss {
   static constexpr LossColumn column = {"friction_power", "slip",
-                                        "power lost to the tangential force", true};
+                                        "power dissipated by the tangential force", true};
   template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
   {
     const Value<T> slid =
@@ -28,14 +28,15 @@ struct FrictionLoss {
 
 // Loss in any spin law.
 struct SpinLoss {
-  static constexpr LossColumn column = {"spin_power", "spin", "power lost to spin", false};
+  static constexpr LossColumn column = {"spin_power", "spin", "power dissipated by spin", false};
   template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
   {
     return held(c.couple_n) * held(c.spin_n);
   }
 };
 
-// Columns common to all friction coefficients, and columns common to all tangential laws.
+// Columns that all friction coefficients have in common, and columns that all tangential laws have
+// in common.
 inline std::vector<StateColumn> coefficient_columns()
 {
   return {{{"mu", "", "friction coefficient"},
@@ -127,7 +128,8 @@ struct TangentialSpringPart : PartBase {
   using Losses = LossList<FrictionLoss>;
   struct Parameters {
     double ratio = -1.0;    // k_t/k_n set by the keyword; < 0: Mindlin
-    double zeta = 0.3;      // dashpot over critical damping of the rolling mode, mass 2/7 m_b
+    double zeta = 0.3;      // dashpot relative to critical damping of the rolling mode, mass 2/7
+                            // m_b
     double kt_ratio = 0.0, ct_factor = 0.0;    // values in use
     void prepare(const Raceway &p)
     {
@@ -145,9 +147,9 @@ struct TangentialSpringPart : PartBase {
              "",
              false,
              {P::positive(
-                  "KT_OVER_KN", "tangential over normal stiffness",
+                  "KT_OVER_KN", "ratio of tangential to normal stiffness",
                   [](Raceway &, Parameters &own) -> double & { return own.ratio; }, "Mindlin"),
-              P::within("ZETA", "tangential damping over critical", 0.0, 2.0,
+              P::within("ZETA", "tangential damping ratio", 0.0, 2.0,
                         [](Raceway &, Parameters &own) -> double & { return own.zeta; })}}};
   }
 
@@ -172,7 +174,7 @@ struct SmoothedFrictionPart : PartBase {
   using Losses = LossList<FrictionLoss>;
   struct Parameters {
     double creep = 0.01;          // v_0 = creep * entrainment speed
-    double creep_floor = 1e-4;    // m/s, lower limit of v_0: a bearing at rest
+    double creep_floor = 1e-4;    // m/s, lower limit of v_0, needed for a bearing at rest
   };
 
   static std::vector<Keyword<Parameters>> keywords()
@@ -184,7 +186,7 @@ struct SmoothedFrictionPart : PartBase {
              {P::within("CREEP", "creep of the smoothed friction", 1e-6, 1.0,
                         [](Raceway &, Parameters &own) -> double & { return own.creep; })},
              nullptr,
-             "after friction: no history, Coulomb's law smoothed over this slide-roll ratio"}};
+             "after friction: Coulomb's law without history, smoothed over this slide-roll ratio"}};
   }
 
   static std::vector<StateColumn> columns() { return tangential_columns(); }

@@ -36,7 +36,7 @@ struct HertzContactPart : PartBase {
              "ellipse", "exact|hamrock|printed",
              [](Raceway &p, Parameters &, int k) { p.model.ellipse = static_cast<Ellipse>(k); })},
          nullptr,
-         "elliptic integrals, Hamrock and Brewe\'s fit, or the fit as the paper prints it"}};
+         "elliptic integrals, Hamrock and Brewe\'s fit, or the fit as printed in the paper"}};
   }
 
   static std::vector<StateColumn> columns()
@@ -44,7 +44,7 @@ struct HertzContactPart : PartBase {
     return {
         {{"load", "N", "elastic contact load", vanishes},
          [](const Raceway &, const ContactState &s) { return s.load; }},
-        {{"stiffness", "N/m", "slope of load over overlap", vanishes},
+        {{"stiffness", "N/m", "derivative of the load with respect to the overlap", vanishes},
          [](const Raceway &, const ContactState &s) { return s.stiffness; },
          Needs::nothing,
          false},

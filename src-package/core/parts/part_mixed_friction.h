@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Friction coefficient of a contact whose load is shared by asperities and film (asperities.h). The
-// coefficient of the film is a constant, or follows from Eyring's stress with a limit
-// (film_traction.h) at the sliding speed of free rolling combined with the sliding of the contact.
-// Derivatives keep the friction coefficient fixed.
+// coefficient of the film is a constant, or follows from the Eyring stress up to a limiting shear
+// stress (film_traction.h), at the sliding speed of free rolling combined with the sliding of the
+// contact. Derivatives treat the friction coefficient as constant.
 #ifndef RACEWAY_PART_MIXED_FRICTION_H
 #define RACEWAY_PART_MIXED_FRICTION_H
 
@@ -21,7 +21,7 @@ struct MixedFrictionPart : PartBase {
     double mu_boundary = 0.12, mu_film = 0.05;
     Asperities asperities;
     FilmTraction traction;
-    double lift = 0.0;    // derived; 1/m, 1/(2 R_d)
+    double lift = 0.0;    // computed by prepare(); 1/m, 1/(2 R_d)
     void prepare(const Raceway &p)
     {
       traction.prepare(p.model.lubricant);
@@ -42,21 +42,21 @@ struct MixedFrictionPart : PartBase {
             {"asperities",
              "",
              false,
-             {P::within("B", "factor of the asperity share", 0.01, 100.0,
+             {P::within("B", "factor in the asperity fraction", 0.01, 100.0,
                         [](Raceway &, Parameters &own) -> double & { return own.asperities.b; }),
-              P::within("C", "exponent of the asperity share", 0.01, 10.0,
+              P::within("C", "exponent in the asperity fraction", 0.01, 10.0,
                         [](Raceway &, Parameters &own) -> double & { return own.asperities.c; })},
              nullptr,
-             "for friction mixed: the asperity share is exp(-B lambda^C)"},
+             "for friction mixed: the asperity fraction is exp(-B lambda^C)"},
             {"asperity_law",
              "",
              false,
-             {P::one_of("law of the asperity share", "zhou|clarke",
+             {P::one_of("law for the asperity fraction", "zhou|clarke",
                         [](Raceway &, Parameters &own, int k) {
                           own.asperities.law = static_cast<AsperityLaw>(k);
                         })},
              nullptr,
-             "for friction mixed: the asperity share is exp(-B lambda^C) or 1 - erf(lambda)"},
+             "for friction mixed: the asperity fraction is exp(-B lambda^C) or 1 - erf(lambda)"},
             {"traction",
              "",
              false,
@@ -65,17 +65,17 @@ struct MixedFrictionPart : PartBase {
                   [](Raceway &, Parameters &own) -> double & { return own.traction.stress; },
                   "MU_FILM"),
               P::within(
-                  "LAMBDA_L", "limiting shear stress of the film over pressure", 1e-3, 1.0,
+                  "LAMBDA_L", "ratio of limiting shear stress to pressure", 1e-3, 1.0,
                   [](Raceway &, Parameters &own) -> double & { return own.traction.limit; },
                   "MU_FILM")},
              nullptr,
-             "for friction mixed: Eyring's stress with a limit instead of MU_FILM"}};
+             "for friction mixed: Eyring's law with a limiting shear stress instead of MU_FILM"}};
   }
 
   static std::vector<StateColumn> columns()
   {
     std::vector<StateColumn> list = coefficient_columns();
-    list.push_back({{"asperity_share", "", "share of the load that asperities carry"},
+    list.push_back({{"asperity_share", "", "fraction of the load carried by asperities"},
                     [](const Raceway &, const ContactState &s) { return s.asperity_share; },
                     Needs::film,
                     false});
@@ -87,7 +87,7 @@ struct MixedFrictionPart : PartBase {
                                  const RacewayConstantsT<Value<T>> &k, const LawStates<T> &,
                                  ContactStateT<T> &c)
   {
-    // ln Lambda from the film equation, because lambda itself is computed later
+    // ln Lambda is computed from the film equation, because lambda itself is computed later
     Value<T> ln_lambda = ln_film_thickness(k.film.min, {c.ln_speed, c.ln_film_load});
     if (p.factors.any) ln_lambda = ln_lambda + logarithm(c.film_factor);
     c.asperity_share =
@@ -101,7 +101,7 @@ struct MixedFrictionPart : PartBase {
   }
 
  private:
-  // Friction coefficient of the film
+  // Returns the friction coefficient of the film.
   template <class T>
   static RACEWAY_INLINE Value<T> coefficient(const Parameters &own, const Raceway &p,
                                              const RacewayConstantsT<Value<T>> &k,

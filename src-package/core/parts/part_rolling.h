@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Couples against rolling, opposite on ball and ring (rolling_resistance.h). Near zero speed they
-// are linear in the speed. The derivative is the couple over the speed; this secant is large at
-// rest, as an implicit step requires.
+// Couples that resist rolling, equal and opposite on ball and ring (rolling_resistance.h). Near
+// zero speed they are linear in the speed. The derivative is the secant, the couple divided by the
+// speed; it is large at rest, as an implicit step requires.
 #ifndef RACEWAY_PART_ROLLING_H
 #define RACEWAY_PART_ROLLING_H
 
@@ -12,9 +12,9 @@
 namespace raceway {
 
 namespace detail {
-constexpr double least_rolling = 1e-3;    // m/s: below it the couples are proportional to speed
+constexpr double least_rolling = 1e-3;    // m/s, below it the couples are proportional to the speed
 
-// Inverse of the angular speed by which a couple is divided, s.
+// Returns the inverse of the angular speed by which a couple is divided, s.
 template <class T> RACEWAY_INLINE T over_rolling(const T &turn, const T &radius)
 {
   const T size = magnitude(turn), least = least_rolling / radius;
@@ -24,7 +24,7 @@ template <class T> RACEWAY_INLINE T over_rolling(const T &turn, const T &radius)
 
 struct HydrodynamicRollingLoss {
   static constexpr LossColumn column = {"rolling_power", "rolling",
-                                        "power lost to the hydrodynamic couple", false};
+                                        "power dissipated by the hydrodynamic couple", false};
   template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
   {
     return c.rolling_couple * held(c.roll_w);
@@ -37,10 +37,10 @@ struct HydrodynamicRollingPart : PartBase {
   using Losses = LossList<HydrodynamicRollingLoss>;
   struct Parameters {
     double beta = 0.0, conductivity = 0.14, starvation = 1.0;    // 1/K, W/(m K), 1
-    double length = 0.0;    // length of the inlet, in semi-axes b; 0: flooded
-    // derived
+    double length = 0.0;    // inlet length in units of the semi-axis b; 0: flooded
+    // computed by prepare()
     double ln_heating = 0.0;
-    double of_film = 0.0;    // not 0: inlet shear relative to the film factor, which includes it
+    double of_film = 0.0;    // if not 0: inlet shear relative to the film factor, which includes it
     RollingConstants force;
     RollingShapeT<double> radial{};    // at zero contact angle
     RollingInlet inlet;
@@ -64,22 +64,22 @@ struct HydrodynamicRollingPart : PartBase {
         {"rolling",
          "",
          true,
-         {P::non_negative("BETA", "fall of ln(viscosity) with temperature (1/K)",
+         {P::non_negative("BETA", "decrease of ln(viscosity) with temperature (1/K)",
                           [](Raceway &, Parameters &own) -> double & { return own.beta; }),
           P::positive("K_F", "thermal conductivity of the oil (W/(m K))",
                       [](Raceway &, Parameters &own) -> double & { return own.conductivity; }),
           P::within("PHI_RS", "starvation factor of the rolling couple", 0.0, 1.0,
                     [](Raceway &, Parameters &own) -> double & { return own.starvation; })},
          nullptr,
-         "hydrodynamic couple against rolling; BETA 0 is isothermal"},
+         "hydrodynamic couple that resists rolling; BETA 0 is isothermal"},
         {"rolling_inlet",
          "",
          false,
          {P::within(
-             "LENGTH", "inlet length of a rolling contact, in semi-axes b; 1: shortest", 1.0, 1e6,
+             "LENGTH", "inlet length of a rolling contact over semi-axis b; 1: shortest", 1.0, 1e6,
              [](Raceway &, Parameters &own) -> double & { return own.length; }, "flooded")},
          nullptr,
-         "after rolling: leaves the share of the hydrodynamic couple of an inlet of this length"}};
+         "after rolling: reduces the hydrodynamic couple to that of an inlet of this length"}};
   }
 
   template <class T>
@@ -103,7 +103,8 @@ struct HydrodynamicRollingPart : PartBase {
   }
 
  private:
-  // Geometry factors; at zero contact angle they are exact, like the constants of a raceway.
+  // Returns the geometry factors; at zero contact angle they are exact, like the constants of a
+  // raceway.
   template <class B>
   static RACEWAY_INLINE RollingShapeT<B> shape(const Parameters &own, const Raceway &p,
                                                const B &cos_angle, const B &radius)
@@ -118,7 +119,7 @@ struct HydrodynamicRollingPart : PartBase {
 
 struct RollingHysteresisLoss {
   static constexpr LossColumn column = {"hysteresis_power", "hysteresis",
-                                        "power lost to hysteresis in rolling", false};
+                                        "power dissipated by hysteresis in rolling", false};
   template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
   {
     return c.hysteresis_couple * held(c.roll_w);
@@ -139,10 +140,10 @@ struct RollingHysteresisPart : PartBase {
     return {{"rolling_hysteresis",
              "",
              true,
-             {P::within("ALPHA", "share of elastic energy lost in rolling", 0.0, 0.5,
+             {P::within("ALPHA", "fraction of elastic energy lost in rolling", 0.0, 0.5,
                         [](Raceway &, Parameters &own) -> double & { return own.alpha; })},
              nullptr,
-             "couple against rolling by hysteresis of the steel"}};
+             "couple that resists rolling due to hysteresis of the steel"}};
   }
 
   template <class T>

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Combined differential slip, spin and sliding, over slices of the contact ellipse (slip_slices.h),
-// in series with the contact's tangential spring k_t (Mindlin). Replaces the closed forms of
-// part_differential_slip.h and part_spin.h, which treat slip and spin separately.
+// Combined differential slip, spin and sliding, summed over slices of the contact ellipse
+// (slip_slices.h), in series with the contact's tangential spring k_t (Mindlin). This part replaces
+// the closed-form solutions in part_differential_slip.h and part_spin.h, which treat slip and spin
+// separately.
 //
 // The states are the forces f and the slip y after the spring, relative to free rolling:
 //   y' = (s - y)/tau,  f' = (F(y) + c (s - y) - f)/tau,  tau = c/k_t,
-// with s the slip relative to free rolling and F the sum over the slices. So f' = k_t (s - y) plus
-// a relaxation towards F: a slip law for dt >> tau and a spring for dt << tau. Apart from spin and
-// roll, the slices depend only on y, which does not follow oscillations of the spring; the same
-// applies to the couples. c is close to the slope of F in free rolling and everywhere above half
-// of the slope of F; otherwise oscillations would grow.
+// with s the slip relative to free rolling and F the sum over the slices. Hence f' = k_t (s - y)
+// plus a relaxation towards F, which is a slip law for dt >> tau and a spring for dt << tau. Except
+// for spin and roll, the slices depend only on y, which does not follow oscillations of the spring;
+// the same applies to the couples. c is close to the slope of F in free rolling and always above
+// half the slope of F; otherwise oscillations would grow.
 //
-// Derivatives keep mu, k_t, c and the ellipse fixed, but not N.
+// Derivatives treat mu, k_t, c and the ellipse as constant, but not N.
 #ifndef RACEWAY_PART_SLIP_SLICES_H
 #define RACEWAY_PART_SLIP_SLICES_H
 
@@ -89,14 +90,14 @@ struct SlipSlicesPart : PartBase {
   }
 
  private:
-  // c times the width over mu N, as a function of spin over the width. Along rolling it is 3.80
-  // without spin; across rolling few slices reverse, so the slope is steep.
+  // Returns c times the width divided by mu N, as a function of spin divided by the width. Along
+  // rolling it is 3.80 without spin; across rolling few slices reverse, so the slope is steep.
   template <class B> static RACEWAY_INLINE B lean(double most, double falls, const B &spin)
   {
     const B x = falls * spin;
     return most / square_root(B(1.0 + x * x));
   }
-  // Remaining fraction of a state after a time dt (LawStates); spring = dt k_t.
+  // Returns the fraction of a state that remains after a time dt (LawStates); spring = dt k_t.
   template <class B> static RACEWAY_INLINE B left_of(const B &spring, const B &c, bool stage)
   {
     if (stage) return c / (c + spring);

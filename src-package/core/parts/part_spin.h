@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Couple against spin about the contact normal (spin.h).
+// Couple that resists spin about the contact normal (spin.h).
 //
-// The derivative is the secant: the couple over the spin.
+// The derivative is the secant, i.e. the couple divided by the spin.
 #ifndef RACEWAY_PART_SPIN_H
 #define RACEWAY_PART_SPIN_H
 
@@ -17,7 +17,7 @@ struct SpinPart : PartBase {
   using Losses = LossList<SpinLoss>;
   struct Parameters {
     double share = 1.0;
-    double modulus = 0.0;    // derived: Pa, E'
+    double modulus = 0.0;    // computed by prepare(): Pa, E'
     void prepare(const Raceway &p) { modulus = p.material.Eprime(); }
   };
 
@@ -28,7 +28,7 @@ struct SpinPart : PartBase {
              true,
              {share_of_spin<Parameters>()},
              nullptr,
-             "couple about the contact normal, if the contact angle causes spin"}};
+             "couple about the contact normal if the contact angle causes spin"}};
   }
 
   template <class T>

@@ -11,8 +11,8 @@ namespace raceway {
 // Parameters of a slip law in series with the contact's tangential spring.
 struct SlipParameters {
   double least = 1e-4;                  // m/s, lower limit of s_e; as motion ceases, the law
-                                        // becomes Coulomb's
-  double kt_ratio = 0.0, lift = 0.0;    // derived; 1/m, 1/(2 R_d)
+                                        // becomes Coulomb's law
+  double kt_ratio = 0.0, lift = 0.0;    // computed by prepare(); 1/m, 1/(2 R_d)
   void prepare(const Raceway &p)
   {
     kt_ratio = tangential_ratio(p.material.ball_young, p.material.ball_poisson,
@@ -23,13 +23,13 @@ struct SlipParameters {
 
 template <class Own> Parameter<Own> least_slip_width()
 {
-  return Parameter<Own>::positive("S_LEAST", "least width of the differential slip (m/s)",
+  return Parameter<Own>::positive("S_LEAST", "minimum width of the differential slip (m/s)",
                                   [](Raceway &, Own &own) -> double & { return own.least; });
 }
 
 template <class Own> Parameter<Own> share_of_spin()
 {
-  return Parameter<Own>::within("SHARE", "friction in spin over that in slip", 0.0, 1.0,
+  return Parameter<Own>::within("SHARE", "ratio of friction in spin to friction in slip", 0.0, 1.0,
                                 [](Raceway &, Own &own) -> double & { return own.share; });
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A contact at one instant: its motions, and the results of the parts of the law.
+// State of a contact at one instant: its motions, and the results of the parts of the law.
 //
-// T is double, Lane, or a Dual of one of them; quantities without derivatives have T's plain type.
-// Frame of groove.h: n from ball to raceway, t along rolling, w = n x t across. Units are SI.
+// T is double, Lane, or a Dual of either type; quantities without derivatives have the plain type
+// of T. The frame is that of groove.h: n from ball to raceway, t along rolling, w = n x t across.
+// Units are SI.
 #ifndef RACEWAY_CONTACT_STATE_H
 #define RACEWAY_CONTACT_STATE_H
 
@@ -16,11 +17,12 @@ namespace raceway {
 // Quantities that carry derivatives.
 template <class T> struct alignas(sizeof(Value<T>)) ContactVariablesT {
   // motions of the ball relative to the raceway (kinematics.h)
-  T overlap = T();         // m, of the rigid surfaces; negative for a gap
-  T compression = T();     // m, elastic approach of the bodies: overlap plus additions by parts
+  T overlap = T();         // m, overlap of the rigid surfaces; negative for a gap
+  T compression = T();     // m, elastic approach of the bodies: overlap plus contributions of parts
   T overlap_rate = T();    // m/s
-  T sliding_t = T(), sliding_w = T();            // m/s, ball surface minus ring surface
-  T spin_n = T(), turn_t = T(), roll_w = T();    // rad/s, ball minus ring; for laws with couples
+  T sliding_t = T(), sliding_w = T();            // m/s, velocity of the ball surface relative to
+                                                 // the ring surface
+  T spin_n = T(), turn_t = T(), roll_w = T();    // rad/s, ball relative to ring; with couples only
   // intermediate results for other parts and for output
   T root = T();      // sqrt(m), square root of the compression
   T load = T();      // N, elastic load Q
@@ -32,29 +34,29 @@ template <class T> struct alignas(sizeof(Value<T>)) ContactVariablesT {
   T couple_n = T(), couple_t = T(), couple_w = T();    // N m
 };
 
-// Quantities held constant by derivatives.
+// Quantities that derivatives treat as constant.
 template <class T> struct alignas(sizeof(T)) ContactFiguresT {
   T cos_angle = T();      // cosine of the contact angle
   T entrainment = T();    // m/s
   T stiffness = T();      // N/m, dQ/d(overlap)
   T damping = T();        // N s/m, C
   T film_load = T();      // N, load used for the film thickness
-  // logarithms of the entrainment speed (m/s) and of film_load; the film factors
+  // logarithms of the entrainment speed (m/s) and of film_load; the product of the film factors
   T ln_speed = T(), ln_film_load = T(), film_factor = T();
-  T h_edge = T(), h_c = T();      // m, central film thickness: at the onset of load, at this load
+  T h_edge = T(), h_c = T();      // m, central film thickness at the onset of load and at this load
   T h_min = T(), lambda = T();    // m; lambda ratio
-  T film_energy = T();            // J, of the film in the gap
-  T film_force = T();             // N, of the film's branch
-  T film_stiffness = T();         // N/m, of the film's branch
-  T film_rate = T();              // 1/s, 1/tau of the film's branch
+  T film_energy = T();            // J, energy of the film in the gap
+  T film_force = T();             // N, force of the film's Maxwell branch
+  T film_stiffness = T();         // N/m, stiffness of the film's branch
+  T film_rate = T();              // 1/s, 1/tau for the film's branch
   T mu = T();                     // friction coefficient
   T kt = T();                     // N/m, tangential spring
-  T v_0 = T();                    // m/s, of the smoothed Coulomb law
-  T slip_width = T();             // m/s, of the differential slip
-  T asperity_share = T();         // share of the load carried by asperities
+  T v_0 = T();                    // m/s, creep speed of the smoothed Coulomb law
+  T slip_width = T();             // m/s, width s_e of the differential slip
+  T asperity_share = T();         // fraction of the load carried by asperities
   // contributions to couple_w, N m
   T slip_couple = T(), rolling_couple = T(), hysteresis_couple = T();
-  // if the law has couples: oil drag on the ball's centre, with the force -drag t, and drag power
+  // if the law has couples: oil drag on the ball's centre, with the force -drag t, and its power
   T drag = T(), drag_power = T();    // N, W
 };
 
@@ -74,7 +76,7 @@ RACEWAY_INLINE void copy_variables(const A *from, B *to, std::index_sequence<k..
 }
 }    // namespace detail
 
-// Copies the whole state to another number type; derivatives become 0 or are dropped.
+// Copies the whole state to another number type; derivatives are set to 0 or dropped.
 template <class A, class B>
 RACEWAY_INLINE void copy_state(const ContactStateT<A> &from, ContactStateT<B> &to)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Film of one contact as a function of the compression x of the bodies, at one entrainment speed,
-// for films without a closed form: the film of all regimes (film_regimes.h), or a film with a
-// factor that depends on the pressure (Gupta, film_factors.h).
+// for films without a closed-form solution: the film of all regimes (film_regimes.h), or a film
+// with a factor that depends on the pressure (Gupta, film_factors.h).
 #ifndef RACEWAY_GAP_FILM_H
 #define RACEWAY_GAP_FILM_H
 
@@ -23,13 +23,13 @@ template <class T> struct PowerFilmT {
   }
 };
 
-// all: true for the law of all lubrication regimes, false for a power law.
+// all: true for the law that covers all lubrication regimes, false for a power law.
 template <class T, bool all> class GapFilmT {
  public:
   using Film = std::conditional_t<all, MoesFilmT<T>, PowerFilmT<T>>;
 
   // steep: Gupta's factor as a function of the root of the compression, without `unpressed`, which
-  // the film includes; or null. K: stiffness, N/m^1.5
+  // is included in the film, or null. K: stiffness, N/m^1.5
   RACEWAY_INLINE GapFilmT(const Film &film, const GuptaFactorT<T> *steep, const T &K) :
       film_(film), pressed_(steep != nullptr), ln_K_(logarithm(K))
   {
@@ -39,7 +39,7 @@ template <class T, bool all> class GapFilmT {
   RACEWAY_INLINE GapFilmT(const MoesRaceway &moes, const Raceway &p, const RacewayConstantsT<T> &k,
                           const State &c)
   {
-    // at rest any finite speed will do, because the contact is dry (FilmInGapPart)
+    // at rest any finite speed can be used, because the contact is dry (FilmInGapPart)
     const T ln_u = logarithm(T(where(c.entrainment > resting, c.entrainment, resting)));
     T ln_factor = T();
     pressed_ = p.factors.by_pressure;
@@ -70,8 +70,8 @@ template <class T, bool all> class GapFilmT {
     return f;
   }
 
-  // Logarithm of a lower bound on the compression at the overlap d; kept: compression below which
-  // the thickness of a power law is constant.
+  // Returns the logarithm of a lower bound on the compression at the overlap d; kept: compression
+  // below which the film thickness of a power law is constant.
   RACEWAY_INLINE T start(const T &d, const T &kept) const
   {
     const T squeezed = logarithm(T(where(d > 0.0, d, 1e-30)));
@@ -79,8 +79,9 @@ template <class T, bool all> class GapFilmT {
     return where(squeezed > least, squeezed, least);
   }
 
-  // Work to thin the film from `edge` (m) to its thickness at the compression x, over zeta, J. It
-  // is the integral of fall h over the load, by Gauss points in the logarithm of the compression.
+  // Returns the work that thins the film from `edge` (m) to its thickness at the compression x,
+  // divided by zeta, J. It is the integral of fall h over the load, by Gauss points in the
+  // logarithm of the compression.
   RACEWAY_INLINE T work(const T &x, const T &edge, const T &kept) const
   {
     constexpr int panels = 24, points = 4;
@@ -101,8 +102,8 @@ template <class T, bool all> class GapFilmT {
   }
 
  private:
-  // Logarithm of the compression of a rigid contact with the film h, or with the widest film of an
-  // elastic contact.
+  // Returns the logarithm of the compression of a rigid contact with the film h, or with the widest
+  // film of an elastic contact.
   RACEWAY_INLINE T light(const T &h) const
   {
     if constexpr (all) {
@@ -113,7 +114,7 @@ template <class T, bool all> class GapFilmT {
     }
   }
 
-  // Logarithm of the compression at which the film thickness equals `edge`.
+  // Returns the logarithm of the compression at which the film thickness equals `edge`.
   RACEWAY_INLINE T begins(const T &edge, const T &kept) const
   {
     T ln_x = all ? light(edge) : logarithm(kept);
@@ -128,7 +129,7 @@ template <class T, bool all> class GapFilmT {
 
   Film film_;
   bool pressed_ = false;
-  GuptaFactorT<T> steep_{};    // per root of the compression
+  GuptaFactorT<T> steep_{};    // as a function of the root of the compression
   T ln_K_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A contact on a raceway with a profile, or of a ball with a profile. The contact law uses the
-// overlap reduced by the profile. Because the depth changes along the raceway, the normal force
-// acts on the ball's centre along the gradient of the stored energy, G = n - slope t.
+// A contact in which the raceway, the ball or both have a profile. The contact law uses the overlap
+// reduced by the profile. Because the depth changes along the raceway, the normal force acts on the
+// ball's centre along the gradient of the stored energy, G = n - slope t.
 #ifndef RACEWAY_PROFILED_CONTACT_H
 #define RACEWAY_PROFILED_CONTACT_H
 
@@ -11,18 +11,18 @@
 namespace raceway {
 
 template <class T> struct alignas(sizeof(T)) ProfiledContactT {
-  T overlap = T();    // m, with the profile
+  T overlap = T();    // m, reduced by the profile
   T slope = T();      // slope of the depth along the path of the ball's centre
-  T bend = T();       // 1/m, derivative of the slope along the path; only of profiles that extend
+  T bend = T();       // 1/m, derivative of the slope along the path; only for profiles that extend
                       // across the whole groove
-  // For a pit: energy in addition to the energy of the overlap, J; derivative of the overlap with
-  // respect to the approach, minus 1; stiffness (N/m) between approach and path, and along the path
+  // For a pit: energy in addition to that of the overlap, J; derivative of the overlap with respect
+  // to the approach, minus 1; stiffness (N/m) between approach and path, and along the path
   T energy = T(), follows = T(), cross = T(), side = T();
 };
 using ProfiledContact = ProfiledContactT<double>;
 
-// Contact on a raceway with a profile. `azimuth` (rad) is in the ring's frame; the ball's centre is
-// r (m) from the ring's axis.
+// Evaluates a contact on a raceway with a profile. `azimuth` (rad) is in the ring's frame; the
+// ball's centre is r (m) from the ring's axis.
 inline ProfiledContact profiled(const RacewayProfile &profile, const Raceway &p, double azimuth,
                                 double r, double overlap)
 {
@@ -58,7 +58,7 @@ inline ProfiledContact profiled(const RacewayProfile &profile, const Raceway &p,
   return c;
 }
 
-// As above for a profile of the ball, the ring or both; `view` and b belong to the ball.
+// Does the same for a profile of the ball, the ring or both; `view` and b belong to the ball.
 inline ProfiledContact profiled(const RacewayProfile *ring, const BallProfile *ball,
                                 const Raceway &p, double azimuth, double r, double overlap,
                                 const BallView &view, BallSlopes &b)
@@ -104,8 +104,8 @@ RACEWAY_INLINE T passing_speed(const BallStateT<T> &ball, const RingStateT<T> &r
   return dot(ball.v - ring.v, c.t) - (dot(ring.w, ring.e) * c.r - dot(ring.w, c.u) * c.z);
 }
 
-// Adds the effect of the slope to the forces of a contact: the normal force along slope t, acting
-// at the ball's centre, r u + z e from the ring's centre.
+// Adds the effect of the slope to the forces of a contact: the normal force along slope t, which
+// acts at the ball's centre, r u + z e from the ring's centre.
 template <class T>
 RACEWAY_INLINE void push_along(const T &slope, const Vec3T<T> &e, const ContactStateT<T> &c,
                                ContactForcesT<T> &f)
@@ -115,7 +115,7 @@ RACEWAY_INLINE void push_along(const T &slope, const Vec3T<T> &e, const ContactS
   f.ring_torque -= e * T(c.r * push) - c.u * T(c.z * push);
 }
 
-// As above for a ball's profile, with the row of the profile's depth; d is the position of the
+// Does the same for a ball's profile, with the row of the profile's depth; d is the position of the
 // ball's centre relative to the ring's centre.
 template <class T>
 RACEWAY_INLINE void push_along(const TurnRowT<T> &depth, const Vec3T<T> &d,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A raceway as seen by every part of the contact law: groove, materials, lubricant, surfaces, and
-// the constants derived from them. Parameters of a single part are in that part (law.h).
+// Data of a raceway that all parts of the contact law use: groove, materials, lubricant, surfaces,
+// and the constants derived from them. Parameters of a single part are stored in that part (law.h).
 #ifndef RACEWAY_RACEWAY_H
 #define RACEWAY_RACEWAY_H
 
@@ -11,29 +11,29 @@
 namespace raceway {
 
 struct Raceway {
-  int number = 0;    // index of the groove among the grooves of a ring for one ball, from 0 along
-                     // the axis
+  int number = 0;    // index of the groove among the grooves of a ring for one ball, counted from 0
+                     // along the axis
   Groove groove;
   RacewayMaterial material;
   RacewayModel model;
   double ring_roughness = 0.0;    // m
   double ball_roughness = 0.0;    // m
   FilmFactors factors;
-  // lambda ratio at the end of the boundary regime and at the start of the full film
+  // lambda ratios at the end of the boundary regime and at the start of the full film
   double lambda_1 = 1.0, lambda_2 = 3.0;
 
-  // derived by prepare()
+  // computed by prepare()
   RacewayLaw law;
-  double overlap_limit = 0.0;                                        // fraction of the ball's
+  double overlap_limit = 0.0;                                        // as a fraction of the ball's
                                                                      // radius
   double centre_circle = 0.0, slack = 0.0, largest_overlap = 0.0;    // m
   double roughness = 0.0, inverse_roughness = 0.0;                   // m, 1/m
-  double ln_inverse_roughness = 0.0;    // ln of a value in 1/m; minus infinity without a roughness
+  double ln_inverse_roughness = 0.0;    // ln of a value in 1/m; minus infinity without roughness
   double ball_mass = 0.0;               // kg
   double pitch_radius = 0.0;            // m
   double reach = 0.0;    // m, gap at which contacts begin; 0 unless set by a part of the law
 
-  // Origin of the largest overlap, for messages.
+  // Returns the origin of the largest overlap, for messages.
   const char *limit() const
   {
     return largest_overlap < overlap_limit * groove.ball_radius
@@ -41,7 +41,7 @@ struct Raceway {
                : "overlap_limit of the ball radius";
   }
 
-  // Effective radii along and across rolling, m (groove_radii).
+  // Return the effective radii along and across rolling, m (groove_radii).
   template <class T> RACEWAY_INLINE T rolling_radius(const T &cos_angle) const
   {
     const double gamma = groove.ball_radius / pitch_radius;
@@ -53,14 +53,14 @@ struct Raceway {
   }
 
   // Applies the thermal strains of ring and ball, which displace the surfaces. The constants of the
-  // law remain those of the cold parts; their relative change is as small as the strain.
+  // law remain those of the cold parts, because their relative change is as small as the strain.
   void grow(double ring, double ball)
   {
     centre_circle = groove.centre_circle() * (1.0 + ring);
     slack = groove.groove_radius * (1.0 + ring) - groove.ball_radius * (1.0 + ball);
   }
 
-  // pitch: radius of the pitch circle (m), for gamma; mass: of the ball (kg); limit: largest
+  // pitch: radius of the pitch circle (m), for gamma; mass: mass of the ball (kg); limit: largest
   // overlap as a fraction of the ball's radius.
   void prepare(double pitch, double mass, double limit)
   {
@@ -78,7 +78,7 @@ struct Raceway {
   }
 };
 
-// Product of all film factors at a load and a speed.
+// Returns the product of all film factors at a load and a speed.
 template <class T, class State>
 RACEWAY_INLINE T film_factor(const Raceway &p, const RacewayConstantsT<T> &k, const State &c,
                              const FilmPointT<T> &at)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Constants of the contacts on one raceway, as functions of the contact angle.
+// Constants of the contacts with one raceway as functions of the contact angle.
 //
-// The effective radii follow the contact angle (docs/theory, Geometry), and with them stiffness,
+// The effective radii depend on the contact angle (docs/theory, Geometry), and with them stiffness,
 // ellipse and film exponents. They depend on cos(alpha) only, so they are computed once on a
 // uniform grid of cos(alpha) in [0, 1] and interpolated by a four-point cubic, with a relative
 // error below 1e-9 (tested). A radial scene stays at cos(alpha) = 1 and uses the constants at that
@@ -20,7 +20,7 @@ namespace raceway {
 
 template <class T> struct alignas(sizeof(T)) RacewayConstantsT {
   T K;                  // N/m^1.5
-  T a, b;               // sqrt(m), semi-axes over sqrt(overlap)
+  T a, b;               // sqrt(m), semi-axes divided by sqrt(overlap)
   T p;                  // Pa/sqrt(m)
   FilmPairT<T> film;    // h_min, h_c
   T film_damper;        // N s/m^0.5, C_fluid = film_damper * a sqrt(overlap) * h^-1.5
@@ -45,7 +45,7 @@ struct RacewayModel {
   bool damper_rolling_radius = false;    // eq 5 with R_x instead of R_b
 };
 
-// Exact constants at one contact angle.
+// Returns the exact constants at one contact angle.
 inline RacewayConstants raceway_constants(const Groove &g, double pitch_radius,
                                           const RacewayMaterial &mat, const RacewayModel &model,
                                           double cos_angle)
@@ -64,7 +64,7 @@ inline RacewayConstants raceway_constants(const Groove &g, double pitch_radius,
   return c;
 }
 
-// The constants as an array.
+// Returns the constants as an array.
 template <class T> RACEWAY_INLINE T *numbers(RacewayConstantsT<T> &c)
 {
   return reinterpret_cast<T *>(&c);
@@ -81,14 +81,15 @@ class RacewayLaw {
              const RacewayModel &model) :
       radial_(raceway_constants(g, pitch_radius, mat, model, 1.0)), grid_(cells + 3)
   {
-    // one node beyond each end so that every cell has four points
+    // one node beyond each end, so that every cell has four points
     for (int i = 0; i < cells + 3; ++i)
       grid_[i] = raceway_constants(g, pitch_radius, mat, model, double(i - 1) / cells);
   }
 
   const RacewayConstants &radial() const { return radial_; }
 
-  // Constants at cos(alpha); within 1e-12 of 1 the radial constants are exact to rounding.
+  // Returns the constants at cos(alpha); within 1e-12 of 1 the radial constants are exact to
+  // rounding.
   RACEWAY_INLINE RacewayConstants at(double cos_angle) const
   {
     return 1.0 - cos_angle < 1e-12 ? radial_ : oblique(cos_angle);

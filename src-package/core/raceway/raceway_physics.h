@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A raceway with its contact law, for code that does not depend on the parts of the law: only
+// A raceway with its contact law, for code that does not depend on the parts of the law. Only
 // contact.h and the evaluation of a law include the parts.
 #ifndef RACEWAY_RACEWAY_PHYSICS_H
 #define RACEWAY_RACEWAY_PHYSICS_H
@@ -11,7 +11,7 @@
 
 namespace raceway {
 
-// Largest number of state variables of a contact; contact.h asserts that it suffices.
+// Largest number of state variables of a contact; contact.h asserts that it is sufficient.
 constexpr int most_states = 8;
 
 // Properties of a set of parts, one bit per part in the order of `Parts` (contact.h).
@@ -21,11 +21,11 @@ struct LawFacts {
   bool decides = false;          // a part determines the onset of contact
   bool explicit_step = false;    // not available in an implicit step
   bool film = false, film_in_gap = false, asperities = false, tangential_spring = false;
-  bool spin = false;    // friction against spin about the contact normal
+  bool spin = false;    // friction that opposes spin about the contact normal
 };
 LawFacts law_facts(unsigned parts);
 
-// Parts that a pair style has before any keyword, dry or lubricated.
+// Returns the parts that a pair style has before any keyword, dry or lubricated.
 unsigned initial_parts(bool lubricated);
 
 struct PartNumbers;    // the parameters of all parts
@@ -41,15 +41,15 @@ struct RacewayPhysics : Raceway {
   RacewayPhysics &operator=(RacewayPhysics &&) noexcept;
   ~RacewayPhysics();
 
-  // pitch_radius (m) sets gamma, mass (kg) the dashpot; overlap_limit is a fraction of R_b.
+  // pitch_radius (m) determines gamma, mass (kg) the dashpot; overlap_limit is a fraction of R_b.
   void prepare(double pitch_radius, double mass, double overlap_limit);
 
   LawFacts facts() const { return law_facts(parts); }
-  // For contacts with the film in the gap: share of the film that adds to the overlap; true if the
-  // film follows the law of all regimes.
+  // For contacts with the film in the gap: fraction of the film that adds to the overlap; true if
+  // the film follows the law of all regimes.
   double gap_share() const;
   bool gap_film_of_all_regimes() const;
-  // Replaces the tangential spring; `creep` is the slide-roll ratio that smooths Coulomb's law.
+  // Replaces the tangential spring by Coulomb's law smoothed over the slide-roll ratio `creep`.
   void smooth_friction(double creep);
 
   // Parameters of one part; defined in contact.h.

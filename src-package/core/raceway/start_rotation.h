@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Initial rotation of the balls of a bearing, with the least loss to spin under pure thrust
+// Initial rotation of the balls of a bearing, with the smallest loss due to spin under pure thrust
 // (docs/theory, Start of the balls).
 #ifndef RACEWAY_START_ROTATION_H
 #define RACEWAY_START_ROTATION_H
@@ -13,17 +13,19 @@ namespace raceway {
 
 struct StartingBall {
   double radius, mass;                // m, kg
-  double path;                        // m, initial radius of the circle of the ball's centre
-  double orbit;                       // rad/s, orbital speed, for the centrifugal force
+  double path;                        // m, initial radius of the circle on which the ball's centre
+                                      // moves
+  double orbit;                       // rad/s, orbital speed, used for the centrifugal force
   double inner_speed, outer_speed;    // rad/s, of the rings
-  double thrust;    // N, the ball's share of the axial force on the inner ring; 0: unknown
+  double thrust;    // N, fraction of the axial force on the inner ring that this ball carries; 0:
+                    // unknown
   // rad, contact angle on both raceways at the initial position; above 0 if a thrust on the inner
   // ring along +e closes the contacts
   double angle;
 };
 
-// A contact that rolls at the speed `roll` (rad/s). The friction coefficients of both raceways
-// are taken as equal.
+// Returns the contact that rolls at the speed `roll` (rad/s). The friction coefficients of both
+// raceways are assumed to be equal.
 inline SpinContact spin_contact(const Raceway &p, const ThrustContact &c, double sense,
                                 double ring_speed, double roll)
 {
@@ -36,8 +38,9 @@ inline SpinContact spin_contact(const Raceway &p, const ThrustContact &c, double
           0.5 * spin_width * std::fabs(roll) * a / deformed};
 }
 
-// Rotation at the contact angles and loads due to the thrust. Without a thrust, or if the grooves
-// cannot carry the thrust, rotation at the contact angle of the initial position and a small load.
+// Returns the rotation at the contact angles and loads due to the thrust. Without a thrust, or if
+// the grooves cannot carry the thrust, it is the rotation at the contact angle of the initial
+// position and a small load.
 inline BallRotation start_rotation(Raceway inner, Raceway outer, const StartingBall &b)
 {
   for (Raceway *p : {&inner, &outer}) {

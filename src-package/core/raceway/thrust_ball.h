@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A ball in a bearing under pure thrust, with its centrifugal force: rigid rings, dry Hertz
-// contacts (docs/theory, Start of the balls).
+// Equilibrium of a ball in a bearing under pure thrust, including its centrifugal force, for rigid
+// rings and dry Hertz contacts (docs/theory, Start of the balls).
 //
-// Along the axis both contacts carry the ball's share f of the thrust, Q_k sin(alpha_k) = f.
-// Radially the outer contact also carries the centrifugal force F, Q_o cos(alpha_o) =
-// Q_i cos(alpha_i) + F. The distance of each centre of curvature from the ball is the sum of slack
-// and compression. The radial components of both distances add up to the radial distance between
-// the centres, which the thrust does not change. This sum decreases with alpha_i, so the root is
+// Along the axis both contacts carry the ball's part f of the thrust, Q_k sin(alpha_k) = f.
+// Radially the outer contact also carries the centrifugal force F, Q_o cos(alpha_o) = Q_i
+// cos(alpha_i) + F. The distance of each centre of curvature from the ball is the sum of slack and
+// compression. The radial components of both distances add up to the radial distance between the
+// centres, which the thrust does not change. This sum decreases with alpha_i, so the root is
 // unique.
 #ifndef RACEWAY_THRUST_BALL_H
 #define RACEWAY_THRUST_BALL_H
@@ -32,11 +32,11 @@ inline ThrustContact thrust_contact(const Raceway &p, double angle, double load)
 struct ThrustBall {
   bool held = false;    // false: the ball climbs out of the grooves
   ThrustContact inner, outer;
-  double path = 0.0;    // m, radius of the circle of the ball's centre
+  double path = 0.0;    // m, radius of the circle on which the ball's centre moves
 };
 
-// The ball under a share (N, above 0) of the thrust and a centrifugal force (N). Of the raceways
-// only groove, materials and pitch_radius must be set.
+// Computes the equilibrium of a ball under its part `share` (N, above 0) of the thrust and a
+// centrifugal force (N). Of the raceways, only groove, materials and pitch_radius must be set.
 inline ThrustBall thrust_ball(const Raceway &inner, const Raceway &outer, double share,
                               double centrifugal)
 {

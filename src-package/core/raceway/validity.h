@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The only place that checks whether the formulas of a contact hold.
+// The only place where the validity of the formulas for a contact is checked.
 //
 // Errors: a contact ellipse as wide as the groove, or an overlap beyond the limit of the deck.
 // Warnings: a pressure that leaves dents, a film thicker than the contact length, a lambda ratio
 // above the values found in bearings, a capacitance of a conducting film, a film outside the range
-// of Hamrock and Dowson's fit, a contact ellipse beyond the shoulder of the groove.
+// of Hamrock and Dowson's fit, a contact ellipse that extends beyond the shoulder of the groove.
 #ifndef RACEWAY_VALIDITY_H
 #define RACEWAY_VALIDITY_H
 
@@ -28,7 +28,7 @@ struct Validity {
   // leaves a dent of 1e-4 of the ball diameter. Films in bearings have Lambda below 10; below 1 the
   // asperities touch continuously, and the contact is not a capacitor. Hamrock and Dowson (J. Lubr.
   // Technol. 99, 1977, 264, abstract) varied the ellipticity from one to eight. Python and the
-  // pages read these rules, too.
+  // documentation also read these rules.
   static const Rule &rule(int doubt)
   {
     static const Rule rules[N] = {
@@ -49,7 +49,7 @@ struct Validity {
     return rule(doubt).below ? value < than : value > than;
   }
 
-  std::array<double, N> worst;        // so far
+  std::array<double, N> worst;        // most extreme values so far
   std::array<double, N> ball = {};    // atom ID of the ball in that contact
 
   Validity()
@@ -71,7 +71,8 @@ struct Validity {
   }
 
   // A groove of this depth (m) ends at the angle theta from its bottom, cos theta = 1 - depth/r_c.
-  // An ellipse with the semi-axis a (m) across reaches to the contact angle plus asin(a/r_c).
+  // An ellipse with the semi-axis a (m) across the groove reaches to the contact angle plus
+  // asin(a/r_c).
   void note_reach(double ball_id, const Groove &g, double depth, double cos_angle, double a)
   {
     const double reach =

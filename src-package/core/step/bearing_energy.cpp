@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Energy of a bearing and its change over a step.
+// Computes the energy of a bearing and its change over a step.
 #include "bearing_integrator.h"
 
 namespace raceway {
@@ -10,15 +10,16 @@ void BearingIntegrator::keep_energy(bool yes)
   bodies_.balanced.assign(yes ? bodies_.n_contacts : 0, {});
 }
 
-// Adds the work of loads and drives and the losses of the contacts: their powers at the end of a
-// stage times the weight of the stage (s).
+// Adds the work of loads and drives and the losses in the contacts, i.e. their powers at the end of
+// a stage multiplied by the weight of the stage (s).
 void BearingIntegrator::add_energy(const Stage &stage, double weight, double s)
 {
   system_.start(stage.h, false);
   forces_.evaluate(stage);
   system_.add_border(stage.h, stage.follows(), s, false);
   double power = -power_of_residual(stage.h);
-  // if only dampers are implicit, free degrees of freedom move at the old velocity for half a step
+  // if only the dampers are implicit, free degrees of freedom move at the old velocity for half a
+  // step
   const double old_share = stage.dampers_only ? 0.5 : 0.0;
   double lost = forces_.power_lost();
   loads_.resize(bodies_.border.size());
@@ -39,14 +40,15 @@ void BearingIntegrator::add_energy(const Stage &stage, double weight, double s)
     }
   pending_.work += weight * power;
   pending_.dissipated += weight * lost;
-  pending_.stored = forces_.energy_gained();    // value of the last stage
+  pending_.stored = forces_.energy_gained();    // value at the end of the last stage
 }
 
-// Power of the residual of the last correction of a stage of h seconds, W. Corrections end once
-// positions have converged. Friction at these velocities then differs from the friction that moved
-// the bodies, and the drive must supply the power of the latter. The difference is a fraction of
-// the losses, which are small compared with the power exchanged between ring and balls. Bodies and
-// free degrees of freedom of the rings have equal powers except for the slip at contacts.
+// Returns the power (W) of the residual of the last correction in a stage of h seconds. Corrections
+// stop once positions have converged. The friction at these velocities then differs from the
+// friction that moved the bodies, and the drive must supply the power of the latter. The difference
+// is a fraction of the losses, which are small compared with the power exchanged between ring and
+// balls. The powers on the bodies and on the free degrees of freedom of the rings are equal except
+// for the slip at contacts.
 double BearingIntegrator::power_of_residual(double h) const
 {
   Lane of_bodies = {};
@@ -60,7 +62,7 @@ double BearingIntegrator::power_of_residual(double h) const
   return power / h;
 }
 
-// Power of gravity on the bodies, W; velocities are weighted with old_share for the old ones.
+// Returns the power of gravity on the bodies, W; the old velocities have the weight old_share.
 double BearingIntegrator::power_of_gravity(double old_share) const
 {
   Lane power = {};
@@ -77,8 +79,8 @@ const BearingIntegrator::Energy &BearingIntegrator::energy()
   return energy_;
 }
 
-// Energy in the present state, J: kinetic energy of bodies and coordinates, and elastic energy of
-// supports, modes and contacts.
+// Returns the energy in the present state, J: the kinetic energy of bodies and coordinates, and the
+// elastic energy of supports, modes and contacts.
 double BearingIntegrator::stored_energy()
 {
   Lane motion = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Forces in one bearing in the present state of its bodies, optionally with derivatives: raceway
+// Forces in one bearing for the present state of its bodies, optionally with derivatives: raceway
 // contacts (raceway_contacts.cpp), cage balls (cage_contacts.cpp), and one-piece cages
 // (cage_ring_forces.cpp).
 #ifndef RACEWAY_BEARING_FORCES_H
@@ -12,12 +12,12 @@ namespace raceway {
 class BearingSystem;
 
 enum class Evaluate {
-  only,          // forces on rings, power, energy; without `looks` also the right-hand side
+  only,          // forces on rings, power and energy; without `looks` also the right-hand side
   residual,      // forces on rings, and the right-hand side of the linear system
-  derivatives    // as `residual`, and the matrix of the linear system
+  derivatives    // as `residual`, plus the matrix of the linear system
 };
 
-// Reason why a step has no result.
+// Reason for which a step has no result.
 enum class Failure {
   none,
   not_a_number,      // a velocity is NaN or infinite
@@ -45,11 +45,12 @@ struct Stage {
   Evaluate evaluate = Evaluate::only;
   ContactLook *looks = nullptr;    // with `only`: results by group of contacts, filled together
                                    // with the forces on rings
-  bool keep = false;               // with `derivatives`: BearingSystem::keep() after the raceways
-  bool kept = false;    // with `derivatives`: raceways as kept, updated for the last correction
+  bool keep = false;               // with `derivatives`: call BearingSystem::keep() after the
+                                   // raceways
+  bool kept = false;    // with `derivatives`: kept raceways, updated for the last correction
   bool gaps = false;    // also evaluate surfaces that do not touch
-  // Gaps (m) at balls and at cage balls up to which derivatives count as derivatives of contacts.
-  // Without these limits a body at rest would leap out of its groove.
+  // Gaps (m) at balls and at cage balls up to which derivatives are evaluated as for a closed
+  // contact. Without these limits a body at rest would jump out of its groove.
   double close = 0.0, close_cage = 0.0;
 
   double follows() const { return dampers_only ? 0.0 : h; }    // s, time over which positions
@@ -62,20 +63,24 @@ class BearingForces {
 
   Failure evaluate(const Stage &);
   // Updates the states of the contacts after a correction, based on the last evaluation
-  // (kept_follow.h). False if a state changes by more than the contact's spring force over `exact`
-  // (m).
+  // (kept_follow.h). Returns false if a state changes by more than the contact's spring force over
+  // the distance `exact` (m).
   bool follow(double exact);
-  // Longest step (s) from the present state that the profiles of raceways and balls allow.
+  // Returns the longest step (s) from the present state that the profiles of raceways and balls
+  // allow.
   double longest_step() const;
 
-  // Largest overlap of a ball and a raceway at the start of the step, m; 0 without a contact.
+  // Returns the largest overlap of a ball and a raceway at the start of the step, m; 0 if there is
+  // no contact.
   double largest_overlap() const;
 
-  int body() const { return body_; }                           // body of the failure, or -1
+  int body() const { return body_; }                           // body that caused the failure, or
+                                                               // -1
   double power_lost() const { return power_lost_; }            // W, in contacts
   double contact_energy() const { return contact_energy_; }    // J, elastic
-  // Change (J) of the elastic energy since the start of the step due to entrainment speeds and
-  // contact angles: thicker films load the contacts, and no force does work in a change of angle.
+  // Returns the change (J) in elastic energy since the start of the step due to entrainment speeds
+  // and contact angles: thicker films load the contacts, and no force does work when a contact
+  // angle changes.
   double energy_gained() const { return energy_gained_; }
 
  private:
@@ -83,10 +88,11 @@ class BearingForces {
   Failure all_raceways(const Stage &);
   double longest_step_of_balls() const;
   template <class... Families> RACEWAY_INLINE bool fused(const Stage &, Failure &);
-  // Evaluates smooth raceways with a law of inputs/models; false for any other law.
+  // Evaluates smooth raceways with one of the laws in inputs/models; returns false for any other
+  // law.
   bool paper_raceways(const Stage &, Failure &);
   bool full_raceways(const Stage &, Failure &);
-  // Evaluates raceways, smooth or with profiles, with any set of parts.
+  // Evaluates raceways, with or without profiles, with any set of parts.
   Failure any_raceways(const Stage &);
   Failure narrow_raceways(const Stage &);    // for processors without AVX2
   void rails(const Stage &);
@@ -106,7 +112,8 @@ class BearingForces {
   ProfiledContactT<Lane> on_;              // four contacts on a raceway with a profile
   BallSlopesT<Lane> turned_;               // slopes of balls with a profile
   std::vector<int> touching_, touched_;    // closed pockets now and at the last factorisation
-  std::vector<Place> place_;               // lab frame, by slot; only of bodies with pockets
+  std::vector<Place> place_;               // lab frame, indexed by slot; only for bodies with
+                                           // pockets
   std::vector<char> in_pocket_;            // by group
 };
 

@@ -99,7 +99,7 @@ void BearingInstants::put_back()
   std::swap(b_.kept, kept_end_);
 }
 
-// Moves everything to the fraction s of the internal step.
+// Moves all bodies to the fraction s of the internal step.
 RACEWAY_LANES void BearingInstants::move(double h, double s)
 {
   const Cubic at(s, h);
@@ -124,7 +124,7 @@ RACEWAY_LANES void BearingInstants::move(double h, double s)
       b_.kept[k].now[m] = b_.kept[k].from[m] + (kept_end_[k].now[m] - b_.kept[k].from[m]) * s;
 }
 
-// s: fraction of the host's step.
+// s is a fraction of the host's step.
 RACEWAY_LANES Failure BearingInstants::look_at(int k, double s)
 {
   Stage stage;
@@ -182,7 +182,8 @@ RACEWAY_LANES void BearingInstants::surrounded(int k)
   Capacitors *to = capacitors_.data() + (k - 1) * b_.n_contacts;
   for (size_t t = 0; t < b_.tracks.size(); ++t)
     for (int g = b_.tracks[t].first; g < b_.tracks[t].end; ++g, ++look, ++to) {
-      // lanes without a ball count as live if any lane is live, so that all lanes are of one kind
+      // lanes without a ball count as live if any lane is live, so that all lanes are of the same
+      // kind
       const LaneMask spare = any(look->live) ? ~b_.groups[g].used : LaneMask{};
       to->of = surrounded_[t].capacitor(look->state, look->live | spare, look->orbit);
     }

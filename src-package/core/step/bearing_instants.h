@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// States of a bearing within a step, for output sampled faster than the time step. Positions follow
-// the cubic through both ends of the internal step (cubic.h), velocities and contact states are
-// interpolated linearly, and forces are evaluated as in the step itself. These states have no
-// effect on the motion.
+// States of a bearing within a step, for output that is sampled faster than the time step.
+// Positions follow the cubic through both ends of the internal step (cubic.h), velocities and
+// contact states are interpolated linearly, and forces are evaluated as in the step itself. These
+// states do not affect the motion.
 #ifndef RACEWAY_BEARING_INSTANTS_H
 #define RACEWAY_BEARING_INSTANTS_H
 
@@ -11,8 +11,8 @@
 
 namespace raceway {
 
-// Requested instants, at the fractions k/number of the host's step, k = 1 to number - 1. With
-// number 0 there are no instants, with permittivity 0 no capacitances.
+// Requested instants, at the fractions k/number of the host's step, k = 1 to number - 1. If
+// `number` is 0, there are no instants; if the permittivity is 0, no capacitances are computed.
 struct Instants {
   int number = 0;
   CapacitorModel capacitor;
@@ -23,9 +23,9 @@ class BearingInstants {
   struct ContactAtInstant {
     double orbit;                        // rad/s, speed of the ball about the ring's axis
     double load;                         // N
-    bool live;                           // the contact has a state
+    bool live;                           // true if the contact has a state
     FilmCapacitorT<double> capacitor;    // 0 if not requested
-    ContactState state;                  // only if whole states are requested
+    ContactState state;                  // only if complete states are requested
   };
   struct RingAtInstant {
     RingPose pose;
@@ -36,7 +36,7 @@ class BearingInstants {
   BearingInstants(BearingBodies &b, BearingForces &f) : b_(b), forces_(f) {}
 
   void want(const Instants &);
-  // Results at instant k (from 1) of the last host step; other indices as in the model.
+  // Results at instant k (from 1) of the last host step; other indices are those of the model.
   void contacts(int k, bool whole_states, std::vector<ContactAtInstant> &) const;    // by groove
   BodyPose body(int k, int body) const;
   const RingAtInstant &ring(int k, int ring) const
@@ -70,11 +70,11 @@ class BearingInstants {
   BearingForces &forces_;
   Instants instants_;
   int next_ = 1;
-  // indexed by instant, then by contact group (looks_, capacitors_), body group (bodies_) or ring
-  // (rings_)
+  // The outer index is the instant; the inner one is the contact group (looks_, capacitors_), the
+  // body group (bodies_) or the ring (rings_).
   std::vector<ContactLook> looks_;
   std::vector<Capacitors> capacitors_;
-  std::vector<SurroundedRaceway> surrounded_;    // by track, if surroundings are requested
+  std::vector<SurroundedRaceway> surrounded_;    // indexed by track, if surroundings are requested
   std::vector<Bodies> bodies_;
   std::vector<RingAtInstant> rings_;
   // state at the end of the step, saved while the bearing is moved to an instant

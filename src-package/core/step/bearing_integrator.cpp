@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The sequence of a step; the energy of a step is in bearing_energy.cpp.
+// Performs the sequence of operations of a step; the energy of a step is computed in
+// bearing_energy.cpp.
 #include "bearing_integrator.h"
 
 #include <algorithm>
 
 namespace raceway {
 
-static const double gamma_2 = 1.0 - std::sqrt(0.5);     // length of a stage over h, order 2
+static const double gamma_2 = 1.0 - std::sqrt(0.5);     // length of a stage divided by h, order 2
 static const double beyond_2 = 1.0 + std::sqrt(2.0);    // (1 - gamma)/gamma
 // Position error of the method for a velocity that grows with the square of time, divided by h
-// times the second divided difference of the velocities at 0, gamma h and h. The error in a free
-// vibration, whose first stage has a second-order error, is 6.8 times as large.
+// times the second divided difference of the velocities at 0, gamma h and h. For a free vibration,
+// whose first stage has a second-order error, the error is 6.8 times as large.
 static const double bend_2 = gamma_2 + (1.0 - gamma_2) * gamma_2 * gamma_2 - 1.0 / 3.0;
 
 static BearingIntegrator::Outcome &failed(BearingIntegrator::Outcome &o, Failure why, int body = -1)
@@ -48,7 +49,7 @@ BearingIntegrator::Outcome BearingIntegrator::step(const Settings &asked, double
   }
   pending_ = Energy();
   present_ = {h, s0, s1};
-  if (s0 == 0.0) remains_ = 1.0;    // independent of earlier steps of the host
+  if (s0 == 0.0) remains_ = 1.0;    // must not depend on earlier steps of the host
   bodies_.start();
   if (set.dampers_only) {
     const double middle = 0.5 * (s0 + s1);
@@ -73,7 +74,8 @@ BearingIntegrator::Outcome BearingIntegrator::step(const Settings &asked, double
   return o;
 }
 
-// Mass over stiffness of the slowest contact of a ball and a cage ball, kg m^1.5/N.
+// Returns mass divided by stiffness for the slowest contact between a ball and a cage ball, kg
+// m^1.5/N.
 static double slowest_contact(const BearingModel &model)
 {
   double slowest = 0.0;
@@ -87,27 +89,28 @@ BearingIntegrator::BearingIntegrator(const BearingModel &model) :
 {
 }
 
-// The last correction of a one-piece cage may be a thirtieth of the error allowed for it, whatever
-// the length of the stage.
+// The last correction of a one-piece cage may be as large as a thirtieth of its allowed error,
+// regardless of the length of the stage.
 static constexpr double of_ring = 30.0;
 
-// Weight of a cage ball's last correction in a stage of h seconds. The tolerance of the correction
-// is a tenth of the tolerance of the error. The error left in a contact force moves the cage ball
-// by an amount that grows with the square of the stage's length. The tolerance is therefore finer
-// still if the stage is longer than an impact with an overlap of that tolerance, which lasts half a
-// period of the contact.
+// Returns the weight of a cage ball's last correction in a stage of h seconds. The tolerance of the
+// correction is a tenth of the tolerance of the error. The error that remains in a contact force
+// moves the cage ball by an amount that grows with the square of the stage's length. The tolerance
+// is therefore even finer if the stage is longer than an impact with an overlap equal to the
+// tolerance, which lasts half a period of the contact.
 double BearingIntegrator::cage_correction(const Settings &set, double h) const
 {
   if (!(set.cage > 10.0)) return 1.0;
   if (!bodies_.model.cages.empty()) return std::min(1.0, of_ring / set.cage);
-  const double stiffness = 1.5 * std::sqrt(set.cage * set.newton);    // stiffness over K
+  const double stiffness = 1.5 * std::sqrt(set.cage * set.newton);    // stiffness divided by K
   const double pi = std::acos(-1.0), lasts2 = pi * pi * slowest_ / stiffness;
   const double finer = h * h > lasts2 ? 10.0 * h * h / lasts2 : 10.0;
   return set.cage > finer ? finer / set.cage : 1.0;
 }
 
-// Newton's method converges: if a correction is q times the previous one, all later corrections add
-// up to at most q/(1 - q) times this correction. The result is at least 0.1.
+// Returns a bound on all later corrections relative to the last one. Newton's method converges, so
+// if a correction is q times the previous one, all later corrections add up to at most q/(1 - q)
+// times this correction. The result is at least 0.1.
 static double remaining(double q) { return q < 0.5 ? std::max(0.1, q / (1.0 - q)) : 1.0; }
 
 bool BearingIntegrator::solve_stage(const Settings &set, double h, double s, Outcome &o)
@@ -148,7 +151,7 @@ bool BearingIntegrator::solve_stage(const Settings &set, double h, double s, Out
     apply(h, cage_counts, o);
     const double last = std::max(o.last, o.last_cage);
     if (!(last < HUGE_VAL)) return failed(o, Failure::not_a_number, o.body).solved();
-    // only half a correction is applied if a contact alternately opens and closes
+    // only half of a correction is applied if a contact alternately opens and closes
     if (n > 2 && last > 0.7 * before) halve();
     if (!move(h, s, set.dampers_only)) return failed(o, Failure::turned_too_far).solved();
     if (stage.keep) {
@@ -175,8 +178,8 @@ bool BearingIntegrator::solve_stage(const Settings &set, double h, double s, Out
   return true;
 }
 
-// Moves everything to the end of the stage at the present velocities. False if a body turns too far
-// for one stage.
+// Moves all bodies to the end of the stage at the present velocities. Returns false if a body turns
+// too far for one stage.
 RACEWAY_LANES bool BearingIntegrator::move(double h, double s, bool dampers_only)
 {
   if (dampers_only) {
@@ -188,7 +191,7 @@ RACEWAY_LANES bool BearingIntegrator::move(double h, double s, bool dampers_only
   for (BodyGroup &g : bodies_.groups) {
     g.now = g.base.drifted(g.v, h, g.turn);
     far |= ~(magnitude(g.turn) * beyond_2 <
-             largest_turn);    // turn of the extrapolation to the base of a second stage
+             largest_turn);    // rotation in the extrapolation to the base of a second stage
   }
   for (BallTurns &t : bodies_.turns) t.move(bodies_.groups[t.group], h);
   bodies_.on_border([h, s](auto &one) { one.move(h, s); });
@@ -196,8 +199,8 @@ RACEWAY_LANES bool BearingIntegrator::move(double h, double s, bool dampers_only
   return !any(far);
 }
 
-// Moves everything over h seconds, to the middle of a step or from the middle to the end. False if
-// a body turns too far.
+// Moves all bodies over h seconds, to the middle of a step or from the middle to the end. Returns
+// false if a body turns too far.
 RACEWAY_LANES bool BearingIntegrator::coast(double h, double s, bool to_end)
 {
   LaneMask far = {};
@@ -214,9 +217,9 @@ RACEWAY_LANES bool BearingIntegrator::coast(double h, double s, bool to_end)
   return !any(far);
 }
 
-// Stiffness of a ring's stiffest support over the ring's mass, 1/s^2; with a holder, over both
-// masses. Supports of both rings to the ground or to a third ring are counted at the holder, which
-// gives a bound.
+// Returns the stiffness of a ring's stiffest support divided by the ring's mass, 1/s^2; if another
+// ring holds this ring, the term with the holder's mass is added. Supports of both rings to the
+// ground or to a third ring are counted at the holder, which gives a bound.
 static double stiffest(const RingProgram &p, const RingProgram *holder)
 {
   double most = 0.0;
@@ -258,13 +261,13 @@ RACEWAY_LANES double BearingIntegrator::stability(double h) const
   return largest;
 }
 
-// Larger magnitude of the two components normal to the rolling direction.
+// Returns the larger magnitude of the two components normal to the rolling direction.
 static RACEWAY_INLINE Lane across(const Vec3L &v)
 {
   return where(magnitude(v.x) > magnitude(v.z), magnitude(v.x), magnitude(v.z));
 }
 
-// Stiffness of the stiffest ball-raceway contact at the last derivatives, N/m.
+// Returns the stiffness of the stiffest ball-raceway contact at the last derivatives, N/m.
 RACEWAY_LANES double BearingIntegrator::largest_stiffness() const
 {
   Lane most = {};
@@ -272,25 +275,25 @@ RACEWAY_LANES double BearingIntegrator::largest_stiffness() const
   return std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
 }
 
-// Contact stiffness varies as the cube root of the load: a fifth of the largest stiffness belongs
-// to about a hundredth of the largest load.
+// Contact stiffness varies as the cube root of the load, so a fifth of the largest stiffness
+// corresponds to about a hundredth of the largest load.
 static constexpr double light = 0.2, least_count = 0.1;
 
-// Safety factor of the error estimate
+// Safety factor for the error estimate.
 static constexpr double safe = 4.0;
 
 // Weight of the error bound relative to the estimate. The estimate applies to one step of smooth
 // motion, whereas a vibration accumulates the errors of all its steps. With this weight, a
-// vibration that determines the step lags by less than 0.65 s tolerances after s radians
+// vibration that determines the step lags by less than 0.65 s times the tolerance after s radians
 // (docs/fix_bearing_implicit).
 static constexpr double sudden = 0.3;
 
-// Weights of two measures: change of velocity between both stages, and second difference.
+// Weights of two measures: the change of velocity between the stages, and the second difference.
 struct ErrorWeights {
   double change = 1.0, bend = 0.0;
 };
 
-// Larger of both weighted measures, m/s.
+// Returns the larger of both weighted measures, m/s.
 template <class T>
 static RACEWAY_INLINE T changed(const ErrorWeights &w, const T &from, const T &first, const T &end)
 {
@@ -300,12 +303,12 @@ static RACEWAY_INLINE T changed(const ErrorWeights &w, const T &from, const T &f
   return where(bend > change, bend, change);
 }
 
-// Position error of a ball expressed as an error of its load, in a bearing with a one-piece cage,
-// whose pockets throw balls outside the loaded arc to and fro between the raceways. A position
-// error changes the load in proportion to the stiffness of the contacts, but by no more than the
-// load itself. `share` is the stiffness over the largest stiffness. The load varies as the cube of
-// `share`; the largest load is `full` (m) times two thirds of the largest stiffness. The error of a
-// free ball may be 200 times the error of a loaded ball.
+// Converts the position error of a ball to an error of its load, in a bearing with a one-piece
+// cage, whose pockets throw balls outside the loaded arc back and forth between the raceways. A
+// position error changes the load in proportion to the stiffness of the contacts, but by no more
+// than the load itself. `share` is the stiffness divided by the largest stiffness. The load varies
+// as the cube of `share`; the largest load is `full` (m) times two thirds of the largest stiffness.
+// The error of a free ball may be 200 times the error of a loaded ball.
 static RACEWAY_INLINE Lane of_load(const Lane &share, const Lane &off, double full)
 {
   const Lane by_stiffness = share * off, by_load = share * share * share * (full / 1.5),
@@ -321,7 +324,7 @@ RACEWAY_LANES double BearingIntegrator::error(double h, const Settings &set) con
   const double full = drift ? 0.0 : light * largest_stiffness();
   const ErrorWeights weights =
       set.estimate ? ErrorWeights{sudden, safe * bend_2 / gamma_2} : ErrorWeights();
-  // m/s, velocity error equivalent to the largest overlap; 0: no one-piece cage
+  // m/s, velocity error equivalent to the largest overlap; 0 without a one-piece cage
   const double whole =
       drift || bodies_.model.cages.empty() ? 0.0 : forces_.largest_overlap() / (share * h);
   Lane off = {};
@@ -351,7 +354,7 @@ RACEWAY_LANES double BearingIntegrator::error(double h, const Settings &set) con
 }
 
 // Adds the correction. Its size (m) is the largest displacement of balls (normal to the rolling
-// direction), rings and shaft modes; the size for the cage is kept separately, with a weight.
+// direction), rings and shaft modes; the size for the cage is stored separately, with a weight.
 RACEWAY_LANES void BearingIntegrator::apply(double h, double cage_counts, Outcome &o)
 {
   Lane off = {}, off_cage = {};

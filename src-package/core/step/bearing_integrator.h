@@ -1,47 +1,47 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One implicit step of one bearing.
+// Performs one implicit step of one bearing.
 //
 // A stage of length h solves for the velocities V at its end,
 //   M (V - V_base) = h F(q_base + h V, V)
-// (q and V in each body's turning frame, lane_frame.h) by Newton's method. Order 1 is one such
-// stage over the whole step: backward Euler. Order 2 consists of two stages of length g h,
-// g = 1 - sqrt(1/2). The first starts at the start of the step, the second at the base
-// start + (1 + sqrt 2) (first - start); the end of the second stage is the end of the step. This is
-// the L-stable diagonally implicit Runge-Kutta method of Alexander (SIAM J. Numer. Anal. 14, 1977),
-// which needs no data of earlier steps.
+// (q and V in each body's turning frame, lane_frame.h) by Newton's method. The first-order method
+// consists of one such stage over the whole step, i.e. backward Euler. The second-order method
+// consists of two stages of length g h, g = 1 - sqrt(1/2). The first starts at the start of the
+// step, the second at the base start + (1 + sqrt 2) (first - start); the end of the second stage is
+// the end of the step. This is the L-stable diagonally implicit Runge-Kutta method of Alexander
+// (SIAM J. Numer. Anal. 14, 1977), which needs no data from earlier steps.
 //
-// With dampers_only, forces that depend on velocities are implicit and springs are as in velocity
-// Verlet: half a step of drift,
+// With dampers_only, forces that depend on velocities are implicit, whereas springs are treated as
+// in velocity Verlet: half a step of drift,
 //   M (V - V_start) = h F(q_middle, V)
-// by the same Newton iteration without the springs' derivatives, and the other half of the drift.
-// This mode preserves vibrations that the stages above would damp out, and has the stability limit
-// of the springs: h^2 k = 4 (m + h c/2) for one body on springs k and dampers c. Steps use three
-// quarters of this limit.
+// by the same Newton iteration without the derivatives of the springs, and the other half of the
+// drift. This mode preserves vibrations that the stages above would damp out, and its stability
+// limit is that of the springs: h^2 k = 4 (m + h c/2) for one body with springs k and dampers c.
+// Steps use three quarters of this limit.
 //
-// Estimated local error, m: the error of a ball normal to the rolling direction, or of a ring, if
-// the method were of first order, g h |V_2 - V_1| (order 1: h |V - V_start|/2). For order 2 this is
-// an upper bound. With dampers_only the estimate is the distance moved normal to the rolling
-// direction in the step, by which a ball may be late in meeting a groove. A cage ball is allowed a
-// multiple of the error of a ball: the contacts of cage balls are soft, and if the cage drives
-// balls, the vibration of the cage would otherwise determine the step.
+// The estimated local error (m) is the error of a ball normal to the rolling direction, or of a
+// ring, if the method were of first order: g h |V_2 - V_1| (order 1: h |V - V_start|/2). For order
+// 2 this is an upper bound. With dampers_only the estimate is the distance moved normal to the
+// rolling direction in the step, because a ball may meet a groove that much too late. The error of
+// a cage ball may be a multiple of that of a ball, because the contacts of cage balls are soft and,
+// if the cage drives balls, the vibration of the cage would otherwise determine the step.
 //
-// With `estimate` the error is four times the error of order 2, from the second difference of the
-// velocities at the start and the ends of both stages, or 0.3 of the upper bound if that is larger.
-// A stage ends when all further corrections would be below the tolerance, provided that they keep
-// decreasing at the present rate. If balls and rings have converged but the cage has not, further
-// corrections extrapolate the raceway contacts from their derivatives.
+// With `estimate` the error is four times the second-order error, which is computed from the second
+// difference of the velocities at the start and at the ends of both stages, or 0.3 of the upper
+// bound if that is larger. A stage ends when all further corrections would be below the tolerance,
+// provided that they keep decreasing at the present rate. If balls and rings have converged but the
+// cage has not, further corrections extrapolate the raceway contacts from their derivatives.
 //
-// The error of a ball with less than a hundredth of the largest load is weighted by the stiffness
-// of the ball's contacts, with a weight of at least a tenth, because unloaded balls rattle by
-// nanometres without an effect on any load. With a one-piece cage the error of each ball is
+// The error of a ball that carries less than a hundredth of the largest load is weighted by the
+// stiffness of the ball's contacts, with a weight of at least a tenth, because unloaded balls
+// rattle by nanometres without affecting any load. With a one-piece cage the error of each ball is
 // expressed as an error of its load, with a weight of at least 1/200.
 //
-// A relative tolerance is a fraction of the largest overlap of a ball and a raceway at the start of
-// the step; it is used if it exceeds the tolerance in m. It depends only on the state, so a restart
-// is bit-identical.
+// A relative tolerance is a fraction of the largest overlap between a ball and a raceway at the
+// start of the step; it is used if it exceeds the tolerance in m. It depends only on the state, so
+// a restarted run is bitwise identical.
 //
-// Bodies in groups of four: bearing_bodies.h; forces and derivatives: bearing_forces.h; linear
-// solve: bearing_system.h; states within a step: bearing_instants.h.
+// Related files: bearing_bodies.h (bodies in groups of four), bearing_forces.h (forces and
+// derivatives), bearing_system.h (linear solve), bearing_instants.h (states within a step).
 #ifndef RACEWAY_BEARING_INTEGRATOR_H
 #define RACEWAY_BEARING_INTEGRATOR_H
 
@@ -56,28 +56,28 @@ class BearingIntegrator {
   struct Settings {
     int order = 2;
     bool dampers_only = false;
-    double newton = 1e-7;     // m, limit of the last correction of a stage
-    double cage = 1.0;        // tolerance of a cage ball over the tolerance of a ball or ring
+    double newton = 1e-7;     // m, largest allowed last correction of a stage
+    double cage = 1.0;        // tolerance for a cage ball divided by that for a ball or ring
     double relative = 0.0;    // newton is at least this fraction of the largest overlap; 0: unused
-    double error = 1.0;       // allowed estimated error of a step, over `newton`
+    double error = 1.0;       // allowed estimated error of a step divided by `newton`
     int corrections = 8;      // maximum per stage
     bool estimate = false;    // control by estimates of errors instead of bounds; order 2 only
 
     // weight of a cage ball's error
     double cage_error() const { return cage > error ? error / cage : 1.0; }
-    // Settings for a bearing with this largest overlap, m. The tolerance of cage balls does not
-    // change except with the tolerance of the other bodies.
+    // Returns the settings for a bearing with this largest overlap, m. The tolerance of cage balls
+    // does not change except with the tolerance of the other bodies.
     Settings at(double overlap) const;
   };
   struct Outcome {
     Failure failure = Failure::not_converged;
-    int body = -1;    // body of the failure, or -1
+    int body = -1;    // body that caused the failure, or -1
     int corrections = 0;
-    double tolerance = 0.0;     // m, limit of the estimated error
+    double tolerance = 0.0;     // m, largest allowed estimated error
     double error = HUGE_VAL;    // m, estimated
-    double stability = 0.0;     // h^2 over its stability limit
+    double stability = 0.0;     // h^2 divided by its stability limit
     double last = HUGE_VAL;     // m, last correction
-    double last_cage = 0.0;     // m, last correction of the cage, weighted
+    double last_cage = 0.0;     // m, last correction of the cage, multiplied by its weight
 
     bool solved() const { return failure == Failure::none; }
   };
@@ -94,9 +94,9 @@ class BearingIntegrator {
 
   void load(const std::vector<BodyPose> &b, const std::vector<RingPose> &r) { bodies_.load(b, r); }
   void store(std::vector<BodyPose> &b, std::vector<RingPose> &r) const { bodies_.store(b, r); }
-  // Program of a ring of the model; shafts are numbered after the rings.
+  // Sets the program of a ring of the model; shafts are numbered after the rings.
   void set_program(int ring, const RingProgram &p) { bodies_.rings[ring].program = p; }
-  // Modal loads and modal state of a flexible shaft of the model.
+  // Set and return the modal loads and the modal state of a flexible shaft of the model.
   void set_bend(int shaft, const BendProgram &p) { bend(shaft).program = p; }
   void load_bend(int shaft, const BendState &b) { bend(shaft).from = b; }    // before load()
   const BendState &stored_bend(int shaft) { return bend(shaft).from; }
@@ -105,16 +105,17 @@ class BearingIntegrator {
     bodies_.gravity = g;
     bodies_.heavy = dot(g, g) > 0.0;
   }
-  // State variables of the contacts in the order of the model's grooves, states() values each.
+  // State variables of the contacts in the order of the model's grooves, states() values per
+  // groove.
   int states() const { return bodies_.states(); }
   void load_states(const double *values) { bodies_.load_states(values); }
   void store_states(double *values) const { bodies_.store_states(values); }
 
-  // Longest next step that raceway profiles allow, s (core/geometry/raceway_profile.h)
+  // Returns the longest next step that raceway profiles allow, s (core/geometry/raceway_profile.h).
   double longest_step() const { return forces_.longest_step(); }
 
   // Computes a step of h seconds from the fraction s0 to the fraction s1 of the host's step.
-  // Nothing moves until accept().
+  // Nothing moves until accept() is called.
   Outcome step(const Settings &, double h, double s0, double s1);
   // Accepts the step. Returns a failure of the contacts at an instant within the step
   // (bearing_instants.h), which ends the run.
@@ -149,13 +150,15 @@ class BearingIntegrator {
   BearingForces forces_;
   BearingInstants instants_;
   const double slowest_;
-  double remains_ = 1.0;    // last estimate: error left after a correction, over the correction
-  bool keep_energy_ = false, balanced_ = false;    // balanced_: balance made at the start of step
+  double remains_ = 1.0;    // last estimate: error that remains after a correction divided by that
+                            // correction
+  bool keep_energy_ = false, balanced_ = false;    // balanced_: the energy balance has been
+                                                   // computed at the start of the step
   std::vector<double> loads_;                      // loads on the coordinates
   Energy energy_, pending_;
   struct {
     double h, s0, s1;
-  } present_ = {};    // the step not yet accepted
+  } present_ = {};    // the step that has not been accepted yet
 };
 
 }    // namespace raceway

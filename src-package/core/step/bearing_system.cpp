@@ -140,8 +140,7 @@ void BearingSystem::add_coupling(const Coupling &c, double h, double follows)
       border_.a[row.first * n + column.first] += stiff * row.second * column.second;
 }
 
-// Adds the gyroscopic coupling between both tilts of a ring, and the gyroscopic coupling of a
-// shaft's modes.
+// Adds the gyroscopic coupling between the two tilts of a ring, and that of a shaft's modes.
 void BearingSystem::add_spins(double h, bool fresh)
 {
   const size_t n = b_.border.size();

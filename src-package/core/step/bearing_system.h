@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The linear system of one Newton correction:
 //   A_k x_k + B_k y + sum_i s_ik n_i l_i = r_k        x_k: correction of a body
-//   sum_k C_k x_k + D y                  = r_y        y: of the coordinates of rings and shafts
+//   sum_k C_k x_k + D y                  = r_y        y: corrections of rings and shafts
 //   l_i/a_i = n_i . (x_first - x_second)              closed cage contacts
 // with s_ik = +1 for the first and -1 for the second body of link i. Blocks are eliminated first,
 // then links; the system is then solved for y and back-substituted, in a time proportional to the
-// number of balls. factor() keeps the data for solve(), so that each later correction with the same
+// number of balls. factor() stores the data for solve(), so each later correction with the same
 // derivatives costs only one right-hand side.
 //
-// Contacts add to columns B and rows C for the motions of rings. These motions are the unknowns y
-// themselves, except for rings on flexible shafts: such a ring has columns of its own, and its
-// motions follow from y through T (shaft_lift.h). The modes of a shaft therefore add no cost per
-// body.
+// Contacts contribute to columns B and rows C for the motions of rings. These motions are the
+// unknowns y themselves, except for rings on flexible shafts: such a ring has columns of its own,
+// and its motions follow from y through T (shaft_lift.h). The modes of a shaft therefore do not add
+// any cost per body.
 #ifndef RACEWAY_BEARING_SYSTEM_H
 #define RACEWAY_BEARING_SYSTEM_H
 
@@ -29,22 +29,22 @@ class BearingSystem {
     chain_.resize(static_cast<int>(b.body_at.size()));
   }
 
-  // Sets the residual to M (V_base - V) + h times the forces of the rotating frame. With `fresh`
-  // also sets the blocks to the masses and everything else to 0.
+  // Sets the residual to M (V_base - V) + h times the forces due to the rotating frame. With
+  // `fresh` it also sets the blocks to the masses and everything else to 0.
   void start(double h, bool fresh);
-  // Adds the right-hand sides of the border and, with `fresh`, the part of D without contacts, at
-  // the fraction s of the step. Positions follow velocities over `follows` seconds.
+  // Adds the right-hand sides of the border and, with `fresh`, the part of D that does not depend
+  // on contacts, at the fraction s of the step. Positions follow velocities over `follows` seconds.
   void add_border(double h, double follows, double s, bool fresh);
-  // Saves the residuals and, with `fresh`, the matrix of raceways and inertia, without cages and
-  // supports.
+  // Saves the residuals and, with `fresh`, the matrix due to raceways and inertia, without cages
+  // and supports.
   void keep(bool fresh);
   // Restores residuals and matrix. The residuals are updated to first order for the corrections
-  // since keep(). Not available with a flexible shaft.
+  // since keep(). This is not available with a flexible shaft.
   void restore();
-  void add_kept();    // adds the kept right-hand sides of the border; call it after add_border()
+  void add_kept();    // adds the kept right-hand sides of the border; called after add_border()
   bool keeps() const { return b_.bends.empty(); }
   void factor();
-  void solve();    // the corrections are then in BodyGroup::rhs and y()
+  void solve();    // afterwards the corrections are in BodyGroup::rhs and y()
   void halve()     // halves the corrections of the border
   {
     for (double &one : y_) one *= 0.5;
@@ -71,10 +71,11 @@ class BearingSystem {
   template <class ColumnOf> void condense_links(ColumnOf column, bool mark);
 
   BearingBodies &b_;
-  std::vector<Column> B_, C_;    // group by group, column by column
+  std::vector<Column> B_, C_;    // ordered by group, then by column
   DenseLU border_;
   std::vector<double> y_, forces_;    // corrections of the border, forces of the links
-  // Matrix and motions of the columns: those of the border or, with flexible shafts, separate ones.
+  // Matrix and motions of the columns, which are those of the border or, with flexible shafts,
+  // separate.
   double *corner_ = nullptr, *motions_ = nullptr;
   std::vector<double> corner_apart_, motions_apart_;
   ShaftLift lift_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Cage balls on their rails, and contacts of balls with cage balls or with one another.
+// Forces on cage balls at their rails, and contacts of balls with cage balls or with one another.
 #include "bearing_forces.h"
 #include "bearing_system.h"
 
@@ -40,7 +40,7 @@ Failure BearingForces::evaluate(const Stage &stage)
   return failure;
 }
 
-// += s p q^T into rows and columns of a 6 x 6 block
+// Adds s p q^T to the rows and columns of a 6 x 6 block.
 static RACEWAY_INLINE void add_dyad(Lane *a, const Lane &s, const Vec3L &p, const Vec3L &q)
 {
   const Lane rows[] = {s * p.x, s * p.y, s * p.z}, columns[] = {q.x, q.y, q.z};
@@ -48,7 +48,8 @@ static RACEWAY_INLINE void add_dyad(Lane *a, const Lane &s, const Vec3L &p, cons
     for (int k = 0; k < 3; ++k) a[6 * i + k] += rows[i] * columns[k];
 }
 
-// Contacts of cage balls on the torus rails of a ring: elastic, frictionless, critically damped.
+// Evaluates contacts of cage balls on the torus rails of a ring: elastic, frictionless, critically
+// damped.
 RACEWAY_LANES void BearingForces::rails(const Stage &stage)
 {
   const bool only = stage.evaluate == Evaluate::only;
@@ -67,7 +68,7 @@ RACEWAY_LANES void BearingForces::rails(const Stage &stage)
       const Lane z = dot(d, e);
       const Vec3L radial = d - e * z;
       const Lane r = norm(radial);
-      // groups without a contact need nothing further
+      // groups without a contact need no further work
       LaneMask near = {};
       for (const Rail &rail : *track.rails) near |= may_touch(rail, r, z, g.radius, margin);
       if (!any(near & g.used)) continue;
@@ -131,7 +132,7 @@ RACEWAY_LANES void BearingForces::rails(const Stage &stage)
   }
 }
 
-// Contacts of balls with cage balls: each closed contact is a link.
+// Evaluates contacts between balls and cage balls; each closed contact is a link.
 Failure BearingForces::pockets(const Stage &stage)
 {
   if (b_.model.pockets.empty() || stage.looks) return Failure::none;    // no force on rings

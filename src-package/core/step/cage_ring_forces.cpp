@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A one-piece cage: balls in its pockets, the land that guides it, and churning of its faces.
+// Forces on a one-piece cage: balls in its pockets, the land that guides it, and churning at its
+// faces.
 #include "bearing_forces.h"
 #include "bearing_system.h"
 
 namespace raceway {
 
-// Velocity of a point at `lever` (m) from a ring's centre per unit of a degree of freedom.
+// Returns the velocity of a point at `lever` (m) from a ring's centre per unit of a degree of
+// freedom.
 static Vec3 motion_of(int dof, const Vec3 &e, const Vec3 &lever)
 {
   switch (dof) {
@@ -37,9 +39,10 @@ void BearingForces::cages(const Stage &stage)
   }
 }
 
-// Contact of a ball and its pocket in the ball's frame. Through the spring and damper along the
-// normal n, the force of the wall depends on the motion of the ball's centre. Through friction
-// across n, it depends on the motion of the ball's surface at the wall, -R n from the centre.
+// Evaluates the contact between a ball and its pocket in the ball's frame. Through the spring and
+// damper along the normal n, the force of the wall depends on the motion of the ball's centre.
+// Through friction, which acts across n, it depends on the motion of the ball's surface at the
+// wall, which is at -R n from the centre.
 void BearingForces::pocket(const Stage &stage, const BearingModel::Cage &cage, const CageMotion &m,
                            int body, int number)
 {
@@ -79,13 +82,13 @@ void BearingForces::pocket(const Stage &stage, const BearingModel::Cage &cage, c
   const double springs = h * stage.follows(), along = h * c.h.damping + springs * c.h.growth,
                bend = springs * c.bend, across = h * c.braking;
   const Vec3 n = local(c.normal), wall = n * -R, pull = n - local(c.slide), side = local(c.side);
-  // change of the force due to motions of the ball's centre and of its surface
+  // change in the force due to motions of the ball's centre and of its surface
   const auto answer = [&](const Vec3 &centre, const Vec3 &surface) -> Vec3 {
     const Vec3 f = pull * (along * dot(centre, n)) + (surface - n * dot(surface, n)) * across;
     return f +
            (c.spherical ? (centre - n * dot(centre, n)) * bend : side * (bend * dot(centre, side)));
   };
-  Vec3 by_ball[6];    // change of the force by the ball's velocity and spin
+  Vec3 by_ball[6];    // change in the force per unit of the ball's velocity and spin
   const Vec3 unit[] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
   for (int k = 0; k < 3; ++k) {
     by_ball[k] = answer(unit[k], unit[k]);
@@ -137,7 +140,7 @@ void BearingForces::land(const Stage &stage, const BearingModel::Cage &cage, con
     ring.spring += 2.0 * c.stiffness;
     guide.spring += 2.0 * c.stiffness;
   }
-  // motion of the cage relative to the ring along both axes, by column
+  // motion of the cage relative to the ring along both axes, for each column
   struct Moving {
     int column;
     double along[2];

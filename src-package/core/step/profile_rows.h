@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Profiles of raceways and balls at four contacts: positions on them, and their contribution to the
-// matrix.
+// Profiles of raceways and balls at four contacts: positions of the contacts on the profiles, and
+// contributions of the profiles to the matrix.
 #ifndef RACEWAY_PROFILE_ROWS_H
 #define RACEWAY_PROFILE_ROWS_H
 
@@ -9,8 +9,8 @@
 
 namespace raceway {
 
-// Adds the contribution that the slope of a profile in the rows does not include: the change of the
-// slope along the path of the ball's centre. h2 (s^2) is 0 without contact.
+// Adds the contribution that is not included in the rows' profile slope: the change of the slope
+// along the path of the ball's centre. h2 (s^2) is 0 without contact.
 static inline void add_profile(BearingSystem &system, BodyGroup &g, int group, const RingBody &ring,
                                const Vec3L &d, const Vec3L &e, const ContactStateT<Lane> &c,
                                const Lane &h2, const ProfiledContactT<Lane> &on)
@@ -56,7 +56,8 @@ static inline void put_lane(int i, const ProfiledContact &one, ProfiledContactT<
   on.side[i] = one.side;
 }
 
-// As above for balls with profiles, along the row `path` of the azimuth in the balls' own axes.
+// Does the same for balls with profiles, along the row `path` of the azimuth in the balls' own
+// axes.
 static inline void add_ball_profile(BearingSystem &system, BodyGroup &g, int group,
                                     const RingBody &ring, const Vec3L &d, const Vec3L &e,
                                     const ContactStateT<Lane> &c, const Lane &h2, const Lane &slope,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Balls on raceways in groups of four, in the rotating frame of each ball. The contact law can be
-// any class with the members of AnyLaw (core/contact/any_law.h); this file does not depend on its
-// parts.
+// Contacts of balls with raceways in groups of four, in the rotating frame of each ball. The
+// contact law can be any class with the members of AnyLaw (core/contact/any_law.h); this file does
+// not depend on the parts of the law.
 //
-// The loop is compiled with each law of inputs/models inlined, for smooth raceways, and once with
-// an indirect law, for any set of parts and for raceways with profiles.
+// For smooth raceways, the loop is compiled with each law of inputs/models inlined. It is also
+// compiled once with an indirect law, for any set of parts and for raceways with profiles.
 #ifndef RACEWAY_RACEWAY_CONTACTS_H
 #define RACEWAY_RACEWAY_CONTACTS_H
 
@@ -27,6 +27,7 @@ static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int g
                                       const ProfiledContactT<Lane> *on, const TurnRowT<Lane> *depth)
 {
   Lane row[n][6], column[6][n];    // column[k]: local forces per unit of the ball's k-th velocity
+                                   // component
   ball_rows(s, R, row);
   if (on)
     for (int k = 0; k < 3; ++k) row[0][k] -= on->slope * row[1][k];
@@ -73,7 +74,7 @@ static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int g
   }
   for (int j = 0; j < free; ++j) {
     const int u = ring.column[dofs[j]];
-    Lane force[n];    // the groove is a surface of revolution: the ring's spin displaces nothing
+    Lane force[n];    // the ring's spin does not displace the surface of revolution
     local_forces(s, motions[j], dofs[j] != RingProgram::SPIN, force);
     Lane *B = system.B(group, u), *C = system.C(group, u);
     for (int k = 0; k < 6; ++k)
@@ -92,7 +93,7 @@ static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int g
   }
 }
 
-// Position and motions of a group of contacts that are all open.
+// Computes positions and motions for a group of contacts that are all open.
 static RACEWAY_INLINE void look_at_gap(const RacewayPhysics &p, const BallStateT<Lane> &ball,
                                        const LaneFrame &f, const Vec3 &ring_v, const Vec3 &ring_w,
                                        RingStateT<Lane> ring, const GroovePositionT<Lane> &at,
@@ -105,8 +106,9 @@ static RACEWAY_INLINE void look_at_gap(const RacewayPhysics &p, const BallStateT
   find_motions<false>(p, ball, ring, seen);
 }
 
-// Elastic energy of contacts minus their energy at the same overlap but with the entrainment speeds
-// and contact angles at the start of the step, J. No force does work in these changes.
+// Returns the elastic energy of contacts minus their energy at the same overlap but with the
+// entrainment speeds and contact angles at the start of the step, J. No force does work in these
+// changes.
 template <class L>
 static RACEWAY_INLINE double energy_gain(const L &law, const RacewayPhysics &p,
                                          const LaneMask &near, const ContactStateT<Lane> &c,
@@ -153,7 +155,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const L &law, 
     RingBody &ring = b_.rings[track.ring];
     const RacewayPhysics &p = *track.physics;
     const Vec3 spin = ring.now.angular_velocity();
-    // offset of the groove from the ring's middle plane
+    // offset of the groove from the ring's mid-plane
     const double offset = p.groove.offset;
     Vec3 centre = ring.now.x - b_.centre, velocity = ring.now.v;
     if (offset != 0.0) {
@@ -192,7 +194,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const L &law, 
       if (law.states > 0)
         if (stage.evaluate != Evaluate::only) {
           for (int m = 0; m < law.states; ++m)
-            b_.kept[contact].now[m] = Lane{};    // an open contact resets its state
+            b_.kept[contact].now[m] = Lane{};    // the state of an open contact is reset
           KeptSlopes &slopes = b_.kept_slopes[contact];
           slopes.live = LaneMask{};
           if (derive)

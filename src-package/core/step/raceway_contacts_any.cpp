@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Raceways, smooth or with profiles, with any set of parts.
+// Compiles the contact loop for raceways with or without profiles and any set of parts.
 #include "raceway_contacts.h"
 
 namespace raceway {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The laws of inputs/models/film and full, inlined.
+// Compiles the contact loop with the laws of inputs/models/film and full inlined.
 #include "raceway_contacts_fused.h"
 
 namespace raceway {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Raceways, smooth or with profiles, for processors without AVX2.
+// Compiles the contact loop for raceways with or without profiles for processors without AVX2.
 #include "../numbers/lane.h"
 
 #ifdef RACEWAY_TWO_TARGETS    // otherwise raceway_contacts_any.cpp covers the only target
