@@ -226,7 +226,7 @@ def test_the_loss_arrives_in_torque_summary_needs_and_report(touched, ran):
     torque = summary["friction_torque_N_m"]
     assert torque == pytest.approx(summary["power_loss_W"] / 50.0, rel=1e-6)
     assert found["needs"]["torque"] == torque
-    assert "to the toy" in found["report"]
+    assert "by the toy" in found["report"]
 
 
 def test_the_main_deck_has_the_new_columns(touched):

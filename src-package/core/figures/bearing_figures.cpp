@@ -126,7 +126,7 @@ void add_losses(std::vector<Figure> &list, bool usual)
                       k,
                       table[k].is.key});
   if (!usual)
-    list.push_back({{"cage_power", "W", "power lost between balls, cage balls and rails"},
+    list.push_back({{"cage_power", "W", "power dissipated between balls, cage balls and rails"},
                     [](F f, int) { return f.cage_loss; },
                     Needs::nothing,
                     couples,

@@ -32,7 +32,7 @@ CHARTS = {
     "Capacitance of the bearing": ("capacitance",),
     "Balls loaded on both raceways": ("loaded_balls",),
     "Cage speed": ("cage_speed",),
-    "Power lost": tuple(LOSSES.values()),
+    "Power loss by cause": tuple(LOSSES.values()),
 }
 
 

@@ -105,9 +105,9 @@ TOPICS = {
         Row("torque_skf_N_m", "SKF, oil to the middle of a ball", "N m", "10000 EN 2013"),
         Row("torque_palmgren_N_m", "Palmgren, oil bath", "N m"),
         Row("asperity_share", "load share of asperities", "", "largest inner load"),
-        Row("power_loss_W", "power lost", "W", "mean"),
+        Row("power_loss_W", "power loss", "W", "mean"),
         *(
-            Row(f"loss_{key}_W", "  " + BEARING[name].meaning.removeprefix("power lost "), "W")
+            Row(f"loss_{key}_W", "  " + BEARING[name].meaning.removeprefix("power dissipated "), "W")
             for key, name in LOSSES.items()
         ),
     ),
