@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Friction torque by statics with the models `full`, compared with SKF's formula at 40 points of
-eight bearings and at the reference speed of five: writes docs/torque_points.rst.
+"""Compare the friction torque from statics with the models `full` with SKF's formula at 40 points
+of eight bearings, and at the reference speed of five, and write docs/torque_points.rst.
 
     .venv/bin/python tests/bench/torque_points.py [--no-page]
 
@@ -52,13 +52,13 @@ LEAST = 0.1
 
 
 def temperature(viscosity):
-    """Temperature in C at which the oil has a `viscosity` in Pa s."""
+    """Return the temperature in C at which the oil has the `viscosity` in Pa s."""
     path = INPUTS / "lubricants" / OIL
     return brentq(lambda at: inputs.fluid(path, at).viscosity - viscosity, -10.0, 180.0, xtol=1e-9)
 
 
 def shares(parts, speed):
-    """{share: torque in N mm} of losses `parts` in W at a `speed` in rad/s."""
+    """Return {share: torque in N mm} for the losses `parts` in W at a `speed` in rad/s."""
     torque = {part: 1e3 * power / speed for part, power in parts.items()}
     return {
         "rolling": torque["rolling"] + torque["hysteresis"],
@@ -68,7 +68,8 @@ def shares(parts, speed):
 
 
 def with_grooves(name, folder, conformity):
-    """Path of a data file of the bearing with grooves of (inner, outer) `conformity`."""
+    """Write a data file of the bearing with grooves of (inner, outer) `conformity`; return its
+    path."""
     known = dict(inputs.values(INPUTS / "bearings" / name))
     sizes = (float(share) * float(known["ball_diameter"]) for share in conformity)
     known.update(zip(("inner_groove", "outer_groove"), sizes))
@@ -78,7 +79,7 @@ def with_grooves(name, folder, conformity):
 
 
 def point(path, radial, axial, rpm, viscosity):
-    """(own shares, SKF's shares) of the torque of the bearing in a data file, N mm."""
+    """Return (own shares, SKF's shares) of the torque of the bearing in a data file, in N mm."""
     at, boundary = temperature(1e-3 * viscosity), inputs.boundary(path)
     loads = [share * boundary.static_rating for share in (radial, axial)]
     one = figures(
@@ -99,8 +100,8 @@ def point(path, radial, axial, rpm, viscosity):
 
 
 def reference(name):
-    """(reference speed of the catalogue in rpm, heat at this speed without drag in W, cooling power
-    in W)."""
+    """Return (reference speed in the catalogue in rpm, heat at this speed without drag in W,
+    cooling power in W)."""
     path = INPUTS / "bearings" / name
     boundary, fluid = inputs.boundary(path), inputs.lubricant(INPUTS / "lubricants/vg32")
     rpm = float(inputs.values(path)["reference_speed"])
@@ -115,8 +116,8 @@ def reference(name):
 
 
 def rows(conformity=None):
-    """[(name, point, own shares, SKF's shares), ...] of all points. A `conformity` replaces the
-    grooves in the files."""
+    """Return [(name, point, own shares, SKF's shares), ...] for all points. A `conformity` replaces
+    the grooves in the files."""
     found = []
     with TemporaryDirectory() as folder:
         for name, points in POINTS.items():
@@ -128,7 +129,8 @@ def rows(conformity=None):
 
 
 def off(own, skf):
-    """Shares that are above LEAST of SKF's torque and differ by a factor above MOST_OFF."""
+    """Return the shares that are above LEAST of SKF's torque and differ by a factor above
+    MOST_OFF."""
     total = sum(skf.values())
     large = [share for share in SHARES if skf[share] > LEAST * total]
     return [share for share in large if not 1 / MOST_OFF <= own[share] / skf[share] <= MOST_OFF]
@@ -137,33 +139,35 @@ def off(own, skf):
 HEAD = """Friction torque compared with SKF's formula
 ===========================================
 
-``tests/bench/torque_points.py`` writes this page. It compares statics with the models ``full``
-(conformities 0.52 and 0.53 unless the bearing's file has others, no clearance, rigid rings, oil
-``vg46`` at the temperature of the viscosity) with SKF's formula (:math:`\\mu_{bl}` 0.12,
-:math:`\\mu_{EHL}` 0.05, the same oil). An oil bath reaches the middle of the lowest ball. No
-constant is fitted to SKF's formula. The first table contains torques in N mm, by statics / by
-SKF's formula. Rolling includes hysteresis; sliding is the sum of slip and spin. A share is in bold
-if it differs from SKF's share by a factor of more than 1.5 and SKF's share is above 10 % of SKF's
-torque.
+This page is written by ``tests/bench/torque_points.py``. It compares statics with the models
+``full`` (conformities 0.52 and 0.53 unless the bearing's file gives others, no clearance, rigid
+rings, oil ``vg46`` at the temperature that gives the viscosity) with SKF's formula
+(:math:`\\mu_{bl}` 0.12, :math:`\\mu_{EHL}` 0.05, the same oil). An oil bath reaches the middle of
+the lowest ball. No constant is fitted to SKF's formula. The first table lists torques in N mm, from
+statics / from SKF's formula. Rolling includes hysteresis; sliding is the sum of slip and spin. A
+contribution is in bold if it differs from SKF's value by a factor of more than 1.5 and SKF's value
+is above 10 % of SKF's torque.
 """
 
 WHY = """*Light load and high speed* (0.02 :math:`C_0`, 10,000 rpm): the rolling torque of deep
-groove bearings is 1.16 to 1.5 times SKF's. The ratio of a 7208B is 0.59, because friction cannot
-hold its balls against their gyroscopic moment. In statics the balls slide across their grooves; in
-a run under this load they skid grossly, and the torque is 197 N mm, 1.15 times SKF's. The torque
-of a 7205B is 16.4 N mm in a run, 15.7 N mm in statics and 25.3 N mm by SKF's formula.
+groove bearings is 1.16 to 1.5 times SKF's. For a 7208B the ratio of the sums is 0.59, because
+friction cannot hold its balls against their gyroscopic moment. In statics the balls slide across
+their grooves; in a run under this load they skid grossly, and the torque is 197 N mm, 1.15 times
+SKF's. The torque of a 7205B is 16.4 N mm in a run, 15.7 N mm in statics and 25.3 N mm according to
+SKF's formula.
 
-*High load and low speed, combined and axial loads*: rolling is 0.66 to 1.04 and sliding 0.55 to 1.0
-times SKF's; both ratios are lowest for balls with spin. Sliding grows with the square of the
-contact width and so depends on the conformity of the grooves, which no catalogue states (below).
+*High load and low speed, combined and axial loads*: rolling is 0.66 to 1.04 times and sliding 0.55
+to 1.0 times SKF's value; both ratios are lowest for balls with spin. Sliding grows with the square
+of the contact width and thus depends on the conformity of the grooves, which no catalogue gives
+(below).
 """
 
 CONFORMITY = """Conformity of the grooves
 -------------------------
 
-Makers do not publish the groove radii of their bearings, and 0.52 and 0.53 of the ball's diameter
-are our default (:doc:`catalogue`). If all bearings have the same conformities, the 40 points give
-these ratios:
+Manufacturers do not publish the groove radii of their bearings, and 0.52 and 0.53 of the ball's
+diameter are our default (:doc:`catalogue`). If all bearings have the same conformities, the 40
+points give these ratios:
 """
 
 
@@ -187,18 +191,19 @@ def page(found, others, heats):
     return "\n".join(
         [HEAD, summary(found), "", WHY, *csv_table(header, lines), CONFORMITY,
          *csv_table(("conformities", "geometric mean", "spread", "lowest", "highest",
-                     "with a bold share"), [others_line(*one) for one in others.items()]),
+                     "with a bold contribution"), [others_line(*one) for one in others.items()]),
          "Reference speed", "---------------",
          "",
-         "The table compares the heat by statics without drag (catalogue's reference speed, 0.05"
-         " :math:`C_0`, vg32 at 12 mm²/s) with the cooling power by ISO 15312 at 50 K.", "",
+         "The table compares the heat generated in statics without drag (catalogue's reference"
+         " speed, 0.05 :math:`C_0`, vg32 at 12 mm²/s) with the cooling power according to ISO"
+         " 15312 at 50 K.", "",
          *csv_table(("bearing", "rpm", "own W", "ISO 15312 W", "ratio"), heat_lines)]
     )  # fmt: skip
 
 
 def numbers(found):
-    """(geometric mean, spread, least, most) of the ratios of the sums, and the number of points
-    with a share off."""
+    """Return (geometric mean, spread, least, most) of the ratios of the sums, and the number of
+    points at which a share is off."""
     ratio = np.array([sum(own.values()) / sum(skf.values()) for _, _, own, skf in found])
     log = np.log(ratio)
     wrong = sum(bool(off(own, skf)) for _, _, own, skf in found)
@@ -215,7 +220,7 @@ def summary(found):
     mean, spread, least, most, wrong = numbers(found)
     return (
         f"Ratio of the {len(found)} sums: geometric mean {mean:.3f}, spread ×/÷ {spread:.3f}, from"
-        f" {least:.2f} to {most:.2f}. {wrong} points have a share in bold."
+        f" {least:.2f} to {most:.2f}. {wrong} points have a contribution in bold."
     )
 
 
