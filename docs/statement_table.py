@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sphinx: `.. paper-statements::`, the statements of the paper with their verdicts, from the table
-that `raceway paper` uses."""
+"""Sphinx extension for `.. paper-statements::`, which lists the statements of the paper with their
+verdicts, from the table that `raceway paper` uses."""
 
 import re
 from collections import Counter
@@ -23,7 +23,7 @@ HEADS = (
 
 
 def reason(text):
-    """The sentences of a reason that contain no number of a run."""
+    """Return the sentences of a reason that do not contain a result of a run."""
     return " ".join(one for one in re.split(r"(?<=[.;]) ", text) if "{" not in one)
 
 
