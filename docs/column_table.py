@@ -135,7 +135,7 @@ class ValidityTable(SphinxDirective):
             )
             for r in rules
         ]
-        lines = table("35 20 45", ("figure", "warned of", "because"), rows)
+        lines = table("35 20 45", ("quantity", "warning if", "reason"), rows)
         return self.parse_text_to_nodes(StringList(lines, source=str(COLUMNS)))
 
 

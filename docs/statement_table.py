@@ -47,13 +47,13 @@ class StatementTable(SphinxDirective):
             for one in all_of_them
         ]
         lines = [
-            f"{len(rows)} statements. From the corrected formulas "
+            f"{len(rows)} statements. With the corrected formulas: "
             + count(one.found[0] for one in all_of_them)
-            + ". From the formulas as printed "
+            + ". With the formulas as printed: "
             + count(one.found[one.found[1] != SAME] for one in all_of_them)
-            + f". With all of the capacitance {len(whole)} statements are judged again: "
+            + f". With all of the capacitance, {len(whole)} statements are judged again: "
             + count(one[2] for one in whole)
-            + "; with plates alone "
+            + "; with the plates alone: "
             + count(one[0] for one in whole)
             + ".",
             "",
