@@ -3,6 +3,7 @@
 `.. law-keywords:: dry|film` (keywords of the contact law), `.. law-parts::` (parts of the law),
 `.. validity::` (validity rules), `.. oil-constants::` (defaults of an oil's constants), and
 `.. deck-variables:: COMMAND` (deck variables of a command)."""
+
 from docutils.statemachine import StringList
 from raceway import core
 from sphinx.util.docutils import SphinxDirective
