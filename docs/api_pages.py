@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sphinx: writes one page for each room of the Python package, from docstrings.
+"""Sphinx extension that writes one page for each subpackage of the Python package, from docstrings.
 
 The pages are written into docs/api before the build; git ignores them.
 """
@@ -31,7 +31,7 @@ TYPES = {
 
 
 def page(title, modules):
-    """Text of a page that documents `modules`."""
+    """Return the text of a page that documents `modules`."""
     lines = [title, "=" * len(title), ""]
     for module in modules:
         name = f"raceway.{module.rsplit('.', 1)[-1]}"
@@ -41,7 +41,7 @@ def page(title, modules):
 
 
 def write(app):
-    """Write pages, but only if their text has changed: otherwise Sphinx would read them again."""
+    """Write the pages whose text has changed; Sphinx would read unchanged pages again otherwise."""
     FOLDER.mkdir(exist_ok=True)
     for room, title in ROOMS.items():
         modules = [
@@ -56,7 +56,7 @@ def write(app):
 
 
 def field_comment(full_name):
-    """Comment at the end of the line that declares a field of a class; "" without a comment."""
+    """Return the comment at the end of the line that declares a field of a class, or ""."""
     module, owner, field = full_name.rsplit(".", 2)
     try:
         source = inspect.getsource(getattr(import_module(module), owner))
@@ -67,7 +67,7 @@ def field_comment(full_name):
 
 
 def docstring(app, what, name, thing, options, lines):
-    """Use comments of fields as their documentation, and take bars as absolute values instead of
+    """Use comments of fields as their documentation, and treat bars as absolute values, not as
     substitutions."""
     if what == "attribute":
         lines[:] = [field_comment(name)]

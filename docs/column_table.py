@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sphinx: tables that C++ exports. `.. columns:: SECTION`: output columns;
-`.. law-keywords:: dry|film`: keywords of the contact law; `.. law-parts::`: parts of the law;
-`.. validity::`: rules of validity; `.. oil-constants::`: defaults of an oil's constants;
-`.. deck-variables:: COMMAND`: deck variables of a command."""
+"""Sphinx extension for tables that C++ exports: `.. columns:: SECTION` (output columns),
+`.. law-keywords:: dry|film` (keywords of the contact law), `.. law-parts::` (parts of the law),
+`.. validity::` (validity rules), `.. oil-constants::` (defaults of an oil's constants), and
+`.. deck-variables:: COMMAND` (deck variables of a command)."""
 
 from docutils.statemachine import StringList
 from raceway import core
@@ -17,7 +17,8 @@ NEEDS = {
 
 
 def rows(section: str, numbered: bool) -> list[tuple[str, str]]:
-    """[(name or number and name, meaning with unit and needs), ...] of the columns of a section."""
+    """Return [(name, meaning with unit and needs), ...] for the columns of a section; if
+    `numbered`, each name is preceded by its number."""
     found = []
     for number, column in enumerate(core.table("columns")[section], 1):
         name = f"*{column['name']}*"
@@ -29,7 +30,7 @@ def rows(section: str, numbered: bool) -> list[tuple[str, str]]:
 
 
 class ColumnTable(SphinxDirective):
-    """Table of columns. The option `numbered` puts the index in the vector before each name."""
+    """Table of columns. With the option `numbered`, each name is preceded by its vector index."""
 
     required_arguments = 1
     option_spec = {"numbered": lambda argument: True}
@@ -42,7 +43,7 @@ class ColumnTable(SphinxDirective):
 
 
 def range_of(parameter: dict) -> str:
-    """Range of a number as "> 0", "0 or more" or "0 to 2"; empty for a word."""
+    """Return the range of a number as "> 0", "0 or more" or "0 to 2"; empty for a word."""
     if parameter["choices"]:
         return ""
     if parameter["most"] is not None:
@@ -51,7 +52,7 @@ def range_of(parameter: dict) -> str:
 
 
 def keyword_rows(film: bool) -> list[tuple[str, str, str]]:
-    """[(keyword and values, meaning with range, default), ...] of the contact law."""
+    """Return [(keyword and values, meaning with range, default), ...] for the contact law."""
     found, seen = [], set()
     for part in core.table("columns")["law"]:
         for keyword in part["keywords"]:
@@ -77,7 +78,7 @@ def keyword_rows(film: bool) -> list[tuple[str, str, str]]:
 
 
 def part_rows() -> list[tuple[str, ...]]:
-    """[(part, condition for the part, keywords, numbers kept by a contact, columns), ...]."""
+    """Return [(part, condition for the part, keywords, number of states, columns), ...]."""
     return [
         (
             f"*{part['name']}*",
@@ -91,7 +92,7 @@ def part_rows() -> list[tuple[str, ...]]:
 
 
 def table(widths: str, heads: tuple[str, ...], rows: list[tuple[str, ...]]) -> list[str]:
-    """Lines of a list-table."""
+    """Return the lines of a list-table."""
     lines = [".. list-table::", "   :header-rows: 1", f"   :widths: {widths}", ""]
     for row in [heads, *rows]:
         lines += [f"   {'*' if n == 0 else ' '} - {cell}".rstrip() for n, cell in enumerate(row)]
@@ -135,7 +136,7 @@ class ValidityTable(SphinxDirective):
             )
             for r in rules
         ]
-        lines = table("35 20 45", ("figure", "warned of", "because"), rows)
+        lines = table("35 20 45", ("quantity", "warning if", "reason"), rows)
         return self.parse_text_to_nodes(StringList(lines, source=str(COLUMNS)))
 
 

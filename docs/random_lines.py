@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Draws random lines of pages, comments and messages, to be judged by a reader.
+"""Draw random lines of pages, comments and messages, to be judged by a reader.
 
 ``python docs/random_lines.py --seed 1 --lines 40`` prints them with file and line number.
-``docs/notes/language.rst`` has the verdicts.
+``docs/notes/language.rst`` contains the verdicts.
 """
 
 import argparse
@@ -19,7 +19,7 @@ MESSAGE = re.compile(r'"([^"\n]*\s[^"\n]*\s[^"\n]*)"')
 
 
 def prose(text):
-    """(line number, text) of the lines of a page that belong to no literal block or directive."""
+    """Yield (line number, text) for the lines of a page outside literal blocks and directives."""
     literal = None
     for number, line in enumerate(text.splitlines(), 1):
         indent = len(line) - len(line.lstrip())
@@ -32,7 +32,7 @@ def prose(text):
 
 
 def code(text):
-    """(line number, text) of the comments, docstrings and messages of a source file."""
+    """Yield (line number, text) for the comments, docstrings and messages of a source file."""
     inside = False
     for number, line in enumerate(text.splitlines(), 1):
         quotes = line.count('"""')
@@ -46,7 +46,7 @@ def code(text):
 
 
 def lines():
-    """(place, text) of all lines with at least ``WORDS`` words."""
+    """Yield (location, text) for all lines with at least ``WORDS`` words."""
     names = subprocess.run(
         ["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True
     ).stdout.splitlines()

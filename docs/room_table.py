@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sphinx: `.. rooms::`, the folders of src-package with contents, files and floors, and the longest
-chain of includes, from the present sources (tests/include_graph.py)."""
+"""Sphinx extension for `.. rooms::`, which lists the folders of src-package with contents, files
+and floors, and the longest chain of includes, from the current sources (tests/include_graph.py)."""
 
 import sys
 from pathlib import Path

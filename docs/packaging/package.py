@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Spack: the plugin for the LAMMPS of the same spec, and the Python package.
+"""Spack package with the plugin for the LAMMPS of the same spec, and the Python package.
 
 Put this file into packages/raceway of your own repository, put the archive of `make dist` there,
 and run `spack install raceway`.
@@ -13,14 +13,14 @@ from spack_repo.builtin.build_systems.python import PythonExtension
 
 
 class Raceway(CMakePackage, PythonExtension):
-    """Ball bearings under elastohydrodynamic lubrication: styles for LAMMPS, and Python to run,
-    read and draw bearings."""
+    """Ball bearings under elastohydrodynamic lubrication: styles for LAMMPS, and a Python package
+    that runs bearings and reads and plots the results."""
 
     url = f"file://{os.path.dirname(__file__)}/raceway-1.0.0-full.tar.gz"
 
     license("GPL-2.0-or-later")
 
-    # `make dist` prints no checksum, since the archive is your own: spack install --no-checksum
+    # `make dist` does not print a checksum, since the archive is your own: use --no-checksum
     version("1.0.0")
 
     root_cmakelists_dir = "src-package/host"

@@ -1,8 +1,8 @@
 #!/bin/bash
-# The rows of a table as a job array, from the root of the repository:
+# Run the rows of a table as a job array, from the root of the repository:
 #   sbatch --array=1-20 inputs/cluster/array.sh table.csv build/sweep/mine
-# Task I of N runs the rows I, I+N, ... with as many at a time as it has cores. Submit it again to run the missing points;
-# `raceway gather build/sweep/mine` shows what is there. `raceway sweep table.csv --slurm job.sh` writes such a script for one table.
+# Task I of N runs the rows I, I+N, ..., as many at a time as it has cores. Submit it again to run the missing points;
+# `raceway gather build/sweep/mine` shows which points exist. `raceway sweep table.csv --slurm job.sh` writes such a script for one table.
 #SBATCH --job-name=raceway-sweep
 #SBATCH --ntasks=1
 #SBATCH --cpus-per-task=1

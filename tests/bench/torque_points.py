@@ -138,33 +138,35 @@ def off(own, skf):
 HEAD = """Friction torque compared with SKF's formula
 ===========================================
 
-``tests/bench/torque_points.py`` writes this page. It compares statics with the models ``full``
-(conformities 0.52 and 0.53 unless the bearing's file has others, no clearance, rigid rings, oil
-``vg46`` at the temperature of the viscosity) with SKF's formula (:math:`\\mu_{bl}` 0.12,
-:math:`\\mu_{EHL}` 0.05, the same oil). An oil bath reaches the middle of the lowest ball. No
-constant is fitted to SKF's formula. The first table contains torques in N mm, by statics / by
-SKF's formula. Rolling includes hysteresis; sliding is the sum of slip and spin. A share is in bold
-if it differs from SKF's share by a factor of more than 1.5 and SKF's share is above 10 % of SKF's
-torque.
+This page is written by ``tests/bench/torque_points.py``. It compares statics with the models
+``full`` (conformities 0.52 and 0.53 unless the bearing's file gives others, no clearance, rigid
+rings, oil ``vg46`` at the temperature that gives the viscosity) with SKF's formula
+(:math:`\\mu_{bl}` 0.12, :math:`\\mu_{EHL}` 0.05, the same oil). An oil bath reaches the middle of
+the lowest ball. No constant is fitted to SKF's formula. The first table lists torques in N mm, from
+statics / from SKF's formula. Rolling includes hysteresis; sliding is the sum of slip and spin. A
+contribution is in bold if it differs from SKF's value by a factor of more than 1.5 and SKF's value
+is above 10 % of SKF's torque.
 """
 
 WHY = """*Light load and high speed* (0.02 :math:`C_0`, 10,000 rpm): the rolling torque of deep
-groove bearings is 1.16 to 1.5 times SKF's. The ratio of a 7208B is 0.59, because friction cannot
-hold its balls against their gyroscopic moment. In statics the balls slide across their grooves; in
-a run under this load they skid grossly, and the torque is 197 N mm, 1.15 times SKF's. The torque
-of a 7205B is 16.4 N mm in a run, 15.7 N mm in statics and 25.3 N mm by SKF's formula.
+groove bearings is 1.16 to 1.5 times SKF's. For a 7208B the ratio of the sums is 0.59, because
+friction cannot hold its balls against their gyroscopic moment. In statics the balls slide across
+their grooves; in a run under this load they skid grossly, and the torque is 197 N mm, 1.15 times
+SKF's. The torque of a 7205B is 16.4 N mm in a run, 15.7 N mm in statics and 25.3 N mm according to
+SKF's formula.
 
-*High load and low speed, combined and axial loads*: rolling is 0.66 to 1.04 and sliding 0.55 to 1.0
-times SKF's; both ratios are lowest for balls with spin. Sliding grows with the square of the
-contact width and so depends on the conformity of the grooves, which no catalogue states (below).
+*High load and low speed, combined and axial loads*: rolling is 0.66 to 1.04 times and sliding 0.55
+to 1.0 times SKF's value; both ratios are lowest for balls with spin. Sliding grows with the square
+of the contact width and thus depends on the conformity of the grooves, which no catalogue gives
+(below).
 """
 
 CONFORMITY = """Conformity of the grooves
 -------------------------
 
-Makers do not publish the groove radii of their bearings, and 0.52 and 0.53 of the ball's diameter
-are our default (:doc:`catalogue`). If all bearings have the same conformities, the 40 points give
-these ratios:
+Manufacturers do not publish the groove radii of their bearings, and 0.52 and 0.53 of the ball's
+diameter are our default (:doc:`catalogue`). If all bearings have the same conformities, the 40
+points give these ratios:
 """
 
 
@@ -188,11 +190,12 @@ def page(found, others, heats):
     return "\n".join(
         [HEAD, summary(found), "", WHY, *csv_table(header, lines), CONFORMITY,
          *csv_table(("conformities", "geometric mean", "spread", "lowest", "highest",
-                     "with a bold share"), [others_line(*one) for one in others.items()]),
+                     "with a bold contribution"), [others_line(*one) for one in others.items()]),
          "Reference speed", "---------------",
          "",
-         "The table compares the heat by statics without drag (catalogue's reference speed, 0.05"
-         " :math:`C_0`, vg32 at 12 mm²/s) with the cooling power by ISO 15312 at 50 K.", "",
+         "The table compares the heat generated in statics without drag (catalogue's reference"
+         " speed, 0.05 :math:`C_0`, vg32 at 12 mm²/s) with the cooling power according to ISO"
+         " 15312 at 50 K.", "",
          *csv_table(("bearing", "rpm", "own W", "ISO 15312 W", "ratio"), heat_lines)]
     )  # fmt: skip
 
@@ -216,7 +219,7 @@ def summary(found):
     mean, spread, least, most, wrong = numbers(found)
     return (
         f"Ratio of the {len(found)} sums: geometric mean {mean:.3f}, spread ×/÷ {spread:.3f}, from"
-        f" {least:.2f} to {most:.2f}. {wrong} points have a share in bold."
+        f" {least:.2f} to {most:.2f}. {wrong} points have a contribution in bold."
     )
 
 
