@@ -49,6 +49,33 @@ def test_readme_names_every_folder():
     assert not {folder for folder in folders - {"src-package"} if f"`{folder}`" not in layout}
 
 
+def headings(page):
+    """Return the headings of a page."""
+    lines = (ROOT / "docs" / f"{page}.rst").read_text().splitlines()
+    return [one for one, line in zip(lines, lines[1:]) if one and set(line) in ({"="}, {"-"})]
+
+
+def test_references_to_headings_of_pages():
+    """A comment that cites `docs/PAGE, Heading` cites a heading of the page."""
+    names = subprocess.run(
+        ["git", "ls-files", "*.h", "*.cpp", "*.py"], cwd=ROOT, capture_output=True, text=True
+    ).stdout.split()
+    pages = {page.stem for page in (ROOT / "docs").glob("*.rst")}
+    found = []
+    for name in names:
+        text = re.sub(r"\n *(?://|#)? *", " ", (ROOT / name).read_text())
+        for page, cited in re.findall(r"docs/(\w+), ([A-Z][a-z]*(?: \w+)*)", text):
+            if page in pages:
+                found.append((name, page, cited, headings(page)))
+    assert len(found) > 10
+    wrong = [
+        (name, page, cited)
+        for name, page, cited, known in found
+        if not any(f"{cited} ".startswith(f"{one} ") for one in known)
+    ]
+    assert not wrong
+
+
 def test_no_phrase_that_is_always_wrong():
     spec = importlib.util.spec_from_file_location("random_lines", ROOT / "docs/random_lines.py")
     random_lines = importlib.util.module_from_spec(spec)

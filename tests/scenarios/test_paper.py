@@ -75,7 +75,7 @@ def test_static_theory(made):
 
 
 def test_known_numbers(made):
-    """The results agree with numbers from other sources (docs/errata, Hertz, Harris)."""
+    """The results agree with numbers from Hertz, Harris and docs/errata."""
     table = pd.read_csv(made / "quantities.csv").set_index(["formulas", "quantity"])["value"]
     corrected, printed = table["corrected"], table["printed"]
     assert (corrected["p_inner"], corrected["p_outer"]) == pytest.approx((2571e6, 2123e6), rel=1e-3)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The integral of dA/gap over the area outside the contact ellipse, m. Multiplied by the
-// permittivity, it gives the capacitance of this area (docs/fix_bearing_capacitance, Surroundings).
+// permittivity, it gives the capacitance of this area (docs/fix_bearing_capacitance, Description).
 //
 // Under load, with the film thickness h within the ellipse and the Hertz gap g outside:
 //   I = 4 kappa Ebar R {G + pi P sqrt(2 R_x g_s)/b},  g_s = overlap/Fbar,  H = h/g_s,

@@ -2,7 +2,7 @@
 // This file computes the fraction of the contact load that is carried by asperities, L_a = exp(-B
 // Lambda^C) (Zhou and Hoeprich 1991, in Schwarz et al., Lubricants 2023, 11, 369; measured on
 // roller bearings) or 1 - erf(Lambda) (Clarke et al. 2016), and the resulting friction coefficient
-// mu = L_a mu_b + (1 - L_a) mu_film (docs/theory, Mixed friction).
+// mu = L_a mu_b + (1 - L_a) mu_film (docs/tribology, Load sharing with asperities).
 #ifndef RACEWAY_ASPERITIES_H
 #define RACEWAY_ASPERITIES_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Drag of a ball in a mixture of oil and air (docs/theory, Drag): C_D X rho A v^2/2 with A = pi
+// Drag of a ball in a mixture of oil and air (docs/tribology, Drag): C_D X rho A v^2/2 with A = pi
 // R_b^2, where X is the volume fraction of oil. C_D is the drag coefficient of a sphere at Re = rho
 // v 2R_b/eta. It is interpolated from a table on log-log axes, follows Stokes's law below Re = 0.1
 // and is constant above 1e5.

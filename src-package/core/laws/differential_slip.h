@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Differential slip (Heathcote slip) of a ball in its groove under Coulomb's law, in closed form
-// (docs/theory, Differential slip, has the derivation).
+// (docs/tribology, Differential slip, has the derivation).
 //
 // Ball and ring roll on one another at Omega (rad/s, about w). The contact surface is curved across
 // the groove with the radius R_d = 2 r_c R_b/(r_c + R_b), so the sliding speed along rolling is

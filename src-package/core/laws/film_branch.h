@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Film damping of a rolling contact: a spring k_m and a dashpot k_m tau in series, which act in
-// parallel with the Hertz spring (docs/tribology, Damping by the film).
+// parallel with the Hertz spring (docs/tribology, Film damping).
 //
 //   df/dt = k_m d(overlap)/dt - f/tau,  k_m = 0.44 k h_c/x,  tau = 1.33 b/u
 //   k = 1.5 Q/x for the Hertz contact, N/m;  x elastic approach, m;  h_c/x at most 1

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Factors on the smooth, isothermal, fully flooded film (docs/tribology, Factors of the film).
+// Factors on the smooth, isothermal, fully flooded film (docs/tribology, Film thickness factors).
 //
 // Inlet shear heats the oil that enters: with the thermal loading L = beta eta u^2/k_f
 //   Murch and Wilson 1975   3.94/(3.94 + L^0.62)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Couples due to rolling resistance (docs/theory, Rolling resistance).
+// Couples due to rolling resistance (docs/tribology, Rolling resistance).
 //
 // Hydrodynamic: the film inlet resists with the force f and consumes the power 2 f u (Biboulet and
 // Houpert 2010, part 2, eq 32; here in powers of u and Q after Balan et al. 2015, accurate to 0.6

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Couple that opposes spin about the contact normal (docs/theory, Spin): (3/8) mu Q a E for pure
+// Couple that opposes spin about the contact normal (docs/tribology, Spin): (3/8) mu Q a E for pure
 // spin under Coulomb's law, with the complete elliptic integral E of the ellipse.
 //
 // If the contact also slides, the couple at small spin is proportional to the spin. Integration

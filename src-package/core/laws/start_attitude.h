@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Rotation of a ball that rolls on both raceways with the smallest total loss due to spin
-// (docs/theory, Start of the balls).
+// (docs/tribology, Start of the balls).
 //
 // In the plane of the bearing's axis (e) and the ball's radial direction (u), contact k has the
 // normal n_k from ball to raceway. Rolling on both raceways leaves one free speed x; the orbit, the

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Initial rotation of the balls of a bearing, with the smallest loss due to spin under pure thrust
-// (docs/theory, Start of the balls).
+// (docs/tribology, Start of the balls).
 #ifndef RACEWAY_START_ROTATION_H
 #define RACEWAY_START_ROTATION_H
 

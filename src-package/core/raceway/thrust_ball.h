@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Equilibrium of a ball in a bearing under pure thrust, including its centrifugal force, for rigid
-// rings and dry Hertz contacts (docs/theory, Start of the balls).
+// rings and dry Hertz contacts (docs/tribology, Start of the balls).
 //
 // Along the axis both contacts carry the ball's part f of the thrust, Q_k sin(alpha_k) = f.
 // Radially the outer contact also carries the centrifugal force F, Q_o cos(alpha_o) = Q_i
