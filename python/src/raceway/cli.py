@@ -19,12 +19,12 @@ from raceway.errors import RacewayError, RunWarning
 EXAMPLES = """\
 examples:
   build/liggghts -in inputs/in.6208 -var load 2000       run a bearing; results go to build/run/6208
-  raceway summary build/run/6208                         its figures
-  raceway plot build/run/6208 --kind polar               a picture
-  raceway static --load 2000 --clearance 10e-6           theory, without a run
+  raceway summary build/run/6208                         print its results
+  raceway plot build/run/6208 --kind polar               draw a picture
+  raceway static --load 2000 --clearance 10e-6           compute the statics, without a run
 
 `raceway COMMAND --help` has details and examples. Numbers may have a unit: 5kN, 10um, 60C. DIR is
-the folder that a run wrote, which -var out of the deck names.
+the folder that a run wrote; its name is given to the deck by -var out.
 Exit codes: 0 done; 1 not done, with a message; 2 wrong command line; 130 interrupted."""
 
 
@@ -78,7 +78,7 @@ def _parser():
     parser = Parser(
         prog="raceway",
         usage="%(prog)s [-h] [--version] COMMAND ...",
-        description="Ball bearings: figures, spectra and pictures of runs, and theory.",
+        description="Ball bearings: results, spectra and pictures of runs, and theory.",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("--version", action="version", version=f"raceway {raceway.__version__}")
