@@ -170,7 +170,7 @@ class Library:
 
 
 def _structure(name, size, declarations):
-    """Create the `ctypes.Structure` of a record from declarations such as `double x, y; double u[3];`."""
+    """Create the `ctypes.Structure` for a record with declarations such as `double x, y, u[3];`."""
     fields = []
     for declaration in filter(None, (part.strip() for part in declarations.split(";"))):
         kind, _, names = declaration.partition(" ")
