@@ -40,7 +40,7 @@ class Filling(NamedTuple):
     kind: str = "flooded"  # one of `capacitance_outside.FILLS`
     outlet: float = 1.0  # relative permittivity in the outlet of a "cavitated" gap
     permittivity_at: str = "maximum"  # one of `capacitance.PERMITTIVITY_AT`
-    # one of `ROUGHNESS`: the factor that a rough film adds to the capacitance of the patch
+    # one of `ROUGHNESS`: model of the effect of roughness on the capacitance of the patch
     roughness: str = "none"
     shoulders: Shoulders = Shoulders()
 
