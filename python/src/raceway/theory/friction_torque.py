@@ -198,7 +198,7 @@ def losses(
 
 
 def _by_groove(side):
-    """Split the arrays of `side` into a list with arrays (Z,) for each groove."""
+    """Split `side` into a list with one tuple of arrays (Z,) per groove."""
     return [type(side)(*one) for one in zip(*map(np.atleast_2d, side))]
 
 
@@ -259,8 +259,7 @@ def surfaces(
 
 
 def _one(bearing, side, contact, film, fluid, clearance, surfaces, alone):
-    """Return (rolling, slip, hysteresis, L_a, mu) of the contacts in one groove as an array (5,
-    Z)."""
+    """Return (rolling, slip, hysteresis, L_a, mu) of the contacts in a groove, an array (5, Z)."""
     live = contact.load > 0
     values = np.zeros((5, len(live)))
     load, a, b = contact.load[live], contact.a[live], contact.b[live]
