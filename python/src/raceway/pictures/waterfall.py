@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Plot the capacitance against azimuth and time, with one band for each ball. The total capacitance
-of the bearing is shown next to the bands, and the capacitance of each ball against its azimuth above
-them."""
+of the bearing is shown next to the bands, and above them the capacitance of each ball against its
+azimuth."""
 
 import matplotlib.pyplot as plt
 import numpy as np
