@@ -28,7 +28,7 @@ def test_table_from_a_file(tmp_path):
     path.write_text("# s V\n0 1\n1e-3 3\n")
     assert read_table(path)(np.array([-1, 5e-4, 2])).tolist() == [1, 2, 3]
     path.write_text("0 1\n1e-3 3\n1e-3 4\n")
-    with pytest.raises(RunError, match="times of a table must rise: row 3"):
+    with pytest.raises(RunError, match="times in a table must increase: row 3"):
         read_table(path)
     path.write_text("0 1 2\n")
     with pytest.raises(RunError, match="3 columns, not 2"):

@@ -29,8 +29,8 @@ BOMB = "a: &a [x, x]\n" + "".join(
 @pytest.mark.parametrize(
     "text, message",
     [
-        ("a: 1\nb: 2\na: 3\n", "a is there twice"),
-        ("a: {b: 1, b: 2}\n", "b is there twice"),
+        ("a: 1\nb: 2\na: 3\n", "a is given twice"),
+        ("a: {b: 1, b: 2}\n", "b is given twice"),
         (NESTED, "nested too deeply"),
         (BOMB, "references"),
         ("a: " + "x" * (1 << 20), "longer than"),

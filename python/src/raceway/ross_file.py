@@ -102,4 +102,4 @@ def _check_sizes(path):
                 raise ValueError(f"'{name}' has type {kind}, must be real numbers")
             if len(shape) > 2 or max(shape, default=0) > ROWS:
                 size = " x ".join(map(str, shape))
-                raise ValueError(f"'{name}' is {size}, must have {ROWS} rows and columns at most")
+                raise ValueError(f"'{name}' is {size}, must have at most {ROWS} rows and columns")

@@ -82,7 +82,7 @@ def read(path: FilePath, folder: FilePath | None = None) -> Case:
         name, floating = one.pop("name", None), one.pop("floating", "no")
         if not isinstance(name, str) or floating not in FLOATING:
             raise InputError(
-                f"{path}: bearings {len(seats) + 1}: needs a name, and floating is yes or no"
+                f"{path}: bearings {len(seats) + 1}: needs a name, and floating must be yes or no"
             )
         found = catalogue.find("bearings", name, folder)
         names.append(name)
@@ -114,7 +114,7 @@ def _part(data: Any, where: str, kind: str) -> dict[str, Any]:
     """Check the values in one part of the file and fill in defaults for those that are missing."""
     numbers, lists, others = NUMBERS[kind], LISTS.get(kind, {}), OTHERS.get(kind, ())
     if not isinstance(data, Mapping):
-        raise InputError(f"{where}: must be names and values")
+        raise InputError(f"{where}: must consist of names and values")
     known = [*numbers, *lists, *others]
     if unknown := [name for name in data if name not in known]:
         raise InputError(f"{where}: unknown '{unknown[0]}'; known: {', '.join(known)}")

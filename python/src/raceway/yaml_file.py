@@ -30,7 +30,7 @@ class _Loader(yaml.BaseLoader):
         for key, _ in node.value:
             if str(key.value) in seen:
                 raise yaml.constructor.ConstructorError(
-                    None, None, f"{key.value} is there twice", key.start_mark
+                    None, None, f"{key.value} is given twice", key.start_mark
                 )
             seen.add(str(key.value))
         return super().construct_mapping(node, deep)
@@ -63,4 +63,4 @@ def number(value: Any) -> float:
     else, including texts such as 1_000."""
     if isinstance(value, str) and "_" not in value or type(value) in (int, float):
         return float(value)
-    raise ValueError("no number")
+    raise ValueError("not a number")

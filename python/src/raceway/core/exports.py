@@ -122,7 +122,7 @@ class Library:
         outputs = [p for p in function.parameters if self._fills(p) and p.name not in named]
         inputs = [p.name for p in function.parameters if p not in outputs]
         if few and len(inputs) > FEW:
-            raise TypeError(f"{name} takes {', '.join(inputs)} by their names")
+            raise TypeError(f"{name} takes {', '.join(inputs)} as keyword arguments")
         named |= dict(zip(inputs, few, strict=True)) if few else {}
         _compare(f"function {name}", inputs, named)
         made = {p.name: self._empty(p) for p in outputs}
@@ -182,7 +182,7 @@ def _structure(name, size, declarations):
             fields.append((match[1], number * int(match[2]) if match[2] else number))
     made = type(name, (ctypes.Structure,), {"_fields_": fields})
     if ctypes.sizeof(made) != int(size):
-        raise TypeError(f"record {name} has {size} bytes, its fields {ctypes.sizeof(made)}")
+        raise TypeError(f"record {name} has {size} bytes, but its fields {ctypes.sizeof(made)}")
     return made
 
 

@@ -146,12 +146,12 @@ class Table(Waveform):
         if times.ndim != 1 or times.shape != voltages.shape or len(times) < 2:
             raise ValueError("a table of voltages needs two columns with at least two rows")
         if not (np.isfinite(times).all() and np.isfinite(voltages).all()):
-            raise ValueError("a table of voltages must hold finite numbers")
+            raise ValueError("a table of voltages must contain only finite numbers")
         if np.abs(voltages).max() > HIGHEST:
             raise ValueError(f"voltages must lie from {-HIGHEST:g} to {HIGHEST:g} V")
         if not (np.diff(times) > 0).all():
             row = int(np.argmin(np.diff(times) > 0)) + 2
-            raise ValueError(f"times of a table must rise: row {row} has {times[row - 1]:g} s")
+            raise ValueError(f"times in a table must increase: row {row} has {times[row - 1]:g} s")
 
     def __call__(self, time: Floats) -> Floats:
         """Return the voltage in V at the times `time` (s), an array of any shape."""

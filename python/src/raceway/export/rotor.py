@@ -88,11 +88,11 @@ def points(
         lacks = [name for name, value in fluid._asdict().items() if math.isnan(value)]
         if models == "full" and lacks:
             raise inputs.InputError(
-                f"{path} has no {', '.join(lacks)}: needed by models full, not by models paper"
+                f"{path} has no {', '.join(lacks)}, which models full need, unlike models paper"
             )
     loads, speeds = (np.atleast_1d(np.asarray(one, float)) for one in (load, rpm))
     if not (np.all(np.isfinite(loads)) and np.all(np.isfinite(speeds)) and np.all(speeds >= 0)):
-        raise ValueError(f"load {load} N must be finite, rpm {rpm} must be 0 or more")
+        raise ValueError(f"load {load} N must be finite, and rpm {rpm} must be 0 or more")
     result = []
     for newtons in loads.tolist():
         for speed in speeds.tolist():
@@ -174,7 +174,7 @@ def translations(point: Point, tilts: str = "held") -> tuple[Floats, Floats]:
         return mean.stiffness[:3, :3], mean.damping[:3, :3]
     whole = mean.stiffness + 1j * SLOW * mean.damping
     if np.linalg.eigvalsh(mean.stiffness[3:, 3:])[0] <= 0:
-        raise ValueError("tilts free: no stiffness holds them")
+        raise ValueError("the tilts are free, but no stiffness restrains them")
     seen = whole[:3, :3] - whole[:3, 3:] @ np.linalg.solve(whole[3:, 3:], whole[3:, :3])
     return seen.real, seen.imag / SLOW
 

@@ -45,7 +45,7 @@ def animation(
     """
     kind = str(path).lower().rpartition(".")[2]
     if kind not in WRITERS:
-        raise RunError(f"{path}: an animation is a .gif or an .mp4")
+        raise RunError(f"{path}: an animation must be a .gif or an .mp4")
     if kind == "mp4" and not shutil.which("ffmpeg"):
         raise RunError(
             f"{path}: writing an MP4 needs the program ffmpeg, which is missing: apt-get install"
@@ -71,7 +71,7 @@ def _window(tables, passes, frames):
     """Return (part of the run `tables` that is needed, samples to draw)."""
     have = len(tables.record) - tables.first
     if have < 1:
-        raise RunError(f"{tables.folder} holds no sample to draw")
+        raise RunError(f"{tables.folder} contains no sample to draw")
     way = tables.passes(tables.first + np.arange(have))
     way = way - way[0]
     # the cage slips, so fewer passes than requested may have taken place: accept the deck's number

@@ -53,7 +53,7 @@ def field(run: Run, fields: xr.Dataset, voltage: float, path: FilePath) -> None:
     with plt.rc_context(STYLE):
         figure = plt.figure(figsize=(10, 9), dpi=110)
         axes = figure.add_axes((0.12, 0.085, 0.76, 0.68), projection="polar")
-        text = f"Largest field in the films at {prefixed(voltage, 'V')} over the bearing"
+        text = f"Largest field in the films at {prefixed(voltage, 'V')} across the bearing"
         head(figure, run.tables, text, size=14)
         largest = {"field": 0.0, "field_peaks": 0.0}
         for side in SIDES:

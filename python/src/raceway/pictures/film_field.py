@@ -50,7 +50,7 @@ def field(
     with plt.rc_context(STYLE):
         figure = plt.figure(figsize=(9.5, 8.6), dpi=110)
         axes = figure.add_axes((0.1, 0.085, 0.8, 0.7), projection="polar")
-        head(figure, names, f"Field in the films at {prefixed(voltage, 'V')} over the bearing")
+        head(figure, names, f"Field in the films at {prefixed(voltage, 'V')} across the bearing")
         for side in (OUTER, INNER):
             for values, dashes, text in zip(
                 curves[side], ("-", (0, (3, 2))), ("over $h_c$", "over $h_c - 3σ$")

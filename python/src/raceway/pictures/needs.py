@@ -48,7 +48,7 @@ def picture(found: Needs, path: FilePath) -> None:
         )
         effect.tick_params(length=0)
         effect.spines[:].set_visible(False)
-        effect.set_title("relative effect on the figures")
+        effect.set_title("relative effect on the results")
         figure.colorbar(shown, ax=effect, location="bottom", shrink=0.5, aspect=40, pad=0.02)
         costs = [100 * one.cost for _, one in rows]
         colours = [PALETTE[0]] * (len(rows) - 1) + [PALETTE[5]]

@@ -25,7 +25,7 @@ def overview(tables: RunTables, path: FilePath) -> None:
 
     Raises `RunError` if the run's files are invalid or the picture cannot be written.
     """
-    tables, whole = shown(tables, "; the figures are of all"), tables
+    tables, whole = shown(tables, "; the results are for all of them"), tables
     figures = summary(whole)
     film = filmed(tables)
     with plt.rc_context(style.STYLE):

@@ -63,7 +63,8 @@ def scene(
     axis = _places(table[table["id"] == tables.settings["outer_ring"]], count)[:, 0]
     if not np.isin(samples, np.unique(table["sample"])).all():
         raise RunError(
-            f"{tables.record.path}: no sample {samples[-1]}, the last is {table['sample'].max()}"
+            f"{tables.record.path}: there is no sample {samples[-1]}, the last is"
+            f" {table['sample'].max()}"
         )
     first = int(table["sample"].min())
     kept = samples - first

@@ -34,7 +34,9 @@ def waterfall(tables: RunTables, path: FilePath) -> None:
     tables = shown(tables)
     samples, psi, each = bands(tables)
     if len(samples) < 2:
-        raise RunError(f"{tables.folder}: a picture over time needs 2 samples, not {len(samples)}")
+        raise RunError(
+            f"{tables.folder}: a picture over time needs at least 2 samples, not {len(samples)}"
+        )
     total = tables.bearing_capacitance[samples - tables.first]
     factor, unit = axis(np.nanmax(each, initial=0.0), "F")
     times = tables.passes(samples)
@@ -44,8 +46,8 @@ def waterfall(tables: RunTables, path: FilePath) -> None:
             head(
                 figure,
                 tables,
-                "capacitance of the contacts' Hertz areas, inner and outer of a ball in series,"
-                " balls in parallel",
+                "capacitance of the Hertz areas; both contacts of a ball are in series, the balls"
+                " in parallel",
                 size=15,
             )
             grid = figure.add_gridspec(

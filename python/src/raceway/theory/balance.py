@@ -161,7 +161,7 @@ class Balance:
                 break
         said = " and moment ({:g}, {:g}) N m".format(*self.moment) if free[3:].any() else ""
         raise NoEquilibrium(
-            f"no position of the ring balances radial and axial load {np.hypot(*self.loads[:2]):g}"
+            f"no position of the ring balances radial and axial loads {np.hypot(*self.loads[:2]):g}"
             f" N, {self.loads[2]:g} N{said} with clearance {self.clearance:g} m"
         )
 

@@ -88,8 +88,8 @@ class Bearing:
         for name in ("inner_groove", "outer_groove"):
             if getattr(self, name) <= self.ball_radius:
                 raise ValueError(
-                    f"{name} = {getattr(self, name)} m is conformal: the ball's radius is "
-                    f"{self.ball_radius} m and the groove's must be larger"
+                    f"{name} = {getattr(self, name)} m is conformal: the radius of the ball is "
+                    f"{self.ball_radius} m, and that of the groove must be larger"
                 )
         if self.outer_radius <= self.inner_radius:
             raise ValueError(

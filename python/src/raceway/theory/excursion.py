@@ -122,7 +122,7 @@ def warning(found: Excursion) -> str | None:
     text = (
         f"the balls run up to {prefixed(found.ahead, 'm', 3)} ahead of and"
         f" {prefixed(-found.behind, 'm', 3)} behind their cage, {prefixed(found.whole, 'm', 3)} in"
-        f" all; its pockets have a play of {prefixed(found.play, 'm', 3)}"
+        f" total, but its pockets have a play of {prefixed(found.play, 'm', 3)}"
     )
     if found.force is None or not math.isfinite(found.force):
         return text

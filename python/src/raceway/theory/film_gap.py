@@ -94,7 +94,7 @@ def heated(
     that is cut at a different load.
     """
     if not law.all_regimes and law.cut != cut:
-        raise ValueError(f"cut = {cut} N must be the cut of the power law, {law.cut} N")
+        raise ValueError(f"cut = {cut} N must equal the cut of the power law, {law.cut} N")
     return replace(law, loading=loading, peak=peak, slide_roll=slide_roll, cut=cut)
 
 

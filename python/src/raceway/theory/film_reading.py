@@ -35,7 +35,7 @@ def curve(point: Point, factors: ArrayLike = FACTORS) -> Reading:
     whole = point.capacitors()
     plates = whole.plates
     if not plates > 0:
-        raise ValueError("no ball is loaded on both raceways: there are no plates to read")
+        raise ValueError("no ball is loaded on both raceways: there are no plates")
     h_c = float(whole.inner.separation[np.argmax(whole.inner.load)])
     factors = np.asarray(factors, float)
     total = np.array([point.capacitors(factor).total for factor in factors])

@@ -53,8 +53,8 @@ def clearance_change(
     order = (shaft_bore, bore, inner, outer, outside, housing_outside)
     if not (0 <= order[0] and all(one < other for one, other in zip(order, order[1:]))):
         raise ValueError(
-            "diameters of shaft's bore, bore, inner raceway, outer raceway, outside and housing"
-            f" must grow: {', '.join(f'{one:g}' for one in order)} m"
+            "the diameters of shaft bore, bore, inner raceway, outer raceway, outside and housing"
+            f" must increase: {', '.join(f'{one:g}' for one in order)} m"
         )
     ring = Material(bearing.young, bearing.poisson)
     grows = 0.0

@@ -134,7 +134,7 @@ def film_scale(capacitance: float, whole: Callable[[float], float]) -> float:
     if not least <= capacitance <= most:
         raise ValueError(
             f"capacitance = {capacitance} F: films from {THINNEST:g} to {THICKEST:g} times as thick"
-            f" as in the model have {most:.4g} to {least:.4g} F"
+            f" as in the model give {most:.4g} to {least:.4g} F"
         )
     log = brentq(
         lambda step: whole(float(np.exp(step))) - capacitance,

@@ -85,5 +85,5 @@ def orbital_speed(x: ArrayLike, y: ArrayLike, vx: ArrayLike, vy: ArrayLike) -> N
     `ValueError` for a point on the axis."""
     squared = np.square(x) + np.square(y)
     if np.any(squared == 0):
-        raise ValueError("a ball sits on the bearing's axis")
+        raise ValueError("a ball is on the bearing's axis")
     return (x * vy - y * vx) / squared

@@ -127,7 +127,7 @@ def reference(
     """
     loads = np.asarray(inner, float), np.asarray(outer, float)
     if any((one < 0).any() for one in loads) or not all(one.any() for one in loads):
-        raise ValueError("loads of balls must be 0 or more, and some of them above 0")
+        raise ValueError("ball loads must be 0 or more, and at least one must be above 0")
     raceways = [one.reshape(bearing.layout.tracks, -1) for one in loads]
     means = [np.mean(one**power, axis=1) for one, power in zip(raceways, POWERS)]
     return of_means(bearing, dynamic, *means, angle)
@@ -159,7 +159,7 @@ def of_duties(lives: ArrayLike, shares: ArrayLike) -> float:
     """
     life, share = np.asarray(lives, float), np.asarray(shares, float)
     if (share < 0).any() or not np.isclose(share.sum(), 1.0) or not (life > 0).all():
-        raise ValueError("shares must be 0 or more and add up to 1, lives must be above 0")
+        raise ValueError("shares must be 0 or more and add up to 1, and lives must be above 0")
     return float(1 / (share / life).sum())
 
 
@@ -180,7 +180,7 @@ def factor(viscosity_ratio: float, contamination: float) -> float:
     6.8198
     """
     if not (viscosity_ratio >= 0 and contamination >= 0):
-        raise ValueError(f"kappa {viscosity_ratio} and e_C C_u/P {contamination}: 0 or more")
+        raise ValueError(f"kappa {viscosity_ratio} and e_C C_u/P {contamination} must be 0 or more")
     if viscosity_ratio < 0.1:
         return 0.1
     kappa = min(viscosity_ratio, 4.0)

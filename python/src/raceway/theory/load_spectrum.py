@@ -61,10 +61,10 @@ def read(path: FilePath) -> tuple[list[Duty], list[dict[str, float]]]:
     if not swept and (unknown := [name for name in head if name not in COLUMNS]):
         raise InputError(f"{path}: there is no column {unknown[0]}; columns: {', '.join(COLUMNS)}")
     if "rpm" not in head or len(set(head)) < len(head) or len(rows) < 2:
-        raise InputError(f"{path}: give each column once, rpm among them, and a row for each point")
+        raise InputError(f"{path}: give each column once, including rpm, and one row per point")
     for number, row in enumerate(rows[1:], 1):
         if len(row) != len(head):
-            raise InputError(f"{path}: point {number} has {len(row)} cells, the head {len(head)}")
+            raise InputError(f"{path}: point {number} has {len(row)} cells, not {len(head)}")
     points = [dict(zip(head, row)) for row in rows[1:]]
     found = [_run(path, number, one) for number, one in enumerate(points, 1)] if swept else []
     return [_duty(path, number, one) for number, one in enumerate(points, 1)], found
@@ -115,7 +115,7 @@ def of_sweep(
     rated = known if dynamic is None else {dynamic}
     if len(rated) != 1:
         said = " and ".join(f"{one:g} N" for one in sorted(rated)) or "none"
-        raise InputError(f"the points need one dynamic load rating and have {said}: give --C")
+        raise InputError(f"the points need one dynamic load rating but have {said}: give --C")
     (rating,) = rated
     loads = iter(runs)
 

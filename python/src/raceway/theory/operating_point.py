@@ -228,7 +228,7 @@ def _wide(body):
         return []
     return [
         "groove radii above {:g} (inner) and {:g} (outer) of the ball diameter reduce the load"
-        " ratings of the balls to {:.0%} and {:.0%} of the ratings by the file's C".format(
+        " ratings of the balls to {:.0%} and {:.0%} of those that follow from C in the file".format(
             *life.CONFORMITY, *wide
         )
     ]
@@ -240,8 +240,8 @@ def _sliding(state, friction, needed):
     if not slide.any():
         return []
     return [
-        f"{slide.sum()} balls have less friction than the coefficient of {needed.max():.2g} that"
-        " their gyroscopic moment needs: they slide across their grooves, and a run may skid and"
+        f"the friction of {slide.sum()} balls is below the coefficient of {needed.max():.2g} that"
+        " their gyroscopic moment requires: they slide across their grooves, and may skid and"
         " lose more"
     ]
 

@@ -59,7 +59,7 @@ def rotor(
     """
     z = np.asarray(z, float)
     if z.ndim != 1 or len(z) < 2 or not np.all(np.isfinite(z)) or not np.all(np.diff(z) > 0):
-        raise ValueError("positions of the nodes must be two or more, finite and rising")
+        raise ValueError("there must be at least two node positions, finite and increasing")
     given = dict(M=mass, K=stiffness, G=gyroscopic)
     if damping is not None:
         given["C"] = damping
@@ -89,7 +89,7 @@ def bending(
     """
     nodes = sorted({node(of, place) for place in kept})
     if not nodes:
-        raise ValueError("needs positions to keep: the positions of bearings")
+        raise ValueError("needs positions to keep, such as those of the bearings")
     everywhere = range(len(of.z))
     found = shaft_bending.bending(of.z, of.whole, nodes, modes, everywhere, damping)
     stations = [*of.z[nodes], found.body.centre, *places]
@@ -110,7 +110,7 @@ def node(of: Rotor, place: float) -> int:
     nearest = int(np.argmin(np.abs(of.z - place)))
     if not abs(of.z[nearest] - place) <= NEAR:
         raise ValueError(
-            f"a kept place must be a node: none is at {place:g} m, the nearest is at"
+            f"a kept position must be a node: none is at {place:g} m, the nearest is at"
             f" {of.z[nearest]:g} m"
         )
     return nearest
@@ -121,7 +121,7 @@ def _ours(name, matrix, nodes):
     sizes = [freedoms * nodes for freedoms in OURS]
     if matrix.shape not in [(size, size) for size in sizes]:
         raise ValueError(
-            f"{name} is {' x '.join(map(str, matrix.shape))}, and {nodes} nodes need"
+            f"{name} is {' x '.join(map(str, matrix.shape))}, but {nodes} nodes need"
             f" {sizes[0]} x {sizes[0]} or {sizes[1]} x {sizes[1]}"
         )
     if not np.all(np.isfinite(matrix)):
@@ -165,8 +165,8 @@ def _faults(name, matrix, one, other, rigid):
     yield "is not symmetric", matrix - matrix.T
     if name != "M":  # checked before the planes are compared, because bearings often differ there
         yield (
-            "holds the rotor: a motion as a rigid body must be free. Leave bearings, seals and"
-            " axial forces out; ROSS has M0, K0, C0 and G0 without bearings",
+            "restrains the rotor, which must be free to move as a rigid body. Leave bearings, seals"
+            " and axial forces out; in ROSS, M0, K0, C0 and G0 do not include bearings",
             own @ rigid / np.abs(rigid).max(),
         )
     yield "differs between the planes of x and y", own - other.T @ matrix @ other

@@ -64,7 +64,7 @@ def bending(
     few = [basis.T @ matrix @ basis for matrix in (stiffness, mass)]
     shapes = basis @ scipy.linalg.eigh(*few)[1][:, 2:]
     if not shapes.shape[1]:
-        raise ValueError("a shaft that bends needs another kept place or a mode")
+        raise ValueError("a shaft that bends needs another kept position or a mode")
     # remove the rounding errors in the modes that correspond to rigid-body motions
     rigid = np.zeros((2 * len(z), 2))
     rigid[0::2, 0], rigid[0::2, 1], rigid[1::2, 1] = 1.0, z - body.centre, 1.0
@@ -106,7 +106,7 @@ def _craig_bampton(mass: Floats, stiffness: Floats, kept: Sequence[int], modes: 
     held = np.concatenate([2 * k + np.arange(2) for k in kept])
     rest = np.setdiff1d(np.arange(len(mass)), held)
     if modes > len(rest):
-        raise ValueError(f"{modes} modes: the shaft has {len(rest)} in addition to its kept places")
+        raise ValueError(f"{modes} modes: the shaft has {len(rest)} in addition to its kept nodes")
     basis = np.zeros((len(mass), len(held) + modes))
     basis[held, np.arange(len(held))] = 1.0
     inner = np.ix_(rest, rest)

@@ -75,8 +75,8 @@ def response(
     damping = np.asarray(damping, float)
     if not (frequency >= 0 and np.all(damping >= 0)):
         raise ValueError(
-            f"frequency {frequency:g} rad/s and dampers from {damping.min():g} N s/m must be 0 or"
-            " more"
+            f"frequency {frequency:g} rad/s must be 0 or more, and so must all dampers, of which"
+            f" the smallest is {damping.min():g} N s/m"
         )
     rate = max(frequency, SLOW)
     added = np.broadcast_to(stiffening + 1j * rate * damping, linear.along.shape)

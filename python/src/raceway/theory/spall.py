@@ -63,7 +63,7 @@ def seconds_to_blow(
         raise ValueError(f"lengths {lengths} m and ring_mass {ring_mass} kg must be positive")
     if not 0 <= edge <= 0.5 * w.min():
         raise ValueError(
-            f"edge {edge:g} m must be 0 m to half the shortest length, {0.5 * w.min():g} m"
+            f"edge {edge:g} m must be from 0 to half the shortest length, {0.5 * w.min():g} m"
         )
     if w.max() > longest(bearing, raceway):
         raise ValueError(

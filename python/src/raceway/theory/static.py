@@ -135,7 +135,7 @@ def equilibrium(
     """
     if not isinstance(bearing, Bearing):
         raise TypeError(
-            f"bearing is {bearing!r}, must be a Bearing: raceway.inputs.bearing('6208') for example"
+            f"bearing is {bearing!r}, must be a Bearing, such as raceway.inputs.bearing('6208')"
         )
     force = np.array(
         [radial_load * np.cos(load_azimuth), radial_load * np.sin(load_azimuth), axial_load], float
@@ -210,7 +210,7 @@ def imposed(held: Mapping[str, float]) -> Floats:
     freedom. Raises `ValueError` for an unknown degree of freedom or a value that is not finite."""
     if unknown := sorted(set(held) - set(FREEDOMS)):
         raise ValueError(
-            f"held: {', '.join(map(str, unknown))} is not a degree of freedom; there are"
+            f"held: {', '.join(map(str, unknown))} is not a degree of freedom, which are"
             f" {', '.join(FREEDOMS)}"
         )
     place = np.array([held.get(name, np.nan) for name in FREEDOMS], float)

@@ -337,8 +337,8 @@ class Case:
         )
         if not inputs.physical(oil):
             raise inputs.InputError(
-                f"{oil} has no physical data to compute other temperatures from: take vg46 for"
-                " example"
+                f"{oil} has no physical data from which to compute other temperatures: use vg46,"
+                " for example"
             )
         return path, oil
 

@@ -102,7 +102,7 @@ def held(push: float, radial: float, largest: float) -> list[str]:
         return []
     return [
         f"the balls push the inner ring along its axis with {_shown(abs(push), 'N')}, and no load"
-        " balances it: loads, life and friction apply to a ring that something else holds,"
+        " balances it: loads, life and friction are valid only if something else holds the ring,"
         " such as a second bearing"
     ]
 
@@ -132,7 +132,7 @@ def past_shoulder(
         if not 0 < depth <= groove:
             texts.append(
                 f"the {name} shoulder does not fit the balls: it is {_shown(depth, 'm')} above the"
-                f" bottom of its groove, must be above 0 and at most its radius"
+                f" bottom of its groove, but must be above 0 and at most the radius of the groove,"
                 f" {_shown(groove, 'm')}"
             )
             continue
