@@ -26,4 +26,4 @@ def of_bore(bore: float) -> dict[str, tuple[float, float]]:
                 for name in NAMES
                 if row[f"{name}_min"]
             }
-    raise ValueError(f"bore = {bore:g} m: the classes of ISO 5753 are known up to 0.12 m")
+    raise ValueError(f"bore = {bore:g} m: the classes of ISO 5753 are known for 0 to 0.12 m")
