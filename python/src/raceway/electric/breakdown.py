@@ -88,15 +88,15 @@ class Failure(NamedTuple):
     """Failure of one film, which is identified by the raceway and by the index of the ball."""
 
     time: float  # s
-    discharge: int  # number of the discharge, from 1
-    order: int  # of this failure in the discharge, from 1
+    discharge: int  # number of the discharge, starting at 1
+    order: int  # position of this failure in the sequence of the discharge, starting at 1
     raceway: int
     ball: int  # from 0 to Z - 1
     film_voltage: float  # V, before the failure
     bearing_voltage: float  # V, before the failure
-    bearing_voltage_after: float
-    film_energy: float  # J, stored in the film before the failure
-    energy: float  # J, converted into heat
+    bearing_voltage_after: float  # V
+    film_energy: float  # J, energy stored in the film before the failure
+    energy: float  # J, energy converted into heat
 
 
 class ArcCurrent(NamedTuple):

@@ -17,9 +17,9 @@ from raceway.electric.waveforms import Constant, Waveform
 class Terms(NamedTuple):
     """Parameters of an outer circuit at the n points in time of a solution."""
 
-    capacitance: float  # F, from the inner ring to the frame, in parallel with the films
+    capacitance: float  # F, between the inner ring and the frame, in parallel with the films
     factor: float  # further capacitance in parallel, as a multiple of the bearing capacitance
-    coupling: float  # F, from the driving voltage to the inner ring
+    coupling: float  # F, capacitance between the driving voltage and the inner ring
     # S, in parallel with the coupling; infinite if the inner ring is at the driving voltage
     conductance: float
     driving: Floats  # (n,) V

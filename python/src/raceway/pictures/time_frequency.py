@@ -19,7 +19,7 @@ DECADES = 2.5  # range of the colour scale below the largest amplitude
 POWER = 0.98  # fraction of the signal's power below the upper limit of the vertical axis
 MOST = 800  # largest number of rows and columns that are plotted
 LABEL = 0.036  # height of a name, as a fraction of the axis
-HARMONICS = {"BPFO": (1, 2, 3), "BPFI": (1, 2, 3), "BSF": (2,)}  # for other lines only the first
+HARMONICS = {"BPFO": (1, 2, 3), "BPFI": (1, 2, 3), "BSF": (2,)}  # other lines: only the first
 
 
 def picture(run: Source, found: xr.DataArray, path: FilePath) -> None:

@@ -25,8 +25,8 @@ from raceway.theory.small_motion import condensed
 class Here(NamedTuple):
     """State of the bearing at a given position of the ring, with the balls in equilibrium."""
 
-    energy: float  # J, up to a constant
-    gradient: Floats  # (5,), with respect to the ring's position
+    energy: float  # J, except for a constant
+    gradient: Floats  # (5,), derivative of the energy with respect to the ring's position
     touch: seat.Touch
 
     def hessian(self, metres: Floats) -> Floats:

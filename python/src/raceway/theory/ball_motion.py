@@ -31,7 +31,7 @@ def rates(
     """
     radius, pitch = bearing.ball_radius, bearing.pitch_radius
     out = np.where(raceways == INNER, -1.0, 1.0)
-    radial, axial = out * np.cos(angle), out * np.sin(angle)  # from ball to raceway
+    radial, axial = out * np.cos(angle), out * np.sin(angle)  # direction from ball to raceway
     turning = np.where(raceways == INNER, ring, 0.0)
     slides = np.stack([-radius * axial, radius * radial, np.ones(len(out))], 1)
     spins = np.stack([radial, axial, np.zeros(len(out))], 1)

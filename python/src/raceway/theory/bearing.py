@@ -25,7 +25,7 @@ ARRANGEMENTS = {"back_to_back": 1.0, "face_to_face": -1.0}
 class DoubleRow(NamedTuple):
     """Two adjacent rows of a bearing; loads act at the point midway between them."""
 
-    spacing: float  # m, between the planes of the balls
+    spacing: float  # m, distance between the planes of the balls
     # m, distance that each row is pushed along the axis after first contact
     preload: float = 0.0
     arrangement: str = "back_to_back"  # one of `ARRANGEMENTS`
@@ -125,7 +125,7 @@ class Bearing:
         if not 0 < angle < np.pi / 2:
             raise ValueError(f"angle {angle:g} rad must lie between 0 and pi/2")
         if self.layout != Layout():
-            raise ValueError("four points need a bearing of one row with one groove per ring")
+            raise ValueError("four points need a bearing with one row and one groove per ring")
         gap = [self.groove_gap(side) for side in (INNER, OUTER)]
         inside = self.pitch_radius + gap[INNER] * np.cos(angle) - self.inner_groove
         outside = self.pitch_radius - gap[OUTER] * np.cos(angle) + self.outer_groove
@@ -153,7 +153,7 @@ class Bearing:
                 f" {self.ball_diameter:g} m"
             )
         if len(self.layout.rows) > 1:
-            raise ValueError("two rows need a bearing of one row")
+            raise ValueError("two rows need a bearing with one row")
         reach = self.seat(angle) + preload
         way = ARRANGEMENTS[arrangement]
         planes = (-way * spacing / 2, way * spacing / 2)

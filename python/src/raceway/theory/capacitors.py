@@ -51,11 +51,11 @@ FLOODED = Filling()
 class Capacitors(NamedTuple):
     """Capacitors at one raceway, in arrays (Z,) with one value per ball."""
 
-    load: Floats  # N, of the elastic contact; zero for a rigid gap
+    load: Floats  # N, load of the elastic contact; zero for a rigid gap
     separation: Floats  # m: h_c, or the play of an unloaded ball
     area: Floats  # m^2, of the Hertz ellipse
-    plates: Floats  # F, of the Hertz ellipse; zero without load
-    outside: Floats  # F, of the gap around the ellipse
+    plates: Floats  # F, capacitance of the Hertz ellipse; zero without load
+    outside: Floats  # F, capacitance of the gap around the ellipse
     paths: Floats  # m, resistivity over resistance for a uniform current through the oil
 
     @property

@@ -18,7 +18,7 @@ class Reading(NamedTuple):
     largest inner load; the other films are scaled in proportion."""
 
     h_c: Floats  # m
-    capacitance: Floats  # F, of the whole bearing
+    capacitance: Floats  # F, capacitance of the whole bearing
     by_plates: Floats  # m, the h_c that would result if the plates were the whole capacitance
     less_constant: Floats  # m, h_c after subtraction of all other capacitance at factor one
 

@@ -79,7 +79,7 @@ class Losses(NamedTuple):
     spin: Floats
     hysteresis: Floats
     drag: Floats
-    cage: float | None  # None if there is no cage or the cage is a chain of balls
+    cage: float | None  # None if there is no cage or if the cage is a chain of balls
     asperity_share: Floats  # L_a
     friction: Floats  # mu
 

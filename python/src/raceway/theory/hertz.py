@@ -21,9 +21,9 @@ class Ellipse(NamedTuple):
     """Quantities of a contact that depend only on the shape of the surfaces."""
 
     kappa: Numbers  # a/b
-    first: Numbers  # complete elliptic integral F of modulus^2 1 - 1/kappa^2
-    second: Numbers  # complete elliptic integral E of the same modulus
-    radius: Numbers  # R in m, 1/R = 1/R_x + 1/R_y
+    first: Numbers  # complete elliptic integral F with modulus^2 = 1 - 1/kappa^2
+    second: Numbers  # complete elliptic integral E with the same modulus
+    radius: Numbers  # R in m, where 1/R = 1/R_x + 1/R_y
 
 
 def ellipticity(ratio: ArrayLike) -> Numbers:

@@ -20,7 +20,7 @@ from raceway.theory.cleanliness import contamination
 # a_1 of ISO 281:2007, table 12: reliability in percent
 RELIABILITY: Mapping[float, float] = {90: 1, 95: 0.64, 96: 0.55, 97: 0.47, 98: 0.37, 99: 0.25}
 LARGEST_FACTOR = 50.0  # upper limit of a_ISO
-PERMITTED = 4.2e9  # Pa, at the most heavily loaded contact under the static load rating (ISO 76)
+PERMITTED = 4.2e9  # Pa, largest contact pressure under the static load rating (ISO 76)
 # largest kappa to which a row applies, and the two constants of the row (ISO 281:2007, eqs 31 to
 # 33); the constants of the second row make a_ISO continuous at kappa = 0.4 and 1
 _FACTOR = ((0.4, 2.2649, 0.054381), (1.0, 1.9987, 0.19087), (4.0, 1.9987, 0.071739))

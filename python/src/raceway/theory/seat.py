@@ -29,8 +29,8 @@ class Grooves(NamedTuple):
     inner: Callable[[Floats], circle.Reach]
     outer: Floats  # (outer grooves, Z, 2), m, centres of curvature of the outer grooves
     gap: Floats  # (C, 1), m: r_c - R_b
-    stiffness: Floats  # (C, Z), N/m^1.5, of the contacts
-    centrifugal: Floats  # (Z,), N, directed outwards
+    stiffness: Floats  # (C, Z), N/m^1.5, contact stiffness
+    centrifugal: Floats  # (Z,), N, centrifugal load, which is directed outwards
     law: Law  # contact law for overlaps (C, Z)
 
 
@@ -43,7 +43,7 @@ class Touch(NamedTuple):
     along: Floats  # (C, Z), N/m, stiffness of each contact along its line of action
     energy: Floats  # (C, Z), J
     elastic: Floats  # (C, Z), m, compression of the steel
-    reach: circle.Reach  # to the inner grooves
+    reach: circle.Reach  # distances from the inner grooves
 
     @property
     def carried(self) -> Floats:

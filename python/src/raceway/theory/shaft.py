@@ -32,7 +32,7 @@ class Seat:
 
     at: float  # m, position of the plane of the balls along the shaft
     bearing: Bearing
-    clearance: float = 0.0  # m, diametral
+    clearance: float = 0.0  # m, diametral clearance
     # (5,), m and rad: displacement x, y, z, rx, ry of the outer ring from its nominal position
     offset: tuple[float, ...] = (0.0,) * FREEDOMS
     floating: bool = False  # the outer ring slides along z: no axial load except from the spring

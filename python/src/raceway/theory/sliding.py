@@ -28,7 +28,7 @@ class Slip(NamedTuple):
 
     force: Numbers  # F, N: -F acts on the ball and +F on the ring, along rolling
     couple: Numbers  # C, N m: +C acts on the ball and -C on the ring, about w
-    power: Numbers  # W, dissipated
+    power: Numbers  # W, power dissipated by slip
 
 
 def deformed_radius(groove: Numbers, ball: Numbers) -> Numbers:

@@ -98,7 +98,7 @@ def seconds_to_blow(
     ring, ring_v, ball, ball_v = (np.zeros(len(w)) for _ in range(4))  # m outwards, m/s
     lost, struck = np.zeros(len(w), bool), np.zeros(len(w), bool)
     turns = 0.5 * w - edge  # m from the entry to the point where the path begins to rise
-    blow = turns / entrained  # for a ball that keeps its load
+    blow = turns / entrained  # s, time of impact of a ball that keeps its load
     found = np.zeros(len(w), bool)
 
     def loads(time):

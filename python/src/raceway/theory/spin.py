@@ -18,7 +18,7 @@ class Spin(NamedTuple):
     along: Numbers  # N, opposes the slip along rolling
     across: Numbers  # N, opposes the slip across the groove
     moment: Numbers  # N m, opposes the spin
-    power: Numbers  # W, dissipated
+    power: Numbers  # W, power dissipated by slip and spin
 
 
 def moment(load: Numbers, friction: Numbers, a: Numbers, second: Numbers) -> Numbers:

@@ -54,7 +54,7 @@ class Contacts(NamedTuple):
     # its centrifugal load holds on the outer raceway; zero for a ball that is not held
     overlap: Floats
     load: Floats  # N
-    angle: Floats  # rad, positive if the inner ring is pushed towards +z
+    angle: Floats  # rad, contact angle, positive if the inner ring is pushed towards +z
     a: Floats  # m, semi-axis across the groove
     b: Floats  # m, semi-axis along rolling
     pressure: Floats  # Pa
