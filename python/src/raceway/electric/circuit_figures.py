@@ -51,7 +51,7 @@ TOPICS = {
         Row("arc_current_max_A", "current of a failure, largest", "A", "by the arc's resistance"),
         Row("arc_duration_mean_s", "duration of a failure, mean", "s", "to 1/e"),
         Row("current_density_max_A_m2", "apparent current density, largest", "A/m2"),
-        Row("place_rad", "mean place from the load line", "rad", "by energy"),
+        Row("place_rad", "mean angle from the load line", "rad", "by energy"),
     ),
     "Energy since the start": (
         Row("source_work_J", "work of the outer circuit", "J"),

@@ -27,7 +27,7 @@ def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
     """Write the run `tables` to the folder `out` and return the path of `bearing.xyz`.
 
     The comment line of each frame contains the cell, `Time` (s), `sample`, and `ring_x`, `ring_y`,
-    `ring_z` (m, the position of the inner ring). The raceways are drawn at their initial positions,
+    `ring_z` (m, the position of the inner ring). The raceways do not move in the picture,
     and the outer raceway includes the clearance. Raises `RunError` if the run's files are invalid
     or `out` cannot be written.
     """

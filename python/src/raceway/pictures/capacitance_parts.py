@@ -39,7 +39,7 @@ def parts(results: Sequence[Mapping[str, Any]], over: str, path: FilePath) -> No
     with plt.rc_context(STYLE):
         figure, axes = plt.subplots(figsize=(10, 6), dpi=110)
         figure.subplots_adjust(left=LEFT, right=RIGHT, bottom=0.11, top=0.83)
-        head(figure, results[0], "Capacitance of the bearing by its parts", without=over)
+        head(figure, results[0], "Parts of the bearing capacitance", without=over)
         axes.grid(True)
         axes.stackplot(
             x,

@@ -27,7 +27,7 @@ def parts(run: Run, data: xr.Dataset, path: FilePath) -> None:
     with plt.rc_context(STYLE):
         figure, axes = plt.subplots(figsize=(10, 6), dpi=110)
         figure.subplots_adjust(left=LEFT + 0.02, right=RIGHT, bottom=0.11, top=0.81)
-        head(figure, run.tables, _below("Capacitance of the bearing by its parts", data), size=15)
+        head(figure, run.tables, _below("Parts of the bearing capacitance", data), size=15)
         axes.grid(True)
         axes.stackplot(
             run.tables.passes(np.arange(layers.shape[1])),

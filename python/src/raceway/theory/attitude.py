@@ -57,7 +57,7 @@ def balanced(
 
     The contacts (2, Z) are described by the friction `limit` mu Q (N), the semi-axis `a` (m), the
     moment `pure` of pure spin (N m) and the sliding speed `edge` s_e of differential slip (m/s).
-    `density` is that of the balls in kg/m^3 and must be above 0.
+    The ball `density` in kg/m^3 must be above 0.
     """
     none, turn = rolling(bearing, angle, ring)
     radius, edge = bearing.ball_radius, np.maximum(edge, sliding.LEAST)

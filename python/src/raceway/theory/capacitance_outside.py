@@ -72,7 +72,7 @@ def rigid(
     play: Numbers | None = None,
 ) -> Numbers:
     """Return I in m for an unloaded ball at `separation` g_0 (m) from the bottom of the groove. R_x
-    and the radii of ball and `groove` are in m; `ellipse` is that of the loaded contact. Raises
+    and the radii of ball and `groove` are in m; `ellipse` describes the loaded contact. Raises
     `ValueError` if the separation is not positive.
 
     I is 4 pi sqrt(R_x R) asinh(S/sqrt(2 R g_0)), averaged over both sides. With R = kappa^2 E R/(ln

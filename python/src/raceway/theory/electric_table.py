@@ -47,10 +47,10 @@ TOPICS = {
         Row("phase_deg", "phase", "°"),
     ),
     "Motor": (Row("bearing_voltage_ratio", "bearing voltage ratio", "", "two such bearings"),),
-    "Film by the measured capacitance": (
+    "Film from measured capacitance": (
         Row("measured_F", "measured", "F"),
         Row("measured_h_c_m", "central film thickness", "m", "by all capacitance"),
-        Row("measured_plates_m", "read by the plates", "m"),
+        Row("measured_plates_m", "read from the plates", "m"),
     ),
 }
 COLUMNS = (  # columns of `curves`: key, heading, factor

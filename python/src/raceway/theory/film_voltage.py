@@ -140,7 +140,7 @@ def real_area(asperity_share: Numbers, load: Numbers, hardness: float = HARDNESS
 def constriction(area: Numbers, spots: int, resistivity: float) -> Numbers:
     """Return the resistance in ohm of a metallic contact `area` (m^2) that is divided into `spots`
     round spots, rho/(2 n a) (Holm; from memory, unchecked), without oxide films. `resistivity` is
-    that of the metal in ohm m."""
+    the resistivity of the metal in ohm m."""
     if spots < 1:
         raise ValueError(f"spots = {spots} must be 1 or more")
     radius = np.sqrt(_positive("area", area) / (np.pi * spots))

@@ -120,9 +120,9 @@ def plates_thickness(capacitance: Numbers, area: Numbers, permittivity: Numbers)
 
 
 def film_scale(capacitance: float, whole: Callable[[float], float]) -> float:
-    """Return the common factor on all film thicknesses of a model for which it has a measured
-    `capacitance` (F). `whole` computes the model's capacitance in F, which decreases with that
-    factor.
+    """Return the factor by which all film thicknesses of a model must be multiplied to obtain a
+    measured `capacitance` (F). `whole` computes the model's capacitance in F, which decreases with
+    that factor.
 
     Raises `ValueError` if no factor from 1e-3 to 1e3 fits, in which case the reading includes
     another capacitance.

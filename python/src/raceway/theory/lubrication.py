@@ -56,8 +56,8 @@ def lubricate(
     factor: Callable[[Floats], Floats] | None = None,
 ) -> Lubrication:
     """Compute the `Lubrication` of an `Equilibrium` with the oil `inputs.Oil`, for an inner ring at
-    `speed` rad/s. `clearance` is that of the equilibrium in m. `factor` computes a factor on the
-    film thickness from the entrainment speed in m/s; by default the factor is 1.
+    `speed` rad/s. `clearance` in m must be the one used for the equilibrium. `factor` computes a
+    factor on the film thickness from the entrainment speed in m/s; by default the factor is 1.
 
     >>> from raceway.theory.bearing import Bearing
     >>> from raceway.inputs import Oil

@@ -76,14 +76,14 @@ def figures(
     the inner ring and the load along x. Degrees of freedom that are not `held` are free. `models`
     is one of `models.STATICS`: "full" includes the film in the gap, inlet shear heating and the
     friction torque, with the `spin_law` of `friction_torque.losses`; "eyring" also includes
-    Eyring's stress with its limit in the film. `temperature` is that of the lubricant in degrees C,
-    by default the value in its file. `cleanliness` is a key of `cleanliness.CLEANLINESS`.
-    `four_point` in rad makes the bearing a four-point contact bearing with that angle, which may
-    also be specified in the bearing's file; each of `balls` then has a list of `contacts`.
-    `double_row` gives the bearing two rows, which `balls` lists one after the other. `dynamic` is C
-    in N of a row and replaces the value in the file. `supply` is the kind of lubrication, and
-    `cage` a cage that is one ring, whose losses are included in the friction torque. In the result,
-    `absent` maps the keys that the models do not compute to the reason.
+    Eyring's stress with its limit in the film. `temperature` is the lubricant temperature in
+    degrees C, by default the value in its file. `cleanliness` is a key of
+    `cleanliness.CLEANLINESS`. `four_point` in rad makes the bearing a four-point contact bearing
+    with that angle, which may also be specified in the bearing's file; each of `balls` then has a
+    list of `contacts`. `double_row` gives the bearing two rows, which `balls` lists one after the
+    other. `dynamic` is C in N of a row and replaces the value in the file. `supply` is the kind of
+    lubrication, and `cage` a cage that is one ring, whose losses are included in the friction
+    torque. In the result, `absent` maps the keys that the models do not compute to the reason.
 
     As in a deck, the ring is held along z if there is no axial load (`inputs.held`).
 

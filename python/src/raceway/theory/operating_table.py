@@ -29,7 +29,7 @@ TOPICS = {
         Row("orbital_speed_rad_s", "cage speed", "rad/s", "rolling, Harris ch. 10"),
         Row(
             "ball_excursion_m",
-            "balls ahead of to behind the cage",
+            "excursion of balls in the cage",
             "m",
             "free, from contact angles",
         ),

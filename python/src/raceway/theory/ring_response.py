@@ -59,7 +59,8 @@ def dampers(
     frequency: float = 0.0,
 ) -> Dampers:
     """Return the `Dampers` of the contacts at an equilibrium with its films, which are the same as
-    in a simulation with these `models` (a key of `LAWS`). `clearance` in m is that of `state`.
+    in a simulation with these `models` (a key of `LAWS`). `clearance` in m must be the one used for
+    `state`.
 
     The film branch depends on the `frequency` of the motion in rad/s. Raises `ValueError` for
     unknown models.

@@ -151,7 +151,7 @@ def _check(of):
             if np.abs(rest).max() > small:
                 raise ValueError(f"{name} {why}")
     if not np.all(np.linalg.eigvalsh(one.T @ of.whole.mass @ one) > 0):
-        raise ValueError("M is not positive definite across the shaft")
+        raise ValueError("M is not positive definite transverse to the shaft")
 
 
 def _faults(name, matrix, one, other, rigid):

@@ -130,7 +130,7 @@ def rest(
         place, left = _newton(stiffness, given, holders, place, soft)
     if not left <= EXACT:
         raise NoEquilibrium(
-            f"the bearings do not hold the shaft: a fraction {left:.1e} of the load is left"
+            f"the bearings do not hold the shaft: a fraction {left:.1e} of the load remains"
         )
     return Rest(z, place.reshape(-1, FREEDOMS), [one.carried(place) for one in holders], left)
 

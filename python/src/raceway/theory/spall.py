@@ -40,15 +40,15 @@ def seconds_to_blow(
     """Return the times (N,) in s from entry to impact for spalls with the `lengths` (N,) in m on a
     `raceway` (`INNER` or `OUTER`).
 
-    `speed` is that of the inner ring in rad/s, and `load` is radial in N. `ring_mass` is the mass
-    in kg of the inner ring and the parts that move with it, which the load accelerates towards the
-    ball. `clearance` is diametral in m, and `ball_density` is in kg/m^3. `heard` is the raceway of
-    the ring that carries the sensor, by default the raceway with the spall; for the other raceway,
-    the impact occurs only when the ball has flown back to it. `edge` is the radius of the spall's
-    edges in m: a ball that keeps its load begins to rise at this distance before the middle. Raises
-    `ValueError` if a length or the mass is not positive, if the edge exceeds half of a length, or
-    if a length exceeds 0.4 of the spacing of two balls, and `NoEquilibrium` if the bearing cannot
-    carry the load without that ball.
+    `speed` is the inner ring speed in rad/s, and `load` is the radial load in N. `ring_mass` is the
+    mass in kg of the inner ring and the parts that move with it, which the load accelerates towards
+    the ball. `clearance` is diametral in m, and `ball_density` is in kg/m^3. `heard` is the raceway
+    of the ring that carries the sensor, by default the raceway with the spall; for the other
+    raceway, the impact occurs only when the ball has flown back to it. `edge` is the radius of the
+    spall's edges in m: a ball that keeps its load begins to rise at this distance before the
+    middle. Raises `ValueError` if a length or the mass is not positive, if the edge exceeds half of
+    a length, or if a length exceeds 0.4 of the spacing of two balls, and `NoEquilibrium` if the
+    bearing cannot carry the load without that ball.
 
     In a 6208 at 1500 rpm and 2 kN, a ball keeps its load over 1 mm, but not over 2 mm:
 

@@ -210,7 +210,7 @@ def imposed(held: Mapping[str, float]) -> Floats:
     freedom. Raises `ValueError` for an unknown degree of freedom or a value that is not finite."""
     if unknown := sorted(set(held) - set(FREEDOMS)):
         raise ValueError(
-            f"held: {', '.join(map(str, unknown))} is not a degree of freedom, which are"
+            f"held: {', '.join(map(str, unknown))} is not a degree of freedom; choose from"
             f" {', '.join(FREEDOMS)}"
         )
     place = np.array([held.get(name, np.nan) for name in FREEDOMS], float)

@@ -49,7 +49,7 @@ TOPICS = {
         Row("runs", "runs", ""),
         Row("run_temperature_C", "temperature of the last run", "°C"),
         Row("run_power_W", "power loss of the last run", "W"),
-        Row("run_over_statics", "its power loss over that of statics", ""),
+        Row("run_over_statics", "ratio to power loss by statics", ""),
     ),
     "Steady state": (
         Row("temperature_C", "temperature of the lubricant", "°C"),
@@ -136,10 +136,10 @@ class Scene:
         cage: cage_drag.CageRing | None = None,
         oil_flow: CirculatingOil | None = None,
     ) -> None:
-        """Store the arguments. `roughness` is the composite roughness in m, and `density` is that
-        of the balls in kg/m^3; `spin_law`, `models` and `cage` are as in `operating_point.figures`,
-        `held` is as in `static.equilibrium`, and `size` and `supply` are as in
-        `friction_torque.surfaces`."""
+        """Store the arguments. `roughness` is the composite roughness in m, and `density` is the
+        density of the balls in kg/m^3; `spin_law`, `models` and `cage` are as in
+        `operating_point.figures`, `held` is as in `static.equilibrium`, and `size` and `supply` are
+        as in `friction_torque.surfaces`."""
         self.bearing, self.boundary, self.lubricant = bearing, boundary, lubricant
         self.roughness, self.load, self.axial = roughness, load, axial
         self.ring, self.density = rpm * math.pi / 30, density
@@ -269,8 +269,8 @@ def _carried(found, surfaces):
 
 def three_nodes(scene: Scene, nodes: Nodes, ambient: float, clearance: float) -> dict[str, Any]:
     """Return the steady-state results with separate temperatures for the `Nodes`; `clearance` is
-    that of the bearing at `ambient`. Raises `NoEquilibrium` if no steady state is found up to 200
-    C."""
+    the clearance of the bearing at `ambient`. Raises `NoEquilibrium` if no steady state is found up
+    to 200 C."""
     warm, oil = clearance, ambient + 20.0
     part = 0.6  # under-relaxation: friction decreases as the oil warms, so full steps overshoot
     for _ in range(80):
