@@ -241,8 +241,8 @@ def _sliding(state, friction, needed):
         return []
     return [
         f"the friction of {slide.sum()} balls is below the coefficient of {needed.max():.2g} that"
-        " their gyroscopic moment requires: they slide across their grooves, and may skid and"
-        " lose more"
+        " their gyroscopic moment requires: they slide across their grooves, and in a run they may"
+        " skid and dissipate more"
     ]
 
 

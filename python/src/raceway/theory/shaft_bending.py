@@ -46,7 +46,8 @@ def bending(
     The response of the `kept` nodes to steady loads on them is exact; `modes` is the number of
     modes per plane with the kept nodes held. The result has ``2 len(kept) + modes - 2`` elastic
     modes. `stations` are the nodes at which the mode shapes are needed. `damping` is the damping
-    ratio of every mode. Raises `ValueError` if there are more modes than the shaft has, or none.
+    ratio of every mode. Raises `ValueError` if there are more modes than the shaft has, or no
+    elastic modes at all.
 
     >>> from raceway.theory.beam import STEEL, Section, divided
     >>> z, pieces = divided([Section(0.5, 0.02)], np.linspace(0, 0.5, 21))

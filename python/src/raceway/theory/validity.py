@@ -47,8 +47,8 @@ RULES = {row["name"]: Rule(**row) for row in core.table("columns")["validity"]}
 
 
 def doubts(values: Mapping[str, float | None]) -> list[str]:
-    """Return a text for each of the `values` {name in `RULES`: value in SI units} that is outside
-    its range of validity. Values that are None or NaN are ignored."""
+    """Return a warning for each of the `values` {name in `RULES`: value in SI units} that is
+    outside its range of validity. Values that are None or NaN are ignored."""
     texts = []
     for name, value in values.items():
         rule = RULES[name]
@@ -75,8 +75,8 @@ def of_statics(
     axial: float,
     four_point: float | None = None,
 ) -> list[str]:
-    """Return a text for each quantity of the equilibrium `state` under the loads `load` and `axial`
-    (N) that is outside its range of validity; `four_point` (rad) is the argument `free` of
+    """Return a warning for each quantity of the equilibrium `state` under the loads `load` and
+    `axial` (N) that is outside its range of validity; `four_point` (rad) is the argument `free` of
     `past_middle`."""
     sides = (state.inner, state.outer)
     found = {"pressure": max(side.pressure.max() for side in sides)}
@@ -95,8 +95,8 @@ def of_statics(
 
 
 def held(push: float, radial: float, largest: float) -> list[str]:
-    """Return a text if the balls push the inner ring along its axis with a force `push` (N) that no
-    load balances and that is significant relative to the `radial` load and the `largest` contact
+    """Return a warning if the balls push the inner ring along its axis with a force `push` (N) that
+    no load balances and that is significant relative to the `radial` load and the `largest` contact
     load."""
     if abs(push) <= COUNTS * max(radial, largest):
         return []
@@ -113,7 +113,7 @@ def past_shoulder(
     angle: tuple[np.ndarray, np.ndarray],
     semi_axis: tuple[np.ndarray, np.ndarray],
 ) -> list[str]:
-    """Return a text for each raceway on which contact ellipses extend beyond the edge of the
+    """Return a warning for each raceway on which contact ellipses extend beyond the edge of the
     groove.
 
     `angle` (rad) and `semi_axis` a (m) are those of the loaded contacts of the inner and the outer
@@ -152,8 +152,8 @@ def past_middle(
     angle: tuple[np.ndarray, np.ndarray],
     semi_axis: tuple[np.ndarray, np.ndarray],
 ) -> list[str]:
-    """Return the same texts as `past_shoulder` for the edge between the two grooves of a ring in a
-    four-point contact bearing. `free` is the contact angle (rad) of a centred ball. The edge lies
+    """Return the same warnings as `past_shoulder` for the edge between the two grooves of a ring in
+    a four-point contact bearing. `free` is the contact angle (rad) of a centred ball. The edge lies
     at the angle asin((r_c - R_b) sin(free)/r_c) from the bottom of the groove."""
     texts = []
     for side, (alpha, a) in enumerate(zip(angle, semi_axis)):
