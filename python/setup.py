@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Builds the library of laws (src-package/core/interface) into the package. If RACEWAY_PLUGIN names
-a folder, a wheel also contains its LAMMPS plugin. pyproject.toml has the other settings."""
+"""Build the library of laws (src-package/core/interface) into the package. If RACEWAY_PLUGIN names
+a folder, the wheel also contains the LAMMPS plugin from that folder. All other settings are in
+pyproject.toml."""
 
 import os
 import re
@@ -16,21 +17,22 @@ from setuptools.errors import CCompilerError
 
 try:
     from setuptools.command.bdist_wheel import bdist_wheel
-except ImportError:  # before setuptools 70.1, which does not build wheels itself
+except ImportError:  # setuptools before 70.1 does not build wheels itself
     bdist_wheel = None
 
 HERE = Path(__file__).resolve().parent
-CORE = HERE / "core"  # a link to src-package/core; a copy in a source distribution
+CORE = HERE / "core"  # a link to src-package/core, or a copy of it in a source distribution
 VERSION = re.search(r'"(.+)"', (CORE / "settings" / "raceway_version.h").read_text())[1]
 PLUGIN = ("raceway_plugin.so", "libraceway_lammps.so")
 INTERFACE = CORE / "interface"
-# sources of the tables, which hosts also compile
+# sources of the tables, which are also compiled into the simulation programs
 TABLES = [CORE / name for name in (INTERFACE / "tables.txt").read_text().split()]
 BUILT = HERE / "src" / "raceway" / "core" / "lib" / "libraceway_core.so"
 
 
 class Core(build_ext):
-    """A plain shared library: it needs a C++ compiler, but neither Python's headers nor numpy."""
+    """Build a plain shared library, which needs a C++ compiler but neither the headers of Python
+    nor numpy."""
 
     def get_ext_filename(self, name):
         return name.replace(".", os.sep) + ".so"
@@ -52,8 +54,8 @@ def up_to_date(library):
 
 
 def build(target, folder):
-    """Compile the library to `target`, with objects in `folder`. Raises `CCompilerError` if there
-    is no compiler, or with the output of a compiler that failed."""
+    """Compile the library to `target`, with object files in `folder`. Raises `CCompilerError` if
+    there is no compiler, or with the compiler's output if compilation fails."""
     compiler = os.environ.get("CXX") or next(filter(shutil.which, ("g++", "clang++", "c++")), None)
     if compiler is None:
         raise CCompilerError("raceway needs a C++ compiler for its laws: install g++, or set CXX")
@@ -72,7 +74,7 @@ def build(target, folder):
         run(*flags, "-c", source, "-o", made)
         return made
 
-    # two units read the headers only twice and take less than half of the time of separate sources
+    # two units read the headers only twice and take less than half the time of separate sources
     units = {"interface": sorted(INTERFACE.glob("*.cpp")), "tables": TABLES}
     with ThreadPoolExecutor() as pool:
         objects = list(pool.map(compiled, units.items()))
@@ -80,7 +82,7 @@ def build(target, folder):
 
 
 class Package(build_py):
-    """The Python files, and the plugin."""
+    """Install the Python files and, if requested, the plugin."""
 
     def run(self):
         super().run()
@@ -95,8 +97,9 @@ commands = {"build_ext": Core, "build_py": Package}
 if bdist_wheel:
 
     class Wheel(bdist_wheel):
-        """For any Python: the libraries do not use it. They need the C library they were built
-        with or a later one, which the tag states according to PEP 600."""
+        """Build a wheel for any version of Python, because the libraries do not use it. They need
+        the C library with which they were built or a later one, which the tag states according to
+        PEP 600."""
 
         def get_tag(self):
             library, version = os.confstr("CS_GNU_LIBC_VERSION").split()

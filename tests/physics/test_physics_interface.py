@@ -66,7 +66,7 @@ def test_another_name_is_an_error(tmp_path):
         library.call("push", **wrong)
     with pytest.raises(TypeError, match="push has no value for weight and has nothing named mass"):
         library.call("push", spring=GIVEN["spring"], way=GIVEN["way"], mass=10.0)
-    with pytest.raises(TypeError, match="push takes spring, way, weight by their names"):
+    with pytest.raises(TypeError, match="push takes spring, way, weight as keyword arguments"):
         library.call("push", GIVEN["spring"], GIVEN["way"], 10.0)
     with pytest.raises(TypeError, match="way has 2 numbers, not 3"):
         library.call("push", **dict(GIVEN, way=[1.0, 2.0]))

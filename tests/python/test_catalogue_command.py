@@ -115,7 +115,7 @@ def test_clearance_classes():
     assert clearance_classes.of_bore(30e-3)["C5"] == (30e-6, 53e-6)
     assert clearance_classes.of_bore(30.01e-3)["C5"] == (40e-6, 64e-6)
     for bore in (0.0, -0.01, 0.121):
-        with pytest.raises(ValueError, match="known from 0 to 0.12 m"):
+        with pytest.raises(ValueError, match="known for 0 to 0.12 m"):
             clearance_classes.of_bore(bore)
 
 

@@ -28,7 +28,7 @@ def test_table_from_a_file(tmp_path):
     path.write_text("# s V\n0 1\n1e-3 3\n")
     assert read_table(path)(np.array([-1, 5e-4, 2])).tolist() == [1, 2, 3]
     path.write_text("0 1\n1e-3 3\n1e-3 4\n")
-    with pytest.raises(RunError, match="times of a table must rise: row 3"):
+    with pytest.raises(RunError, match="times in a table must increase: row 3"):
         read_table(path)
     path.write_text("0 1 2\n")
     with pytest.raises(RunError, match="3 columns, not 2"):
@@ -43,18 +43,18 @@ def test_table_from_a_file(tmp_path):
         (lambda: Table([0, 1], [1]), "two columns with at least two rows"),
         (lambda: Source(Constant(1.0), -1.0), "resistance = -1 ohm must be 0 or more"),
         (lambda: Motor(Constant(1.0), 0.0, 1e-9), "winding_rotor = 0 F must be positive"),
-        (lambda: Motor(Constant(1.0), 1e-12, 1e-9, 1e-12, 1.0), "not as both"),
+        (lambda: Motor(Constant(1.0), 1e-12, 1e-9, 1e-12, 1.0), "not both"),
         (lambda: Breakdown(0.0), "strength = 0 V/m must be positive"),
         (lambda: Breakdown(1e6, "wavy"), "surfaces = 'wavy' must be rough or smooth"),
         (lambda: Leak(-1.0), "resistivity = -1 ohm m must be positive"),
         (lambda: Leak(share=1.0), "share = 1 must be at least 0 and below 1"),
-        (lambda: circuit.run(turning(), Floating(), points=0), "points = 0 must be a whole"),
+        (lambda: circuit.run(turning(), Floating(), points=0), "points = 0 must be a positive"),
         (lambda: circuit.run(turning(), Source(Constant(1.0)), WEAK), "give it a resistance"),
         (
             lambda: circuit.run(turning(n=11), Source(Sine(1.0, 1e3)), points=1),
             "points = 1 must be at least 8: a sample takes 0.001 s",
         ),
-        (lambda: circuit.run(turning(), Floating(), stray=1e-12), "belong to the given films"),
+        (lambda: circuit.run(turning(), Floating(), stray=1e-12), "included in the given films"),
         (lambda: Sine(1e300, 50.0), "amplitude = 1e\\+300 V must lie from -1e\\+06 to 1e\\+06"),
         (lambda: Sine(1.0, np.inf), "frequency = inf Hz must be positive"),
         (lambda: CommonMode(np.nan, 1e3, 50.0, 1.0), "link = nan V must lie"),
@@ -64,7 +64,7 @@ def test_table_from_a_file(tmp_path):
             lambda: circuit.run(turning(), Source(Table([5, 6], [0, 1]))),
             "table's times, 5 to 6 s, must overlap the times of the films, 0 to 0.01 s",
         ),
-        (lambda: circuit.run(turning(), Source(Sine(1.0, 1e12))), "are more than 1e\\+08 in all"),
+        (lambda: circuit.run(turning(), Source(Sine(1.0, 1e12))), "exceed the limit of 1e\\+08"),
     ],
 )
 def test_bad_input(make, message):

@@ -29,8 +29,8 @@ BOMB = "a: &a [x, x]\n" + "".join(
 @pytest.mark.parametrize(
     "text, message",
     [
-        ("a: 1\nb: 2\na: 3\n", "a is there twice"),
-        ("a: {b: 1, b: 2}\n", "b is there twice"),
+        ("a: 1\nb: 2\na: 3\n", "a is given twice"),
+        ("a: {b: 1, b: 2}\n", "b is given twice"),
         (NESTED, "nested too deeply"),
         (BOMB, "references"),
         ("a: " + "x" * (1 << 20), "longer than"),
@@ -90,7 +90,7 @@ def claims(path, shape, kind="<f8", **others):
 @pytest.mark.parametrize(
     "shape, kind, message",
     [
-        ((40000, 40000), "<f8", "40000 x 40000, must have 6000 rows"),
+        ((40000, 40000), "<f8", "40000 x 40000, must have at most 6000 rows"),
         ((2, 2, 2), "<f8", "must have"),
         ((2, 2), "|V1000000000", "real numbers"),
         ((2, 2), "|O", "real numbers"),

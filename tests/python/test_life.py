@@ -251,9 +251,9 @@ def test_a_sweep_without_a_life(capsys, tmp_path, rows, said):
     "text, said",
     [
         ("load,speed\n1,2\n", "there is no column speed; columns: load, axial, rpm, share"),
-        ("load\n1\n", "rpm among them"),
-        ("load,rpm\n", "a row for each point"),
-        ("load,rpm\n5,9\n5\n", "point 2 has 1 cells, the head 2"),
+        ("load\n1\n", "including rpm"),
+        ("load,rpm\n", "one row per point"),
+        ("load,rpm\n5,9\n5\n", "point 2 has 1 cells, not 2"),
         ("load,rpm\n5,x\n", "point 1: rpm is 'x', must be from 0.001 to 100000 rpm"),
         ("load,rpm,share\n5,9,0\n", "point 1: share is '0', must be from 1e-12"),
     ],

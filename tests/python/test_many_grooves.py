@@ -117,13 +117,13 @@ def test_balls_switch_one_by_one_under_radial_load():
 def test_mistakes():
     with pytest.raises(ValueError, match="angle 2 rad must lie between 0 and pi/2"):
         B6208.four_point(2.0)
-    with pytest.raises(ValueError, match="four points need a bearing of one row with one groove"):
+    with pytest.raises(ValueError, match="four points need a bearing with one row and one groove"):
         FOUR.four_point(ANGLE)
     with pytest.raises(ValueError, match="'tandem' is not one of back_to_back, face_to_face"):
         ANGULAR.double_row(DoubleRow(0.02, 0.0, "tandem"))
     with pytest.raises(ValueError, match="spacing 0.01 m of the rows must be at least"):
         ANGULAR.double_row(DoubleRow(0.01))
-    with pytest.raises(ValueError, match="two rows need a bearing of one row"):
+    with pytest.raises(ValueError, match="two rows need a bearing with one row"):
         FOUR.double_row(DoubleRow(0.02)).double_row(DoubleRow(0.02))
     with pytest.raises(NoEquilibrium, match="without a load"):
         static.equilibrium(FOUR, clearance=1e-5)

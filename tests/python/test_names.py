@@ -19,7 +19,7 @@ def test_public_names():
 
 
 def test_a_name_is_not_a_bearing():
-    with pytest.raises(TypeError, match=r"must be a Bearing: raceway\.inputs\.bearing"):
+    with pytest.raises(TypeError, match=r"must be a Bearing, such as raceway\.inputs\.bearing"):
         static.equilibrium("6208", 1000.0)
 
 

@@ -87,7 +87,7 @@ def test_ball_that_goes_round_more_than_once(tmp_path, axes):
 def test_large_run_is_drawn_in_part(folder, tmp_path, axes, monkeypatch):
     monkeypatch.setattr(part, "LARGE", 1000)
     monkeypatch.setattr(part, "PASSES", 1)
-    with pytest.warns(RunWarning, match="shows its first 1 ball passes; the figures are of all"):
+    with pytest.warns(RunWarning, match="shows its first 1 ball passes; the results are for all"):
         plot.overview(RunTables(folder), tmp_path / "part.png")
     assert drawn(axes()["Capacitance"], plot.INK)[:, 0] == pytest.approx(np.arange(24) / 24)
 

@@ -76,7 +76,7 @@ def test_two_branches_of_the_law(combined):
 
 
 def test_negative_numbers(radial):
-    with pytest.raises(ValueError, match="dampers from -1 N s/m must be 0 or more"):
+    with pytest.raises(ValueError, match="dampers, of which the smallest is -1 N s/m"):
         small_motion.response(radial.linear, -1.0)
     with pytest.raises(ValueError, match="0 phases"):
         ring_response.over_pass(lambda phase: None, 9, 0)

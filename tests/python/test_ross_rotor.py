@@ -161,15 +161,15 @@ def damped_mass(given):
     "change, says",
     [
         (one_way, "K is not symmetric"),
-        (put("stiffness", (0, 0, 2e8), (1, 1, 3e8)), "K holds the rotor.*Leave bearings"),
-        (put("stiffness", (0, 0, 1e3), (1, 1, 1e3)), "K holds the rotor"),
+        (put("stiffness", (0, 0, 2e8), (1, 1, 3e8)), "K restrains the rotor.*Leave bearings"),
+        (put("stiffness", (0, 0, 1e3), (1, 1, 1e3)), "K restrains the rotor"),
         (put("mass", (24, 24, 1.0)), "M differs between the planes of x and y"),
         (put("mass", (24, 25, 0.1)), "M couples the planes of x and y"),
         (put("gyroscopic", (27, 28, 1e-3)), "G is not antisymmetric"),
-        (damped_mass, "C holds the rotor"),
+        (damped_mass, "C restrains the rotor"),
         (lambda given: given.update(mass=-given["mass"]), "M is not positive definite"),
-        (lambda given: given.update(z=Z[::-1]), "two or more, finite and rising"),
-        (lambda given: given.update(z=Z[:-1]), "M is 54 x 54, and 8 nodes need 32 x 32 or 48 x 48"),
+        (lambda given: given.update(z=Z[::-1]), "at least two node positions, finite and"),
+        (lambda given: given.update(z=Z[:-1]), "M is 54 x 54, but 8 nodes need 32 x 32 or 48 x 48"),
         (put("mass", (0, 0, np.nan)), "M has a number that is not finite"),
     ],
 )
@@ -194,7 +194,7 @@ def test_damping_that_couples_modes(given):
 @pytest.mark.parametrize(
     "kept, places, says",
     [
-        ((0.0, 0.17), (), "a kept place must be a node: none is at 0.17 m, the nearest is at 0.15"),
+        ((0.0, 0.17), (), "a kept position must be a node: none is at 0.17 m, the nearest is"),
         ((0.0, 0.4), (0.41,), "0.41 m is not on the rotor, which reaches from 0 to 0.4 m"),
         ((), (), "needs positions to keep"),
     ],

@@ -194,7 +194,7 @@ def test_incomplete_lubricant(tmp_path, capsys):
     oil.write_text("".join(f"variable {key} index {value}\n" for key, value in names.items()))
     words = ["stiffness", "--load", "100", "--rpm", "100", "--phases", "1", "--lubricant", str(oil)]
     assert main(words) == 1
-    assert "needed by models full, not by models paper" in capsys.readouterr().err
+    assert "which models full need, unlike models paper" in capsys.readouterr().err
     assert main([*words, "--models", "paper"]) == 0
 
 

@@ -34,7 +34,7 @@ def test_dry_needs_no_lubricant(tmp_path, dry, name):
         ("^wall_s:.*", "wall_s: .inf", "wall_s is not a number: '.inf'"),
         ("^wall_s:.*", "wall_s: [1, 2]", "wall_s is not a number"),
         ("^wall_s:.*", "wall_s: [1", "cannot read .*run.yaml: .*\n.*line [0-9]+"),
-        ("^load_N: .*$", r"\g<0>\nload_N: 1", "cannot read .*run.yaml: load_N is there twice"),
+        ("^load_N: .*$", r"\g<0>\nload_N: 1", "cannot read .*run.yaml: load_N is given twice"),
         ("^step_s: .*", "step_s: -1", "step_s = -1 must be finite and not negative"),
         ("^wall_s: .*", "wall_s: inf", "wall_s = inf must be finite and not negative"),
         ("^wall_s: .*", "wall_s: 0", "wall_s = 0 must be positive"),

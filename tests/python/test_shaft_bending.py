@@ -167,7 +167,7 @@ def test_file(tmp_path, capsys):
 
 
 def test_no_mode_is_left(rotor):
-    with pytest.raises(ValueError, match="needs another kept place or a mode"):
+    with pytest.raises(ValueError, match="needs another kept position or a mode"):
         reduced(rotor, 0, kept=RINGS[:1])
 
 

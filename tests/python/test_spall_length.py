@@ -79,7 +79,7 @@ def test_the_other_ring_hears_it_later(bearing):
         (dict(lengths=0.0), "lengths 0.0 m"),
         (dict(lengths=0.02), "must be at most 0.0102"),
         (dict(ring_mass=-1.0), "ring_mass -1.0 kg"),
-        (dict(edge=-1e-5), "edge -1e-05 m must be 0 m to half the shortest length, 0.0005 m"),
+        (dict(edge=-1e-5), "edge -1e-05 m must be from 0 to half the shortest length, 0.0005 m"),
         (dict(edge=6e-4), "edge 0.0006 m"),
     ],
 )

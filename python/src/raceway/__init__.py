@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Ball bearings: read and draw runs of the simulation, and compare them with theory.
+"""Simulate ball bearings, read and plot the results, and compare them with theory.
 
-`simulate` runs a bearing, and `open` reads a run. The other public names are loaded on first use.
+`simulate` runs a bearing, and `open` reads a finished run. All other public names are loaded when
+they are first used.
 """
 
 from importlib import import_module
@@ -13,14 +14,14 @@ if TYPE_CHECKING:
     from raceway.runs.run import Run
     from raceway.sweeps.one_run import simulate as simulate
 
-# `raceway.NAME` is a module of one of these folders or of the package itself, or a class or
-# function
+# `raceway.NAME` is either a module in one of these folders or in the package itself, or a class or
+# function listed in CLASSES
 ROOMS = ("theory", "runs", "electric", "recordings")
 CLASSES = {"Run": "runs.run", "RunTables": "runs.tables", "simulate": "sweeps.one_run"}
 
 
 def _names() -> dict[str, str]:
-    """{public name: module below `raceway` that has this name or defines it}"""
+    """Return a dict that maps each public name to the module that has this name or defines it."""
     here, found = Path(__file__).parent, dict(CLASSES)
     for room in (*ROOMS, ""):
         for path in (here / room).iterdir():
@@ -35,11 +36,11 @@ __all__ = ["open", *NAMES]
 
 
 def open(folder: str | PathLike[str], samples: slice = slice(None)) -> "Run":
-    """The run in `folder` as one object; the slice `samples` selects some of its samples.
+    """Return the run in `folder` as a `Run`; the slice `samples` selects some of its samples.
 
     Raises `raceway.errors.RunError` if the folder does not contain a run.
     """
-    # loading xarray takes longer than solving a static bearing
+    # imported here because loading xarray takes longer than solving a static bearing
     from raceway.runs.run import Run
 
     return Run(folder, samples)

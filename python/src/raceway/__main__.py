@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`python -m raceway` is the `raceway` command."""
+"""Entry point for `python -m raceway`, which is the same as the `raceway` command."""
 
 import sys
 

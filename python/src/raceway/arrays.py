@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Type hints for numbers and arrays, and the text that shows results. Shapes and units are in the
-docstrings."""
+"""Type hints for numbers and arrays, and helpers for the `__repr__` of results. Docstrings state
+shapes and units."""
 
 from dataclasses import fields, is_dataclass
 from typing import Any
@@ -12,18 +12,18 @@ Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Numbers = float | Floats  # one number or an array of them
 
-SHOWN = 6  # longest array whose numbers are listed; others are shown by shape and range
+SHOWN = 6  # arrays up to this length are printed in full, longer ones by shape and range
 
 
 def short(result: Any) -> str:
-    """Text for the `__repr__` of a dataclass or named tuple: one line for each field; nested
-    results are shown by the names of their fields."""
+    """Return the text for the `__repr__` of a dataclass or named tuple, with one line per field. A
+    nested result is represented by its type and the names of its fields."""
     lines = [f"  {name}: {_value(getattr(result, name))}" for name in _names(result)]
     return "\n".join([f"<{type(result).__name__}", *lines]) + ">"
 
 
 def _names(result):
-    """Names of the fields of a dataclass or named tuple; none for other objects."""
+    """Return the field names of a dataclass or named tuple."""
     return [one.name for one in fields(result)] if is_dataclass(result) else result._fields
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The text file of a flexible shaft, for `fix bearing/shaft ... flexible` (docs/shaft.rst)."""
+"""Write the text file that `fix bearing/shaft ... flexible` reads (docs/shaft.rst)."""
 
 from raceway import files
 from raceway.files import FilePath
@@ -15,7 +15,7 @@ EXPLAINED = """\
 
 
 def write(path: FilePath, shaft: Bending) -> None:
-    """Write `shaft` to `path`. Raises `RunError`."""
+    """Write `shaft` to `path`. Raises `RunError` if the file cannot be written."""
     body = shaft.body
     lines = [
         ("mass", [body.mass]),

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Finds bearings and lubricants by name, in the `inputs` folder, in the package or in a user's own
-file. `raceway.listing` searches the bearings."""
+"""Look up bearings and lubricants by name in the `inputs` folder, in the package or in the user's
+own files. `raceway.listing` searches the bearings by other criteria."""
 
 import difflib
 from pathlib import Path
@@ -10,14 +10,15 @@ from raceway.files import FilePath
 from raceway.inputs import InputError
 
 KINDS = {"bearings": "bearing", "lubricants": "lubricant"}
-# In a source tree this is a link to the folder inputs; a wheel has copies of the files.
+# In a source tree this is a link to the inputs folder; a wheel contains copies of the files.
 SHIPPED = Path(__file__).with_name("data")
-MANY = 20  # most names in a message; if there are more, only similar names are shown
+MANY = 20  # if a message would list more names than this, only similar names are listed
 
 
 def folder(given: FilePath | None = None) -> Path:
-    """The inputs folder: `given`; by default `inputs` in the working directory or a parent folder,
-    or else the files of the package. Raises `InputError` if `given` is not a folder."""
+    """Return the inputs folder. This is `given` or, by default, the folder `inputs` in the working
+    directory or one of its parents, and otherwise the data folder of the package. Raises
+    `InputError` if `given` is not a folder."""
     if given is not None:
         if not Path(given).is_dir():
             raise InputError(f"there is no folder {given}")
@@ -30,11 +31,12 @@ def folder(given: FilePath | None = None) -> Path:
 
 
 def find(kind: str, name: str, inputs: FilePath | None = None) -> Path:
-    """Path of the data file `name` of a kind ("bearings" or "lubricants"); a name with a slash is
-    itself a path. If there is no such file but a table in the folder has a row of that name,
-    `raceway.inputs` reads that row for this path.
+    """Return the path of the data file `name` of a kind ("bearings" or "lubricants"); a name with a
+    slash is itself a path. If no such file exists but a table in the folder has a row with that
+    name, `raceway.inputs` reads the row when it is given this path.
 
-    `inputs` is a folder or None, see `folder`. Raises `InputError` with the available names.
+    `inputs` is a folder or None (see `folder`). Raises `InputError`, which lists the available
+    names.
     """
     if "/" in name:
         path = Path(name)
@@ -53,7 +55,7 @@ def _there(path):
 
 
 def _names(path):
-    """Names in the folder of `path`; if there are many, only names similar to that of `path`."""
+    """Return the names in the folder of `path`, or only the similar ones if there are many."""
     names = data_table.names(path.parent)
     if len(names) > MANY:
         near = sorted(difflib.get_close_matches(path.name, names, n=5, cutoff=0.5))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The clearance classes C2, CN, C3, C4 and C5 of deep groove ball bearings with a cylindrical bore
-(ISO 5753:1991, as reproduced in SKF General Catalogue 6000, Russian edition, 2006, page 297; text
-layer of the catalogue in github.com/ArtemFilin1990/Mar)."""
+"""The clearance classes C2, CN, C3, C4 and C5 for deep groove ball bearings with a cylindrical bore
+(ISO 5753:1991, as reproduced in SKF General Catalogue 6000, Russian edition, 2006, page 297; taken
+from the text layer of the catalogue in github.com/ArtemFilin1990/Mar)."""
 
 import csv
 from pathlib import Path
@@ -11,19 +11,19 @@ NAMES = ("C2", "CN", "C3", "C4", "C5")
 
 
 def of_bore(bore: float) -> dict[str, tuple[float, float]]:
-    """{class: (least, greatest)} diametral clearance in m of an unmounted, unloaded bearing with
-    the `bore` in m, at uniform temperature. A bore up to 6 mm has no C4 and C5. Raises `ValueError`
-    unless the bore is above 0 and at most 0.12 m.
+    """Return {class: (least, greatest)}, the limits of the diametral clearance in m of an unmounted
+    and unloaded bearing at uniform temperature, for a `bore` in m. There are no classes C4 and C5
+    for bores up to 6 mm. Raises `ValueError` unless the bore is above 0 and at most 0.12 m.
 
     >>> of_bore(40e-3)["C3"]
     (1.5e-05, 3.3e-05)
     """
     for row in csv.DictReader(TABLE.read_text().splitlines()):
-        # 9 digits, so that 40e-3 m is exactly 40 mm despite rounding errors
+        # rounded to 9 digits so that 40e-3 m is exactly 40 mm despite rounding errors
         if float(row["bore_above"]) < round(1e3 * bore, 9) <= float(row["bore_to"]):
             return {
                 name: tuple(round(1e-6 * float(row[f"{name}_{end}"]), 12) for end in ("min", "max"))
                 for name in NAMES
                 if row[f"{name}_min"]
             }
-    raise ValueError(f"bore = {bore:g} m: the classes of ISO 5753 are known from 0 to 0.12 m")
+    raise ValueError(f"bore = {bore:g} m: the classes of ISO 5753 are known for 0 to 0.12 m")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The `raceway` command. Exit codes: 0 success, 1 failure with a message, 2 wrong command line."""
+"""The `raceway` command. Its exit codes are 0 for success, 1 for a failure with a message, and 2
+for a wrong command line."""
 
 import argparse
 import os
@@ -18,17 +19,17 @@ from raceway.errors import RacewayError, RunWarning
 EXAMPLES = """\
 examples:
   build/liggghts -in inputs/in.6208 -var load 2000       run a bearing; results go to build/run/6208
-  raceway summary build/run/6208                         its figures
-  raceway plot build/run/6208 --kind polar               a picture
-  raceway static --load 2000 --clearance 10e-6           theory, without a run
+  raceway summary build/run/6208                         print its results
+  raceway plot build/run/6208 --kind polar               draw a picture
+  raceway static --load 2000 --clearance 10e-6           compute the statics, without a run
 
 `raceway COMMAND --help` has details and examples. Numbers may have a unit: 5kN, 10um, 60C. DIR is
-the folder that a run wrote, which -var out of the deck names.
+the folder that a run wrote; its name is given to the deck by -var out.
 Exit codes: 0 done; 1 not done, with a message; 2 wrong command line; 130 interrupted."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run the command with `argv` (default: arguments of the process) and return its exit code."""
+    """Run the command with `argv` (default: the arguments of the process); return its exit code."""
     words = sys.argv[1:] if argv is None else list(argv)
     parser = _parser()
     if not words:
@@ -49,9 +50,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     except RacewayError as error:
         print(f"raceway: {error}", file=sys.stderr)
         return 1
-    except (
-        BrokenPipeError
-    ):  # the reader has closed the pipe, so leave nothing for the interpreter to flush at exit
+    except BrokenPipeError:
+        # the reader has closed the pipe: redirect stdout, which the interpreter flushes at exit
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
     except OSError as error:
@@ -63,8 +63,9 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def modules() -> Iterator[ModuleType]:
-    """The subcommands by name: the modules of `raceway.commands` with `add` and `run`. A module
-    whose name begins with _ belongs to another module and loads large packages."""
+    """Yield the subcommands, i.e. the modules in `raceway.commands` that define `add` and `run`, in
+    alphabetical order. A module whose name begins with an underscore is a helper that loads large
+    packages, and is skipped without being imported."""
     for found in pkgutil.iter_modules(commands.__path__):
         if found.name.startswith("_"):
             continue
@@ -77,7 +78,7 @@ def _parser():
     parser = Parser(
         prog="raceway",
         usage="%(prog)s [-h] [--version] COMMAND ...",
-        description="Ball bearings: figures, spectra and pictures of runs, and theory.",
+        description="Ball bearings: results, spectra and pictures of runs, and theory.",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("--version", action="version", version=f"raceway {raceway.__version__}")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A data file, `variable NAME index VALUE # comment`, with numbers checked against the ranges of
-the decks (`sweeps.variable_table`)."""
+"""Read data files, whose lines are `variable NAME index VALUE # comment`, and check their numbers
+against the ranges allowed in decks (`sweeps.variable_table`)."""
 
 import math
 import re
@@ -19,16 +19,16 @@ REMARK = re.compile(r"\s*variable\s+(\w+)\s+index\s+\S+\s*#\s*(.*\S)")
 
 
 class Range(NamedTuple):
-    """Allowed numbers of a variable."""
+    """Range of values that a variable may have."""
 
     low: float
     high: float
     whole: bool
-    beside: float  # allowed value outside the range; NaN if there is none
+    beside: float  # an additional allowed value outside the range; NaN if there is none
     unit: str
 
     def allows(self, value: float) -> bool:
-        """True for an allowed `value`; False for NaN."""
+        """Return True if `value` is allowed; NaN never is."""
         inside = self.low <= value <= self.high and not (self.whole and value % 1)
         return inside or value == self.beside
 
@@ -39,8 +39,9 @@ class Range(NamedTuple):
 
 
 def text(path: FilePath) -> str:
-    """Text of a data file, or text that represents a row of a table in its folder (`data_table`).
-    Raises `InputError` if there is neither a file nor a row, or if it cannot be read."""
+    """Return the text of a data file or, if there is no such file, the text that represents the row
+    of that name in a table in its folder (`data_table`). Raises `InputError` if neither exists or
+    the file cannot be read."""
     path = Path(path)
     if not path.is_file() and (row := data_table.text(path)):
         return row
@@ -53,9 +54,10 @@ def text(path: FilePath) -> str:
 
 
 def values(path: FilePath) -> dict[str, str]:
-    """The index variables of a data file as {name: text}. Raises `InputError` if it cannot be read
-    or, as decks do, for a mistyped name, that is, a name that is not a variable but resembles a
-    variable that the file lacks. Other names are the user's own."""
+    """Return the index variables of a data file as {name: text}. Raises `InputError` if the file
+    cannot be read or contains a mistyped name. As in decks, a name counts as mistyped if it is not
+    the name of a variable but resembles one that the file does not set. All other names are left to
+    the user."""
     found = _matches(path, LINE)
     if wrong := core.mistyped(found):
         raise InputError(f"{path}: {wrong}")
@@ -63,8 +65,8 @@ def values(path: FilePath) -> dict[str, str]:
 
 
 def comments(path: FilePath) -> dict[str, str]:
-    """Comments on the index variables of a data file, as {name: comment}. Raises `InputError` if
-    it cannot be read."""
+    """Return the comments on the index variables of a data file as {name: comment}. Raises
+    `InputError` if the file cannot be read."""
     return _matches(path, REMARK)
 
 
@@ -73,8 +75,8 @@ def _matches(path, pattern):
 
 
 def numbers(path: FilePath, *names: str) -> dict[str, float]:
-    """Numbers of a data file by name. Raises `InputError` for a value that is missing, not a number
-    or out of its range."""
+    """Return the numbers `names` in a data file as {name: value}. Raises `InputError` if a value is
+    missing, is not a number or is outside its range."""
     data = values(path)
     if missing := [name for name in names if name not in data]:
         raise InputError(f"{path} has no variable {', '.join(missing)}")
@@ -89,7 +91,7 @@ def numbers(path: FilePath, *names: str) -> dict[str, float]:
 
 
 def check(path: FilePath, numbers: Mapping[str, float]) -> None:
-    """Raise `InputError` for a number out of its range."""
+    """Raise `InputError` if one of the `numbers` is outside its range."""
     for name, value in numbers.items():
         allowed = ranges().get(name)
         if allowed and not allowed.allows(value):
@@ -98,7 +100,7 @@ def check(path: FilePath, numbers: Mapping[str, float]) -> None:
 
 @cache
 def ranges() -> dict[str, Range]:
-    """The `Range` of each variable that has one."""
+    """Return the `Range` of each variable that has one, keyed by name."""
     found: dict[str, Range] = {}
     for row in variable_table.rows():
         words = row["range"].split()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The decks of the package and their data files: list and copy them."""
+"""List and copy the decks and data files that are shipped with the package."""
 
 from pathlib import Path
 
@@ -7,32 +7,33 @@ from raceway import catalogue, data_file, data_table, files
 from raceway.errors import InputError
 from raceway.files import FilePath
 
-# the folder in which decks look for their data, relative to where they are started
+# the folder in which decks look for their data, relative to the working directory
 INPUTS = "inputs"
 
 
 def decks() -> dict[str, str]:
-    """{name: title} of all decks; the title is the first comment."""
+    """Return {name: title} for all decks; the title is the first comment in the deck."""
     return {path.name: _title(path.read_text()) for path in sorted(catalogue.SHIPPED.glob("in.*"))}
 
 
 def lubricants() -> dict[str, str]:
-    """Title of each lubricant by name."""
+    """Return {name: title} for all lubricants."""
     shelf = catalogue.SHIPPED / "lubricants"
     return {name: _title(data_file.text(shelf / name)) for name in data_table.names(shelf)}
 
 
 def bearings() -> list[str]:
-    """Names of the bearings, files and rows of tables."""
+    """Return the names of all bearings, whether they are files or rows of tables."""
     return list(data_table.names(catalogue.SHIPPED / "bearings"))
 
 
 def copy(name: str, to: FilePath = ".") -> list[Path]:
-    """Copy the deck, bearing or lubricant `name` into the folder `to`; return the files written. A
-    deck is copied with a folder `inputs` that contains everything it reads.
+    """Copy the deck, bearing or lubricant `name` into the folder `to` and return the paths of the
+    files written. A deck is copied together with a folder `inputs` that contains all files it
+    reads.
 
-    An existing file with the same text is left alone. Raises `InputError` for an unknown name and,
-    before anything is written, if a file with a different text exists.
+    An existing file with identical text is not rewritten. Raises `InputError` for an unknown name,
+    and also if a file with different text exists; in that case nothing is written.
     """
     shipped, to = catalogue.SHIPPED, Path(to)
     if name in decks():
@@ -65,5 +66,5 @@ def _is(path, text):
 
 
 def _title(text):
-    """The first line without its comment mark."""
+    """Return the first line without its comment mark."""
     return text.partition("\n")[0].lstrip("# ")

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Exceptions of the package. Formulas raise `ValueError` for values outside their domain."""
+"""Exceptions raised by the package. Formulas raise `ValueError` for values outside their domain."""
 
 from collections.abc import Iterable
 from difflib import get_close_matches
 
 
 class RacewayError(Exception):
-    """Base of all errors that a user can cause; its text is a complete message."""
+    """Base class of all errors that a user can cause; the text is a complete error message."""
 
 
 class RunError(RacewayError):
@@ -14,7 +14,7 @@ class RunError(RacewayError):
 
 
 class RunWarning(UserWarning):
-    """A run folder can be read, but only in part."""
+    """A run folder is readable only in part."""
 
 
 class NoEquilibrium(RacewayError):
@@ -26,7 +26,8 @@ class InputError(RacewayError):
 
 
 def near(word: str, known: Iterable[str]) -> str:
-    """The end of a message that `word` is wrong: the nearest of the words `known`, if any.
+    """Return the end of an error message about the wrong `word`, which suggests the most similar
+    words among `known`, or an empty string if none is similar.
 
     >>> near("sumary", ["summary", "static"]), near("x", ["summary"])
     ('; did you mean summary?', '')

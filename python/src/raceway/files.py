@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Writes files so that they appear complete or not at all."""
+"""Write files in such a way that they appear complete or not at all."""
 
 import os
 import stat
@@ -13,11 +13,11 @@ FilePath = str | os.PathLike[str]
 
 
 def whole(path: FilePath, write: Callable[[Path], object]) -> Path:
-    """Let `write(part)` make a file in the folder of `path`, then rename it to `path`; return the
-    `Path`. A link is kept, and its target is written.
+    """Call `write(part)` to create a file in the folder of `path`, rename it to `path`, and return
+    the `Path`. If `path` is a link, the link is kept and its target is replaced.
 
-    Raises `RunError` if the file cannot be written, and for a device, a pipe or a folder; existing
-    content is then unchanged.
+    Raises `RunError` if the file cannot be written, or if `path` is a device, a pipe or a folder.
+    In these cases existing content remains unchanged.
     """
     path, part = Path(path), None
     try:
@@ -39,13 +39,13 @@ def whole(path: FilePath, write: Callable[[Path], object]) -> Path:
 
 
 def text(path: FilePath, content: str) -> Path:
-    """Write `content` as the file `path`, as `whole` does."""
+    """Write `content` to the file `path` in the same way as `whole`."""
     return whole(path, lambda part: part.write_text(content, encoding="utf-8"))
 
 
 def folder(path: FilePath) -> Path:
-    """Make the folder `path` and its parents; return it as a `Path`. Raises `RunError` if that
-    fails."""
+    """Create the folder `path` and its parents, and return it as a `Path`. Raises `RunError` if it
+    cannot be created."""
     try:
         Path(path).mkdir(parents=True, exist_ok=True)
     except OSError as error:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The data files of the decks: bearings and lubricants."""
+"""Read the data files of bearings and lubricants that decks use."""
 
 import math
 from pathlib import Path
@@ -16,7 +16,7 @@ from raceway.theory.bearing import Bearing, DoubleRow
 from raceway.theory.lubricant import Fluid, Lubricant, Vogel, Walther
 from raceway.theory.validity import Shoulders
 
-# variables of a lubricant in the order of `Lubricant`, and variables that define a `Fluid` directly
+# variables of a lubricant in the order of `Lubricant`, and variables that set a field of `Fluid`
 PHYSICAL = (
     "oil_density_40",
     "oil_density_slope",
@@ -41,24 +41,24 @@ FLUID = {
 }
 
 
-# variables that a bearing defined by its usual data may omit
+# variables that a bearing file may omit if it states the pitch diameter and the conformities
 RADII = ("inner_radius", "outer_radius", "inner_groove", "outer_groove")
 STEEL = {"ball_young": 210e9, "ball_poisson": 0.3}
 
 
 class Oil(NamedTuple):
-    """A lubricant at its temperature, with its surfaces."""
+    """Properties of a lubricant at one temperature, and the roughness of the surfaces."""
 
     viscosity: float  # Pa s
     pressure_viscosity: float  # 1/Pa
-    permittivity: float  # relative, at rest
+    permittivity: float  # relative, at ambient pressure
     roughness: float  # m, composite
 
 
 def _named(kind, path):
-    """The path of a data file; a name without folder that is not a file in the working directory is
-    found with `catalogue.find`."""
-    from raceway import catalogue  # which imports this module
+    """Return the path of a data file. A name without a folder that is not a file in the working
+    directory is looked up with `catalogue.find`."""
+    from raceway import catalogue  # a module-level import would be circular
 
     plain = Path(path).name == str(path) and not Path(path).is_file()
     return catalogue.find(kind, str(path)) if plain else path
@@ -71,9 +71,10 @@ def bearing(
     double_row: DoubleRow | None = None,
     one_groove: str | None = None,
 ) -> Bearing:
-    """`Bearing` from a file of inputs/bearings or a name of the catalogue, with four-point contact
-    if the file or `four_point` (rad) requests it, and with two rows if `double_row` is given. If
-    `one_groove`, a reason, is given, several grooves per ring are refused. Raises `InputError`."""
+    """Return the `Bearing` defined by a file in inputs/bearings or by a name in the catalogue. It
+    has four-point contact if the file or `four_point` (rad) specifies an angle, and two rows if
+    `double_row` is given. If `one_groove` is given, a bearing with several grooves per ring is
+    rejected for the reason that `one_groove` states. Raises `InputError`."""
     path = _named("bearings", path)
     body = _one_groove(path)
     angle = four_point_angle(path) if four_point is None else four_point
@@ -90,7 +91,7 @@ def bearing(
 
 
 def _one_groove(path):
-    """`Bearing` of a file with one groove per ring."""
+    """Return the `Bearing` defined by a file, with one groove per ring."""
     known = values(path)
     data = numbers(path, "balls", "ball_diameter")
     if "pitch_diameter" in known:
@@ -119,16 +120,16 @@ def _one_groove(path):
 def held(
     path: FilePath, axial: float, clearance: float = 0.0, double_row: DoubleRow | None = None
 ) -> dict[str, float]:
-    """{"z": m}, the axial position at which the decks hold the inner ring of a single-row bearing
-    if there is no `axial` load (N). At this position the balls make contact at the contact angle of
-    the file. Empty with an axial load and for two rows. Raises `InputError`, also for a `clearance`
-    (m) that the decks refuse."""
+    """Return {"z": position in m}, where z is the axial position at which decks hold the inner ring
+    of a single-row bearing if there is no `axial` load (N). At this position the balls touch at the
+    contact angle stated in the file. The dict is empty if there is an axial load or if the bearing
+    has two rows. Raises `InputError`, also for a `clearance` (m) that decks reject."""
     angle, body = nominal_angle(path), _one_groove(path)
     if angle and clearance:
         raise InputError(
             f"{path}: clearance {clearance:g} m must be 0: it follows from the contact angle"
         )
-    # as in create_bearing: half of the preload compresses each contact, by at most 0.02 ball radii
+    # as in create_bearing: half the preload compresses each contact, by at most 0.02 ball radii
     least, most = -0.08 * body.ball_radius, body.play(math.pi / 2)
     if not least <= clearance <= most:
         raise InputError(
@@ -139,30 +140,30 @@ def held(
 
 
 def ball_density(path: FilePath) -> float:
-    """Density of the balls (kg/m^3) of a file of inputs/bearings; by default the density of steel.
-    Raises `InputError`."""
+    """Return the density of the balls (kg/m^3) stated in a file in inputs/bearings, by default the
+    density of steel. Raises `InputError`."""
     known = "ball_density" in values(path)
     return numbers(path, "ball_density")["ball_density"] if known else 7800.0
 
 
 def nominal_angle(path: FilePath) -> float:
-    """Contact angle (rad) of a file of inputs/bearings, 0 by default. Raises
-    `InputError`."""
+    """Return the nominal contact angle (rad) stated in a file in inputs/bearings, by default 0.
+    Raises `InputError`."""
     if "contact_angle" not in values(path):
         return 0.0
     return math.radians(numbers(path, "contact_angle")["contact_angle"])
 
 
 def four_point_angle(path: FilePath) -> float | None:
-    """Angle (rad) at which centred balls touch both grooves of each ring, for a file of
-    inputs/bearings; None for a bearing with one groove per ring. Raises `InputError`."""
+    """Return the angle (rad) at which centred balls touch both grooves of each ring, as stated in a
+    file in inputs/bearings, or None for a bearing with one groove per ring. Raises `InputError`."""
     if "four_point" not in values(path):
         return None
     return math.radians(numbers(path, "four_point")["four_point"]) or None
 
 
 def _radii(path):
-    """Raceways and grooves from the usual data, as in the command bearing (m)."""
+    """Compute raceway and groove radii (m) from the usual data, as the command `bearing` does."""
     pitch, ball, inner, outer = numbers(
         path, "pitch_diameter", "ball_diameter", "inner_conformity", "outer_conformity"
     ).values()
@@ -177,8 +178,8 @@ def _radii(path):
 
 
 def boundary(path: FilePath) -> makers.Boundary | None:
-    """`makers.Boundary` of a file of inputs/bearings, None if it has no maker's data. Raises
-    `InputError`."""
+    """Return the `makers.Boundary` of a bearing from its file in inputs/bearings, or None if the
+    file does not state the maker's data. Raises `InputError`."""
     names = ("bore_diameter", "outside_diameter", "bearing_width", "basic_static_load")
     if "series" not in values(path):
         return None
@@ -191,8 +192,8 @@ def boundary(path: FilePath) -> makers.Boundary | None:
 
 
 def size(path: FilePath) -> makers.Size | None:
-    """`makers.Size` of a file of inputs/bearings, None if it does not state bore and outside
-    diameter. Raises `InputError`."""
+    """Return the `makers.Size` of a bearing from its file in inputs/bearings, or None if the file
+    does not state both bore and outside diameter. Raises `InputError`."""
     names = ("bore_diameter", "outside_diameter")
     if not values(path).keys() >= set(names):
         return None
@@ -202,8 +203,8 @@ def size(path: FilePath) -> makers.Size | None:
 
 
 def ratings(path: FilePath) -> life.Ratings | None:
-    """`life.Ratings` of a file of inputs/bearings, None if it does not state both load ratings.
-    Raises `InputError` for an invalid rating."""
+    """Return the `life.Ratings` of a bearing from its file in inputs/bearings, or None if the file
+    does not state both load ratings. Raises `InputError` for an invalid rating."""
     names = ("basic_dynamic_load", "basic_static_load")
     if not values(path).keys() >= set(names):
         return None
@@ -223,8 +224,8 @@ def ratings(path: FilePath) -> life.Ratings | None:
 
 
 def minimum_load(path: FilePath) -> tuple[float, float] | None:
-    """(k_r, mean of bore and outside diameter in m) of a file of inputs/bearings for
-    `life.minimum_load`, None if it does not state the factor. Raises `InputError`."""
+    """Return (k_r, mean of bore and outside diameter in m) for `life.minimum_load` from a file in
+    inputs/bearings, or None if the file does not state the factor k_r. Raises `InputError`."""
     if "minimum_load_factor" not in values(path):
         return None
     names = ("minimum_load_factor", "bore_diameter", "outside_diameter")
@@ -235,14 +236,14 @@ def minimum_load(path: FilePath) -> tuple[float, float] | None:
 
 
 def shoulders(path: FilePath) -> Shoulders:
-    """`Shoulders` of a file of inputs/bearings, NaN for missing shoulders. Raises `InputError` for
-    an invalid diameter."""
+    """Return the `Shoulders` of a bearing from its file in inputs/bearings; diameters that the file
+    does not state are NaN. Raises `InputError` for an invalid diameter."""
     data = _one_groove(path)
     bottoms = {"inner": 2 * data.inner_radius, "outer": 2 * data.outer_radius}
     found = {}
     for name, bottom in bottoms.items():
         key = f"{name}_shoulder_diameter"
-        # 0 means unknown, as in a deck
+        # 0 means that the diameter is unknown, as in a deck
         if key not in values(path) or not (diameter := numbers(path, key)[key]):
             continue
         found[name] = diameter
@@ -256,9 +257,9 @@ def shoulders(path: FilePath) -> Shoulders:
 
 
 def oil(path: FilePath, temperature: float | None = None) -> Oil:
-    """`Oil` of a lubricant, given by its name or by a file of inputs/lubricants, at a `temperature`
-    in degrees C, by default the temperature in the file. Raises `InputError`, also for a dry
-    lubricant."""
+    """Return the `Oil` for a lubricant, given by its name or by a file in inputs/lubricants, at a
+    `temperature` in degrees C (default: the temperature stated in the file). Raises `InputError`,
+    also for a dry lubricant."""
     path = _named("lubricants", path)
     at = fluid(path, temperature)
     data = _constants(path, "roughness", "ball_roughness")
@@ -271,13 +272,13 @@ def oil(path: FilePath, temperature: float | None = None) -> Oil:
 
 
 def fluid(path: FilePath, temperature: float | None = None) -> Fluid:
-    """`Fluid` of a lubricant, given by its name or by a file of inputs/lubricants, at a
-    `temperature` in degrees C, by default the temperature in the file.
+    """Return the `Fluid` for a lubricant, given by its name or by a file in inputs/lubricants, at a
+    `temperature` in degrees C (default: the temperature stated in the file).
 
-    A file has physical data, from which the fluid follows at any temperature, or the properties of
-    the fluid at one temperature. Direct values take precedence over physical data, as in a deck.
-    Values missing in older files are NaN. Raises `InputError`, also for a temperature without
-    values.
+    A file contains either physical data, from which the properties can be computed at any
+    temperature, or the properties of the fluid at one temperature. As in a deck, properties given
+    directly take precedence over physical data. Properties that are missing in older files are NaN.
+    Raises `InputError`, also for a temperature at which there are no values.
     """
     path = _named("lubricants", path)
     data = values(path)
@@ -310,33 +311,35 @@ def fluid(path: FilePath, temperature: float | None = None) -> Fluid:
 
 
 def assumed(path: FilePath, models: str | None = None) -> dict[str, float]:
-    """Constants of an oil that its file lacks, by name, with the defaults that decks and statics
-    use instead; with `models`, only those that these models need. Raises `InputError`."""
+    """Return {name: value} for the constants of an oil that its file does not state, with the
+    defaults that decks and statics use in their place. If `models` is given, only the constants
+    that these models need are returned. Raises `InputError`."""
     data, over, table = values(path), physical(path), variable_table.oil()
     return {
         name: float(row["default"])
         for name, row in table.items()
         if name not in data
         and (models is None or not row["models"] or models in row["models"].split())
-        # constants of an oil over temperature, or of an oil at a single temperature
+        # choose between the constants of an oil as a function of temperature and at one temperature
         and (over if row["of"] == "oil over temperature" else not (over and f"{name}_40" in table))
     }
 
 
 def _constants(path, *names):
-    """Numbers of an oil by name; defaults for constants that its file lacks."""
+    """Return the constants `names` of an oil, with defaults for those that its file lacks."""
     usual = {name: value for name, value in assumed(path).items() if name in names}
     found = numbers(path, *(name for name in names if name not in usual)) | usual
     return {name: found[name] for name in names}
 
 
 def physical(path: FilePath) -> bool:
-    """True if a file of inputs/lubricants has physical data, for any temperature."""
+    """Return True if a file in inputs/lubricants has physical data, valid at any temperature."""
     return not {"kinematic_viscosity_40", "vogel_viscosity"}.isdisjoint(values(path))
 
 
 def lubricant(path: FilePath) -> Lubricant:
-    """`Lubricant` with physical data, given by its name or its file. Raises `InputError`."""
+    """Return the `Lubricant` with physical data that a name or a file specifies. Raises
+    `InputError` if the data are missing or invalid."""
     path = _named("lubricants", path)
     law, names = (
         (Vogel, ("vogel_viscosity", "vogel_slope", "vogel_temperature"))

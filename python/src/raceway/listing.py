@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Lists and searches the bearings of an inputs folder (files and rows of tables)."""
+"""List and search the bearings in an inputs folder, both files and rows of tables."""
 
 import math
 from collections.abc import Iterable
@@ -9,7 +9,7 @@ from pathlib import Path
 from raceway import catalogue, data_table, inputs
 from raceway.files import FilePath
 
-# {field of `Entry`: variable of a file, which may be missing}
+# {field of `Entry`: variable in the bearing's file, which may be missing}
 STATED = {
     "bore_m": "bore_diameter",
     "outside_m": "outside_diameter",
@@ -25,7 +25,7 @@ STATED = {
 
 @dataclass(frozen=True)
 class Entry:
-    """One bearing. Values that its file does not state are None."""
+    """One bearing in the catalogue. Values that its file does not state are None."""
 
     name: str
     title: str  # first line of the file
@@ -42,17 +42,17 @@ class Entry:
     balls: int
     ball_diameter_m: float
     pitch_diameter_m: float
-    balls_from: str | None  # the file's mark: a source, or "estimate"
+    balls_from: str | None  # the comment in the file: a source, or "estimate"
     ratings_from: str | None
 
     def figures(self) -> dict[str, str | float | int | None]:
-        """The fields by name."""
+        """Return the fields as a dict."""
         return asdict(self)
 
 
 def entries(folder: FilePath | None = None) -> list[Entry]:
-    """Every bearing of an inputs `folder` (see `catalogue.folder`), sorted by bore, outside
-    diameter and name. Raises `InputError` for a file that is not a bearing."""
+    """Return an `Entry` for every bearing in an inputs `folder` (see `catalogue.folder`), sorted by
+    bore, outside diameter and name. Raises `InputError` if a file does not describe a bearing."""
     shelf = catalogue.folder(folder) / "bearings"
     found = [entry(shelf / name) for name in data_table.names(shelf)]
     return sorted(
@@ -61,7 +61,7 @@ def entries(folder: FilePath | None = None) -> list[Entry]:
 
 
 def entry(path: Path) -> Entry:
-    """`Entry` of a file of inputs/bearings or of a row there. Raises `InputError`."""
+    """Return the `Entry` for a file or a table row in inputs/bearings. Raises `InputError`."""
     bearing = inputs.bearing(path)
     known, comments = inputs.values(path), inputs.comments(path)
     try:
@@ -98,9 +98,10 @@ def search(
     dynamic_load_above: float | None = None,
     static_load_above: float | None = None,
 ) -> list[Entry]:
-    """The entries that contain all `words` in name, title or marks (ignoring case), whose name
-    starts with `series`, and that have these sizes in m, this contact angle in degrees, and load
-    ratings above these values in N. A value that the file does not state meets no condition."""
+    """Return the entries that contain all `words` in their name, title or sources (ignoring case),
+    whose name starts with `series`, whose sizes (in m) and contact angle (in degrees) equal the
+    given values, and whose load ratings exceed the given values in N. An entry whose file does not
+    state a requested value does not match."""
     sizes = {
         "bore_m": bore,
         "outside_m": outside,

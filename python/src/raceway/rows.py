@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures as text: one line for each figure, below the heading of its topic."""
+"""Format results as text, with one line per value below the heading of its topic."""
 
 from collections.abc import Collection, Mapping, Sequence
 from typing import Any, NamedTuple
@@ -8,16 +8,16 @@ from raceway.units import prefixed
 
 
 class Row(NamedTuple):
-    """One line of the table."""
+    """One line of a table of results."""
 
     key: str
     label: str
     unit: str | None  # SI unit, shown with a prefix; "" for a plain number; None for text
     source: str = ""
-    zero: str | None = None  # shown for the value 0
+    zero: str | None = None  # text that is shown in place of the value 0
 
 
-# Figures that both runs and statics have, with their common names.
+# Quantities that are reported by both runs and statics, with common labels.
 FIGURES = {
     row.key: row
     for row in (
@@ -56,7 +56,8 @@ FIGURES = {
 
 
 def row(key: str, source: str | None = None) -> Row:
-    """The row of `FIGURES` with `key`, with another `source` if given. Raises `KeyError`."""
+    """Return the row of `FIGURES` with `key`, with its `source` replaced if one is given. Raises
+    `KeyError` for an unknown key."""
     return FIGURES[key] if source is None else FIGURES[key]._replace(source=source)
 
 
@@ -67,10 +68,11 @@ def lines(
     ranges: Mapping[str, tuple[float, float]] | None = None,
     second: tuple[str, Mapping[str, Any]] | None = None,
 ) -> list[str]:
-    """The lines of a table of `topics` (`Row`s by heading); figures that are None are left out.
-    `errors` {key: error in the unit of the figure} are shown in a column of their own, `ranges`
-    {key: (low, high)} at the end of a line. `second`, (name, {key: figure}), is a separate column,
-    with the name above it in each topic for which it has figures."""
+    """Return the lines of a table with the given `topics` (`Row`s by heading). Quantities whose
+    value is None are left out. `errors` {key: error in the unit of the quantity} are shown in a
+    separate column, and `ranges` {key: (low, high)} at the end of each line. `second`, a pair
+    (name, {key: value}), adds a column of values; its name is shown above the column in each topic
+    for which it has values."""
     result = []
     name, others = second or ("", {})
     for topic, rows in topics.items():
@@ -90,8 +92,8 @@ def lines(
 
 
 def several(results: Sequence[Mapping[str, Any]], columns: Sequence[tuple[str, str, float]]) -> str:
-    """Several mappings of figures as text, one line each, and their warnings; `columns` are keys,
-    headings and factors."""
+    """Format several dicts of results as a table with one line per dict, followed by their
+    warnings. `columns` are (key, heading, factor)."""
     rows = [[heading for _, heading, _ in columns]]
     rows += [[_plain(one.get(key), scale) for key, _, scale in columns] for one in results]
     widths = [max(map(len, column)) for column in zip(*rows)]
@@ -101,7 +103,7 @@ def several(results: Sequence[Mapping[str, Any]], columns: Sequence[tuple[str, s
 
 
 def warning_lines(texts: Collection[str]) -> list[str]:
-    """The last lines of a table: its warnings, if there are any."""
+    """Return the last lines of a table, which are its warnings, or no lines if there are none."""
     return ["", "Warnings", *(f"  {text}" for text in texts)] if texts else []
 
 
@@ -112,8 +114,8 @@ def cells(
     ranges: Mapping[str, tuple[float, float]] | None = None,
     others: Mapping[str, Any] | None = None,
 ) -> list[tuple[str, ...]]:
-    """Return the rows of the table of figures: (label, value, value in `others`, error, range,
-    source). A row (topic,) precedes the rows of each topic."""
+    """Return the rows of a table of results as (label, value, value in `others`, error, range,
+    source). The rows of each topic follow a row (topic,)."""
     others = others or {}
     result: list[tuple[str, ...]] = []
     for topic, rows in topics.items():
@@ -143,7 +145,7 @@ def _plain(value, scale):
 def _value(row, value):
     if row.zero and value == 0:
         return row.zero
-    if row.unit is None or isinstance(value, str):  # text, or the reason why there is no value
+    if row.unit is None or isinstance(value, str):  # text, or the reason why the value is missing
         return value
     return _shown(value, row.unit, 4)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A shaft with its bearings and loads as a YAML file (`docs/shaft.rst`)."""
+"""Read a shaft with its bearings and loads from a YAML file (`docs/shaft.rst`)."""
 
 import math
 from collections.abc import Mapping
@@ -12,7 +12,7 @@ from raceway.theory import life
 from raceway.theory.beam import Disc, Section, Steel
 from raceway.theory.shaft import Load, Seat, Shaft
 
-# {part of the file: {name: (default, or None if required; least, greatest)}}
+# {section of the file: {name: (default, or None if required; least, greatest)}}
 NUMBERS: Mapping[str, Mapping[str, tuple[float | None, float, float]]] = {
     "file": {"rpm": (0.0, 0.0, 1e5)},
     "steel": {
@@ -39,7 +39,7 @@ NUMBERS: Mapping[str, Mapping[str, tuple[float | None, float, float]]] = {
         "transverse": (0.0, 0.0, 1e6),
     },
 }
-LISTS = {  # name: (length, largest size)
+LISTS = {  # name: (length, largest magnitude of an element)
     "file": {"gravity": (3, 1e3)},
     "bearings": {"offset": (5, 0.1)},
     "loads": {"force": (3, 1e7), "moment": (2, 1e6)},
@@ -52,7 +52,7 @@ FLOATING = {"yes": True, "true": True, "no": False, "false": False}
 
 
 class Case(NamedTuple):
-    """Content of a file."""
+    """Contents of a shaft file."""
 
     shaft: Shaft
     names: list[str]  # names of the bearings
@@ -65,9 +65,9 @@ class Case(NamedTuple):
 
 
 def read(path: FilePath, folder: FilePath | None = None) -> Case:
-    """`Case` of the YAML file at `path`; bearings are looked up in the inputs `folder`
-    (`catalogue.find`). Raises `InputError` with the place and the allowed range of a wrong
-    value."""
+    """Read the YAML file at `path` and return it as a `Case`; bearings are looked up in the inputs
+    `folder` (`catalogue.find`). Raises `InputError`, which states the location of an invalid value
+    and its allowed range."""
     whole = _part(yaml_file.read(path), str(path), "file")
     steel = Steel(**_part(whole.get("steel", {}), f"{path}: steel", "steel"))
     sections = [Section(**one) for one in _parts(whole, path, "sections")]
@@ -82,7 +82,7 @@ def read(path: FilePath, folder: FilePath | None = None) -> Case:
         name, floating = one.pop("name", None), one.pop("floating", "no")
         if not isinstance(name, str) or floating not in FLOATING:
             raise InputError(
-                f"{path}: bearings {len(seats) + 1}: needs a name, and floating is yes or no"
+                f"{path}: bearings {len(seats) + 1}: needs a name, and floating must be yes or no"
             )
         found = catalogue.find("bearings", name, folder)
         names.append(name)
@@ -111,10 +111,10 @@ def _parts(whole: Mapping[str, Any], path: FilePath, kind: str) -> list[dict[str
 
 
 def _part(data: Any, where: str, kind: str) -> dict[str, Any]:
-    """The numbers of one part of the file, checked, with defaults for missing numbers."""
+    """Check the values in one part of the file and fill in defaults for those that are missing."""
     numbers, lists, others = NUMBERS[kind], LISTS.get(kind, {}), OTHERS.get(kind, ())
     if not isinstance(data, Mapping):
-        raise InputError(f"{where}: must be names and values")
+        raise InputError(f"{where}: must consist of names and values")
     known = [*numbers, *lists, *others]
     if unknown := [name for name in data if name not in known]:
         raise InputError(f"{where}: unknown '{unknown[0]}'; known: {', '.join(known)}")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Numbers with units and SI prefixes, as text and from text."""
+"""Convert numbers with units and SI prefixes to and from text."""
 
 import math
 import re
@@ -8,10 +8,10 @@ PREFIX = {-15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M",
 
 
 def prefixed(value: float, unit: str, digits: int = 4) -> str:
-    """`value` in `unit` as text with `digits` significant digits and an SI prefix: 2.571e9, "Pa" ->
-    2.571 GPa.
+    """Format `value` in `unit` with `digits` significant digits and an SI prefix, e.g. 2.571e9 and
+    "Pa" as 2.571 GPa.
 
-    A value without a unit or in m³/s gets no prefix, and an angle no prefix below micro.
+    A value without a unit or in m³/s has no prefix, and an angle below 1 µrad has none either.
 
     >>> prefixed(2.571e9, "Pa"), prefixed(3.4867e-05, "m"), prefixed(1.4, "")
     ('2.571 GPa', '34.87 µm', '1.4')
@@ -22,13 +22,13 @@ def prefixed(value: float, unit: str, digits: int = 4) -> str:
         return f"{value:.{digits}g} {unit}".strip()
     value = float(f"{value:.{digits - 1}e}")  # round first, so that 999.99 m becomes 1 km
     power = _power(value)
-    if abs(value) < (1e-6 if unit == "rad" else 1e-18):  # below all prefixes
+    if abs(value) < (1e-6 if unit == "rad" else 1e-18):  # smaller than the smallest prefix allows
         return f"{value:.{digits}g} {unit}"
     return f"{value / 10.0**power:.{digits}g} {PREFIX[power]}{unit}"
 
 
 # {requested unit: {accepted unit: factor}}; units in `SCALED` are also accepted with SI prefixes.
-# Units such as passes accept no other unit.
+# For all other units, such as passes, only plain numbers are accepted.
 SPELLED = {
     "C": {"C": 1.0, "°C": 1.0, "degC": 1.0},
     "degrees": {"deg": 1.0, "°": 1.0, "degrees": 1.0, "arcmin": 1 / 60, "rad": 180 / math.pi},
@@ -55,10 +55,11 @@ NUMBER = re.compile(r"([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)(.*
 
 
 def read(text: str, unit: str) -> float:
-    """The value of `text` in `unit`; the text is a plain number, or a number with a unit, such as
-    5kN or 10um.
+    """Convert `text`, either a plain number or a number with a unit such as 5kN or 10um, to a value
+    in `unit`.
 
-    u and µ both mean micro. Raises `ValueError` for text that is not a number or has another unit.
+    Both u and µ mean micro. Raises `ValueError` if the text is not a number or has an incompatible
+    unit.
 
     >>> read("5kN", "N"), read("0.05", "mm"), read("50um", "mm"), read("2krpm", "rpm")
     (5000.0, 0.05, 0.05, 2000.0)
@@ -72,7 +73,7 @@ def read(text: str, unit: str) -> float:
     if factor is None:
         raise ValueError(f"'{text}' is not a number{_hint(unit)}")
     value, power = float(match[1]), math.log10(factor)
-    # parsed as the decimal 10e-6, so that 10um equals 1e-05 to the last bit
+    # parse the text as the decimal 10e-6, so that 10um equals 1e-05 exactly
     if abs(power - round(power)) < 1e-12 and "e" not in match[1].lower():
         return float(f"{match[1]}e{round(power)}")
     return value * factor
@@ -88,7 +89,7 @@ def _factor(written, unit):
     if unit not in SCALED:
         return None
     plain, base = (re.sub(r"[ *·]", "", one) for one in (spelling, unit))
-    plain = plain.replace("Ω", "ohm").replace("μ", "µ")  # the Greek letter mu for the micro sign
+    plain = plain.replace("Ω", "ohm").replace("μ", "µ")  # replace Greek mu by the micro sign
     prefix = plain.removesuffix(base)
     if prefix == plain or prefix == "":
         return 1.0 if prefix == "" else None
@@ -97,7 +98,7 @@ def _factor(written, unit):
 
 
 def _hint(unit):
-    """Example of a value in `unit`, for messages."""
+    """Return the part of an error message that gives an example of a value in `unit`."""
     example = {"rpm": "3000rpm", "C": "60C", "degrees": "40deg", "kg/m^3": "7.8g/cm3"}
     example["m^3/s"] = "1.5L/min"
     example |= {"m": "10um", "mm": "80mm", "N": "5kN", "rad": "20arcmin, 0.3deg or 5mrad"}
@@ -107,7 +108,7 @@ def _hint(unit):
 
 
 def axis(largest: float, unit: str) -> tuple[float, str]:
-    """(factor, unit with prefix) of an axis whose largest value is `largest` in `unit`.
+    """Return (factor, unit with prefix) for an axis whose largest value is `largest` in `unit`.
 
     >>> axis(2436, "N"), axis(12.0, "m/s^2")
     ((0.001, 'kN'), (1.0, 'm/s²'))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""YAML files of users: every value is text or None (6208 is a name, and yes is not a number);
-duplicate keys and references are errors."""
+"""Read YAML files written by users. Every value is text or None, so that 6208 is a name and yes is
+text rather than a number or a boolean; duplicate keys and references are errors."""
 
 from pathlib import Path
 from typing import Any
@@ -10,7 +10,7 @@ import yaml
 from raceway.errors import InputError, RacewayError
 from raceway.files import FilePath
 
-LARGEST = 1 << 18  # characters; a file of this size takes seconds to parse
+LARGEST = 1 << 18  # characters; parsing a file of this size already takes seconds
 
 
 class _Loader(yaml.BaseLoader):
@@ -30,14 +30,14 @@ class _Loader(yaml.BaseLoader):
         for key, _ in node.value:
             if str(key.value) in seen:
                 raise yaml.constructor.ConstructorError(
-                    None, None, f"{key.value} is there twice", key.start_mark
+                    None, None, f"{key.value} is given twice", key.start_mark
                 )
             seen.add(str(key.value))
         return super().construct_mapping(node, deep)
 
 
 def parse(text: str) -> Any:
-    """Lists, maps and texts of `text`. Raises `ValueError` for invalid input."""
+    """Parse `text` into lists, dicts and strings. Raises `ValueError` for invalid input."""
     if len(text) > LARGEST:
         raise ValueError(f"longer than {LARGEST} characters")
     try:
@@ -49,7 +49,7 @@ def parse(text: str) -> Any:
 
 
 def read(path: FilePath, error: type[RacewayError] = InputError) -> Any:
-    """`parse` applied to the file at `path`. Raises `error`."""
+    """Apply `parse` to the file at `path`. Raises `error` if the file cannot be read or parsed."""
     try:
         with open(Path(path), encoding="utf-8") as file:
             return parse(file.read(LARGEST + 1))
@@ -59,8 +59,8 @@ def read(path: FilePath, error: type[RacewayError] = InputError) -> Any:
 
 
 def number(value: Any) -> float:
-    """The number in a text, or a number itself. Raises `ValueError` for anything else, also for
-    1_000."""
+    """Convert a text to a number; a number is returned as a float. Raises `ValueError` for anything
+    else, including texts such as 1_000."""
     if isinstance(value, str) and "_" not in value or type(value) in (int, float):
         return float(value)
-    raise ValueError("no number")
+    raise ValueError("not a number")

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The laws of contact, film, oil and circuit: one C++ library (src-package/core) for the simulation
-and for Python.
+"""Access to the C++ library (src-package/core) that implements the laws of contact, film, oil and
+circuit for both the simulation and Python.
 
-`laws` gives each formula by name, `table` gives the tables of columns and variables. `make build`
-and `pip install ./python` build the library.
+`laws` has each formula as an attribute, and `table` returns the tables of columns and variables.
+The library is built by `make build` and by `pip install ./python`.
 """
 
 import ctypes
@@ -15,14 +15,14 @@ from typing import TYPE_CHECKING, Any
 
 from raceway.errors import RacewayError
 
-if TYPE_CHECKING:  # loads numpy, which `table` does not need
+if TYPE_CHECKING:  # `exports` loads numpy, which `table` does not need
     from raceway.core.exports import Formula, Library
 
 PATH = Path(__file__).with_name("lib") / "libraceway_core.so"
 
 
 class NotBuilt(RacewayError, ImportError):
-    """The library is missing."""
+    """The library has not been built."""
 
 
 def _built():
@@ -33,7 +33,7 @@ def _built():
 
 @functools.cache
 def library() -> "Library":
-    """The library, loaded on first use. Raises `NotBuilt`."""
+    """Load the library on first use and return it. Raises `NotBuilt`."""
     from raceway.core.exports import Library
 
     return Library(_built())
@@ -41,21 +41,21 @@ def library() -> "Library":
 
 @functools.cache
 def table(name: str) -> Any:
-    """A table defined in C++. "columns" is {section: rows} of output columns, parts of the contact
-    law and rules of validity; "variables" is the rows of the variables of decks. Raises
-    `NotBuilt`."""
+    """Return a table that is defined in C++. "columns" is a dict {section: rows} of the output
+    columns, the parts of the contact law and the rules of validity; "variables" is the list of the
+    variables of decks. Raises `NotBuilt`."""
     text = ctypes.CDLL(str(_built()))[f"{name}_json"]
     text.restype = ctypes.c_char_p
     return json.loads(text())
 
 
 def mistyped(names: Iterable[str]) -> str:
-    """The message that decks print about a mistyped name among the `names` of a data file; empty if
-    there is none. Raises `NotBuilt`."""
+    """Return the message that decks print if one of the `names` in a data file is mistyped, or an
+    empty string if none is. Raises `NotBuilt`."""
     return _mistyped(" ".join(names))
 
 
-@functools.cache  # data files mostly have the same names
+@functools.cache  # most data files have the same names
 def _mistyped(names):
     message = ctypes.CDLL(str(_built())).mistyped_name
     message.restype, message.argtypes = ctypes.c_char_p, [ctypes.c_char_p]
@@ -63,7 +63,7 @@ def _mistyped(names):
 
 
 class Laws:
-    """Each formula of the library as an attribute, found on first use."""
+    """Namespace of the library's formulas; each attribute is looked up on first use."""
 
     def __getattr__(self, name: str) -> "Formula":
         found = library().formula(name)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A self-describing C++ library (src-package/core/interface/exports.h): functions and records are
-accessed by name. A name that is missing on one side is an error."""
+"""Call the functions and create the records of a self-describing C++ library by name
+(src-package/core/interface/exports.h). A name that is missing on either side is an error."""
 
 import ctypes
 import math
@@ -21,7 +21,8 @@ FEW = 2  # largest number of parameters that may be passed by position
 
 
 class Parameter(NamedTuple):
-    """A parameter; `size` is None for a single value, 0 for an array of any size."""
+    """A parameter of a function; `size` is None for a single value and 0 for an array of any
+    size."""
 
     name: str
     kind: str  # double, int, or the name of a record or of a struct internal to C++
@@ -30,16 +31,17 @@ class Parameter(NamedTuple):
 
 
 class Function(NamedTuple):
-    """A function of the library."""
+    """Signature of a function in the library."""
 
     result: str
     parameters: tuple[Parameter, ...]
 
 
 class Formula:
-    """A function of single numbers, called with numbers or arrays that broadcast, by position or by
-    name. Returns one number or array, or a named tuple of them; xarray arrays give xarray arrays.
-    Raises `TypeError` for a wrong number of values or an unknown name."""
+    """A function of scalars that also accepts arrays, which are broadcast. Arguments are passed by
+    position or by name. The result is a scalar or an array, or a named tuple of them; xarray
+    arguments give xarray results. Raises `TypeError` for a wrong number of arguments or an unknown
+    name."""
 
     def __init__(
         self, name: str, symbol: Any, parameters: tuple[str, ...], record: type | None
@@ -66,15 +68,16 @@ class Formula:
         return self._record(*outputs) if self._record else outputs[0]
 
     def _labelled(self, values):
-        import xarray  # importing it takes longer than evaluating most formulas
+        import xarray  # imported here because it takes longer than evaluating most formulas
 
         found = xarray.apply_ufunc(self, *values, output_core_dims=[[]] * self._outputs)
         return self._record(*found) if self._record else found
 
 
 class Library:
-    """The library at `path`: `call` runs a function, `formula` finds one for arrays, `record`
-    creates a record. Raises `TypeError` for names that the library does not have."""
+    """The library at `path`. `call` runs a function, `formula` returns a function that accepts
+    arrays, and `record` creates a record. Raises `TypeError` for a declaration that cannot be read
+    and for arguments that do not match a declaration."""
 
     def __init__(self, path: str | PathLike[str]) -> None:
         self.path, self.plain = path, ctypes.CDLL(str(path))
@@ -90,7 +93,7 @@ class Library:
                 kept[name] = Function(result, _read_parameters(name, parameters))
 
     def formula(self, name: str) -> Formula:
-        """The `Formula` with that name."""
+        """Return the `Formula` with that name."""
         if name not in self.formulas:
             raise AttributeError(f"{self.path} has no formula {name}")
         result, parameters = self.formulas[name]
@@ -100,8 +103,8 @@ class Library:
         return Formula(name, self.plain[name], tuple(p.name for p in parameters), record)
 
     def record(self, name: str, values: Mapping[str, Any]) -> ctypes.Structure:
-        """The record `name` with the fields `values`, a mapping that must contain exactly the
-        fields of the record."""
+        """Create the record `name` from `values`, a mapping that must contain exactly the fields of
+        the record."""
         made = self.records[name]()
         _compare(f"record {name}", [field for field, _ in made._fields_], values)
         for field, value in values.items():
@@ -112,14 +115,14 @@ class Library:
         return made
 
     def call(self, name: str, *few: Any, **named: Any) -> Any:
-        """The result of the function `name` and the records and arrays of fixed size that it fills,
-        in the order of its parameters, as a tuple unless there is only one. Records and arrays
-        passed by name are filled in place."""
+        """Call the function `name` and return its result together with the records and fixed-size
+        arrays that it fills, in the order of the parameters, as a tuple unless there is only one.
+        Records and arrays that are passed by name are filled in place."""
         function = self.functions[name]
         outputs = [p for p in function.parameters if self._fills(p) and p.name not in named]
         inputs = [p.name for p in function.parameters if p not in outputs]
         if few and len(inputs) > FEW:
-            raise TypeError(f"{name} takes {', '.join(inputs)} by their names")
+            raise TypeError(f"{name} takes {', '.join(inputs)} as keyword arguments")
         named |= dict(zip(inputs, few, strict=True)) if few else {}
         _compare(f"function {name}", inputs, named)
         made = {p.name: self._empty(p) for p in outputs}
@@ -134,7 +137,7 @@ class Library:
         return results[0] if len(results) == 1 else tuple(results) or None
 
     def _fills(self, parameter):
-        """True for a parameter that `call` fills, a result of fixed size."""
+        """Return True if `call` provides the parameter, because it is an output of fixed size."""
         known = parameter.kind in self.records or parameter.kind in NUMBERS and parameter.size
         return bool(known) and not parameter.constant and parameter.size is not None
 
@@ -146,7 +149,7 @@ class Library:
     def _argument(self, parameter, value):
         name, kind, constant, size = parameter
         if kind in self.records:
-            # argument to be filled, provided by `call` itself
+            # either an output that `call` has allocated, or the fields of an input
             given = isinstance(value, ctypes.Structure)
             fields = vars(value) if isinstance(value, Record) else value
             return ctypes.byref(value if given else self.record(kind, fields))
@@ -167,7 +170,7 @@ class Library:
 
 
 def _structure(name, size, declarations):
-    """The `ctypes.Structure` of a record from its declarations, `double x, y; double u[3];`."""
+    """Create the `ctypes.Structure` for a record with declarations such as `double x, y, u[3];`."""
     fields = []
     for declaration in filter(None, (part.strip() for part in declarations.split(";"))):
         kind, _, names = declaration.partition(" ")
@@ -179,12 +182,12 @@ def _structure(name, size, declarations):
             fields.append((match[1], number * int(match[2]) if match[2] else number))
     made = type(name, (ctypes.Structure,), {"_fields_": fields})
     if ctypes.sizeof(made) != int(size):
-        raise TypeError(f"record {name} has {size} bytes, its fields {ctypes.sizeof(made)}")
+        raise TypeError(f"record {name} has {size} bytes, but its fields {ctypes.sizeof(made)}")
     return made
 
 
 def _read_record(made):
-    """A record with its vectors as arrays; anything else unchanged."""
+    """Convert a record to a `Record` whose vectors are arrays; return anything else unchanged."""
     if not isinstance(made, ctypes.Structure):
         return made
     values = ((field, getattr(made, field)) for field, _ in made._fields_)
@@ -201,7 +204,7 @@ class Record(SimpleNamespace):
 
 
 def _read_parameters(name, text):
-    """The `Parameter`s of a C parameter list in parentheses."""
+    """Parse a C parameter list in parentheses into `Parameter`s."""
     words = " ".join(text.strip().removeprefix("(").removesuffix(")").split())
     found = []
     for one in filter(None, (part.strip() for part in words.split(","))):
@@ -215,13 +218,13 @@ def _read_parameters(name, text):
 
 
 def _result_type(text):
-    """The ctypes type of a C result."""
+    """Return the ctypes type that corresponds to a C result type."""
     known = {"void": None, "double": ctypes.c_double, "int": ctypes.c_int}
     return (known | {"const char *": ctypes.c_char_p}).get(text, ctypes.c_void_p)
 
 
 def _compare(what, wanted, given):
-    """Raise `TypeError` with the names that are missing or unknown."""
+    """Raise `TypeError`, listing the names that are missing or unknown, if there are any."""
     missing = [name for name in wanted if name not in given]
     unknown = [name for name in given if name not in wanted]
     if missing or unknown:

@@ -16,12 +16,13 @@ SURFACES = ("rough", "smooth")
 
 @dataclass(frozen=True)
 class Breakdown:
-    """A film fails when its voltage exceeds `strength` (V/m) times its local thickness.
+    """Model of film failure: a film fails when its voltage exceeds `strength` (V/m) times its local
+    thickness.
 
-    The local thickness is the film thickness ("smooth"), or the film thickness minus three times
-    the composite roughness ("rough"), and at least `floor` (m). `roughness` (m) is the roughness of
-    the run unless given. `arc` (ohm) is the resistance of a film while it fails; it gives the
-    current of a failure and its duration.
+    The local thickness is the film thickness ("smooth") or the film thickness minus three times the
+    composite roughness ("rough"), but at least `floor` (m). By default the `roughness` (m) of the
+    run is used. `arc` (ohm) is the resistance of a film while it fails, from which the current and
+    the duration of a failure are computed.
     """
 
     strength: float
@@ -43,30 +44,32 @@ class Breakdown:
             raise ValueError(f"roughness = {self.roughness:g} m must be 0 or more")
 
     def less(self, films: Films) -> float:
-        """Reduction of the thickness of the `films` by roughness, m."""
+        """Return the amount in m by which roughness reduces the thickness of the `films`."""
         roughness = films.roughness if self.roughness is None else self.roughness
         return PEAKS * roughness if self.surfaces == "rough" else 0.0
 
     def local_thickness(self, films: Films) -> Floats:
-        """(n, 2, Z) m; NaN where there is no film."""
+        """Return the local thickness (n, 2, Z) in m, which is NaN where there is no film."""
         return np.maximum(films.thickness - self.less(films), self.floor)
 
     def limit(self, films: Films) -> Floats:
-        """The voltage at which each film fails, (n, 2, Z) V; infinite where there is no film."""
+        """Return the voltage (n, 2, Z) in V at which each film fails; infinite if there is no
+        film."""
         local = self.local_thickness(films)
         none = np.isnan(local) | (films.capacitance == 0)
         return np.where(none, np.inf, self.strength * local)
 
     @property
     def bridged(self) -> float:
-        """Limit in V of a film at the floor of the thickness, where asperities bridge it."""
+        """Limit in V of a film whose local thickness is at the floor, where asperities bridge
+        it."""
         return self.strength * self.floor
 
 
 def threshold(films: Films, limit: Floats, bridged: float = 0.0) -> Floats:
-    """The smallest voltage between the rings, (n,) in V, at which a film fails, for uncharged
-    balls; `limit` (n, 2, Z) is the limit of each film in V. Infinite where no film can fail, 0
-    where the limit of a film does not exceed `bridged` (V)."""
+    """Return the smallest voltage (n,) in V between the rings at which a film fails if the balls
+    are uncharged; `limit` (n, 2, Z) is the limit of each film in V. The result is infinite if no
+    film can fail, and 0 if the limit of a film does not exceed `bridged` (V)."""
     n, _, z = films.capacitance.shape
     found = np.empty(n)
     core.library().call(
@@ -82,37 +85,38 @@ def threshold(films: Films, limit: Floats, bridged: float = 0.0) -> Floats:
 
 
 class Failure(NamedTuple):
-    """One failed film: raceway and index of the ball among Z."""
+    """Failure of one film, which is identified by the raceway and by the index of the ball."""
 
     time: float  # s
-    discharge: int  # number of the discharge, from 1
-    order: int  # of this failure in the discharge, from 1
+    discharge: int  # number of the discharge, starting at 1
+    order: int  # position of this failure in the sequence of the discharge, starting at 1
     raceway: int
-    ball: int
+    ball: int  # from 0 to Z - 1
     film_voltage: float  # V, before the failure
     bearing_voltage: float  # V, before the failure
-    bearing_voltage_after: float
-    film_energy: float  # J, stored in the film before the failure
-    energy: float  # J, converted into heat
+    bearing_voltage_after: float  # V
+    film_energy: float  # J, energy stored in the film before the failure
+    energy: float  # J, energy converted into heat
 
 
 class ArcCurrent(NamedTuple):
-    """Current of a failure through a resistance."""
+    """Current of a failure that is limited by a resistance."""
 
     peak: float  # A
-    duration: float  # s, in which the current falls to 1/e
+    duration: float  # s, time in which the current falls to 1/e
 
     @classmethod
     def of(cls, failure: Failure, arc: float) -> "ArcCurrent":
-        """Current of a `failure`, or of arrays of them, through `arc` (ohm). The source behind
-        the film is a capacitance C, with the energy C V^2/2 at the film's voltage."""
+        """Compute the current of a `failure`, or of arrays of failures, through `arc` (ohm). The
+        source behind the film is treated as a capacitance C that stores the energy C V^2/2 at the
+        voltage V of the film."""
         volts = np.abs(failure.film_voltage)
         return cls(volts / arc, arc * 2 * failure.energy / volts**2)
 
 
-ROW = Failure._fields  # numbers of a failure, as the library returns them
+ROW = Failure._fields  # order of the numbers that the library returns for a failure
 
 
 def failure_of(row: Floats) -> Failure:
-    """`Failure` of one row of numbers in the order of `ROW`."""
+    """Convert a row of numbers in the order of `ROW` to a `Failure`."""
     return Failure(float(row[0]), *map(int, row[1:5]), *map(float, row[5:]))

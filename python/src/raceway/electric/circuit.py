@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The circuit of a bearing over a run: voltages, currents and discharges
+"""Solve the circuit of a bearing over a run: voltages, currents and discharges
 (docs/electric_circuit)."""
 
 import warnings
@@ -21,29 +21,37 @@ from raceway.runs.run import Run
 from raceway.theory.film_voltage import field
 
 RACEWAYS = ("inner", "outer")
-MOST = 100_000_000  # largest product of the numbers of films and points
-LATE = 3  # ratio of field to strength above which a film fails too late
-MEANINGS = {  # variables and their units
-    "bearing_voltage": ("V", "voltage of the inner ring to the outer ring"),
+MOST = 100_000_000  # largest product of the number of films and the number of points
+LATE = 3  # warn if a gradually loaded film fails at more than this multiple of its strength
+MEANINGS = {  # {variable: (unit, meaning)}
+    "bearing_voltage": ("V", "voltage of the inner ring relative to the outer ring"),
     "driving_voltage": ("V", "voltage of the outer circuit"),
-    "ball_voltage": ("V", "voltage of a ball to the outer ring"),
+    "ball_voltage": ("V", "voltage of a ball relative to the outer ring"),
     "film_voltage": ("V", "voltage across a film, from the inner to the outer ring"),
-    "field": ("V/m", "voltage across a film over its thickness"),
-    "local_thickness": ("m", "thickness of a film minus the reduction by roughness"),
-    "local_field": ("V/m", "voltage across a film over its local thickness; NaN if bridged"),
+    "field": ("V/m", "voltage across a film divided by its thickness"),
+    "local_thickness": ("m", "thickness of a film, reduced by the roughness"),
+    "local_field": (
+        "V/m",
+        "voltage across a film divided by its local thickness; NaN if it is bridged",
+    ),
     "film_capacitance": ("F", "capacitance of a film"),
     "film_state": ("1", "0 capacitive, 1 leaking, 2 metallic"),
-    "bearing_capacitance": ("F", "capacitance between the rings, balls without charge"),
-    "bearing_voltage_ratio": ("1", "bearing voltage over common-mode voltage, by capacitances"),
+    "bearing_capacitance": ("F", "capacitance between the rings if the balls are uncharged"),
+    "bearing_voltage_ratio": (
+        "1",
+        "ratio of bearing voltage to common-mode voltage that follows from the capacitances",
+    ),
     "threshold_voltage": (
         "V",
-        "smallest bearing voltage at which a film fails, balls uncharged; 0 if one is bridged",
+        "smallest bearing voltage at which a film fails if the balls are uncharged; 0 if one is"
+        " bridged",
     ),
-    "current": ("A", "mean current into the inner ring's films in the step that ends here"),
+    "current": ("A", "mean current into the films of the inner ring during the step"),
     "ball_charge": ("C", "charge of a ball"),
     "charge_error": (
         "C",
-        "largest difference so far between a node's charge from currents and from voltages",
+        "largest difference so far between the charges of a node computed from the currents and"
+        " from the voltages",
     ),
 }
 EVENT_UNITS = {
@@ -83,23 +91,26 @@ def run(
     points: int | None = None,
     stray: float = 0.0,
 ) -> Result:
-    """Solve the circuit of a bearing and of `outer` between its rings over the samples of `of`.
+    """Solve the circuit formed by a bearing and the circuit `outer` between its rings, over the
+    samples of `of`.
 
-    `of` is a run from `raceway.open`, a dataset like the `contacts` of a run, or `Films` (which
-    include leak and stray). Films fail by `breakdown` (None: never) and conduct by `leak` (None:
-    not at all). `points` is the number of circuit steps per sample, with linear interpolation; None
-    gives `PER_CYCLE` points per period of the voltage of `outer`. `stray` (F) is added to every
-    film. If there is a discharge at a point, voltages of the dataset are values after the
-    discharge. Events have the columns of `EVENT_UNITS`; `energy` includes the energy lost by other
-    films. The peak `current`, the `duration` in which it falls to 1/e and the current density over
-    all Hertz area are NaN without the breakdown's `arc`.
+    `of` is a run from `raceway.open`, a dataset with the same variables as the `contacts` of a run,
+    or `Films` (which already include leak and stray). `breakdown` is the model of film failure
+    (None: films never fail) and `leak` the model of film conduction (None: films do not conduct).
+    `points` is the number of circuit steps per sample; the films are interpolated linearly between
+    samples. By default there are `PER_CYCLE` points per period of the voltage of `outer`. `stray`
+    (F) is added to the capacitance of every film. If there is a discharge at a point, the voltages
+    in the dataset are those after the discharge. Events have the columns of `EVENT_UNITS`; `energy`
+    includes the energy dissipated by other films. If `breakdown` does not specify an `arc`, the
+    peak `current`, the `duration` in which it falls to 1/e, and the current density, which refers
+    to the total Hertz area, are NaN.
 
-    Raises `RunError` if `of` lacks required data, `ValueError` for parameters out of range and
-    for steps too long for the voltage of `outer`.
+    Raises `RunError` if `of` lacks required data, and `ValueError` if a parameter is out of range
+    or the steps are too long for the voltage of `outer`.
     """
     if isinstance(of, Films):
         if leak is not None or stray:
-            raise ValueError("leak and stray already belong to the given films")
+            raise ValueError("leak and stray are already included in the given films")
         coarse = of
     else:
         coarse = (films.of_run if isinstance(of, Run) else films.of_dataset)(of, leak, stray)
@@ -115,12 +126,13 @@ def run(
 
 
 def _points(coarse, outer, points):
-    """Circuit points in a sample; the default follows from the shortest period of the voltage."""
+    """Return the number of circuit points per sample; the default depends on the shortest period of
+    the voltage."""
     longest, shortest = np.diff(coarse.time).max(), outer.waveform.shortest
     least = int(np.ceil(min(FEWEST * longest / shortest * (1 - 1e-9), MOST)))
     if points is None:
         points = max(1, int(np.ceil(min(PER_CYCLE * longest / shortest, MOST))))
-    # a step at the limit may exceed it by rounding
+    # the limit above includes a tolerance, because the step may exceed it by a rounding error
     elif points < least:
         raise ValueError(
             f"points = {points} must be at least {least}: a sample takes {longest:g} s, a"
@@ -128,7 +140,7 @@ def _points(coarse, outer, points):
         )
     if points * coarse.capacitance.size > MOST:
         raise ValueError(
-            f"points = {points} per sample and {coarse.capacitance.size} films are more than"
+            f"points = {points} per sample for {coarse.capacitance.size} films exceed the limit of"
             f" {MOST:g} in all: a sample takes {longest:g} s, a period of the voltage"
             f" {shortest:g} s"
         )
@@ -237,12 +249,13 @@ def _warn_of_late(events, sudden, breakdown):
 
 
 def _unbridged(local, breakdown):
-    """Local thickness; NaN for a film at the floor, which asperities bridge."""
+    """Return the local thickness, with NaN for films at the floor, which are bridged by
+    asperities."""
     return np.where(local > breakdown.floor, local, np.nan)
 
 
 class _Between:
-    """Interpolates arrays over the points `grid` linearly to `times`."""
+    """Linear interpolation of arrays that are given at the points `grid` to `times`."""
 
     def __init__(self, grid, times):
         self.first = np.searchsorted(grid, times, "right") - 1

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of a circuit as numbers and as text, and its tables as files."""
+"""Compute the results of a circuit, format them as text, and write the tables to files."""
 
 from pathlib import Path
 
@@ -51,7 +51,7 @@ TOPICS = {
         Row("arc_current_max_A", "current of a failure, largest", "A", "by the arc's resistance"),
         Row("arc_duration_mean_s", "duration of a failure, mean", "s", "to 1/e"),
         Row("current_density_max_A_m2", "apparent current density, largest", "A/m2"),
-        Row("place_rad", "mean place from the load line", "rad", "by energy"),
+        Row("place_rad", "mean angle from the load line", "rad", "by energy"),
     ),
     "Energy since the start": (
         Row("source_work_J", "work of the outer circuit", "J"),
@@ -69,8 +69,8 @@ TOPICS = {
 
 
 def figures(result: Result) -> dict[str, float | None]:
-    """The figures of `result` by the keys of `TOPICS`, which contain the SI units; None for figures
-    that the circuit does not have."""
+    """Return the results of a circuit as a dict with the keys of `TOPICS`, which contain the SI
+    units; quantities that do not exist for the circuit are None."""
     data, events = result
     one, fails = events.groupby("discharge"), "threshold_voltage" in data
     energy, length = one["energy"].sum(), float(data.time[-1] - data.time[0])
@@ -97,7 +97,7 @@ def figures(result: Result) -> dict[str, float | None]:
             found[f"{key}_{what}{unit}"] = (
                 None if values is None else _finite(getattr(values, what)())
             )
-    if fails and not found["threshold_min_V"]:  # bridged at times: mean over the other times
+    if fails and not found["threshold_min_V"]:  # a film is bridged at times; exclude these times
         whole = data.threshold_voltage.where(data.threshold_voltage > 0)
         found["threshold_mean_V"] = _finite(whole.mean()) or 0.0
     for name in "source_work mechanical_work leak_heat resistor_heat discharge_energy".split():
@@ -121,15 +121,15 @@ def figures(result: Result) -> dict[str, float | None]:
 
 
 def table(figures: dict[str, float | None]) -> str:
-    """`figures` as text."""
+    """Format `figures` as text."""
     return "\n".join(lines(figures, TOPICS))
 
 
 def write(result: Result, out: FilePath) -> list[Path]:
-    """Write the tables circuit.csv (one row for each point of time) and events.csv (one row for
-    each failed film) into the folder `out`; return the paths of both files.
+    """Write the tables circuit.csv (one row per point in time) and events.csv (one row per failed
+    film) to the folder `out`, and return the paths of both files.
 
-    Headings include units. Raises `RunError` if that fails.
+    The headings include units. Raises `RunError` if a file cannot be written.
     """
     out = folder(out)
     return [
@@ -141,8 +141,9 @@ def write(result: Result, out: FilePath) -> list[Path]:
 
 
 def over_time(data: xr.Dataset) -> pd.DataFrame:
-    """The bearing's variables in the dataset of a circuit, and the capacitance (F) and voltage (V)
-    of every film, one row for each point of time. Headings include the units."""
+    """Return a table with one row per point in time, which contains the variables of the bearing in
+    the dataset of a circuit, and the capacitance (F) and voltage (V) of every film. The headings
+    include the units."""
     units = {name: variable.attrs["units"] for name, variable in data.data_vars.items()}
     whole_bearing = [name for name in data.data_vars if data[name].dims == ("time",)]
     parts = {"time (s)": data.time.to_numpy()}
@@ -164,7 +165,7 @@ def _csv(frame, path):
 
 
 def _at_the_floor(thickness):
-    """Share of the films that are at the floor; None without films."""
+    """Return the fraction of the films that are at the floor, or None if there are no films."""
     there = thickness.notnull()
     low = there & (thickness <= thickness.attrs["floor"])
     return float(low.sum() / there.sum()) if there.any() else None
@@ -175,7 +176,7 @@ def _largest(values):
 
 
 def _before(values, events):
-    """The largest magnitude, including values just before a discharge."""
+    """Return the largest magnitude, including the values just before discharges."""
     return max(_largest(values) or 0.0, _finite(events.abs().max()) or 0.0)
 
 
@@ -184,8 +185,8 @@ def _finite(value):
 
 
 def _place(events):
-    """Mean direction of the positions, weighted by energy; None if there are none or if they are
-    evenly distributed around the ring."""
+    """Return the mean direction of the failures, weighted by energy, or None if there are no
+    failures or if they are evenly distributed around the ring."""
     weight = events.energy.to_numpy(dtype=float)
     total = (weight * np.exp(1j * events.from_load_line.to_numpy(dtype=float))).sum()
     if not len(events) or not np.abs(total) > 1e-9 * weight.sum():

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The films of a bearing over time: capacitance, thickness and conductance of every contact
-(docs/electric_circuit, Films)."""
+"""The films of a bearing as functions of time: capacitance, thickness and conductance of every
+contact (docs/electric_circuit, Films)."""
 
 from dataclasses import dataclass, replace
 from typing import NamedTuple
@@ -13,51 +13,52 @@ from raceway.electric.leak import Leak
 from raceway.errors import RunError
 from raceway.runs.run import Run
 
-TOTAL, PLATES = "capacitance_total", "capacitance"  # columns, the preferred one first
+TOTAL, PLATES = "capacitance_total", "capacitance"  # columns; the first one is preferred
 APART, FILM = "separation", "h_c"
 
 
 @dataclass(frozen=True)
 class Films:
-    """Input of the network: films of a bearing with Z balls at n points of time.
+    """Input of the network: the films of a bearing with Z balls at n points in time.
 
-    Axis 1 is the raceway, 0 inner and 1 outer. A film with capacitance 0 is open, without
-    displacement current.
+    Axis 1 is the raceway, where 0 is inner and 1 outer. A film with capacitance 0 is an open
+    circuit and carries no displacement current.
     """
 
-    time: Floats  # (n,) s, rising
+    time: Floats  # (n,) s, increasing
     capacitance: Floats  # (n, 2, Z) F
     thickness: Floats  # (n, 2, Z) m; NaN where there is no film
     conductance: Floats  # (n, 2, Z) S
-    azimuth: Floats  # (n, Z) rad, of the balls, measured from x
-    from_load_line: Floats  # (n, Z) rad, from the centre of the load zone
+    azimuth: Floats  # (n, Z) rad, azimuths of the balls measured from x
+    from_load_line: Floats  # (n, Z) rad, azimuths measured from the centre of the load zone
     balls: Integers  # (Z,) atom numbers
     roughness: float = 0.0  # m, composite
     leaking: bool = False  # True if films conduct even without metallic contact
-    metallic: Floats | None = None  # (n, 2, Z) 1 where asperities conduct
-    hertz_area: Floats | None = None  # (n,) m^2 of all contact ellipses
+    metallic: Floats | None = None  # (n, 2, Z), 1 where asperities conduct
+    hertz_area: Floats | None = None  # (n,) m^2, total area of all contact ellipses
 
     def __post_init__(self) -> None:
         if len(self.time) < 2 or not (np.diff(self.time) > 0).all():
-            raise ValueError("films need at least two points of time, in rising order")
+            raise ValueError("films need at least two points in time, in increasing order")
         for name in ("capacitance", "conductance"):
             values = getattr(self, name)
             if not (np.isfinite(values).all() and (values >= 0).all()):
                 raise ValueError(f"{name} of a film must be 0 or more, and finite")
 
     def every(self, count: int) -> "Films":
-        """Every `count`-th point of the same films, starting with the first point."""
+        """Return the films at every `count`-th point in time, starting with the first point."""
         kept = {name: getattr(self, name) for name in (*OVER_TIME, *ANGLES)}
         thin = {name: x if x is None else x[::count] for name, x in kept.items()}
         return replace(self, **thin)
 
     def refined(self, points: int) -> "Films":
-        """The same films with each step divided into `points` equal ones, by linear interpolation.
+        """Return the films with each step divided into `points` equal steps by linear
+        interpolation.
 
-        Raises `ValueError` for `points` below 1.
+        Raises `ValueError` unless `points` is a positive whole number.
         """
         if points < 1 or points != int(points):
-            raise ValueError(f"points = {points} must be a whole number from 1")
+            raise ValueError(f"points = {points} must be a positive whole number")
         if points == 1:
             return self
         turned = {name: np.unwrap(getattr(self, name), axis=0) for name in ANGLES}
@@ -76,14 +77,14 @@ OVER_TIME = ("time", "capacitance", "thickness", "conductance", "metallic", "her
 
 
 class Series(NamedTuple):
-    """Capacitances without charge on the balls."""
+    """Capacitances of a bearing with uncharged balls."""
 
-    ball: Floats  # (n, Z) inner and outer film of a ball in series, F
-    bearing: Floats  # (n,) sum over the balls, F
+    ball: Floats  # (n, Z) F, inner and outer film of each ball in series
+    bearing: Floats  # (n,) F, sum over the balls
 
 
 def series(capacitance: Floats) -> Series:
-    """`Series` of films with `capacitance` (n, 2, Z), F."""
+    """Return the `Series` of films with `capacitance` (n, 2, Z) in F."""
     inner, outer = capacitance[:, 0], capacitance[:, 1]
     both = inner + outer
     ball = np.divide(inner * outer, both, out=np.zeros_like(both), where=both > 0)
@@ -91,18 +92,20 @@ def series(capacitance: Floats) -> Series:
 
 
 def of_run(run: Run, leak: Leak | None = None, stray: float = 0.0) -> Films:
-    """The films of `run` from `raceway.open`, with the total capacitance of each contact
-    (`capacitance_total`) if recorded, otherwise with the capacitance of the contact patch.
+    """Return the films of `run` (from `raceway.open`). The capacitance of a film is the total
+    capacitance of the contact (`capacitance_total`) if it is recorded, otherwise the capacitance of
+    the contact patch.
 
-    `leak` makes the films conduct; `stray` (F) is added to every film. Raises `RunError` for a run
-    that lacks required data.
+    `leak` is the model of film conduction; `stray` (F) is added to the capacitance of every film.
+    Raises `RunError` if the run lacks required data.
     """
     if run.settings["lubricant"] == "dry":
         raise RunError(f"{run.tables.folder}: a dry run has no films")
     contacts = run.contacts
     if contacts.sizes["time"] < 2:
         raise RunError(
-            f"{run.tables.folder}: films over time need 2 samples, not {contacts.sizes['time']}"
+            f"{run.tables.folder}: films over time need at least 2 samples, not"
+            f" {contacts.sizes['time']}"
         )
     return of_dataset(
         contacts,
@@ -125,14 +128,15 @@ def of_dataset(
     balls: xr.Dataset | None = None,
     name: str = "the dataset",
 ) -> Films:
-    """The films of a dataset with dimensions time, raceway and ball, such as `run.contacts`. The
-    two films between a ball and a ring with two grooves are merged: they are in parallel, and the
-    thinner one fails.
+    """Return the films of a dataset with the dimensions time, raceway and ball, such as
+    `run.contacts`. If a ring has two grooves, its two films on a ball are merged into one: they are
+    in parallel, and the thinner one fails.
 
-    `permittivity` (1) is the permittivity of the lubricant at rest, `roughness` (m) the composite
-    roughness. `balls` has the azimuths of all balls; if it is not given, they are taken from
-    `contacts`. The columns a and b give the Hertz area. Messages begin with `name`. Raises
-    `RunError` if a column is missing or a value is not a number.
+    `permittivity` (1) is the relative permittivity of the lubricant at ambient pressure and
+    `roughness` (m) the composite roughness. `balls` has the azimuths of all balls; by default the
+    azimuths are taken from `contacts`. The Hertz area is computed from the columns a and b. Error
+    messages begin with `name`. Raises `RunError` if a column is missing or a capacitance is not a
+    number.
     """
     if not stray >= 0:
         raise ValueError(f"stray = {stray:g} F must be 0 or more")
@@ -164,7 +168,7 @@ def of_dataset(
 
 
 def _by_ring(values):
-    """(n, 2, 2, Z): ring, then groove."""
+    """Reshape `values` to (n, 2, 2, Z), where axis 1 is the ring and axis 2 the groove."""
     return values.reshape(len(values), 2, 2, -1)
 
 
@@ -195,8 +199,8 @@ def _angle(contacts, balls, name):
 
 
 def _between(values, points):
-    """`values` (n, ...) interpolated linearly to n - 1 times `points` + 1 points; the samples are
-    exact."""
+    """Interpolate `values` (n, ...) linearly to (n - 1) `points` + 1 points, which include the
+    original samples unchanged."""
     share = (np.arange(points) / points).reshape(1, -1, *(1,) * (values.ndim - 1))
     first, last = values[:-1, None], values[1:, None]
     fine = np.where(share == 0, first, first + share * (last - first))

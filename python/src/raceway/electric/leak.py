@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Leakage current through an intact film (docs/electric_circuit, Leak)."""
+"""Model of the leakage current through an intact film (docs/electric_circuit, Leakage)."""
 
 from dataclasses import dataclass
 
@@ -13,12 +13,12 @@ from raceway.theory.capacitance import VACUUM
 
 @dataclass(frozen=True)
 class Leak:
-    """Conduction of films: through the lubricant of a given `resistivity` (ohm m), and through
-    asperities with the resistance `metal` (ohm) per contact.
+    """Conduction of films through a lubricant with the `resistivity` (ohm m) and through asperities
+    with the resistance `metal` (ohm) per contact.
 
-    Asperities conduct where they carry more than `share` of the contact's load. A `resistivity` or
-    `metal` of None means no conduction on that path. By default the `permittivity` (1) of the
-    lubricant is taken from the run.
+    Asperities conduct where they carry more than the fraction `share` of the contact load. If
+    `resistivity` or `metal` is None, there is no conduction by that mechanism. By default the
+    relative `permittivity` of the lubricant is taken from the run.
     """
 
     resistivity: float | None = None
@@ -43,16 +43,19 @@ class Leak:
         permittivity: float | None,
         name: str,
     ) -> tuple[Floats, Floats | None]:
-        """(conductance in S, 1 where asperities conduct) of films with `capacitance` (n, 2, Z), F.
+        """Return (conductance in S, 1 where asperities conduct) of films with `capacitance` (n, 2,
+        Z) in F.
 
-        The second value is None without `metal`. With `metal`, `contacts` needs the column
-        `asperity_share`; otherwise `RunError` is raised, with `name` in its message.
+        The second value is None if `metal` is None. Otherwise `contacts` must have the column
+        `asperity_share`; if it is missing, `RunError` is raised with `name` in its message.
         """
         conductance = np.zeros_like(capacitance)
         if self.resistivity is not None:
             relative = self.permittivity or permittivity
             if relative is None:
-                raise ValueError("a leak by resistivity needs the permittivity of the lubricant")
+                raise ValueError(
+                    "a leak with a resistivity needs the permittivity of the lubricant"
+                )
             conductance += capacitance / relaxation_time(self.resistivity, relative)
         if self.metal is None:
             return conductance, None
@@ -67,8 +70,8 @@ class Leak:
 
 
 def relaxation_time(resistivity: float, permittivity: float) -> float:
-    """R C in s of any gap filled with one lubricant: `resistivity` (ohm m) times eps_0 times the
-    relative `permittivity`.
+    """Return R C in s, which is the same for any gap filled with one lubricant: `resistivity` (ohm
+    m) times eps_0 times the relative `permittivity`.
 
     >>> round(relaxation_time(1e9, 2.25), 6)
     0.019922

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Circuit between the rings of a bearing (docs/electric_circuit, Outer circuit).
+"""Circuits between the rings of a bearing (docs/electric_circuit, Outer circuit).
 
-The outer ring is the frame, at 0 V. Every outer circuit is reduced to `Terms`, the only form that
-the network accepts.
+The outer ring is the frame, at 0 V. Every outer circuit is reduced to `Terms`, which is the only
+form that the network accepts.
 """
 
 from dataclasses import dataclass, field
@@ -15,31 +15,32 @@ from raceway.electric.waveforms import Constant, Waveform
 
 
 class Terms(NamedTuple):
-    """An outer circuit at the points of a solution, n of them."""
+    """Parameters of an outer circuit at the n points in time of a solution."""
 
-    capacitance: float  # from inner ring to frame, in parallel with the films, F
-    factor: float  # further parallel capacitance, as a multiple of the bearing's capacitance
-    coupling: float  # from the driving voltage to the inner ring, F
-    conductance: float  # parallel to the coupling, S; infinite: ring at the driving voltage
+    capacitance: float  # F, between the inner ring and the frame, in parallel with the films
+    factor: float  # further capacitance in parallel, as a multiple of the bearing capacitance
+    coupling: float  # F, capacitance between the driving voltage and the inner ring
+    # S, in parallel with the coupling; infinite if the inner ring is at the driving voltage
+    conductance: float
     driving: Floats  # (n,) V
-    edges: Floats  # (k, 3): s, V before, V after each kink or jump of the driving voltage
-    start: float  # V, initial voltage of an inner ring that no voltage drives
+    edges: Floats  # (k, 3): time in s and voltages before and after each kink or jump in V
+    start: float  # V, initial voltage of an inner ring that is not driven by a voltage source
 
     @property
     def stiff(self) -> bool:
-        """True if the inner ring is at the driving voltage."""
+        """True if the inner ring is held at the driving voltage."""
         return np.isinf(self.conductance)
 
     def beside(self, bearing: Floats) -> Floats:
-        """Capacitance in F in parallel with the films of a bearing, whose capacitance is `bearing`
-        (F)."""
+        """Return the capacitance in F that is in parallel with the films of a bearing whose own
+        capacitance is `bearing` (F)."""
         return self.capacitance + self.factor * bearing
 
 
 @dataclass(frozen=True)
 class Floating:
-    """No outer circuit: the inner ring keeps its initial charge at `voltage` (V). `capacitance` (F)
-    is in parallel with the bearing."""
+    """No outer circuit: the inner ring keeps the charge that it has at the initial `voltage` (V).
+    `capacitance` (F) is in parallel with the bearing."""
 
     voltage: float = 0.0
     capacitance: float = 0.0
@@ -49,14 +50,14 @@ class Floating:
         _not_negative("capacitance", self.capacitance, "F")
 
     def terms(self, time: Floats) -> Terms:
-        """The `Terms` at `time` (s)."""
+        """Return the `Terms` at the times `time` (s)."""
         return Terms(self.capacitance, 0.0, 0.0, 0.0, *_driving(self.waveform, time), self.voltage)
 
 
 @dataclass(frozen=True)
 class Source:
-    """The voltage `waveform` through `resistance` (ohm, may be 0). `capacitance` (F) is in parallel
-    with the bearing."""
+    """A voltage source `waveform` in series with `resistance` (ohm, may be 0). `capacitance` (F) is
+    in parallel with the bearing."""
 
     waveform: Waveform
     resistance: float = 0.0
@@ -67,18 +68,18 @@ class Source:
         _not_negative("capacitance", self.capacitance, "F")
 
     def terms(self, time: Floats) -> Terms:
-        """The `Terms` at `time` (s)."""
+        """Return the `Terms` at the times `time` (s)."""
         conductance = 1.0 / self.resistance if self.resistance else np.inf
         return Terms(self.capacitance, 0.0, 0.0, conductance, *_driving(self.waveform, time), 0.0)
 
 
 @dataclass(frozen=True)
 class Motor:
-    """The capacitances of a motor: the common-mode voltage `waveform` through `winding_rotor` (F),
-    the rotor to the frame through `rotor_frame` (F) and through the other bearing.
+    """The capacitances of a motor: the rotor is coupled to the common-mode voltage `waveform`
+    through `winding_rotor` (F), and to the frame through `rotor_frame` (F) and the other bearing.
 
-    The other bearing has the capacitance `second` (F), or `second_factor` times the capacitance of
-    this bearing. `capacitance` (F) is in parallel with the bearing.
+    The capacitance of the other bearing is either `second` (F) or `second_factor` times the
+    capacitance of this bearing. `capacitance` (F) is in parallel with the bearing.
     """
 
     waveform: Waveform
@@ -95,10 +96,12 @@ class Motor:
             _not_negative(name, getattr(self, name), "F")
         _not_negative("second_factor", self.second_factor, "")
         if self.second and self.second_factor:
-            raise ValueError("give the other bearing as a capacitance or as a factor, not as both")
+            raise ValueError(
+                "give the other bearing either as a capacitance or as a factor, not both"
+            )
 
     def terms(self, time: Floats) -> Terms:
-        """The `Terms` at `time` (s)."""
+        """Return the `Terms` at the times `time` (s)."""
         beside = self.rotor_frame + self.second + self.capacitance
         driving = _driving(self.waveform, time)
         return Terms(beside, self.second_factor, self.winding_rotor, 0.0, *driving, 0.0)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A bearing as an element of SPICE: capacitances and leaks that follow a run, with linear
-interpolation between its samples (docs/electric_circuit, Export).
+"""Export a bearing as an element of SPICE, with capacitances and leaks that follow a run and are
+interpolated linearly between its samples (docs/electric_circuit, Export).
 
-A variable capacitance is written in terms of its charge, Q = C(t) V: a capacitor with a `C=`
-expression would omit the current V dC/dt. Tested with ngspice.
+A variable capacitance is written in terms of its charge, Q = C(t) V, because a capacitor with a
+`C=` expression would omit the current V dC/dt. The element has been tested with ngspice.
 """
 
 from collections.abc import Iterator
@@ -16,26 +16,27 @@ from raceway.electric.films import Films, series
 from raceway.files import FilePath, folder, whole
 
 RACEWAYS = ("inner", "outer")
-FARADS, SIEMENS = 1e-12, 1e-9  # F and S per volt of a controlling node
-# gives every node a path for direct current; with 10 pF the time constant is 10 000 s
+FARADS, SIEMENS = 1e-12, 1e-9  # F and S per volt at a controlling node
+# ohm; gives every node a path for direct current, with a time constant of 10 000 s at 10 pF
 LARGE = 1e15
-PER_LINE = 4
+PER_LINE = 4  # points of a piecewise linear source in each line of the file
 NAME = "bearing"
 
 
 def element(films: Films, name: str = NAME) -> str:
-    """Two subcircuits with the terminals inner and outer, as text: `name` with every ball as a
-    node, and `name` followed by `_total` with the total capacitance and leak of the bearing.
+    """Return the text of two subcircuits with the terminals inner and outer: `name`, in which every
+    ball is a node, and `name` followed by `_total`, which has the total capacitance and leak of the
+    bearing.
 
-    The two are equivalent as long as the balls are uncharged. Leaks charge a ball if they divide
-    the voltage between its films differently from the capacitances.
+    The two are equivalent as long as the balls are uncharged. A ball becomes charged if the leaks
+    divide the voltage between its two films in a different ratio than the capacitances do.
     """
     return "\n".join([*_heading(films, name), *_network(films, name), "", *_total(films, name), ""])
 
 
 def write(films: Films, out: FilePath, name: str = NAME) -> Path:
-    """Write `element` as `name`.cir and the table of `write_lines` as `name`.pwl into the folder
-    `out`; return the path of the .cir file. Raises `RunError` if that fails."""
+    """Write `element` to `name`.cir and the table of `write_lines` to `name`.pwl in the folder
+    `out`; return the path of the .cir file. Raises `RunError` if a file cannot be written."""
     out = folder(out)
     write_lines(films, out / f"{name}.pwl")
     text = element(films, name)
@@ -43,9 +44,9 @@ def write(films: Films, out: FilePath, name: str = NAME) -> Path:
 
 
 def write_lines(films: Films, path: FilePath) -> None:
-    """Write the bearing as one element to the text file `path`: time (s), capacitance (F),
-    leak resistance (ohm, inf without one), one row for each sample. Raises `RunError` if
-    that fails."""
+    """Write the bearing as a single element to the text file `path`, with one row per sample: time
+    (s), capacitance (F), and leak resistance (ohm, inf if there is no leak). Raises `RunError` if
+    the file cannot be written."""
     with np.errstate(divide="ignore"):
         table = np.stack(
             [films.time, series(films.capacitance).bearing, 1 / leak(films)],
@@ -56,7 +57,7 @@ def write_lines(films: Films, path: FilePath) -> None:
 
 
 def leak(films: Films) -> Floats:
-    """Conductance between the rings at the samples, (n,) S: the films of a ball in series."""
+    """Return the conductance (n,) in S between the rings; the two films of a ball are in series."""
     return series(films.conductance).bearing
 
 
@@ -99,7 +100,7 @@ def _film(films, label, ends, capacitance, conductance):
 
 
 def _lines_of(node, time, values):
-    """A piecewise linear source of `values` at `node`."""
+    """Yield the lines of a piecewise linear source of `values` at `node`."""
     yield f"V_{node} {node} 0 PWL("
     points = [f"{t:.17g} {value:.17g}" for t, value in zip(time - time[0], values)]
     for start in range(0, len(points), PER_LINE):

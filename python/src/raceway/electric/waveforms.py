@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Voltages over time that drive an outer circuit (docs/electric_circuit).
+"""Voltages that drive an outer circuit as functions of time (docs/electric_circuit).
 
-A waveform is called with an array of times (s) and returns volts. `shortest` is the shortest time
-(s) over which the voltage changes, infinite if it does not limit the step. `edges` are the kinks
-and jumps of the voltage within a range of times.
+A waveform is called with an array of times (s) and returns volts. `shortest` is the shortest period
+(s) of the voltage, or infinity if the voltage does not limit the step. `edges` are the kinks and
+jumps of the voltage within a range of times.
 """
 
 from dataclasses import dataclass
@@ -19,28 +19,28 @@ from raceway.files import FilePath
 
 SINE, COMMON_MODE = 1, 2  # Waveform::Kind of src-package/core/electric/waveform.h
 HIGHEST = 1e6  # V
-PER_CYCLE, FEWEST = 20, 8  # points per period: default and minimum
+PER_CYCLE, FEWEST = 20, 8  # default and minimum number of points per period
 
 
 class Waveform(Protocol):
-    """Interface of a driving voltage for an outer circuit."""
+    """Interface of a voltage that drives an outer circuit."""
 
     @property
     def shortest(self) -> float:
-        """The shortest period, s."""
+        """The shortest period in s."""
 
     def __call__(self, time: Floats) -> Floats:
-        """Volts at `time` (s), any shape."""
+        """Return the voltage in V at the times `time` (s), an array of any shape."""
 
     def edges(self, time: Floats) -> Floats:
-        """(k, 3) time (s), voltage before and after (V) of every kink and jump between the rising
-        times `time` (n,); none unless overridden."""
+        """Return an array (k, 3) with the time (s) and the voltages before and after (V) of every
+        kink and jump between the increasing times `time` (n,); empty unless overridden."""
         return np.empty((0, 3))
 
 
 @dataclass(frozen=True)
 class Constant(Waveform):
-    """`voltage` (V) at all times."""
+    """A constant `voltage` (V)."""
 
     voltage: float
     shortest = float("inf")
@@ -49,13 +49,13 @@ class Constant(Waveform):
         _volts("voltage", self.voltage)
 
     def __call__(self, time: Floats) -> Floats:
-        """Volts at `time` (s), any shape."""
+        """Return the voltage in V at the times `time` (s), an array of any shape."""
         return np.full(np.shape(time), float(self.voltage))
 
 
 @dataclass(frozen=True)
 class Sine(Waveform):
-    """`amplitude` (V) times the sine of 2 pi `frequency` (Hz) t + `phase` (rad)."""
+    """The voltage `amplitude` (V) times the sine of 2 pi `frequency` (Hz) t + `phase` (rad)."""
 
     amplitude: float
     frequency: float
@@ -67,22 +67,22 @@ class Sine(Waveform):
 
     @property
     def shortest(self) -> float:
-        """The period, s."""
+        """The period in s."""
         return 1.0 / self.frequency
 
     def __call__(self, time: Floats) -> Floats:
-        """Volts at `time` (s), any shape."""
+        """Return the voltage in V at the times `time` (s), an array of any shape."""
         return laws.waveform(time, SINE, self.amplitude, self.frequency, self.phase, 0.0, 0.0)
 
 
 @dataclass(frozen=True)
 class CommonMode(Waveform):
-    """Common-mode voltage of a three-phase inverter with two levels: the mean of its three legs.
+    """Common-mode voltage of a two-level three-phase inverter, which is the mean of its three legs.
 
-    A leg is at plus half the DC link voltage, `link` (V), while `modulation` times the sine of its
-    phase is at or above a triangular wave of frequency `carrier` (Hz), otherwise at minus half.
-    `fundamental` (Hz) is the frequency of the phases. The voltage has four levels, +-link/2 and
-    +-link/6.
+    A leg is at plus half the DC link voltage `link` (V) while `modulation` times the sine of its
+    phase is greater than or equal to a triangular wave with the frequency `carrier` (Hz), otherwise
+    at minus half. `fundamental` (Hz) is the frequency of the phases. The voltage has four levels,
+    +-link/2 and +-link/6.
     """
 
     link: float
@@ -104,17 +104,18 @@ class CommonMode(Waveform):
 
     @property
     def shortest(self) -> float:
-        """The period of the carrier, s."""
+        """The period of the carrier in s."""
         return 1.0 / self.carrier
 
     def __call__(self, time: Floats) -> Floats:
-        """Volts at `time` (s), any shape."""
+        """Return the voltage in V at the times `time` (s), an array of any shape."""
         return laws.waveform(
             time, COMMON_MODE, self.link, self.fundamental, 0.0, self.carrier, self.modulation
         )
 
     def edges(self, time: Floats) -> Floats:
-        """(k, 3) time (s), voltage before and after (V): one row for each leg that switches."""
+        """Return an array (k, 3) with the time (s) and the voltages before and after (V) of each
+        switching of a leg."""
         most = 3 * int(2 * self.carrier * (time[-1] - time[0]) + 2)
         found = np.empty((most, 3))
         count = core.library().call(
@@ -133,7 +134,8 @@ class CommonMode(Waveform):
 
 @dataclass(frozen=True)
 class Table(Waveform):
-    """Linear interpolation of `voltages` (V) at `times` (s, rising); constant before and after."""
+    """Linear interpolation between `voltages` (V) at the increasing `times` (s); the voltage is
+    constant outside this range."""
 
     times: Floats
     voltages: Floats
@@ -144,28 +146,30 @@ class Table(Waveform):
         if times.ndim != 1 or times.shape != voltages.shape or len(times) < 2:
             raise ValueError("a table of voltages needs two columns with at least two rows")
         if not (np.isfinite(times).all() and np.isfinite(voltages).all()):
-            raise ValueError("a table of voltages must hold finite numbers")
+            raise ValueError("a table of voltages must contain only finite numbers")
         if np.abs(voltages).max() > HIGHEST:
             raise ValueError(f"voltages must lie from {-HIGHEST:g} to {HIGHEST:g} V")
         if not (np.diff(times) > 0).all():
             row = int(np.argmin(np.diff(times) > 0)) + 2
-            raise ValueError(f"times of a table must rise: row {row} has {times[row - 1]:g} s")
+            raise ValueError(f"times in a table must increase: row {row} has {times[row - 1]:g} s")
 
     def __call__(self, time: Floats) -> Floats:
-        """Volts at `time` (s), any shape."""
+        """Return the voltage in V at the times `time` (s), an array of any shape."""
         return np.interp(time, self.times, self.voltages)
 
     def edges(self, time: Floats) -> Floats:
-        """(k, 3) time (s) and, in two equal columns, voltage (V) of the table's rows."""
+        """Return an array (k, 3) with the time (s) of each row of the table and, in two equal
+        columns, its voltage (V)."""
         times, voltages = np.asarray(self.times, float), np.asarray(self.voltages, float)
         inside = (times > time[0]) & (times <= time[-1])
         return np.stack([times, voltages, voltages], axis=1)[inside]
 
 
 def read_table(path: FilePath) -> Table:
-    """The `Table` in the text file `path`: a row `s V` for each point, `#` starts a comment.
+    """Read a `Table` from the text file `path`, which has a row `s V` for each point; # starts a
+    comment.
 
-    Raises `RunError` if the file cannot be read or is not such a table.
+    Raises `RunError` if the file cannot be read or does not contain such a table.
     """
     try:
         rows = np.loadtxt(path, ndmin=2)

@@ -1,21 +1,22 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The raceway tori as meshes: the part of the groove between shoulders that are a fifth of a ball
-diameter high."""
+"""Meshes of the raceways, which are parts of tori: each groove ends at shoulders whose height is a
+fifth of the ball diameter."""
 
 import numpy as np
 
 from raceway.arrays import Floats, Integers
 from raceway.theory.bearing import INNER, Bearing
 
-SHOULDER = 0.2  # height of a shoulder divided by the ball's diameter
-AROUND, ACROSS = 96, 9  # cells, points
+SHOULDER = 0.2  # height of a shoulder divided by the ball diameter
+AROUND, ACROSS = 96, 9  # number of cells around the ring, and of points across the groove
 
 
 def mesh(bearing: Bearing, raceway: int, clearance: float = 0.0) -> tuple[Floats, Integers]:
-    """(points (n, 3) in m, quads (m, 4) of point numbers) of a groove centred at the origin, with
-    axis z; normals point towards the balls.
+    """Return (points (n, 3) in m, quads (m, 4) of point indices) of a groove that is centred at the
+    origin with its axis along z; the normals point towards the balls.
 
-    Points are `AROUND` rows of `ACROSS`; all points of a row have the same azimuth.
+    The points form `AROUND` rows of `ACROSS` points each; all points in a row have the same
+    azimuth.
     """
     groove, sign = bearing.groove(raceway), 1 if raceway == INNER else -1
     bottom = bearing.inner_radius if raceway == INNER else bearing.outer_radius + clearance / 2

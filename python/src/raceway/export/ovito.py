@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run for OVITO: a folder with `bearing.xyz`, an extended XYZ file of all samples, and the
-raceways as `.obj` surfaces.
+"""Write a run for OVITO as a folder that contains `bearing.xyz`, an extended XYZ file with all
+samples, and the raceways as `.obj` surfaces.
 
-Columns have OVITO's standard names (species, id, pos, radius, velo); the other columns become
-custom properties. If a ball has no film, -1 is written, since not every text reader accepts NaN.
+Columns have OVITO's standard names (species, id, pos, radius, velo) where these exist; the other
+columns become custom properties. NaN, for example where a ball has no film, is written as -1, since
+not every reader of text files accepts NaN.
 """
 
 from pathlib import Path
@@ -23,11 +24,12 @@ FIRST = ("id", "type", "radius")
 
 
 def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
-    """Write the run `tables` into the folder `out`; return the path of `bearing.xyz`.
+    """Write the run `tables` to the folder `out` and return the path of `bearing.xyz`.
 
-    A frame's comment line has the cell, `Time` (s), `sample`, and `ring_x`, `ring_y`, `ring_z` (m,
-    position of the inner ring). The raceways are drawn at rest, the outer raceway with the
-    clearance. Raises `RunError` if the run's files are broken or `out` cannot be written.
+    The comment line of each frame contains the cell, `Time` (s), `sample`, and `ring_x`, `ring_y`,
+    `ring_z` (m, the position of the inner ring). The raceways do not move in the picture,
+    and the outer raceway includes the clearance. Raises `RunError` if the run's files are invalid
+    or `out` cannot be written.
     """
     out = files.folder(out)
     for side, name in ((INNER, "inner"), (OUTER, "outer")):

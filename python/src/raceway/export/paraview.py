@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run for ParaView: a folder with `bearing.pvd`, which lists balls and raceways at every time."""
+"""Write a run for ParaView as a folder with `bearing.pvd`, which lists the files of all frames."""
 
 from pathlib import Path
 
@@ -15,14 +15,14 @@ from raceway.theory.bearing import INNER, OUTER
 
 
 def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
-    """Write the run `tables` into the folder `out`; return the path of `bearing.pvd`, which is
+    """Write the run `tables` to the folder `out` and return the path of `bearing.pvd`, which is
     written last.
 
-    Balls are points with the `data` of `particles.frames` (part 0). Raceways are surfaces with the
-    `azimuth` of their points in the ring (rad; parts 1 inner, 2 outer). The inner raceway moves and
-    rotates; its tilt is omitted. The pocket walls of a one-piece cage are part 3, with the `force`
-    (N) of the ball on each pocket. Raises `RunError` if the run's files are broken or `out` cannot
-    be written.
+    Part 0 contains the balls as points with the `data` of `particles.frames`. Parts 1 and 2 are the
+    inner and the outer raceway, surfaces whose points have their `azimuth` (rad) in the ring. The
+    inner raceway moves and rotates; its tilt is omitted. Part 3 contains the pocket walls of a
+    one-piece cage, with the `force` (N) of the ball on each pocket. Raises `RunError` if the run's
+    files are invalid or `out` cannot be written.
     """
     out, entries, clearance = files.folder(out), [], tables.settings["clearance_m"]
     azimuth = np.repeat(np.arange(groove.AROUND) * 2 * np.pi / groove.AROUND, groove.ACROSS).astype(
@@ -54,7 +54,7 @@ def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
 
 
 def _pockets(tables, frame, number, out):
-    """Write the pockets of a one-piece cage; return the names of the files."""
+    """Write the pockets of a one-piece cage and yield the name of the file."""
     found = pockets(tables, frame.sample, frame.sample + 1)
     if found is None:
         return

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Balls and cage balls of a run, sample by sample, with the data of their contacts."""
+"""Iterate over the balls and cage balls of a run, sample by sample, with data of their contacts."""
 
 from collections.abc import Iterator
 from typing import Any, NamedTuple
@@ -14,11 +14,11 @@ from raceway.runs.tables import RunTables
 from raceway.theory import capacitance
 
 CARRIED = ("load", "pressure", "h_min", "h_c", "lambda", "friction", "sliding", "capacitance")
-FRAMES = 200  # default number of frames
+FRAMES = 200  # largest number of frames by default
 
 
 class Frame(NamedTuple):
-    """One sample: n balls and cage balls, SI units."""
+    """One sample of a run with n balls and cage balls, in SI units."""
 
     sample: int
     time: float  # s
@@ -29,14 +29,14 @@ class Frame(NamedTuple):
 
 
 def frames(tables: RunTables, every: int | None = None) -> Iterator[Frame]:
-    """Yield every `every`th sample of the run `tables` as a `Frame`, in bounded memory; None yields
-    at most `FRAMES` samples.
+    """Yield every `every`th sample of the run `tables` as a `Frame`, using a bounded amount of
+    memory. If `every` is None, at most `FRAMES` samples are yielded.
 
-    `data` has id, type (1 ball, 2 cage ball), radius, velocity, spin, load (the larger of a ball's
-    two loads), the values of each column of `CARRIED` in the run at either raceway (`load_inner`
-    ..., or `load_inner_0` ... for rings with two grooves), and capacitance (both contacts in
-    series). Without contact, quantities that vanish are 0 and undefined quantities are NaN. Raises
-    `RunError` if a file is broken.
+    `data` contains id, type (1 ball, 2 cage ball), radius, velocity, spin, load (the larger of a
+    ball's two loads), each quantity in `CARRIED` that the run records, separately for each raceway
+    (`load_inner` ..., or `load_inner_0` ... for rings with two grooves), and capacitance (both
+    contacts in series). Where there is no contact, quantities that vanish are 0 and undefined
+    quantities are NaN. Raises `RunError` if a file is invalid.
     """
     if every is None:
         every = max(1, -(-(tables.last - tables.first) // FRAMES))
@@ -80,7 +80,8 @@ def _frame(tables, sample, atoms, contacts, ring, turned):
 
 
 def _samples(tables, name, every):
-    """(sample, its rows, angle of the inner ring at that sample; 0 in a table without balls)."""
+    """Yield (sample, its rows, rotation angle of the inner ring); the angle is 0 in tables without
+    balls."""
     turned = before = 0.0
     for table in tables.blocks(name):
         first, count = table.attrs["first"], table.attrs["samples"]

@@ -1,21 +1,22 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The pockets of a one-piece cage as a mesh: each is a cylinder along the radius."""
+"""Mesh of the pockets of a one-piece cage; each pocket is a cylinder along the radius."""
 
 import numpy as np
 
 from raceway.arrays import Floats, Integers
 from raceway.theory.bearing import Bearing
 
-HEIGHT = 0.35  # radial height of a pocket divided by the ball's diameter
-AROUND = 24  # cells around a pocket
+HEIGHT = 0.35  # radial height of a pocket divided by the ball diameter
+AROUND = 24  # number of cells around a pocket
 
 
 def mesh(bearing: Bearing, play: float) -> tuple[Floats, Integers]:
-    """(points (n, 3) in m, quads (m, 4) of point numbers) of the walls of all pockets with this
-    `play` (m) in a cage at the origin with axis z; normals point towards the balls.
+    """Return (points (n, 3) in m, quads (m, 4) of point indices) of the walls of all pockets, with
+    this `play` (m), in a cage at the origin with its axis along z; the normals point towards the
+    balls.
 
-    Each pocket has 2 `AROUND` points, those nearer to the axis first. The first pocket is at
-    azimuth 0.
+    Each pocket has 2 `AROUND` points, of which those nearer to the axis come first. The first
+    pocket is at azimuth 0.
     """
     hole, angle = bearing.ball_radius + play / 2, 2 * np.pi * np.arange(AROUND) / AROUND
     radius = bearing.pitch_radius + HEIGHT * bearing.ball_diameter * np.array([-0.5, 0.5])

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Stiffness and damping of a bearing over load and speed for rotor dynamics, as a table (CSV, JSON)
-and for ROSS, which need not be installed.
+"""Export stiffness and damping of a bearing as functions of load and speed for rotor dynamics, as a
+table (CSV, JSON) and for ROSS, which need not be installed.
 
-ROSS (`ross-rotordynamics`) uses the same axes: x and y across, z along the shaft, right-handed
-tilts alpha = rx and beta = ry. Its `BearingElement` accepts only translations, without coupling to
-z.
+ROSS (`ross-rotordynamics`) uses the same axes: x and y are transverse, z is along the shaft, and
+the tilts alpha = rx and beta = ry are right-handed. Its `BearingElement` accepts only translations,
+and no coupling of x and y to z.
 """
 
 import json
@@ -27,7 +27,8 @@ from raceway.theory.shaft import Carried
 from raceway.theory.small_motion import SLOW
 from raceway.theory.static import FREEDOMS, STRAIGHT
 
-PER_METRE = (1, 1, 1, 0, 0)  # powers of 1/m of rows and columns; a sum of 2 means N/m
+# powers of 1/m of each row and column; if they add up to 2, the unit is N/m
+PER_METRE = (1, 1, 1, 0, 0)
 TAKEN = ("xx", "xy", "yx", "yy", "zz")  # entries accepted by ROSS's BearingElement
 ROSS_FREEDOMS = 6  # degrees of freedom of a node: `FREEDOMS` and the rotation about z
 TILTS = ("held", "free")
@@ -35,7 +36,7 @@ NOISE = 1e-9  # rounding error of entries that are 0 by symmetry, as a fraction 
 
 
 class Point(NamedTuple):
-    """A bearing at one operating point."""
+    """Stiffness and damping of a bearing at one operating point."""
 
     rpm: float
     load: float  # N, radial, along x unless `load_azimuth` or `at_rest` is given
@@ -59,16 +60,17 @@ def points(
     double_row: DoubleRow | None = None,
     **options: Any,
 ) -> list[Point]:
-    """A `Point` for each radial `load` (N, along x), and for each `rpm` of the inner ring at each
-    load.
+    """Return a `Point` for each combination of a radial `load` (N, along x) and an `rpm` of the
+    inner ring, ordered by load.
 
-    `bearing` is a `Bearing` or, like `lubricant`, a file of the inputs `folder` or a path, with
-    `four_point` and `double_row` as in `inputs.bearing`; without a lubricant there is no damping.
-    `models` is paper or full, `temperature` in degrees C. `frequency` of the vibration is in rad/s;
-    by default it is the shaft's speed, as rotor programs assume in their tables. `axial` is in N;
-    `options` (clearance, held, moment) are passed to `static.equilibrium`. By default tilts are
-    held at 0. The ring of a bearing from a file is held along z if there is no axial load
-    (`inputs.held`). Raises `RacewayError`, and `ValueError` for a number out of range.
+    `bearing` is a `Bearing` or, like `lubricant`, a file in the inputs `folder` or a path;
+    `four_point` and `double_row` are as in `inputs.bearing`. Without a lubricant there is no
+    damping. `models` is paper or full, and `temperature` is in degrees C. `frequency` is the
+    vibration frequency in rad/s; by default it is the shaft speed, which rotor programs assume in
+    their tables. `axial` is in N; `options` (clearance, held, moment) are passed to
+    `static.equilibrium`. By default the tilts are held at 0. If the bearing comes from a file and
+    there is no axial load, the ring is also held along z (`inputs.held`). Raises `RacewayError`, or
+    `ValueError` for a number out of range.
     """
     if models not in LAWS:
         raise ValueError(f"models '{models}' is not one of {', '.join(LAWS)}")
@@ -86,11 +88,11 @@ def points(
         lacks = [name for name, value in fluid._asdict().items() if math.isnan(value)]
         if models == "full" and lacks:
             raise inputs.InputError(
-                f"{path} has no {', '.join(lacks)}: needed by models full, not by models paper"
+                f"{path} has no {', '.join(lacks)}, which models full need, unlike models paper"
             )
     loads, speeds = (np.atleast_1d(np.asarray(one, float)) for one in (load, rpm))
     if not (np.all(np.isfinite(loads)) and np.all(np.isfinite(speeds)) and np.all(speeds >= 0)):
-        raise ValueError(f"load {load} N must be finite, rpm {rpm} must be 0 or more")
+        raise ValueError(f"load {load} N must be finite, and rpm {rpm} must be 0 or more")
     result = []
     for newtons in loads.tolist():
         for speed in speeds.tolist():
@@ -112,9 +114,10 @@ def points(
 
 
 def at_rest(carried: Carried, rpm: ArrayLike, **options: Any) -> list[Point]:
-    """`points` of a bearing of a shaft at rest (`shaft.rest`) at each `rpm`, under the loads and at
-    the tilts of the shaft at rest. The matrices are therefore in the axes of the shaft for any
-    direction of the load. `options` such as lubricant and temperature are passed to `points`."""
+    """Return the `points` of a bearing for each `rpm`, under the loads and at the tilts that it has
+    when the shaft is at rest (`shaft.rest`). The matrices are therefore expressed in the axes of
+    the shaft for any direction of the load. `options` such as lubricant and temperature are passed
+    to `points`."""
     x, y, z = carried.load[:3].tolist()
     tilts = dict(zip(FREEDOMS[3:], carried.place[3:].tolist()))
     place = dict(load_azimuth=math.atan2(y, x), held=tilts, clearance=carried.seat.clearance)
@@ -124,14 +127,15 @@ def at_rest(carried: Carried, rpm: ArrayLike, **options: Any) -> list[Point]:
 def ross(
     bearing: str, load: float, rpm: ArrayLike, *, tilts: str = "held", **options: Any
 ) -> dict[str, float | list[float]]:
-    """Keyword arguments of ROSS's `BearingElement` except the node: kxx, kyy, kxy, kyx, kzz, the
-    corresponding cxx to czz and, for several `rpm`, `frequency` in rad/s. All are Python floats or
-    lists of them.
+    """Return the keyword arguments of ROSS's `BearingElement` except the node: kxx, kyy, kxy, kyx,
+    kzz, the corresponding cxx to czz and, if there are several `rpm`, `frequency` in rad/s. All
+    values are Python floats or lists of floats.
 
-    `load` in N is radial, along x; `options` are passed to `points`. With `tilts` "held" the
-    arguments are entries of the 5 x 5 matrices, and `add_rest` adds the other entries. "free" gives
-    the stiffness of the ring if only the bearing holds its tilts; then `add_rest` is not needed.
-    Warns if ROSS's smoothing of a table of more than four speeds changes an entry by more than 1 %.
+    `load` in N is radial, along x; `options` are passed to `points`. If `tilts` is "held", the
+    arguments are entries of the 5 x 5 matrices, and `add_rest` adds the remaining entries. If it is
+    "free", they are the stiffness and damping of the ring when only the bearing restrains its
+    tilts; `add_rest` is then not needed. Warns if ROSS's smoothing of a table with more than four
+    speeds changes an entry by more than 1 %.
 
     >>> one = ross("6208", 3000.0, 0.0, clearance=10e-6, phases=1)
     >>> [f"{one[name]:.4g}" for name in ("kxx", "kyy", "kzz")]
@@ -141,8 +145,8 @@ def ross(
 
 
 def ross_of(points: Sequence[Point], tilts: str = "held") -> dict[str, float | list[float]]:
-    """Like `ross`, for `points` at one load in order of increasing speed. Raises `ValueError` for
-    other points."""
+    """Return the same arguments as `ross` from `points` at one load, in order of increasing speed.
+    Raises `ValueError` if the points have different loads or are not in this order."""
     speeds = [one.rpm for one in points]
     if len({(one.load, one.axial) for one in points}) != 1 or np.any(np.diff(speeds) <= 0):
         raise ValueError("ROSS needs points at one load, in order of increasing speed")
@@ -160,8 +164,9 @@ def ross_of(points: Sequence[Point], tilts: str = "held") -> dict[str, float | l
 
 
 def translations(point: Point, tilts: str = "held") -> tuple[Floats, Floats]:
-    """(K in N/m, C in N s/m), both (3, 3), of the ring's translations; `tilts` as in `ross`. Raises
-    `ValueError` for another word, or if tilts are free and no stiffness holds them."""
+    """Return (K in N/m, C in N s/m), both (3, 3), for the translations of the ring, with `tilts` as
+    in `ross`. Raises `ValueError` for an unknown value of `tilts`, or if the tilts are free and no
+    stiffness restrains them."""
     if tilts not in TILTS:
         raise ValueError(f"tilts '{tilts}' is not one of {', '.join(TILTS)}")
     mean = point.over.mean
@@ -169,14 +174,14 @@ def translations(point: Point, tilts: str = "held") -> tuple[Floats, Floats]:
         return mean.stiffness[:3, :3], mean.damping[:3, :3]
     whole = mean.stiffness + 1j * SLOW * mean.damping
     if np.linalg.eigvalsh(mean.stiffness[3:, 3:])[0] <= 0:
-        raise ValueError("tilts free: no stiffness holds them")
+        raise ValueError("the tilts are free, but no stiffness restrains them")
     seen = whole[:3, :3] - whole[:3, 3:] @ np.linalg.solve(whole[3:, 3:], whole[3:, :3])
     return seen.real, seen.imag / SLOW
 
 
 def rest(point: Point) -> tuple[Floats, Floats]:
-    """(K, C), both (6, 6), for a node of ROSS: the terms for which `BearingElement` has no
-    names."""
+    """Return (K, C), both (6, 6), for a node in ROSS, with the entries for which `BearingElement`
+    has no arguments."""
     result = []
     for matrix in point.over.mean:
         whole = np.zeros((ROSS_FREEDOMS, ROSS_FREEDOMS))
@@ -188,11 +193,11 @@ def rest(point: Point) -> tuple[Floats, Floats]:
 
 
 def add_rest(rotor: Any, node: int, point: Point) -> None:
-    """Add `rest` to the matrices K0 and C0 of a ROSS `rotor` before its first analysis, because the
-    rotor caches results. In ROSS these entries do not change with speed, so choose a `point` in the
-    middle of your speed range.
+    """Add the matrices of `rest` to K0 and C0 of a ROSS `rotor`. This must be done before the first
+    analysis, because the rotor caches its results. In ROSS these entries do not change with speed,
+    so choose a `point` in the middle of the speed range.
 
-    Raises `RacewayError` for a rotor whose nodes do not have six degrees of freedom (ROSS before
+    Raises `RacewayError` if the nodes of the rotor do not have six degrees of freedom (ROSS before
     2.0).
     """
     if rotor.number_dof != ROSS_FREEDOMS:
@@ -207,8 +212,8 @@ def add_rest(rotor: Any, node: int, point: Point) -> None:
 
 
 def element(node: int, *arguments: Any, tag: str | None = None, **options: Any) -> Any:
-    """ROSS's `BearingElement` at `node`, from `ross`(*arguments, **options). Raises `RacewayError`
-    without ROSS."""
+    """Create ROSS's `BearingElement` at `node` from `ross`(*arguments, **options). Raises
+    `RacewayError` if ROSS is not installed."""
     try:
         from ross import BearingElement
     except ImportError as error:
@@ -220,7 +225,7 @@ def element(node: int, *arguments: Any, tag: str | None = None, **options: Any) 
 
 
 def columns() -> list[str]:
-    """The headings of `write_csv`, with units."""
+    """Return the column headings of `write_csv`, with units."""
     names = ["speed [rpm]", "radial load [N]", "axial load [N]"]
     for letter, second in (("k", ""), ("c", " s")):
         for a in range(5):
@@ -233,8 +238,9 @@ def columns() -> list[str]:
 
 
 def write_csv(points: Sequence[Point], path: FilePath) -> Path:
-    """Write one row for each point: mean K and C over the ball pass, row by row in x, y, z, rx, ry,
-    and the least and greatest values of K's diagonal. SI units."""
+    """Write a CSV file with one row per point, in SI units: the means of K and C over the ball
+    pass, row by row in the order x, y, z, rx, ry, and the least and greatest values of the diagonal
+    of K."""
     lines = [",".join(columns())]
     for one in points:
         mean, least, most = one.over
@@ -245,13 +251,13 @@ def write_csv(points: Sequence[Point], path: FilePath) -> Path:
 
 
 def write_json(points: Sequence[Point], path: FilePath) -> Path:
-    """Write `points` as one JSON object, with matrices as lists of rows, and all least and greatest
-    values."""
+    """Write `points` as one JSON object, with each matrix as a list of rows and with the least and
+    greatest values of all entries."""
     return files.text(path, json.dumps(as_mapping(points), indent=1, allow_nan=False) + "\n")
 
 
 def as_mapping(points: Sequence[Point]) -> dict[str, Any]:
-    """Content of the file of `write_json`, SI units."""
+    """Return the content of the file written by `write_json`, in SI units."""
     rows = []
     for one in points:
         row: dict[str, Any] = dict(rpm=one.rpm, load_N=one.load, axial_N=one.axial)
@@ -274,14 +280,14 @@ def write_ross(
 
 
 def _unit(a: int, b: int, second: str = "") -> str:
-    """Unit of the entry in row `a` and column `b`: a force or moment over a displacement or
-    tilt."""
+    """Return the unit of the matrix entry in row `a` and column `b`, which is a force or moment per
+    displacement or tilt."""
     power = PER_METRE[a] + PER_METRE[b]
     return {2: f"N{second}/m", 1: f"N{second}/rad", 0: f"N m{second}/rad"}[power]
 
 
 def _cleaned(one):
-    """The matrix without rounding errors in entries that are 0 by symmetry."""
+    """Return the matrices with entries that are 0 by symmetry freed of rounding errors."""
     result = []
     for matrix in one:
         scale = np.sqrt(np.abs(np.diag(matrix)))

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""VTK's XML format for points and quads, and the list of a time series (VTK User's Guide, "VTK File
-Formats").
+"""Write VTK's XML format for points and quads, and the list of files in a time series (VTK User's
+Guide, "VTK File Formats").
 
-The format is implemented here because it takes only a few lines; libraries that write it require a
-mesh database or a renderer. The tests read the files with meshio.
+The format is implemented here because this takes only a few lines, whereas libraries that write it
+require a mesh database or a renderer. The tests read the files with meshio.
 """
 
 import base64
@@ -22,8 +22,8 @@ ORDER = "LittleEndian" if sys.byteorder == "little" else "BigEndian"
 
 
 def grid(points: Floats, cells: ArrayLike, data: Mapping[str, NDArray[Any]]) -> str:
-    """The text of a .vtu file with `points` (n, 3), `cells` of point indices, (m, 1) for vertices
-    or (m, 4) for quads, and `data` {name: (n,) or (n, 3)} at the points."""
+    """Return the text of a .vtu file with `points` (n, 3), `cells` of point indices, which are (m,
+    1) for vertices or (m, 4) for quads, and the point data `data` {name: (n,) or (n, 3)}."""
     cells = np.asarray(cells)
     kind = QUAD if cells.shape[1] == 4 else VERTEX
     parts = [
@@ -46,7 +46,7 @@ def grid(points: Floats, cells: ArrayLike, data: Mapping[str, NDArray[Any]]) -> 
 
 
 def series(entries: Iterable[tuple[float, int, str]]) -> str:
-    """The text of a .pvd file: `entries` are (time, part number, file name)."""
+    """Return the text of a .pvd file that lists the `entries` (time, part number, file name)."""
     return _file(
         "Collection",
         "\n".join(

@@ -1,3 +1,3 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Pictures of runs, one per module; a function of the module draws a run (a `RunTables`) to a
-file."""
+"""Pictures of runs, with one module per picture; a function in each module plots a run (a
+`RunTables`) and writes the picture to a file."""

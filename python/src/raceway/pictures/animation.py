@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearing in motion: a GIF, or an MP4 if ffmpeg is available."""
+"""Animate a bearing as a GIF or, if ffmpeg is available, as an MP4."""
 
 import shutil
 import subprocess
@@ -20,8 +20,8 @@ from raceway.pictures.bearing import CAGE, IDLE, STEEL, Sheet
 from raceway.pictures.scene import scene
 from raceway.runs.tables import RunTables
 
-INCHES = 9.6  # width of a sheet
-COLOURS, GREYS = 32, 24  # palette of a GIF
+INCHES = 9.6  # width of the figure
+COLOURS, GREYS = 32, 24  # numbers of colours and greys in the palette of a GIF
 
 
 def animation(
@@ -34,16 +34,18 @@ def animation(
     factor: float | None = None,
     width: int = 800,
 ) -> Path:
-    """Animate the run `tables` to `path`, which ends in .gif or .mp4; return the `Path`.
+    """Animate the run `tables`, write the animation to `path`, which ends in .gif or .mp4, and
+    return the `Path`.
 
-    Shows `passes` ball passes (None: all measured, at most 4) in `frames` pictures, evenly spaced
-    in time, at `rate` per second, `width` pixels wide; `colour` and `factor` as in `scene.scene`.
-    The same run gives a bitwise identical GIF. Raises `RunError` if the run's files are broken or
-    contain fewer passes, or if the animation cannot be written.
+    The animation shows `passes` ball passes (None: all measured passes, but at most 4) in `frames`
+    frames that are evenly spaced in time, at `rate` frames per second and with a width of `width`
+    pixels; `colour` and `factor` are as in `scene.scene`. GIFs of the same run are bitwise
+    identical. Raises `RunError` if the run's files are invalid or contain fewer passes, or if the
+    animation cannot be written.
     """
     kind = str(path).lower().rpartition(".")[2]
     if kind not in WRITERS:
-        raise RunError(f"{path}: an animation is a .gif or an .mp4")
+        raise RunError(f"{path}: an animation must be a .gif or an .mp4")
     if kind == "mp4" and not shutil.which("ffmpeg"):
         raise RunError(
             f"{path}: writing an MP4 needs the program ffmpeg, which is missing: apt-get install"
@@ -66,13 +68,13 @@ def animation(
 
 
 def _window(tables, passes, frames):
-    """(part of the run `tables` that is needed, samples to draw)."""
+    """Return (part of the run `tables` that is needed, samples to draw)."""
     have = len(tables.record) - tables.first
     if have < 1:
-        raise RunError(f"{tables.folder} holds no sample to draw")
+        raise RunError(f"{tables.folder} contains no sample to draw")
     way = tables.passes(tables.first + np.arange(have))
     way = way - way[0]
-    # the cage slips, so the number of passes that the deck requests is accepted
+    # the cage slips, so fewer passes than requested may have taken place: accept the deck's number
     if passes is not None and passes > max(way[-1], tables.settings["passes"]) + 0.5 / have:
         raise RunError(f"{tables.folder} has {way[-1]:.3g} ball passes, fewer than {passes:g}")
     wanted = max(int(np.searchsorted(way, 4.0 if passes is None else passes)), 1)
@@ -82,12 +84,12 @@ def _window(tables, passes, frames):
 
 
 def _pictures(sheet, count):
-    """Every picture as (height, width, 3) bytes."""
+    """Yield the frames as arrays (height, width, 3) of bytes."""
     for k in range(count):
         sheet.show(k)
         sheet.figure.canvas.draw()
         progress.line(f"frame {k + 1} of {count}", k + 1 == count)
-        # a copy, because the canvas draws over it
+        # copied, because the next frame is drawn into the same buffer
         yield np.array(sheet.figure.canvas.buffer_rgba())[..., :3]
 
 
@@ -109,8 +111,8 @@ def _gif(part, pictures, rate):
 
 
 def _palette():
-    """One palette for all frames, so that parts that do not change between frames take no space.
-    Frames have few colours."""
+    """Return one palette for all frames, so that parts of the picture that do not change between
+    frames take no space. This is possible because the frames have few colours."""
     scale = plt.get_cmap(style.MAP)(np.linspace(0, 1, COLOURS))[:, :3]
     grey = np.repeat(np.linspace(0, 1, GREYS)[:, None], 3, axis=1)
     flat = to_rgba_array([STEEL, CAGE, IDLE, style.INK, style.SOFT, style.FAINT])[:, :3]
@@ -121,7 +123,7 @@ def _palette():
 
 def _mp4(part, pictures, rate):
     first = next(pictures)
-    # the usual pixel format needs an even width and height
+    # the common pixel format yuv420p requires an even width and height
     height, width = (size - size % 2 for size in first.shape[:2])
     command = [
         "ffmpeg",
@@ -151,7 +153,7 @@ def _mp4(part, pictures, rate):
                     program.stdin.write(np.ascontiguousarray(picture[:height, :width]).tobytes())
                 program.stdin.close()
             except BrokenPipeError:
-                pass  # ffmpeg has stopped and printed the reason
+                pass  # ffmpeg has stopped and has printed the reason
         if program.returncode:
             said.seek(0)
             raise RunError(

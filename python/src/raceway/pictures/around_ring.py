@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Panels around the ring: load and film of every ball against its azimuth, with the load line
-pointing down."""
+"""Polar panels that show load and film thickness of every ball against its azimuth, with the load
+line pointing down."""
 
 from collections.abc import Sequence
 
@@ -19,11 +19,12 @@ from raceway.units import axis
 
 
 def loads(axes: Axes, tables: RunTables) -> float:
-    """Contact loads of the run `tables` on polar `axes`; returns the factor from newtons to the
-    drawn unit."""
+    """Plot the contact loads of the run `tables` on polar `axes` and return the factor from newtons
+    to the unit of the plot."""
     largest = tables.contacts["load"].max()
     factor, unit = axis(largest, "N")
-    # outer curve first and wider, because the inner curve covers it at low centrifugal load
+    # the outer curve is drawn first and wider, because the inner one covers it at low centrifugal
+    # load
     width = {OUTER: 5, INNER: 1.6}
     for side in (OUTER, INNER):
         for psi, load in tracks(tables, side, "load"):
@@ -44,14 +45,14 @@ def loads(axes: Axes, tables: RunTables) -> float:
 
 
 def film(axes: Axes, tables: RunTables) -> float:
-    """Film thickness of the run `tables` and the regimes of lubrication on polar `axes`; returns
-    the factor from metres to the drawn unit."""
-    # contacts that set the scale
+    """Plot the film thickness of the run `tables` and the lubrication regimes on polar `axes` and
+    return the factor from metres to the unit of the plot."""
+    # only these contacts determine the scale
     loaded = tables.contacts[tables.contacts["load"] > 5 * LIGHT * tables.contacts["load"].max()]
     factor, unit = axis(loaded["h_c"].max(), "m")
-    unity = tables.settings["roughness_m"] * factor  # the thickness at which lambda is one
+    unity = tables.settings["roughness_m"] * factor  # film thickness at which lambda is one
     edge = thickest = 1.12 * loaded["h_c"].max() * factor
-    for mark in (1, 3):  # show a limit only if it is near, so that the film is not compressed
+    for mark in (1, 3):  # show a limit only if it is close, so that the film remains legible
         if mark * unity < 3 * thickest:
             edge = max(edge, 1.12 * mark * unity)
     around = np.linspace(0, 2 * np.pi, 361)
@@ -76,7 +77,7 @@ def film(axes: Axes, tables: RunTables) -> float:
                 zorder=5,
                 bbox={"facecolor": "white", "edgecolor": "none", "pad": 1, "alpha": 0.75},
             )
-    # not dashed: the dashes of many balls would fill each other's gaps
+    # solid lines, because the dashes of many balls would fill each other's gaps
     width = {"h_c": 3.2, "h_min": 1.3}
     for column in width:
         for side in (OUTER, INNER):
@@ -112,8 +113,8 @@ def film(axes: Axes, tables: RunTables) -> float:
 
 
 def polar(axes: Axes, title: str, unit: str, edge: float, handles: Sequence[Artist]) -> None:
-    """Scales of polar `axes` that reach `edge` in `unit`, with the load line down; `title` and
-    legend of `handles` above."""
+    """Set up polar `axes` that extend to `edge` in `unit`, with the load line pointing down, and
+    with `title` and a legend of `handles` above them."""
     axes.set_title(title, pad=54, x=-0.06)
     axes.set_theta_zero_location("S")  # the load line points down, like a weight
     axes.set_thetagrids(
@@ -125,7 +126,7 @@ def polar(axes: Axes, title: str, unit: str, edge: float, handles: Sequence[Arti
     axes.set_ylim(0, edge)
     ticks = [tick for tick in MaxNLocator(4).tick_values(0, edge) if 0 < tick <= edge]
     axes.set_rgrids(ticks, [""] * len(ticks))
-    for tick in ticks:  # written over the curves, not under them
+    for tick in ticks:  # labels are drawn on top of the curves
         if tick < 0.97 * edge:
             axes.text(
                 np.radians(157.5),

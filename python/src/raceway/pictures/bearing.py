@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearing itself, from the front, cut in its middle plane so that the grooves are visible, and
-in section.
+"""Draw the bearing from the front, cut in its central plane so that the grooves are visible, and in
+section.
 
 The grooves are the simulated tori. Runs contain neither the thickness and width of the rings beyond
-the grooves nor the height of the shoulders, so these are drawn in proportion to the balls.
+the grooves nor the height of the shoulders, so these are drawn in proportion to the size of the
+balls.
 """
 
 import matplotlib.pyplot as plt
@@ -22,20 +23,20 @@ from raceway.runs.turning import changes
 from raceway.theory.bearing import INNER, OUTER
 from raceway.units import axis, prefixed
 
-# fractions of a ball's diameter: ring thickness behind the grooves, half width, shoulder height
+# fractions of the ball diameter: ring thickness behind the grooves, half width, shoulder height
 THICK, WIDE, SHOULDER = (0.3, 0.72, 0.2)
 STEEL, DARK, LIGHT, CAGE, IDLE = "#c9ced6", 0.52, 0.92, "#efe9dc", "#f4f4f4"
-SHADES = 12  # shades of a groove
+SHADES = 12  # number of shades in a groove
 MM = 1e3
 
 
 def bearing(
     tables: RunTables, path: FilePath, colour: str = "load", factor: float | None = None
 ) -> None:
-    """Draw the run `tables` at the sample with the largest contact load to the PNG `path`; `colour`
-    and `factor` as in `scene`.
+    """Draw the run `tables` at the sample with the largest contact load and write the picture to
+    the PNG file `path`; `colour` and `factor` are as in `scene`.
 
-    Raises `RunError` if the run's files are broken or the picture cannot be written.
+    Raises `RunError` if the run's files are invalid or the picture cannot be written.
     """
     tables = shown(tables)
     contacts = tables.contacts
@@ -47,15 +48,15 @@ def bearing(
 
 
 class Sheet:
-    """A figure of the `Scene` `what` of the run `tables`; `show(k)` moves all parts to their
-    positions at the k-th sample of the scene."""
+    """A figure that shows the `Scene` `what` of the run `tables`; `show(k)` moves all parts to
+    their positions at the k-th sample of the scene."""
 
     def __init__(self, tables: RunTables, what: Scene, colour: str, dpi: int = 110) -> None:
         self.tables, self.scene, self.geometry = tables, what, tables.geometry
         inner, outer = rpm(tables)
         self.speed = np.abs(inner - outer)
         self.factor, self.unit = axis(np.nanmax(what.values, initial=0.0), COLOURS[colour][2])
-        # thin films are never near zero
+        # the scale of film thickness does not start at zero, because it is never near zero
         low = np.nanmin(what.values, initial=np.inf) if colour == "film" else 0.0
         self.norm = plt.Normalize(
             low * self.factor if np.isfinite(low) else 0,
@@ -169,7 +170,7 @@ class Sheet:
         )
         outside = geometry.outer_radius + (THICK + 0.06) * size
         inside = geometry.inner_radius - (THICK + 0.06) * size
-        # outwards is down
+        # the outward direction points down
         axes.set(
             xlim=np.array([-0.8, 0.8]) * size * MM,
             ylim=(-outside * MM, -inside * MM),
@@ -278,10 +279,11 @@ def _mark(axes):
 
 
 def _groove(race, sign, geometry, side):
-    """(radius, shade) along the groove's wall as seen from the front, from the bottom at radius
-    `race` to the shoulder; `sign` is 1 if this is outwards."""
+    """Yield (radius, shade) along the wall of a groove as seen from the front, from its bottom at
+    the radius `race` to the shoulder; `sign` is 1 if the shoulder is outside the bottom, otherwise
+    -1."""
     groove = geometry.groove(side)
     for height in np.linspace(0, SHOULDER * geometry.ball_diameter, SHADES):
-        # component of the wall's normal towards the eye
+        # component of the wall's normal in the direction of the viewer
         facing = np.sqrt(1 - (1 - min(height / groove, 1)) ** 2)
         yield race + sign * height, str(DARK + (LIGHT - DARK) * facing)

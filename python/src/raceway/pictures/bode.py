@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Picture of a bearing's impedance over frequency, from statics."""
+"""Plot the impedance of a bearing, computed from statics, as a function of frequency."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -16,16 +16,16 @@ from raceway.theory.electric_point import Point
 
 
 def frequencies(resistivity: float, count: int = 400) -> Floats:
-    """Frequencies (count,) in Hz, from far below the corner frequency of films in oil of
-    `resistivity` (ohm m) to 100 MHz."""
+    """Return frequencies (count,) in Hz from far below the corner frequency of films, for an oil
+    with `resistivity` (ohm m), to 100 MHz."""
     corner = 1 / (2 * np.pi * resistivity * 2e-11) if np.isfinite(resistivity) else 1.0
     return np.geomspace(10 ** np.floor(np.log10(max(corner / 100, 1e-3))), 1e8, count)
 
 
 def bode(point: Point, names: Mapping[str, Any], resistivity: float, path: FilePath) -> None:
-    """Draw modulus and phase of the impedance of a bearing and of its plates alone, in oil of
-    `resistivity` (ohm m), over frequency to the PNG `path`. Raises `RunError` if the file cannot be
-    written."""
+    """Plot magnitude and phase of the impedance of a bearing and of its plates alone against
+    frequency, for an oil with `resistivity` (ohm m), and write the plot to the PNG file `path`.
+    Raises `RunError` if the file cannot be written."""
     found = point.capacitors()
     loaded = found.inner.load > 0
     bare = type(found)(*(_plates(side, loaded) for side in (found.inner, found.outer)))
@@ -54,6 +54,6 @@ def bode(point: Point, names: Mapping[str, Any], resistivity: float, path: FileP
 
 
 def _plates(side, loaded):
-    """The contact ellipses of the `loaded` balls alone."""
+    """Return the contact ellipses of the `loaded` balls alone."""
     part = type(side)(*(values[loaded] for values in side))
     return part._replace(outside=0 * part.outside, paths=part.area / part.separation)

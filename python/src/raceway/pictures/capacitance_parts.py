@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Picture of the parts of a bearing's capacitance, from statics."""
+"""Plot the parts of a bearing's capacitance, computed from statics."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -12,7 +12,7 @@ from raceway.pictures.electric_page import LEFT, RIGHT, head, plain_ticks
 from raceway.pictures.style import PALETTE, STYLE, save
 from raceway.units import axis
 
-# {quantity over which a bearing's capacitance can be drawn: (label, factor)}
+# {quantity against which the capacitance can be plotted: (label, factor)}
 OVER = {
     "rpm": ("inner ring speed (rpm)", 1.0),
     "load_N": ("radial load (N)", 1.0),
@@ -28,8 +28,9 @@ PARTS = (
 
 
 def parts(results: Sequence[Mapping[str, Any]], over: str, path: FilePath) -> None:
-    """Draw the parts of the capacitance in `results` (from `electric_point.figures`) over a key of
-    `OVER` to the PNG `path`. Raises `RunError` if it cannot be written."""
+    """Plot the parts of the capacitance in `results` (from `electric_point.figures`) against the
+    quantity `over`, which is a key of `OVER`, and write the plot to the PNG file `path`. Raises
+    `RunError` if it cannot be written."""
     label, scale = OVER[over]
     results = sorted(results, key=lambda one: one[over])
     x = scale * np.array([one[over] for one in results])
@@ -38,7 +39,7 @@ def parts(results: Sequence[Mapping[str, Any]], over: str, path: FilePath) -> No
     with plt.rc_context(STYLE):
         figure, axes = plt.subplots(figsize=(10, 6), dpi=110)
         figure.subplots_adjust(left=LEFT, right=RIGHT, bottom=0.11, top=0.83)
-        head(figure, results[0], "Capacitance of the bearing by its parts", without=over)
+        head(figure, results[0], "Parts of the bearing capacitance", without=over)
         axes.grid(True)
         axes.stackplot(
             x,

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Picture of the envelopes of a run and a recording over orders of the shaft, lines marked."""
+"""Plot the envelope spectra of a run and a recording against the order of the shaft, and mark their
+lines."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -10,11 +11,12 @@ from raceway.pictures.style import INK, SOFT, STYLE, save
 from raceway.recordings.compare import Comparison
 from raceway.units import axis
 
-DECADES = 4  # range shown below the strongest line
+DECADES = 4  # range below the largest amplitude that is shown
 
 
 def picture(found: Comparison, path: FilePath) -> None:
-    """Draw `found` to the PNG `path`. Raises `RunError` if the file cannot be written."""
+    """Plot `found` and write it to the PNG file `path`. Raises `RunError` if it cannot be
+    written."""
     last = 1.08 * max(one.nominal for one in found.lines)
     with plt.rc_context(STYLE):
         figure, axes = plt.subplots(

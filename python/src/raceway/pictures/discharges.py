@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A map of the discharges of a circuit: position around the ring, energy and voltage."""
+"""Plot the discharges in a circuit: position around the ring, energy and voltage."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -17,12 +17,13 @@ RACEWAYS = ("inner", "outer")
 
 
 def picture(run: Run, result: Result, path: FilePath) -> None:
-    """Draw the discharges of `result`, the circuit of `run`, to the PNG `path`.
+    """Plot the discharges in `result`, the circuit of `run`, and write the plot to the PNG file
+    `path`.
 
-    A dot is a discharge, in the colour of the raceway where the first film failed. Left: azimuth
-    from the load line, with the energy as radius. Right: bearing voltage before the discharge, and
-    the remaining voltage and the threshold voltage. Raises `RunError` if the picture cannot be
-    written.
+    Each dot is a discharge, in the colour of the raceway at which the first film failed. The left
+    panel shows the azimuth from the load line, with the energy as radius. The right panel shows the
+    bearing voltage before each discharge, the voltage that remains after it, and the threshold
+    voltage. Raises `RunError` if the picture cannot be written.
     """
     with plt.rc_context(style.STYLE):
         figure = plt.figure(figsize=(14, 7.4), dpi=110)

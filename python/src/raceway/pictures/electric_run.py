@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Pictures of a bearing as a capacitor over a run: parts of the capacitance over time, fields
-around the ring, impedance over frequency."""
+"""Plot a bearing as a capacitor in a run: parts of the capacitance against time, fields around the
+ring, and impedance against frequency."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -16,18 +16,18 @@ from raceway.runs.run import Run
 from raceway.units import axis, prefixed
 
 VARIABLES = ("plates", "around", "unloaded")  # in the order of `PARTS`
-BINS = 72  # sectors of the ring, in the picture of the field
+BINS = 72  # number of sectors around the ring in the picture of the field
 
 
 def parts(run: Run, data: xr.Dataset, path: FilePath) -> None:
-    """Draw the parts of the capacitance of a `run` over time to the PNG `path`; `data` is from
-    `film_figures.over_time`. Raises `RunError` if it cannot be written."""
+    """Plot the parts of the capacitance in a `run` against time and write the plot to the PNG file
+    `path`; `data` is from `film_figures.over_time`. Raises `RunError` if it cannot be written."""
     layers = np.stack([data[name].to_numpy() for name in VARIABLES])
     factor, unit = axis(layers.sum(0).max(), "F")
     with plt.rc_context(STYLE):
         figure, axes = plt.subplots(figsize=(10, 6), dpi=110)
         figure.subplots_adjust(left=LEFT + 0.02, right=RIGHT, bottom=0.11, top=0.81)
-        head(figure, run.tables, _below("Capacitance of the bearing by its parts", data), size=15)
+        head(figure, run.tables, _below("Parts of the bearing capacitance", data), size=15)
         axes.grid(True)
         axes.stackplot(
             run.tables.passes(np.arange(layers.shape[1])),
@@ -43,9 +43,9 @@ def parts(run: Run, data: xr.Dataset, path: FilePath) -> None:
 
 
 def field(run: Run, fields: xr.Dataset, voltage: float, path: FilePath) -> None:
-    """Draw the largest field during a `run` in the films around the ring, under a `voltage` (V), to
-    the PNG `path`; `fields` is from `whole_capacitance.fields`. Raises `RunError` if it cannot be
-    written."""
+    """Plot the largest field in the films around the ring during a `run`, for a `voltage` (V)
+    across the bearing, and write the plot to the PNG file `path`; `fields` is from
+    `whole_capacitance.fields`. Raises `RunError` if it cannot be written."""
     place = run.balls["from_load_line"].sel(time=fields["time"]).transpose("time", "ball")
     edges = np.linspace(-np.pi, np.pi, BINS + 1)
     which = np.clip(np.digitize(place.to_numpy(), edges) - 1, 0, BINS - 1)
@@ -53,7 +53,7 @@ def field(run: Run, fields: xr.Dataset, voltage: float, path: FilePath) -> None:
     with plt.rc_context(STYLE):
         figure = plt.figure(figsize=(10, 9), dpi=110)
         axes = figure.add_axes((0.12, 0.085, 0.76, 0.68), projection="polar")
-        text = f"Largest field in the films at {prefixed(voltage, 'V')} over the bearing"
+        text = f"Largest field in the films at {prefixed(voltage, 'V')} across the bearing"
         head(figure, run.tables, text, size=14)
         largest = {"field": 0.0, "field_peaks": 0.0}
         for side in SIDES:
@@ -97,9 +97,10 @@ def field(run: Run, fields: xr.Dataset, voltage: float, path: FilePath) -> None:
 
 
 def bode(run: Run, whole: xr.Dataset, resistivity: float, path: FilePath) -> None:
-    """Draw modulus and phase of the impedance of a `run` over frequency, in oil of `resistivity`
-    (ohm m), to the PNG `path`, as mean and range over time. `whole` is from
-    `whole_capacitance.over_time`. Raises `RunError` if the file cannot be written."""
+    """Plot magnitude and phase of the impedance in a `run` against frequency, with mean and range
+    over time, for an oil with `resistivity` (ohm m), and write the plot to the PNG file `path`.
+    `whole` is from `whole_capacitance.over_time`. Raises `RunError` if the file cannot be
+    written."""
     frequency = frequencies(resistivity, 120)
     z = film_figures.spectrum(whole, frequency, resistivity).to_numpy()
     with plt.rc_context(STYLE):
@@ -128,7 +129,7 @@ def _below(text, data):
 
 
 def _largest(which, values):
-    """Largest of the `values` in each sector, (BINS,); NaN for empty sectors."""
+    """Return the largest of the `values` in each sector, (BINS,), with NaN for empty sectors."""
     found = np.full(BINS, -np.inf)
     np.maximum.at(found, which, np.where(np.isfinite(values), values, -np.inf))
     return np.where(np.isfinite(found), found, np.nan)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Picture of the electric field in the films around the ring, from statics."""
+"""Plot the electric field in the films around the ring, computed from statics."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -19,9 +19,9 @@ from raceway.units import prefixed
 def field(
     points: Sequence[Point], names: Mapping[str, Any], voltage: float, path: FilePath
 ) -> None:
-    """Draw the field in every film around the ring under a `voltage` (V) to the PNG `path`. The
-    `points` differ only in ball phase; `names` is from `electric_point.figures`. Raises `RunError`
-    if the file cannot be written."""
+    """Plot the field in every film around the ring for a `voltage` (V) across the bearing and write
+    the plot to the PNG file `path`. The `points` differ only in the positions of the balls; `names`
+    is from `electric_point.figures`. Raises `RunError` if the file cannot be written."""
     azimuth = np.concatenate([np.mod(point.state.azimuth, 2 * np.pi) for point in points])
     order = np.argsort(azimuth)
     found = [point.capacitors() for point in points]
@@ -50,7 +50,7 @@ def field(
     with plt.rc_context(STYLE):
         figure = plt.figure(figsize=(9.5, 8.6), dpi=110)
         axes = figure.add_axes((0.1, 0.085, 0.8, 0.7), projection="polar")
-        head(figure, names, f"Field in the films at {prefixed(voltage, 'V')} over the bearing")
+        head(figure, names, f"Field in the films at {prefixed(voltage, 'V')} across the bearing")
         for side in (OUTER, INNER):
             for values, dashes, text in zip(
                 curves[side], ("-", (0, (3, 2))), ("over $h_c$", "over $h_c - 3σ$")
@@ -73,7 +73,7 @@ def field(
         axes.set_rlim(0, 1.12e-6 * edge)
         axes.set_rlabel_position(157)
         axes.tick_params(axis="y", labelsize=9, labelcolor=SOFT)
-        for label in axes.get_yticklabels():  # a curve may pass below a label
+        for label in axes.get_yticklabels():  # a curve may pass behind a label
             label.set_bbox({"facecolor": "white", "edgecolor": "none", "pad": 1, "alpha": 0.8})
             label.set_zorder(5)
         axes.text(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Picture of the film thickness that an instrument reads from a bearing's capacitance."""
+"""Plot the film thickness that an instrument reads from the capacitance of a bearing."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -14,8 +14,9 @@ from raceway.theory.film_reading import Reading
 
 
 def reading(curve: Reading, names: Mapping[str, Any], path: FilePath) -> None:
-    """Draw the film thickness that an instrument would read against the thickness in the model, and
-    the error, to the PNG `path`. Raises `RunError` if it cannot be written."""
+    """Plot the film thickness that an instrument would read, and its error, against the thickness
+    in the model, and write the plot to the PNG file `path`. Raises `RunError` if it cannot be
+    written."""
     lines = (
         (curve.by_plates, "all capacitance as plates", PALETTE[5], "-"),
         (curve.less_constant, "after subtraction of a constant", PALETTE[0], (0, (4, 2))),

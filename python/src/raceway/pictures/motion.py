@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Motion of the inner ring: orbit, displacement, tilt, and the moment opposing its spin; also the
-force on the cage, and the orbit and pockets of a one-piece cage."""
+"""Plot the motion of the inner ring (orbit, displacement, tilt) and the moment that opposes its
+spin, as well as the force on the cage, and the orbit and pocket forces of a one-piece cage."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -17,12 +17,13 @@ from raceway.units import axis, prefixed
 
 
 def motion(tables: RunTables, path: FilePath) -> None:
-    """Draw the motion of the inner ring of the run `tables` to the PNG `path`: orbit of its centre,
-    displacement, tilt, the moment opposing its spin and the largest force on the cage over time;
-    for a one-piece cage also the cage's orbit and the force of balls on their pockets over azimuth.
+    """Plot the motion of the inner ring in the run `tables` and write the plot to the PNG file
+    `path`. The panels show the orbit of its centre, its displacement and tilt, the moment that
+    opposes its spin, and the largest force on the cage against time. For a one-piece cage, they
+    also show the orbit of the cage and the forces of the balls on their pockets against azimuth.
 
-    Quantities that were not recorded, or did not change, have no panel. Raises `RunError` if the
-    run's files are broken or have no ring, or if the picture cannot be written.
+    There is no panel for quantities that were not recorded or did not change. Raises `RunError` if
+    the run's files are invalid or do not contain a ring, or if the picture cannot be written.
     """
     rings = tables.rings
     if not len(rings):
@@ -106,15 +107,16 @@ def _tilt(axes, tables):
 
 
 def _torque(axes, tables):
-    # the mean of this moment, the friction torque, is far below the ripple of the moment, so the
-    # summary derives the torque from the losses
+    # the mean of this moment, i.e. the friction torque, is much smaller than its ripple; the
+    # summary
+    # therefore computes the torque from the losses
     torque = -tables.rings["mz"] * np.sign(tables.motion.shaft)
     _lines(axes, tables, {"balls on the inner ring": torque}, "N m")
     axes.set_title("Moment against the spin", pad=10)
 
 
 def _cage(axes, tables):
-    # cage contacts are short and recorded only at the ends of host steps
+    # cage contacts are short, and are recorded only at the ends of the host's steps
     force = tables.totals["cage_force"].dropna()
     factor, unit = axis(force.max() or 1.0, "N")
     time = tables.passes(force.index.to_numpy())

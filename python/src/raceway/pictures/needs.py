@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Picture of `raceway needs`: the effect of each choice on each figure, and its cost."""
+"""Plot the result of `raceway needs`: the effect of each choice on each quantity, and its cost."""
 
 import math
 
@@ -12,12 +12,12 @@ from raceway.pictures.style import INK, MAP, PALETTE, SOFT, STYLE, save
 from raceway.sweeps.needs import Needs
 from raceway.sweeps.needs_shown import percent
 
-LEAST, MOST = 1e-4, 1.0  # ends of the scale of relative effects
+LEAST, MOST = 1e-4, 1.0  # limits of the scale of relative effects
 
 
 def picture(found: Needs, path: FilePath) -> None:
-    """Write the picture of `found` to the PNG `path`. Raises `RunError` if that
-    fails."""
+    """Plot `found` and write it to the PNG file `path`. Raises `RunError` if it cannot be
+    written."""
     words = list(found.figures)
     rows = [(one.picked[0].label, one) for one in found.single]
     rows.append(("cheapest set with the required accuracy", found.best))
@@ -48,7 +48,7 @@ def picture(found: Needs, path: FilePath) -> None:
         )
         effect.tick_params(length=0)
         effect.spines[:].set_visible(False)
-        effect.set_title("relative effect on the figures")
+        effect.set_title("relative effect on the results")
         figure.colorbar(shown, ax=effect, location="bottom", shrink=0.5, aspect=40, pad=0.02)
         costs = [100 * one.cost for _, one in rows]
         colours = [PALETTE[0]] * (len(rows) - 1) + [PALETTE[5]]

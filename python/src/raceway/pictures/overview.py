@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""One picture of a run."""
+"""Plot an overview of a run in one picture."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -15,16 +15,17 @@ from raceway.runs.tables import RunTables
 from raceway.theory.bearing import INNER, OUTER
 from raceway.units import axis, prefixed
 
-PARTS = 3  # parts of the friction torque with a colour of their own; more do not fit the legend
+PARTS = 3  # number of torque components with their own colour; more do not fit into the legend
 
 
 def overview(tables: RunTables, path: FilePath) -> None:
-    """Draw the run `tables` to the PNG `path`: loads, friction torque by its parts or pressures,
-    and film and capacitance or the ring's path.
+    """Plot an overview of the run `tables` and write it to the PNG file `path`. It shows the loads,
+    the friction torque by component or the pressures, and film and capacitance or the motion of the
+    ring.
 
-    Raises `RunError` if the run's files are broken or the picture cannot be written.
+    Raises `RunError` if the run's files are invalid or the picture cannot be written.
     """
-    tables, whole = shown(tables, "; the figures are of all"), tables
+    tables, whole = shown(tables, "; the results are for all of them"), tables
     figures = summary(whole)
     film = filmed(tables)
     with plt.rc_context(style.STYLE):
@@ -84,11 +85,12 @@ def _subtitle(figures):
 
 
 def _torque(axes, tables, scale):
-    """Power loss by part times `scale`, the reciprocal of the speed. Parts other than the largest
-    `PARTS`, and parts below a hundredth of the total, are drawn as one."""
+    """Plot the power loss by component times `scale`, which is the reciprocal of the speed. All
+    components except the largest `PARTS`, and those below one hundredth of the total, are
+    combined."""
     samples = np.arange(len(tables.totals))
     lost = {name: tables.totals[key] for name, key in LOSSES.items() if key in tables.totals}
-    # the loss of the cage is known only at the ends of steps
+    # the loss at the cage is known only at the ends of steps
     full = {name: values.interpolate(limit_direction="both") for name, values in lost.items()}
     lost = {name: scale * values.to_numpy(float) for name, values in full.items()}
     whole = sum(lost.values())
@@ -115,7 +117,7 @@ def _pressures(axes, tables):
     factor, unit = axis(largest, "Pa")
     for side in (OUTER, INNER):
         for psi, pressure in tracks(tables, side, "pressure"):
-            # no line across the panel where the angle jumps back by one turn
+            # break the line where the angle jumps back by one turn
             turn = 2 * np.pi * np.round(psi / (2 * np.pi))
             breaks = np.flatnonzero(np.diff(turn) != 0) + 1
             axes.plot(
@@ -166,6 +168,6 @@ def _ring(axes, tables):
     against_time(axes, tables, len(shift))
     finish(axes, "Radial displacement along the load", None, [])
     low, high = shift.min() * factor, shift.max() * factor
-    # a variation below one per cent is drawn as steady
+    # a variation of less than one per cent is drawn as almost constant
     half = max(0.75 * (high - low), 0.01 * abs(high)) or 1
     axes.set_ylim((low + high) / 2 - half, (low + high) / 2 + half)

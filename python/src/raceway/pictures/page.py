@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Common parts of a picture's page: title with the run's settings, legends, axes."""
+"""Common parts of a picture: title with the settings of the run, legends and axes."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -15,11 +15,12 @@ from raceway.pictures.style import SOFT
 from raceway.runs.measured import title
 from raceway.runs.tables import RunTables
 
-LEFT, RIGHT = 0.075, 0.965  # fractions of the figure's width
+LEFT, RIGHT = 0.075, 0.965  # fractions of the figure width
 
 
 def quantity(meaning: str) -> str:
-    """The `meaning` of a signal for a title: without the explanation after the first comma."""
+    """Return the `meaning` of a signal without the explanation after the first comma, for a
+    title."""
     return meaning.partition(",")[0]
 
 
@@ -45,24 +46,26 @@ def head(figure: Figure, tables: RunTables, below: str, size: float = 17) -> Non
 
 
 def fit(text: Text, share: float) -> None:
-    """Shrink a long `text` to a `share` of the figure's width, so that it fits on the page."""
+    """Shrink a `text` that is longer than the fraction `share` of the figure width to that
+    width."""
     width = text.get_window_extent(text.figure.canvas.get_renderer()).width
     text.set_fontsize(text.get_fontsize() * min(1, share * text.figure.bbox.width / width))
 
 
 def key(label: str, **style: Any) -> Line2D:
-    """A line of a legend."""
+    """Return a legend handle with a `label`."""
     return Line2D([], [], label=label, **style)
 
 
 def against_time(axes: Axes, tables: RunTables, samples: int) -> None:
-    """The x axis of `samples` samples: time in ball passes."""
+    """Set up the x axis for `samples` samples, with the time in ball passes."""
     axes.set(xlabel="time (ball passes)", xlim=(0, float(tables.passes(samples - 1)) or 1.0))
     axes.xaxis.set_major_locator(MaxNLocator(8, steps=[1, 2, 5, 10]))
 
 
 def finish(axes: Axes, title: str, top: float | None, handles: Sequence[Artist]) -> None:
-    """Title, grid, legend and, unless None, the upper limit of a y axis from zero."""
+    """Set title, grid and legend and, unless `top` is None, the range of the y axis, which starts
+    at zero."""
     axes.set_title(title, pad=10)
     axes.grid(True)
     if top is not None:

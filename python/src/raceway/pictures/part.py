@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The drawn part of a run, and the tracks of its balls around the ring.
+"""The part of a run that is plotted, and the tracks of its balls around the ring.
 
-A curve around the ring overlays the tracks of all balls. The width of the resulting band shows how
-much the value at one ball depends on the positions of the other balls.
+A curve around the ring consists of the tracks of all balls, drawn on top of each other. The width
+of the resulting band shows how much the value at one ball depends on the positions of the other
+balls.
 """
 
 import warnings
@@ -14,14 +15,15 @@ from raceway.arrays import Floats
 from raceway.errors import RunError, RunWarning
 from raceway.runs.tables import RunTables
 
-LIGHT = 0.01  # fraction of the largest load below which film thickness grows without bound
-# size of a record in bytes above which only some ball passes are drawn, and their number
+LIGHT = 0.01  # fraction of the largest load; the film thickness of lighter contacts is not shown
+# file size of a record in bytes above which only some ball passes are plotted, and their number
 LARGE, PASSES = (200 << 20, 20)
 
 
 def shown(tables: RunTables, note: str = "") -> RunTables:
-    """The part of the run `tables` to draw: the whole run, unless there would be too many curves
-    for memory or paper. In that case a warning is given, with `note` at the end of the text."""
+    """Return the part of the run `tables` to plot. This is the whole run unless the number of
+    curves would be too large for memory or for a legible plot. In that case a warning is issued,
+    with `note` at the end of its text."""
     path = tables.record.path
     if tables.stop is not None or path.stat().st_size < LARGE:
         return tables
@@ -35,12 +37,12 @@ def shown(tables: RunTables, note: str = "") -> RunTables:
 
 
 def filmed(tables: RunTables) -> bool:
-    """True if the contacts of the run `tables` have films."""
+    """Return True if the contacts of the run `tables` have films."""
     return tables.lubricated and {"h_min", "h_c"} <= set(tables.contacts)
 
 
 def need(tables: RunTables, column: str, what: str) -> None:
-    """Raise `RunError` unless the contacts of the run `tables` have `column`, which `what`
+    """Raise `RunError` unless the contacts of the run `tables` have the `column` that `what`
     needs."""
     if (
         column not in tables.contacts
@@ -56,10 +58,10 @@ def need(tables: RunTables, column: str, what: str) -> None:
 def tracks(
     tables: RunTables, raceway: int, column: str, above: float = 0.0
 ) -> Iterator[tuple[Floats, Floats]]:
-    """(psi, values) of each ball's path past one raceway; psi in rad, unwrapped; values are NaN
-    where the ball lost contact.
+    """Yield (psi, values) for the path of each ball past one raceway; psi is in rad and unwrapped,
+    and the values are NaN where the ball lost contact.
 
-    Contacts that carry no more than `above` of the largest load count as lost."""
+    Contacts that carry no more than a fraction `above` of the largest load count as lost."""
     contacts = tables.contacts
     rows = contacts[
         (contacts["raceway"] == raceway) & (contacts["load"] > above * contacts["load"].max())

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Load and film around the ring, with quasi-static theory as dots on the simulation's curves."""
+"""Plot load and film around the ring, with curves for the simulation and dots for quasi-static
+theory."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -15,16 +16,16 @@ from raceway.pictures.style import COLOUR, SIDES
 from raceway.runs.tables import RunTables
 from raceway.theory.lubrication import lubricate, turning
 
-PHASES = 4  # number of positions of the balls in a ball pass at which theory is evaluated
-STRAIGHT = 0.01  # rad: contacts at larger angles carry more than the radial load in `run.yaml`
+PHASES = 4  # number of ball positions in a ball pass for which theory is evaluated
+STRAIGHT = 0.01  # rad; contacts at larger angles also carry loads other than the radial load
 
 
 def polar(tables: RunTables, path: FilePath) -> None:
-    """Draw the run `tables` to the PNG `path`: contact load and, with a lubricant, film thickness
-    against azimuth.
+    """Plot contact load and, if there is a lubricant, film thickness of the run `tables` against
+    azimuth, and write the plot to the PNG file `path`.
 
-    Dots are the results of `theory`. Raises `RunError` if the run's files are broken or the picture
-    cannot be written.
+    Dots are the results of `theory`. Raises `RunError` if the run's files are invalid or the
+    picture cannot be written.
     """
     tables = shown(tables)
     film = filmed(tables)
@@ -62,9 +63,9 @@ def polar(tables: RunTables, path: FilePath) -> None:
 
 
 def theory(tables: RunTables) -> dict[int, dict[str, Floats]]:
-    """{side: {"psi": rad, "load": N, "h_min": m, "h_c": m}} of the loaded contacts at `PHASES`
-    positions of the balls; without films for a dry bearing. Empty if theory does not apply, that
-    is, for contacts at an angle or if there is no equilibrium.
+    """Return {side: {"psi": rad, "load": N, "h_min": m, "h_c": m}} for the loaded contacts at
+    `PHASES` positions of the balls, without films if the bearing is dry. The dict is empty if
+    theory does not apply, i.e. if contacts are at an angle or if there is no equilibrium.
     """
     if "angle" in tables.contacts and np.abs(tables.contacts["angle"]).max() > STRAIGHT:
         return {}

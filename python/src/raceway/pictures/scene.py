@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Positions of all parts of a bearing at chosen samples, with exaggerated small motions.
+"""Positions of all parts of a bearing at selected samples, with exaggerated small motions.
 
 The reference is the concentric bearing at rest without clearance and load. Every deviation from it
-(displacement of the inner ring, balls off the pitch circle, half the clearance) is multiplied by
-one factor. An overlap or a gap between two drawn bodies is the real overlap or gap times this
-factor.
+(displacement of the inner ring, distance of a ball from the pitch circle, half the clearance) is
+multiplied by the same factor. An overlap or gap between two bodies in the picture is therefore the
+actual overlap or gap times this factor.
 """
 
 from dataclasses import dataclass
@@ -24,35 +24,36 @@ COLOURS = {
     "film": ("h_min", "thinner film of a ball", "m"),
     "capacitance": ("capacitance", "capacitance of a ball", "F"),
 }
-VISIBLE = 0.12  # largest drawn motion as a fraction of a ball's radius
+VISIBLE = 0.12  # largest motion in the picture, as a fraction of the ball radius
 
 
 @dataclass(frozen=True)
 class Scene:
-    """n samples of a bearing with Z balls; lengths in m, angles in rad, x and y across the axis."""
+    """n samples of a bearing with Z balls; lengths in m, angles in rad, x and y transverse to the
+    axis."""
 
-    samples: Floats  # (n,)
-    factor: float  # exaggeration
+    samples: Floats  # (n,), sample numbers
+    factor: float  # factor by which motions are exaggerated
     balls: Floats  # (n, Z, 3)
     cage: Floats  # (n, C, 3)
     pockets: Floats  # (n, P, 3), centres of the pockets of a one-piece cage
     pocket_play: float  # play of the pockets along the pitch circle
     ring: Floats  # (n, 3), displacement of the inner ring
     half_clearance: float
-    turned: Floats  # (n, Z), of the balls about z since the first sample
-    ring_turned: Floats  # (n,), of the inner ring
-    values: Floats  # (n, Z), values for the colours of balls, NaN where a ball has none
-    load: Floats  # (n, Z), N, larger contact load of each ball, 0 without contact
+    turned: Floats  # (n, Z), rotation of the balls about z since the first sample
+    ring_turned: Floats  # (n,), rotation of the inner ring since the first sample
+    values: Floats  # (n, Z), values for the colours of the balls, NaN for a ball without a value
+    load: Floats  # (n, Z), N, larger contact load of each ball, 0 if there is no contact
 
 
 def scene(
     tables: RunTables, samples: Integers, colour: str = "load", factor: float | None = None
 ) -> Scene:
-    """`Scene` of the run `tables` at `samples`, an array of sample numbers in ascending order;
-    balls have the values of `colour`, a key of `COLOURS`. By default, `factor` is the `nice` factor
-    for the largest motion.
+    """Return the `Scene` of the run `tables` at `samples`, an array of sample numbers in ascending
+    order. The colours of the balls show the quantity `colour`, a key of `COLOURS`. By default,
+    `factor` is the `nice` factor for the largest motion.
 
-    Raises `RunError` if the run's files are broken or lack the columns for `colour`.
+    Raises `RunError` if the run's files are invalid or lack the columns for `colour`.
     """
     need(tables, COLOURS[colour][0], f"colour {colour}")
     table = tables.balls[tables.balls["sample"] <= samples[-1]].sort_values(
@@ -62,7 +63,8 @@ def scene(
     axis = _places(table[table["id"] == tables.settings["outer_ring"]], count)[:, 0]
     if not np.isin(samples, np.unique(table["sample"])).all():
         raise RunError(
-            f"{tables.record.path}: no sample {samples[-1]}, the last is {table['sample'].max()}"
+            f"{tables.record.path}: there is no sample {samples[-1]}, the last is"
+            f" {table['sample'].max()}"
         )
     first = int(table["sample"].min())
     kept = samples - first
@@ -103,7 +105,8 @@ def scene(
 
 
 def nice(seen: float, largest: float) -> float:
-    """The largest of 1, 2, 5, 10, 20 ... whose product with `largest` is at most `seen`, or 1.
+    """Return the largest of 1, 2, 5, 10, 20 ... whose product with `largest` is at most `seen`, or
+    1.
 
     >>> nice(0.75e-3, 34.8e-6), nice(0.75e-3, 2e-3), nice(0.75e-3, 0.0)
     (20.0, 1.0, 1.0)
@@ -132,7 +135,7 @@ def _turned(table, step):
 
 
 def _values(tables, colour, samples, ids):
-    """((n, Z) of `colour`, (n, Z) of load)."""
+    """Return (values (n, Z) for `colour`, loads (n, Z))."""
     contacts = tables.contacts[tables.contacts["sample"].isin(samples)]
 
     def grid(table, column, how):

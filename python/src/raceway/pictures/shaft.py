@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Picture of a shaft at rest: displacement along the shaft in both planes, and positions of the
-bearings."""
+"""Plot a shaft at rest: its displacement in both planes, and the positions of the bearings."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -11,12 +10,12 @@ from raceway.shaft_file import Case
 from raceway.theory.shaft import Rest
 from raceway.units import axis, prefixed
 
-POINTS = 20  # points per cubic segment
+POINTS = 20  # number of points per cubic segment
 
 
 def line(z: np.ndarray, moved: np.ndarray, slope: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(z, displacement) of a smooth line through nodes at `z` (N,) with displacements `moved` (N,)
-    and slopes (N,)."""
+    """Return (z, displacement) of a smooth line through nodes at `z` (N,) with the displacements
+    `moved` (N,) and the slopes `slope` (N,)."""
     s = np.linspace(0, 1, POINTS)
     places, values = [], []
     for k in range(len(z) - 1):
@@ -32,7 +31,8 @@ def line(z: np.ndarray, moved: np.ndarray, slope: np.ndarray) -> tuple[np.ndarra
 
 
 def picture(case: Case, rest: Rest, path: FilePath) -> None:
-    """Draw `rest` of `case` to the PNG `path`. Raises `RunError` if the file cannot be written."""
+    """Plot `rest` of `case` and write the plot to the PNG file `path`. Raises `RunError` if the
+    file cannot be written."""
     places = rest.place
     planes = (("x", places[:, 0], places[:, 4]), ("y", places[:, 1], -places[:, 3]))
     factor, unit = axis(np.abs(places[:, :2]).max(), "m")

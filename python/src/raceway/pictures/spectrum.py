@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Picture of a spectrum in which the kinematic lines are marked, by name if found and otherwise by
-a dotted line."""
+"""Plot a spectrum and mark its kinematic lines, with their names if they were found and otherwise
+with dotted lines."""
 
 from collections.abc import Sequence
 from itertools import cycle
@@ -17,19 +17,20 @@ from raceway.runs.spectrum import COMPLIANCE, NAMES, OUTER_RING, SHAFT, Line
 from raceway.units import axis
 
 COLOUR = dict(zip((*NAMES.values(), SHAFT, OUTER_RING, COMPLIANCE), cycle(PALETTE)))
-WIDE, NARROW = 0.075, 0.014  # widths of a horizontal and a vertical label, fractions of the axis
+WIDE, NARROW = 0.075, 0.014  # widths of horizontal and vertical labels, as fractions of the axis
 PAPER = {"facecolor": "white", "edgecolor": "none", "pad": 1.5, "alpha": 0.85}
-DECADES = 6  # range shown below the strongest line
-ROOM = 9.0  # position of a row of labels on the axis of amplitudes
+DECADES = 6  # range below the largest amplitude that is shown
+ROOM = 9.0  # factor in amplitude between two rows of labels
 
 
 def of_flaw(line: Line) -> str:
-    """Name of the line to which a sideband belongs; for other lines, their own name."""
+    """Return the name of the line to which a sideband belongs, or the line's own name."""
     return line.name.split("+")[0].split("-")[0]
 
 
 def levels(places: Sequence[float], width: float) -> list[int]:
-    """Rows (0, 1 ...) without overlap for labels at `places`, each `width` wide."""
+    """Return rows (0, 1 ...) for labels at `places`, each `width` wide, so that they do not
+    overlap."""
     ends, rows = [], dict.fromkeys(places, 0)
     for place in sorted(rows):
         row = next((k for k, end in enumerate(ends) if place - end >= width), len(ends))
@@ -39,8 +40,8 @@ def levels(places: Sequence[float], width: float) -> list[int]:
 
 
 def picture(run: Source, spectrum: xr.DataArray, found: Sequence[Line], path: FilePath) -> None:
-    """Draw `spectrum` of `run` (from `raceway.open`, or a recording) and the `Line`s `found` in it
-    to the PNG `path`.
+    """Plot the `spectrum` of `run` (from `raceway.open`, or a recording) with the `Line`s `found`
+    in it, and write the plot to the PNG file `path`.
 
     Raises `RunError` if the picture cannot be written.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Style of all pictures: colours, fonts, saving."""
+"""Common style of all pictures: colours and fonts, and a function that saves a figure."""
 
 import matplotlib
 from matplotlib.figure import Figure
@@ -14,13 +14,14 @@ import numpy as np
 from raceway import files
 from raceway.theory.bearing import INNER, OUTER
 
-# Okabe and Ito's palette, distinguishable by colour-blind readers; the two raceways differ in
-# lightness as well
+# Okabe and Ito's palette, which colour-blind readers can distinguish; the colours of the two
+# raceways
+# also differ in lightness
 PALETTE = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00")
 COLOUR = {INNER: PALETTE[0], OUTER: PALETTE[1]}
 NAME = {INNER: "inner raceway", OUTER: "outer raceway"}
 SIDES = (INNER, OUTER)
-MAP = "cividis"  # colour map: suited to colour-blind readers, perceptually uniform
+MAP = "cividis"  # a perceptually uniform colour map that is suitable for colour-blind readers
 INK, SOFT, FAINT, BALL = "#222222", "#555555", "#bbbbbb", "#009E73"
 STYLE = {
     "font.family": "DejaVu Sans",
@@ -49,8 +50,8 @@ REGIMES = (
 
 
 def save(figure: Figure, path: FilePath) -> None:
-    """Write `figure` to the PNG `path` and close it. Raises `RunError` if that
-    fails."""
+    """Write `figure` to the PNG file `path` and close it. Raises `RunError` if it cannot be
+    written."""
     try:
         files.whole(path, lambda part: figure.savefig(part, format="png", facecolor="white"))
     finally:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Picture of a signal over time and frequency or order, with the names of the kinematic lines at
-the side and the shaft's speed above."""
+"""Plot a signal against time and frequency or order, with the names of the kinematic lines on the
+right and the shaft speed at the top."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -15,15 +15,16 @@ from raceway.runs import spectrum
 from raceway.runs.source import Source
 from raceway.units import axis
 
-DECADES = 2.5  # range of the colours, below the largest amplitude
-POWER = 0.98  # share of a signal's power below the top of the picture
-MOST = 800  # rows and columns drawn
-LABEL = 0.036  # height of a name, fraction of the axis
-HARMONICS = {"BPFO": (1, 2, 3), "BPFI": (1, 2, 3), "BSF": (2,)}  # of other lines only the first
+DECADES = 2.5  # range of the colour scale below the largest amplitude
+POWER = 0.98  # fraction of the signal's power below the upper limit of the vertical axis
+MOST = 800  # largest number of rows and columns that are plotted
+LABEL = 0.036  # height of a name, as a fraction of the axis
+HARMONICS = {"BPFO": (1, 2, 3), "BPFI": (1, 2, 3), "BSF": (2,)}  # other lines: only the first
 
 
 def picture(run: Source, found: xr.DataArray, path: FilePath) -> None:
-    """Draw `found` (`time_frequency.of_run` of `run`) to the PNG `path`.
+    """Plot `found`, the result of `time_frequency.of_run` for `run`, and write the plot to the PNG
+    file `path`.
 
     Raises `RunError` if the picture cannot be written.
     """
@@ -70,8 +71,8 @@ def picture(run: Source, found: xr.DataArray, path: FilePath) -> None:
 
 
 def _lines(run, found):
-    """{(name, harmonic): position on the vertical axis} of the lines that follow from the speed of
-    the cage."""
+    """Return {(name, harmonic): position on the vertical axis} for the lines whose frequencies
+    follow from the cage speed."""
     which = 0 if found.attrs["orders"] else 1
     return {
         (name, n): place[which]
@@ -81,8 +82,8 @@ def _lines(run, found):
 
 
 def _top(found, places):
-    """Upper limit of the vertical axis: above all lines for an envelope, above most of the power
-    for a signal."""
+    """Return the upper limit of the vertical axis, which is above all lines for an envelope and
+    above most of the power for a signal."""
     upright = found[found.dims[0]].to_numpy()
     if "band" in found.attrs:
         return min(1.1 * max(places.values()), upright[-1])
@@ -92,9 +93,9 @@ def _top(found, places):
 
 
 def _name(axes, places, top):
-    """Dotted lines, with their names on the right of the picture."""
+    """Draw dotted lines, with their names on the right of the plot."""
     if not places or max(places.values()) < 0.15 * top:
-        return  # all lines are at the lower edge of the picture
+        return  # all lines are close to the lower edge of the plot
     row = levels(list(places.values()), LABEL * top)
     for ((name, n), place), level in zip(places.items(), row):
         axes.axhline(place, color="white", lw=0.8, ls=(0, (1, 5)))

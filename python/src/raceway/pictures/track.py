@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Picture of a tracked state: each unknown over time with its uncertainty band."""
+"""Plot a tracked state, i.e. each unknown with its uncertainty band against time."""
 
 from collections.abc import Mapping
 
@@ -13,8 +13,8 @@ from raceway.units import axis
 
 
 def picture(found: Track, names: Mapping[str, str], path: FilePath) -> None:
-    """Draw `found` to the PNG `path`; `names` maps the unknowns to words. Raises `RunError` if the
-    file cannot be written."""
+    """Plot `found` and write the plot to the PNG file `path`; `names` maps the unknowns to words.
+    Raises `RunError` if the file cannot be written."""
     with plt.rc_context(STYLE):
         size = len(found.names)
         figure, all_axes = plt.subplots(

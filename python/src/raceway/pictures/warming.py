@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Picture of the temperatures of a run over thermal time, with losses and clearance."""
+"""Plot temperatures, losses and clearance of a run against thermal time."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -12,11 +12,12 @@ from raceway.runs.warming import PARTS, transient
 from raceway.units import axis
 
 NAMES = {"inner": "inner ring", "outer": "outer ring", "oil": "oil in the contacts"}
-LONG = 600.0  # s, above which the axis is in minutes
+LONG = 600.0  # s, thermal time above which the axis is in minutes
 
 
 def warming(tables: RunTables, path: FilePath) -> None:
-    """Draw the run `tables` to the PNG `path`. Raises `RunError` without a table of time jumps."""
+    """Plot the run `tables` and write the plot to the PNG file `path`. Raises `RunError` if the run
+    has no table of time jumps."""
     found = transient(tables.folder)
     time = found["thermal_time"].to_numpy()
     minutes = time[-1] > LONG

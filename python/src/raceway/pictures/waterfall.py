@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Capacitance over azimuth and time: one band for each ball, with the bearing's total beside the
-bands and one ball's path around the ring above them."""
+"""Plot the capacitance against azimuth and time, with one band for each ball. The total capacitance
+of the bearing is shown next to the bands, and above them the capacitance of each ball against its
+azimuth."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -17,23 +18,25 @@ from raceway.runs.record_tables import BALL as BALL_TYPE
 from raceway.runs.tables import RunTables
 from raceway.units import axis
 
-WIDTH = 0.5  # width of a band, in ball pitches
-ROWS = 600  # samples drawn, as many as a page can resolve; others are skipped
+WIDTH = 0.5  # width of a band, as a fraction of the ball pitch
+ROWS = 600  # number of samples that a page can resolve; if there are more, some are skipped
 IDLE = "#ececec"  # colour of a ball that is not loaded on both raceways
 
 
 def waterfall(tables: RunTables, path: FilePath) -> None:
-    """Draw the capacitance of every ball of the run `tables` over azimuth and time to the PNG
-    `path`.
+    """Plot the capacitance of every ball in the run `tables` against azimuth and time, and write
+    the plot to the PNG file `path`.
 
-    Raises `RunError` for a run without capacitance or with broken files, or if the picture cannot
-    be written.
+    Raises `RunError` if the run has no capacitance or its files are invalid, or if the picture
+    cannot be written.
     """
     need(tables, "capacitance", "the waterfall")
     tables = shown(tables)
     samples, psi, each = bands(tables)
     if len(samples) < 2:
-        raise RunError(f"{tables.folder}: a picture over time needs 2 samples, not {len(samples)}")
+        raise RunError(
+            f"{tables.folder}: a picture over time needs at least 2 samples, not {len(samples)}"
+        )
     total = tables.bearing_capacitance[samples - tables.first]
     factor, unit = axis(np.nanmax(each, initial=0.0), "F")
     times = tables.passes(samples)
@@ -43,8 +46,8 @@ def waterfall(tables: RunTables, path: FilePath) -> None:
             head(
                 figure,
                 tables,
-                "capacitance of the contacts' Hertz areas, inner and outer of a ball in series,"
-                " balls in parallel",
+                "capacitance of the Hertz areas; both contacts of a ball are in series, the balls"
+                " in parallel",
                 size=15,
             )
             grid = figure.add_gridspec(
@@ -84,7 +87,7 @@ def waterfall(tables: RunTables, path: FilePath) -> None:
             beside = figure.add_subplot(grid[1, 1], sharey=main)
             factor, unit_all = axis(total.max(), "F")
             beside.plot(total * factor, times, color=INK, lw=1.8)
-            # a ripple of one per cent is visible but small
+            # choose the range so that a ripple of one per cent is visible but small
             half = max(0.6 * np.ptp(total), 0.025 * total.max()) * factor or 1
             beside.set(
                 xlabel=f"bearing ({unit_all})",
@@ -102,9 +105,10 @@ def waterfall(tables: RunTables, path: FilePath) -> None:
 
 
 def bands(tables: RunTables) -> tuple[Integers, Floats, Floats]:
-    """(samples (n,), psi (n, Z), capacitance (n, Z)) of the balls of the run `tables`: psi is
-    the azimuth from the load line in rad, unwrapped; the capacitance is in F, or NaN for a ball
-    that is not loaded on both raceways. At most about `ROWS` samples, evenly spaced.
+    """Return (samples (n,), psi (n, Z), capacitance (n, Z)) for the balls of the run `tables`. psi
+    is the azimuth from the load line in rad, unwrapped; the capacitance is in F, or NaN for a ball
+    that is not loaded on both raceways. There are at most about `ROWS` samples, which are evenly
+    spaced.
     """
     there = tables.balls
     table = there[there["type"] == BALL_TYPE].sort_values(["sample", "id"])
@@ -143,7 +147,7 @@ def _bands(axes, times, psi, each, balls):
 
 
 def _edges(values):
-    """Edges (n + 1,) between and beyond `values` (n,)."""
+    """Return the edges (n + 1,) of cells centred on `values` (n,)."""
     inner = (values[1:] + values[:-1]) / 2
     return (
         np.concatenate(

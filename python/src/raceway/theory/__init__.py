@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Bearings without a run: one topic in each module, formulas on numbers or arrays in SI units.
+"""Theory of bearings that does not need a run, with one topic per module. Formulas accept numbers
+or arrays in SI units.
 
-They are the basis of the statics of a whole bearing (`static`), its film (`lubrication`) and its
-figures (`operating_point`, as text `operating_table`)."""
+They are combined into the statics of a whole bearing (`static`), its films (`lubrication`) and the
+results at an operating point (`operating_point`, formatted as text by `operating_table`)."""

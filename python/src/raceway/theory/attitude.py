@@ -1,20 +1,20 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Rotation of balls that roll on both raceways, under Coulomb's law and the gyroscopic moment.
+"""Rotation of balls that roll on both raceways under Coulomb's law and the gyroscopic moment.
 
-In the plane of the bearing's axis e and a ball's radius u, rolling on both raceways leaves one free
-speed: the radial part x of the ball's rotation. The orbital speed Omega and both spins are linear
-functions of x. An orbiting ball of inertia J needs the moment J Omega x about the direction t of
-its path. Only friction across the raceways can supply it, so the ball turns about t and slides at s
-across both:
+In the plane spanned by the bearing's axis e and the radius u through a ball, rolling on both
+raceways leaves one speed undetermined: the radial component x of the ball's rotation. The orbital
+speed Omega and both spins are linear functions of x. An orbiting ball with inertia J needs the
+moment J Omega x about the direction t of its path. Only friction across the raceways can supply
+this moment, so the ball rotates about t and slides across both raceways at the speed s:
 
     J Omega x = R_b sum of mu Q s/sqrt(s^2 + v^2),    v = s_e/3.80,
 
 as in the simulation's law of slip across the groove (docs/tribology, Slip in a time step). This
-rotation in turn needs the moment J Omega s/R_b about u, which spin supplies:
+rotation in turn needs the moment J Omega s/R_b about u, which is supplied by spin:
 
-    sum of M_k domega_k/dx + J Omega s/R_b = 0,    M_k = spin.closed_moment beside s.
+    sum of M_k domega_k/dx + J Omega s/R_b = 0,    M_k = spin.closed_moment in the presence of s.
 
-Where friction is too low for the moment, x is limited and s grows: the ball pivots and slides.
+If friction is too low for the moment, x is limited and s grows, i.e. the ball pivots and slides.
 """
 
 from typing import NamedTuple
@@ -26,17 +26,17 @@ from raceway.core import laws
 from raceway.theory import sliding
 from raceway.theory.bearing import INNER, OUTER, Bearing
 
-HALVINGS = 120  # bisections; sliding speeds span a factor of 1e20 from sticking to sliding balls
-ROUNDS = 5  # iterations of the orbital speed
+HALVINGS = 120  # bisections; the sliding speeds of sticking and sliding balls differ by up to 1e20
+ROUNDS = 5  # iterations for the orbital speed
 
 
 class Attitude(NamedTuple):
-    """Motion of Z balls with two contacts each, inner contacts first."""
+    """Motion of Z balls with two contacts each; contacts with the inner ring come first."""
 
     orbit: Floats  # (Z,), rad/s
-    spin: Floats  # (2, Z), rad/s, of the ball relative to the ring about the normal
+    spin: Floats  # (2, Z), rad/s, of the ball relative to the ring about the contact normal
     moment: Floats  # (2, Z), N m, opposing the spin
-    across: Floats  # (Z,), m/s, sliding across both raceways, not negative
+    across: Floats  # (Z,), m/s, sliding speed across both raceways, not negative
     force: Floats  # (2, Z), N, opposing the sliding
 
     __repr__ = short
@@ -52,17 +52,18 @@ def balanced(
     edge: Floats,
     density: float,
 ) -> Attitude:
-    """`Attitude` of balls at contact angles (2, Z) in rad, the inner ring at `ring` rad/s, not 0.
+    """Compute the `Attitude` of balls at the contact angles `angle` (2, Z) in rad, with the inner
+    ring turning at `ring` rad/s, which must not be 0.
 
-    Contacts (2, Z) have the friction `limit` mu Q (N), the semi-axis `a` (m), the moment `pure` of
-    pure spin (N m) and the sliding speed `edge` s_e of differential slip (m/s); `density` of the
-    balls in kg/m^3, above 0.
+    The contacts (2, Z) are described by the friction `limit` mu Q (N), the semi-axis `a` (m), the
+    moment `pure` of pure spin (N m) and the sliding speed `edge` s_e of differential slip (m/s).
+    The ball `density` in kg/m^3 must be above 0.
     """
     none, turn = rolling(bearing, angle, ring)
     radius, edge = bearing.ball_radius, np.maximum(edge, sliding.LEAST)
     inertia = 8 / 15 * np.pi * radius**5 * density
     momentum = inertia * np.abs(none[0])
-    for _ in range(ROUNDS):  # the orbit changes little with x
+    for _ in range(ROUNDS):  # the orbital speed depends only weakly on x
         slide = _slide(none, turn, radius, limit, a, pure, edge, momentum)
         motion, share, force = _at(slide, none, turn, radius, limit, a, edge, momentum)
         momentum = inertia * np.abs(motion[0])
@@ -70,15 +71,17 @@ def balanced(
 
 
 def _at(slide, none, turn, radius, limit, a, edge, momentum):
-    """(orbit and spins (3, Z), fractions of the moment of pure spin (2, Z), forces across (2, Z))
-    of balls that slide at `slide` (Z,) m/s, with the sign of x; `momentum` is J Omega."""
+    """Return (orbit and spins (3, Z), fractions of the moment of pure spin (2, Z), forces across
+    (2, Z)) of balls that slide at `slide` (Z,) m/s, which has the sign of x; `momentum` is J
+    Omega."""
     force = limit * slide / np.hypot(slide, edge / sliding.LEAN)
     motion = none + turn * radius * force.sum(0) / momentum
     return motion, laws.spin_shares(np.abs(motion[1:]) * a, edge, np.abs(slide)).spin, force
 
 
 def _slide(none, turn, radius, limit, a, pure, edge, momentum):
-    """The `slide` of `_at` at which the moments about u balance; their sum increases with it."""
+    """Return the `slide` for `_at` at which the moments about u balance; their sum increases with
+    it."""
     high = radius * (pure * np.abs(turn[1:])).sum(0) / momentum
     low = -high
     for _ in range(HALVINGS):
@@ -91,9 +94,9 @@ def _slide(none, turn, radius, limit, a, pure, edge, momentum):
 
 
 def rolling(bearing: Bearing, angle: Floats, ring: float) -> tuple[Floats, Floats]:
-    """(orbit and both spins (3, Z) in rad/s of balls that roll on both raceways without radial
-    rotation, their change per rad/s of radial rotation); angles (2, Z) and `ring` as in
-    `balanced`."""
+    """Return (none, turn): the orbit and both spins (3, Z) in rad/s of balls that roll on both
+    raceways without radial rotation, and their change per rad/s of radial rotation. The angles (2,
+    Z) and `ring` are as in `balanced`."""
     sizes = angle[INNER], angle[OUTER], ring, bearing.ball_radius, bearing.pitch_radius
     none, one = (laws.rolling_on_both(*sizes, radial) for radial in (0.0, 1.0))
     none, one = (np.array([m.orbit, m.spin_inner, m.spin_outer]) for m in (none, one))

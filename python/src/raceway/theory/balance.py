@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Equilibrium of the inner ring: the energy of a bearing as a function of the ring's five degrees
-of freedom, with the balls in equilibrium, and its minimum.
+"""Equilibrium of the inner ring, found as the minimum of the energy of a bearing as a function of
+the ring's five degrees of freedom, where the balls are in equilibrium for each position of the
+ring.
 
-Internally, tilts are multiplied by a length and moments divided by it, so that all five are in
-metres and newtons.
+Internally, tilts are multiplied by a length and moments are divided by it, so that all five
+coordinates are in metres and all five loads in newtons.
 """
 
 from functools import partial
@@ -22,21 +23,21 @@ from raceway.theory.small_motion import condensed
 
 
 class Here(NamedTuple):
-    """The bearing for a given position of the ring, with the balls in equilibrium."""
+    """State of the bearing at a given position of the ring, with the balls in equilibrium."""
 
-    energy: float  # J, up to a constant
-    gradient: Floats  # (5,), with respect to the ring's position
+    energy: float  # J, except for a constant
+    gradient: Floats  # (5,), derivative of the energy with respect to the ring's position
     touch: seat.Touch
 
     def hessian(self, metres: Floats) -> Floats:
-        """Second derivatives (5, 5) of the energy with respect to the ring's position, in which
-        tilts are multiplied by `metres`."""
+        """Return the second derivatives (5, 5) of the energy with respect to the ring's position,
+        where tilts are multiplied by `metres`."""
         linear = seat.linear(self.touch)
         return condensed(linear.stiffness[linear.loaded]) / np.outer(metres, metres)
 
 
 class Balance:
-    """One bearing under one load, with the contact stiffness of each contact and ball."""
+    """Equilibrium problem for one bearing under one load; keeps the stiffness of every contact."""
 
     def __init__(
         self,
@@ -50,13 +51,13 @@ class Balance:
         finite_shift: bool,
         film: FilmInGap | None = None,
     ) -> None:
-        """`force` (3,) N, `moment` (2,) N m; `held` (5,) imposed displacements in m and rad, NaN
-        where the ring is free; `azimuth` (Z,) rad and `centrifugal` (Z,) N of all balls, row by
-        row."""
+        """Set up the problem. `force` (3,) is in N and `moment` (2,) in N m; `held` (5,) are
+        imposed displacements in m and rad, NaN where the ring is free; `azimuth` (Z,) in rad and
+        `centrifugal` (Z,) in N are for all balls, row by row."""
         self.bearing, self.clearance, self.azimuth = bearing, clearance, azimuth
         self.centrifugal = np.broadcast_to(np.asarray(centrifugal, float), azimuth.shape)
         self.moment, self.finite_shift = np.asarray(moment, float), finite_shift
-        # per unit of position
+        # m per unit of each coordinate
         self.metres = np.array([1.0, 1.0, 1.0, bearing.pitch_radius, bearing.pitch_radius])
         self.free, self.held = np.isnan(held), np.nan_to_num(held) * self.metres
         self.loads = np.concatenate([force, self.moment]) / self.metres
@@ -71,17 +72,18 @@ class Balance:
             [np.full(outer.shape, bearing.groove_circle(OUTER, clearance)), outer], -1
         )
         self.gap = np.array([[bearing.groove_gap(side)] for side in bearing.raceways])
-        # m: rounding error of the distances, a few units in the last place of the radius
+        # m, rounding error of the distances, i.e. a few units in the last place of the radius
         self.digits = 8 * np.spacing(bearing.pitch_radius)
-        # longest Newton step, m: small compared with the groove
+        # m, longest Newton step, which is small compared with the groove
         self.cap = 0.25 * (bearing.groove_gap(INNER) + bearing.groove_gap(OUTER))
         self.film = film
-        self._balls: Floats | None = None  # (Z, 2), of the last position of the ring
+        self._balls: Floats | None = None  # (Z, 2), at the previous position of the ring
         self._bend(np.zeros((len(self.gap), len(azimuth))))
 
     def start(self) -> Floats:
-        """A position that takes up the play in the direction of the load, plus a first guess of the
-        compression. Raises `NoEquilibrium` if the direction of the displacement is undetermined."""
+        """Return a starting position: the ring moves through the play in the direction of the load
+        and then by an estimate of the compression. Raises `NoEquilibrium` if the direction of the
+        displacement is undetermined."""
         loads = np.where(self.free, self.loads, 0)
         size = np.linalg.norm(loads)
         if self.free.any() and not size and not np.any(self.held):
@@ -99,8 +101,9 @@ class Balance:
         return np.where(self.free, free + direction * min(2 * squeeze, self.cap), self.held)
 
     def find(self, near: tuple[Floats, Floats] | None = None) -> tuple[Floats, Here]:
-        """The position of a stable equilibrium, and the bearing there; the search may begin at
-        (position (5,) in m and rad, contact angles (C, Z)) `near` it. Raises `NoEquilibrium`."""
+        """Find a position of stable equilibrium and return it together with the state of the
+        bearing there. The search may start from `near`, (position (5,) in m and rad, contact angles
+        (C, Z)). Raises `NoEquilibrium`."""
         place = self.start()
         if near is not None:
             place = np.where(self.free, near[0] * self.metres, self.held)
@@ -114,8 +117,8 @@ class Balance:
                 np.abs(self.loads - loads) <= 1e-12 * np.abs(loads).max(initial=0)
             ):
                 break
-            # tilts can be so soft that rounding changes the last digits of the stiffness in every
-            # iteration
+            # tilts can be so compliant that rounding errors change the last digits of the stiffness
+            # in every iteration
             if np.all(np.abs(place - was) <= self.digits):
                 break
         else:
@@ -126,8 +129,8 @@ class Balance:
         return place, found
 
     def settle(self, place: Floats) -> tuple[Floats, Here]:
-        """Position (5,) of a stable equilibrium for the present stiffness, and the bearing
-        there."""
+        """Return the position (5,) of a stable equilibrium for the current stiffness, and the state
+        of the bearing there."""
         nudged, free = 0, self.free
         here = self.at(place)
         if not free.any():
@@ -137,11 +140,12 @@ class Balance:
             size = np.linalg.norm(gradient)
             scale = np.abs(self.loads[free]).max() + here.touch.load.max()
             value, vector = np.linalg.eigh(hessian)
-            # the residual may be as large as the rounding of the distances times the stiffness
+            # the residual may be as large as the rounding error of the distances times the
+            # stiffness
             if size <= 1e-11 * scale + self.digits * np.abs(value).max():
                 if value[0] >= -1e-9 * value[-1] or nudged == 5:
                     return place, here
-                # a ring balanced on one ball: let it roll to one side
+                # the ring is balanced on one ball: let it roll to one side
                 place, nudged = place + self._whole(0.01 * self.cap * vector[:, 0]), nudged + 1
                 here = self.at(place)
                 continue
@@ -157,23 +161,23 @@ class Balance:
                 break
         said = " and moment ({:g}, {:g}) N m".format(*self.moment) if free[3:].any() else ""
         raise NoEquilibrium(
-            f"no position of the ring balances radial and axial load {np.hypot(*self.loads[:2]):g}"
+            f"no position of the ring balances radial and axial loads {np.hypot(*self.loads[:2]):g}"
             f" N, {self.loads[2]:g} N{said} with clearance {self.clearance:g} m"
         )
 
     def grooves(self, place: Floats) -> seat.Grooves:
-        """`seat.Grooves` for a given position of the ring."""
+        """Return the `seat.Grooves` for a given position of the ring."""
         inner = partial(self.reach, place=place / self.metres)
         return seat.Grooves(inner, self.outer, self.gap, self.stiffness, self.centrifugal, self.law)
 
     def at(self, place: Floats) -> Here:
-        """`Here` for a given position of the ring."""
+        """Return the state of the bearing for a given position of the ring."""
         grooves = self.grooves(place)
         ball = self._balls = seat.settle(grooves, self._balls)
         touch = seat.touch(grooves, ball)
         energy = seat.energy(grooves, touch, ball).sum() - self.loads[self.free] @ place[self.free]
         inner = len(touch.reach.distance)
-        # a ball with play touches nothing, whatever its position
+        # a ball with play carries no load, whatever its position
         lies = (touch.load[:inner] > 0).any(0) & (touch.load[inner:] > 0).any(0)
         lies |= self.centrifugal > 0
         touch = touch._replace(load=np.where(lies, touch.load, 0.0))
@@ -182,7 +186,8 @@ class Balance:
         return Here(energy, pull - self.loads, touch)
 
     def angles(self, touch: seat.Touch) -> Floats:
-        """Contact angles (C, Z), rad, each relative to its own ring; without negative zeros."""
+        """Return the contact angles (C, Z) in rad, each relative to its own ring, without negative
+        zeros."""
         inner, outer = touch.reach.section, touch.direction[len(touch.reach.section) :]
         return (
             np.concatenate(
@@ -195,7 +200,7 @@ class Balance:
         )
 
     def _bend(self, angle):
-        """Stiffness and law of the contacts at contact angles (C, Z)."""
+        """Compute the stiffness and the law of the contacts at the contact angles (C, Z)."""
         bearing, modulus = self.bearing, self.bearing.effective_modulus
         radii = (
             bearing.effective_radii(side, one, self.clearance)
@@ -209,8 +214,8 @@ class Balance:
         )
 
     def _renew(self, place, here):
-        """Update the contact stiffness at the present angles, and the moment's component along the
-        tilts of the present axis."""
+        """Update the contact stiffness for the current angles, and the components of the moment
+        that do work on the tilts for the current axis of the ring."""
         self._bend(self.angles(here.touch))
         if self.finite_shift:
             tilt = (place / self.metres)[3:]
@@ -222,8 +227,8 @@ class Balance:
         return result
 
     def _moved(self, place, here, step):
-        """(position, `Here`) after a fraction of `step` that reduces the energy or the residual
-        force; unchanged if there is none."""
+        """Return (position, `Here`) after a fraction of `step` that reduces the energy or the
+        residual force; both are unchanged if no fraction does."""
         slope, part = here.gradient[self.free] @ step, 1.0
         size = np.linalg.norm(here.gradient[self.free])
         for _ in range(50):

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Motion of a ball in contact with more grooves than it can roll on.
+"""Motion of a ball that is in contact with more grooves than it can roll on.
 
 The rotation of a ball has components (radial, axial) in the plane through the bearing's axis, and
-its centre orbits. Sliding and spin at its contacts are linear in these three speeds. Under
-Coulomb's law, forces and moments on the ball are in equilibrium where the total power loss of all
-contacts is least. The moment of spin is taken in closed form. This power is piecewise linear, so
-its minimum is where three of the terms are 0.
+its centre orbits. Sliding and spin at its contacts are linear functions of these three speeds.
+Under Coulomb's law, forces and moments on the ball are in equilibrium where the total power loss of
+all contacts is smallest. The spin moment is computed in closed form. The power is then piecewise
+linear, so that at its minimum three of the terms vanish.
 """
 
 from itertools import combinations
@@ -21,16 +21,17 @@ from raceway.theory.static import Equilibrium
 def rates(
     bearing: Bearing, raceways: Floats, angle: Floats, ring: float
 ) -> tuple[Floats, Floats, Floats]:
-    """(lines (2 C, 3), goal (2 C,), ring speeds (C,)) of the C contacts of a ball on `raceways` at
-    contact angles (rad): `lines` times the ball's motion minus `goal` is the ball's speed relative
-    to the ring at each contact in m/s, followed by its spin at each contact in rad/s.
+    """Return (lines (2 C, 3), goal (2 C,), ring speeds (C,)) for the C contacts of a ball on
+    `raceways` at the contact angles `angle` (rad). `lines` times the motion of the ball minus
+    `goal` is the speed of the ball relative to the ring at each contact in m/s, followed by its
+    spin at each contact in rad/s.
 
-    The motion is the rotation (radial, axial) in rad/s and the speed of the centre in m/s; the
-    inner ring turns at `ring` rad/s, with surface speeds in m/s.
+    The motion consists of the rotation (radial, axial) in rad/s and the speed of the centre in m/s.
+    The inner ring turns at `ring` rad/s; the ring speeds are surface speeds in m/s.
     """
     radius, pitch = bearing.ball_radius, bearing.pitch_radius
     out = np.where(raceways == INNER, -1.0, 1.0)
-    radial, axial = out * np.cos(angle), out * np.sin(angle)  # from ball to raceway
+    radial, axial = out * np.cos(angle), out * np.sin(angle)  # direction from ball to raceway
     turning = np.where(raceways == INNER, ring, 0.0)
     slides = np.stack([-radius * axial, radius * radial, np.ones(len(out))], 1)
     spins = np.stack([radial, axial, np.zeros(len(out))], 1)
@@ -41,10 +42,11 @@ def rates(
 def gyroscopic(
     bearing: Bearing, state: Equilibrium, ring: float, orbit: float | Floats, density: float
 ) -> Floats:
-    """(Z,) coefficient of friction that holds each ball against its gyroscopic moment J w_c w_r,
-    where w_c is its orbital speed and w_r the radial part of its rotation; 0 for a ball that is
-    loaded by only one ring. The ball rolls on its more heavily loaded contact with each ring and
-    spins equally on both. Speeds in rad/s, density in kg/m^3."""
+    """Return the coefficient of friction (Z,) that is needed to hold each ball against its
+    gyroscopic moment J w_c w_r, where w_c is its orbital speed and w_r the radial component of its
+    rotation; 0 for a ball that is loaded by only one ring. The ball is assumed to roll on its more
+    heavily loaded contact with each ring and to spin equally on both. Speeds are in rad/s, density
+    in kg/m^3."""
     contacts = [
         [np.atleast_2d(getattr(side, name)) for name in ("load", "angle")]
         for side in (state.inner, state.outer)
@@ -67,8 +69,8 @@ def gyroscopic(
 
 
 def least(lines: Floats, goal: Floats, weight: Floats, radius: float) -> Floats:
-    """The motion (3,) of `rates` with the least sum of `weight` (2 C,) times the magnitudes of all
-    sliding and spin speeds."""
+    """Return the motion (3,) of `rates` that minimises the sum of `weight` (2 C,) times the
+    magnitudes of all sliding and spin speeds."""
     triples = np.array(list(combinations(range(len(goal)), 3)))
     size = np.array([radius, radius, 1.0])
     regular = triples[np.abs(np.linalg.det((lines / size)[triples])) > 1e-6 * radius**-2]
@@ -77,13 +79,14 @@ def least(lines: Floats, goal: Floats, weight: Floats, radius: float) -> Floats:
 
 
 def speeds(bearing: Bearing, ring: float, state: Equilibrium) -> tuple[Floats, Floats]:
-    """(entrainment, rolling) speeds (C, Z) in m/s of all contacts of an `Equilibrium`, loaded or
-    not. The entrainment speed is half the sum of both surfaces' speeds, the rolling speed is R_x
-    times the rotation of the ball relative to the ring about the rolling axis; the two are equal
-    without sliding.
+    """Return (entrainment, rolling) speeds (C, Z) in m/s for all contacts of an `Equilibrium`,
+    loaded or not. The entrainment speed is half the sum of the speeds of both surfaces, and the
+    rolling speed is R_x times the rotation of the ball relative to the ring about the rolling axis.
+    The two are equal if there is no sliding.
 
-    They follow from rolling at each contact's own angle or, for rings with several grooves, from
-    the motion of each ball held by both rings, with a common coefficient of friction.
+    Both follow from rolling at each contact's own angle. For rings with several grooves they follow
+    instead from the motion of each ball that is held by both rings, with one coefficient of
+    friction at all of its contacts.
     """
     angle = np.vstack([state.inner.angle, state.outer.angle])
     speed = kinematics.entrainment(bearing, ring, angle)
@@ -108,7 +111,7 @@ def speeds(bearing: Bearing, ring: float, state: Equilibrium) -> tuple[Floats, F
         seen = np.tile(live, 2)
         motion = least(lines[seen], goal[seen], weight[seen], radius)
         faster = (lines @ motion - goal)[: len(raceways)]
-        # ratio of the distances of contact and ball centre from the bearing's axis; R_x/R_b
+        # ratio of the distances of the contact and the ball centre from the bearing's axis; R_x/R_b
         out = np.where(raceways == INNER, -1.0, 1.0) * np.cos(angle[:, ball])
         ratio = 1 + radius * out / bearing.pitch_radius
         slips = ~live | (live.sum() > 2)  # contacts that do not slip roll

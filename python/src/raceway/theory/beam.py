@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Stiffness of a round shaft of straight sections: Timoshenko's beam along z.
+"""Stiffness of a round shaft made of straight sections, modelled as a Timoshenko beam along z.
 
-A node has five degrees of freedom, like a ring: x, y, z and the tilts rx, ry. The cross-section
-tilts with the ring on it, so dx/dz = ry and dy/dz = -rx without shear.
+Like a ring, a node has five degrees of freedom: x, y, z and the tilts rx, ry. The cross-section
+tilts with the ring on it, so dx/dz = ry and dy/dz = -rx if there is no shear.
 """
 
 from collections.abc import Sequence
@@ -16,7 +16,7 @@ FREEDOMS = 5
 
 
 class Section(NamedTuple):
-    """A straight piece of a shaft, m."""
+    """A straight section of a shaft; lengths in m."""
 
     length: float
     diameter: float
@@ -32,7 +32,7 @@ class Steel(NamedTuple):
 
 
 class Disc(NamedTuple):
-    """A rigid body on the shaft, thin along it."""
+    """A rigid body on the shaft that is thin in the axial direction."""
 
     at: float  # m
     mass: float  # kg
@@ -44,17 +44,17 @@ STEEL = Steel()
 
 
 def area(section: Section) -> float:
-    """Area of the cross-section, m^2."""
+    """Return the area of the cross-section in m^2."""
     return np.pi / 4 * (section.diameter**2 - section.bore**2)
 
 
 def second_moment(section: Section) -> float:
-    """Second moment of area of the cross-section about a diameter, m^4."""
+    """Return the second moment of area of the cross-section about a diameter in m^4."""
     return np.pi / 64 * (section.diameter**4 - section.bore**4)
 
 
 def shear_coefficient(section: Section, poisson: float) -> float:
-    """Shear coefficient of the cross-section (Cowper, J. Appl. Mech. 33 (1966) 335).
+    """Return the shear coefficient of the cross-section (Cowper, J. Appl. Mech. 33 (1966) 335).
 
     >>> round(shear_coefficient(Section(1.0, 0.04), 0.3), 4)
     0.8864
@@ -65,15 +65,15 @@ def shear_coefficient(section: Section, poisson: float) -> float:
 
 
 def softness(section: Section, steel: Steel = STEEL) -> float:
-    """Ratio of the shear to the bending displacement of an element clamped at one end and guided at
-    the other."""
+    """Return the ratio of the shear displacement to the bending displacement of an element that is
+    clamped at one end and guided at the other."""
     modulus = steel.young / (2 * (1 + steel.poisson))
     shear = shear_coefficient(section, steel.poisson) * area(section) * modulus
     return 12 * steel.young * second_moment(section) / (shear * section.length**2)
 
 
 def element(section: Section, steel: Steel = STEEL) -> Floats:
-    """(10, 10) stiffness of an element between two nodes, N/m, N and N m/rad."""
+    """Return the stiffness (10, 10) of an element between two nodes, in N/m, N and N m/rad."""
     length, bending = section.length, steel.young * second_moment(section)
     soft = softness(section, steel)
     k = bending / ((1 + soft) * length**3)
@@ -96,8 +96,8 @@ def element(section: Section, steel: Steel = STEEL) -> Floats:
 
 
 def divided(sections: Sequence[Section], places: Sequence[float]) -> tuple[Floats, list[Section]]:
-    """(z of the nodes in m, elements between them); nodes are the sections' ends and `places` (m).
-    Raises `ValueError` for a place off the shaft."""
+    """Return (z of the nodes in m, elements between them); there are nodes at the ends of the
+    sections and at `places` (m). Raises `ValueError` for a position off the shaft."""
     ends = np.concatenate([[0.0], np.cumsum([one.length for one in sections])])
     if off := [place for place in places if not 0 <= place <= ends[-1] * (1 + 1e-12)]:
         raise ValueError(f"{off[0]:g} m is not on the shaft, which reaches from 0 to {ends[-1]:g}")
@@ -110,7 +110,8 @@ def divided(sections: Sequence[Section], places: Sequence[float]) -> tuple[Float
 
 
 def stiffness(pieces: Sequence[Section], steel: Steel = STEEL) -> Floats:
-    """(5 N, 5 N) stiffness of N - 1 elements in series; node by node in x, y, z, rx, ry."""
+    """Return the stiffness (5 N, 5 N) of N - 1 elements in series, ordered by node, then x, y, z,
+    rx, ry."""
     whole = np.zeros((FREEDOMS * (len(pieces) + 1),) * 2)
     for k, piece in enumerate(pieces):
         at = slice(FREEDOMS * k, FREEDOMS * (k + 2))
@@ -119,8 +120,8 @@ def stiffness(pieces: Sequence[Section], steel: Steel = STEEL) -> Floats:
 
 
 def weight(pieces: Sequence[Section], gravity: Floats, steel: Steel = STEEL) -> Floats:
-    """(5 N,) loads of the shaft's own weight under `gravity` (3,) in m/s^2, with the moments of
-    a uniform load at an element's ends."""
+    """Return the loads (5 N,) due to the shaft's own weight under `gravity` (3,) in m/s^2,
+    including the moments of a uniform load at the ends of an element."""
     loads = np.zeros(FREEDOMS * (len(pieces) + 1))
     for k, piece in enumerate(pieces):
         per_length = steel.density * area(piece) * np.asarray(gravity, float)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Inertia of the beam of `beam`, and its reduction to a few coordinates.
+"""Inertia of a beam (`beam`), and its reduction to a few coordinates.
 
-Mass and gyroscopic matrices are consistent with Timoshenko's element: Przemieniecki, Theory of
-Matrix Structural Analysis, 1968, ch. 11; Friswell et al., Dynamics of Rotating Machines, 2010,
-chapter 5. The reduction follows Craig and Bampton (AIAA J. 6 (1968) 1313): some nodes are kept, and
-the other nodes move with them and in the modes of the shaft with the kept nodes held.
+The mass and gyroscopic matrices are consistent with Timoshenko's element (Przemieniecki, Theory of
+Matrix Structural Analysis, 1968, ch. 11; Friswell et al., Dynamics of Rotating Machines, 2010, ch.
+5). The reduction follows Craig and Bampton (AIAA J. 6 (1968) 1313): some nodes are kept, and the
+other nodes follow them and vibrate in the modes that the shaft has with the kept nodes held.
 """
 
 from collections.abc import Sequence
@@ -18,7 +18,7 @@ from raceway.theory.beam import FREEDOMS, STEEL, Disc, Section, Steel
 
 
 class Matrices(NamedTuple):
-    """Matrices of all nodes, (5 N, 5 N): M q'' + spin G q' + K q = f, spin in rad/s."""
+    """Matrices (5 N, 5 N) for all nodes, M q'' + spin G q' + K q = f, with the spin in rad/s."""
 
     mass: Floats
     gyroscopic: Floats
@@ -26,17 +26,17 @@ class Matrices(NamedTuple):
 
 
 class Reduced(NamedTuple):
-    """A shaft with 5 coordinates for each kept node and one for each mode."""
+    """A reduced shaft with 5 coordinates for each kept node and one for each mode."""
 
     mass: Floats  # (n, n)
-    gyroscopic: Floats  # (n, n), times spin
+    gyroscopic: Floats  # (n, n), to be multiplied by the spin
     stiffness: Floats  # (n, n)
-    shapes: Floats  # (5 N, n): displacements of all nodes for a unit of each coordinate
-    frequencies: Floats  # (modes,), rad/s, with the kept nodes held
+    shapes: Floats  # (5 N, n), displacements of all nodes for a unit of each coordinate
+    frequencies: Floats  # (modes,), rad/s, natural frequencies with the kept nodes held
 
 
 class Rigid(NamedTuple):
-    """A rigid shaft."""
+    """A shaft as a rigid body."""
 
     mass: float  # kg
     centre: float  # m, position of the centre of mass along the shaft
@@ -45,8 +45,8 @@ class Rigid(NamedTuple):
 
 
 def _planes(section: Section, steel: Steel) -> tuple[Floats, Floats]:
-    """((4, 4) mass matrix of displacements, (4, 4) of tilts, for rotation about a diameter) of an
-    element in one plane."""
+    """Return the mass matrices (4, 4) of an element in one plane: (for displacements, for tilts,
+    i.e. for rotation about a diameter)."""
     length, soft = section.length, beam.softness(section, steel)
     one = steel.density * beam.area(section) * length / (1 + soft) ** 2
     a = 13 / 35 + 7 * soft / 10 + soft**2 / 3
@@ -65,7 +65,8 @@ def _planes(section: Section, steel: Steel) -> tuple[Floats, Floats]:
 
 
 def _element(section: Section, steel: Steel) -> tuple[Floats, Floats]:
-    """((10, 10) mass, (10, 10) gyroscopic matrix for 1 rad/s) of an element between two nodes."""
+    """Return (mass (10, 10), gyroscopic matrix (10, 10) at 1 rad/s) of an element between two
+    nodes."""
     moved, tilted = _planes(section, steel)
     mass = np.zeros((2 * FREEDOMS, 2 * FREEDOMS))
     picks = []
@@ -77,7 +78,7 @@ def _element(section: Section, steel: Steel) -> tuple[Floats, Floats]:
         mass += pick.T @ (moved + tilted) @ pick
     axial = steel.density * beam.area(section) * section.length / 6
     mass[np.ix_([2, 7], [2, 7])] += axial * np.array([[2, 1], [1, 2]])
-    # polar inertia is twice the diametral one; rx is minus the tilt of its plane
+    # the polar inertia is twice the diametral one; rx is minus the slope in its plane
     across = -2 * picks[1].T @ tilted @ picks[0]
     return mass, across - across.T
 
@@ -85,8 +86,8 @@ def _element(section: Section, steel: Steel) -> tuple[Floats, Floats]:
 def matrices(
     z: Floats, pieces: Sequence[Section], discs: Sequence[Disc] = (), steel: Steel = STEEL
 ) -> Matrices:
-    """`Matrices` of elements between the nodes `z` (N,) in m (`beam.divided`), with `discs` at
-    nodes."""
+    """Assemble the `Matrices` of elements between the nodes `z` (N,) in m (see `beam.divided`),
+    with `discs` at nodes."""
     stiffness = beam.stiffness(pieces, steel)
     mass, gyroscopic = np.zeros_like(stiffness), np.zeros_like(stiffness)
     for k, piece in enumerate(pieces):
@@ -103,7 +104,7 @@ def matrices(
 
 
 def rigid(z: Floats, whole: Matrices) -> Rigid:
-    """Rigid-body properties of `whole`, with nodes at `z` (N,) in m.
+    """Return the rigid-body properties of `whole`, whose nodes are at `z` (N,) in m.
 
     >>> z, pieces = beam.divided([Section(0.5, 0.04)], [])
     >>> found = rigid(z, matrices(z, pieces))
@@ -131,10 +132,10 @@ def rigid(z: Floats, whole: Matrices) -> Rigid:
 
 
 def reduced(whole: Matrices, kept: Sequence[int], modes: int) -> Reduced:
-    """`Reduced` to the nodes `kept` and the lowest `modes` of the other nodes.
+    """Reduce `whole` to the nodes `kept` and the lowest `modes` of the other nodes.
 
-    A mode's coordinate is its largest displacement (m). Raises `ValueError` for more modes than the
-    other nodes have."""
+    The coordinate of a mode is its largest displacement (m). Raises `ValueError` if there are more
+    modes than degrees of freedom at the other nodes."""
     import scipy.linalg
 
     n = len(whole.mass)
@@ -163,8 +164,8 @@ def reduced(whole: Matrices, kept: Sequence[int], modes: int) -> Reduced:
 
 
 def frequencies(whole: Matrices | Reduced, springs: Floats, speed: float = 0.0) -> Floats:
-    """(n,) natural frequencies in rad/s, in ascending order, on `springs` (n, n); 0 for free
-    motions.
+    """Return the natural frequencies (n,) in rad/s, in ascending order, on `springs` (n, n); they
+    are 0 for free motions.
 
     >>> z, pieces = beam.divided([Section(0.1, 0.04)] * 12, [])
     >>> ends = np.zeros(5 * len(z))

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The geometry and steel of one bearing.
+"""Geometry and material of one bearing.
 
-A raceway is a torus groove. The centres of curvature of its cross-sections lie on a circle about
-the ring's axis, of radius R_i + r_ci for the inner ring and R_e - r_co (+ P_d/2 with a diametral
-clearance) for the outer. A `Layout` gives each ring several grooves, for one or more rows of balls:
-four-point contact and double-row bearings.
+A raceway is a groove with the shape of a torus. The centres of curvature of its cross-sections lie
+on a circle about the ring's axis, whose radius is R_i + r_ci for the inner ring and R_e - r_co (+
+P_d/2 if there is a diametral clearance) for the outer ring. A `Layout` gives each ring several
+grooves, for one or more rows of balls, as in four-point contact and double-row bearings.
 """
 
 import warnings
@@ -18,48 +18,48 @@ from raceway.arrays import Floats, Numbers
 from raceway.core import laws
 
 INNER, OUTER = 0, 1
-MOST = 1.0  # m; larger values are assumed to be in millimetres
+MOST = 1.0  # m; larger values are assumed to have been given in millimetres
 ARRANGEMENTS = {"back_to_back": 1.0, "face_to_face": -1.0}
 
 
 class DoubleRow(NamedTuple):
-    """Two adjacent rows of a bearing; loads act midway between them."""
+    """Two adjacent rows of a bearing; loads act at the point midway between them."""
 
-    spacing: float  # m, between the balls' planes
-    # m, distance by which each row is pushed along the axis after first contact
+    spacing: float  # m, distance between the planes of the balls
+    # m, distance that each row is pushed along the axis after first contact
     preload: float = 0.0
     arrangement: str = "back_to_back"  # one of `ARRANGEMENTS`
 
 
 @dataclass(frozen=True)
 class Layout:
-    """Axial positions of rows and grooves in m, relative to the point where loads act; by default
-    one row with one groove per ring."""
+    """Axial positions of rows and grooves in m, relative to the point where loads act. By default
+    there is one row with one groove per ring."""
 
     rows: tuple[float, ...] = (0.0,)  # planes of the balls, relative to the outer ring
-    # centres of curvature, by row and groove
+    # m, centres of curvature, by row and groove
     inner: tuple[tuple[float, ...], ...] = ((0.0,),)
     outer: tuple[tuple[float, ...], ...] = ((0.0,),)
 
     @property
     def tracks(self) -> int:
-        """Number of grooves of the inner ring, over all rows."""
+        """Number of grooves in the inner ring, summed over all rows."""
         return len(self.rows) * len(self.inner[0])
 
     def centres(self, raceway: int, balls: int) -> Floats:
-        """Axial positions (grooves, rows x balls) of the centres of curvature of a ring, m; the
-        balls row by row."""
+        """Return the axial positions (grooves, rows x balls) in m of the centres of curvature of a
+        ring; the balls are ordered row by row."""
         by_row = np.array(self.inner if raceway == INNER else self.outer, float)
         return np.repeat(by_row.T, balls, axis=1)
 
 
 @dataclass(frozen=True)
 class Bearing:
-    """Ball bearing; lengths in m, `young` in Pa. `balls` is their number per row. `outer_radius` is
-    the value before clearance.
+    """A ball bearing, with lengths in m and `young` in Pa. `balls` is the number per row.
+    `outer_radius` is the radius without clearance.
 
-    Raises `ValueError` for a size that is not positive or a groove no wider than its ball, and
-    warns about a size in millimetres.
+    Raises `ValueError` if a size is not positive or a groove is not wider than its ball, and warns
+    if a size appears to be in millimetres.
     """
 
     balls: int
@@ -88,8 +88,8 @@ class Bearing:
         for name in ("inner_groove", "outer_groove"):
             if getattr(self, name) <= self.ball_radius:
                 raise ValueError(
-                    f"{name} = {getattr(self, name)} m is conformal: the ball's radius is "
-                    f"{self.ball_radius} m and the groove's must be larger"
+                    f"{name} = {getattr(self, name)} m is conformal: the radius of the ball is "
+                    f"{self.ball_radius} m, and that of the groove must be larger"
                 )
         if self.outer_radius <= self.inner_radius:
             raise ValueError(
@@ -99,8 +99,8 @@ class Bearing:
 
     @classmethod
     def from_mapping(cls, data: Mapping[str, Any]) -> "Bearing":
-        """A bearing from a mapping with the field names as keys. Raises `ValueError` for a missing
-        or unknown key."""
+        """Create a bearing from a mapping whose keys are the field names. Raises `ValueError` for a
+        missing or unknown key."""
         known = {field.name for field in fields(cls)[:-1]}
         if unknown := sorted(set(data) - known):
             raise ValueError(f"unknown bearing data: {', '.join(unknown)}")
@@ -111,12 +111,12 @@ class Bearing:
             raise ValueError(f"missing bearing data: {', '.join(missing)}") from None
 
     def four_point(self, angle: float) -> "Bearing":
-        """The four-point contact bearing with these balls, pitch and groove radii: two grooves per
-        ring, the one at -z first, which centred balls touch at `angle` (rad). The clearance
-        then applies to a centred ball.
+        """Return the four-point contact bearing with the same balls, pitch and groove radii. Each
+        ring has two grooves, of which the one at -z comes first, and centred balls touch them at
+        `angle` (rad). The clearance is then that of a centred ball.
 
-        Raises `ValueError` for an angle that is not between 0 and a right angle, and for a
-        bearing that already has several grooves.
+        Raises `ValueError` if the angle is not between 0 and a right angle, or if the bearing
+        already has several grooves per ring.
 
         >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
         >>> [round(1e6 * z, 1) for z in b.four_point(0.61).layout.inner[0]]  # um
@@ -125,7 +125,7 @@ class Bearing:
         if not 0 < angle < np.pi / 2:
             raise ValueError(f"angle {angle:g} rad must lie between 0 and pi/2")
         if self.layout != Layout():
-            raise ValueError("four points need a bearing of one row with one groove per ring")
+            raise ValueError("four points need a bearing with one row and one groove per ring")
         gap = [self.groove_gap(side) for side in (INNER, OUTER)]
         inside = self.pitch_radius + gap[INNER] * np.cos(angle) - self.inner_groove
         outside = self.pitch_radius - gap[OUTER] * np.cos(angle) + self.outer_groove
@@ -138,11 +138,11 @@ class Bearing:
         )
 
     def double_row(self, rows: DoubleRow, angle: float = 0.0) -> "Bearing":
-        """The bearing with `rows` of these balls, which touch at the free contact `angle` (rad), 0
-        for deep grooves.
+        """Return the bearing with two `rows` of these balls, which touch at the free contact
+        `angle` (rad), 0 for deep grooves.
 
-        Raises `ValueError` for an arrangement that is not in `ARRANGEMENTS`, rows that overlap,
-        and a bearing that already has two rows.
+        Raises `ValueError` if the arrangement is not in `ARRANGEMENTS`, if the rows overlap, or if
+        the bearing already has two rows.
         """
         spacing, preload, arrangement = rows
         if arrangement not in ARRANGEMENTS:
@@ -153,7 +153,7 @@ class Bearing:
                 f" {self.ball_diameter:g} m"
             )
         if len(self.layout.rows) > 1:
-            raise ValueError("two rows need a bearing of one row")
+            raise ValueError("two rows need a bearing with one row")
         reach = self.seat(angle) + preload
         way = ARRANGEMENTS[arrangement]
         planes = (-way * spacing / 2, way * spacing / 2)
@@ -166,57 +166,59 @@ class Bearing:
         return replace(self, layout=layout)
 
     def seat(self, angle: float) -> float:
-        """Displacement of the inner ring along z in m at which balls are in contact with both
+        """Return the displacement in m of the inner ring along z at which the balls touch both
         raceways at the free contact `angle` (rad)."""
         return (self.groove_gap(INNER) + self.groove_gap(OUTER)) * float(np.sin(angle))
 
     def play(self, angle: float) -> float:
-        """Diametral clearance in m that gives a free contact `angle` (rad) (eq A.3)."""
+        """Return the diametral clearance in m that gives the free contact `angle` (rad) (eq
+        A.3)."""
         return 2 * (self.groove_gap(INNER) + self.groove_gap(OUTER)) * (1 - float(np.cos(angle)))
 
     @property
     def raceways(self) -> tuple[int, ...]:
-        """`INNER` or `OUTER` for each possible contact of a ball, inner grooves first."""
+        """`INNER` or `OUTER` for each possible contact of a ball; inner grooves come first."""
         return (INNER,) * len(self.layout.inner[0]) + (OUTER,) * len(self.layout.outer[0])
 
     @property
     def row(self) -> np.ndarray:
-        """(rows x balls,): the row of each ball."""
+        """Row number of each ball, (rows x balls,)."""
         return np.repeat(np.arange(len(self.layout.rows)), int(self.balls))
 
     @property
     def ball_radius(self) -> float:
-        """R_b, m."""
+        """Ball radius R_b, m."""
         return self.ball_diameter / 2
 
     @property
     def pitch_radius(self) -> float:
-        """Radius half-way between the raceways before clearance, m."""
+        """Radius half-way between the raceways without clearance, m."""
         return (self.inner_radius + self.outer_radius) / 2
 
     @property
     def effective_modulus(self) -> float:
-        """E' = E/(1 - nu^2), Pa: Hamrock's 2/sum((1 - nu^2)/E) for identical bodies (eq 2)."""
+        """E' = E/(1 - nu^2), Pa, which is Hamrock's 2/sum((1 - nu^2)/E) for identical bodies (eq
+        2)."""
         return self.young / (1 - self.poisson**2)
 
     def groove(self, raceway: int) -> float:
-        """Groove radius r_c of a raceway (`INNER` or `OUTER`), m."""
+        """Return the groove radius r_c of a raceway (`INNER` or `OUTER`) in m."""
         return self.inner_groove if raceway == INNER else self.outer_groove
 
     def groove_gap(self, raceway: int) -> float:
-        """r_c - R_b, m: distance between the centre of a ball that just touches and the groove's
-        centre of curvature."""
+        """Return r_c - R_b in m, the distance between the centre of a ball that just touches the
+        groove and the groove's centre of curvature."""
         return self.groove(raceway) - self.ball_radius
 
     def arch(self, raceway: int) -> float:
-        """Distance of the centres of curvature from the middle plane of the balls if a raceway
-        has two grooves, m; 0 with one."""
+        """Return the distance in m of the centres of curvature from the central plane of the balls
+        if the raceway has two grooves, or 0 if it has one."""
         by_row = self.layout.inner if raceway == INNER else self.layout.outer
         return (by_row[0][-1] - by_row[0][0]) / 2
 
     def groove_circle(self, raceway: int, clearance: float = 0.0) -> float:
-        """Radius of the circle of centres of curvature, m; all the clearance goes to the outer
-        groove."""
+        """Return the radius in m of the circle of centres of curvature; the clearance is assigned
+        entirely to the outer groove."""
         if raceway == INNER:
             return self.inner_radius + self.inner_groove
         return self.outer_radius + clearance / 2 - self.outer_groove
@@ -224,14 +226,14 @@ class Bearing:
     def effective_radii(
         self, raceway: int, angle: Numbers = 0.0, clearance: float = 0.0
     ) -> tuple[Numbers, Numbers]:
-        """(R_x along rolling, R_y across the groove) in m, with the shape of `angle` (contact
-        angle, rad).
+        """Return (R_x along rolling, R_y across the groove) in m, with the shape of the contact
+        angle `angle` (rad).
 
-        gamma = R_b cos(angle)/r_pitch; R_x = R_b (1 - gamma) inner, R_b (1 + gamma) outer (eq 2,
-        Harris 2.28).
+        With gamma = R_b cos(angle)/r_pitch, R_x is R_b (1 - gamma) for the inner and R_b (1 +
+        gamma) for the outer raceway (eq 2, Harris 2.28).
         """
         inner = raceway == INNER
-        # pitch radius of a ball that lies on that raceway: clearance is assigned to the outer ring
+        # pitch radius of a ball that rests on this raceway; clearance is assigned to the outer ring
         pitch = self.pitch_radius + (0.0 if inner else clearance / 2)
         return tuple(
             laws.effective_radii(

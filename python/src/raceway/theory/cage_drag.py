@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Power lost by a cage that is one rigid ring (fix bearing/cage/ring). Only the parts of the loss
-that have a closed form are included: oil sheared in its pockets, film at its guiding land,
-churning. The friction of balls on their pockets follows from the forces of a run and is left
-out."""
+"""Power dissipated by a cage that is one rigid ring (fix bearing/cage/ring). Only the losses with a
+closed-form solution are included: shear of the oil in the pockets, the film at the guiding land,
+and churning. Friction between balls and pockets depends on the forces in a run and is not
+included."""
 
 import math
 from typing import NamedTuple
@@ -15,15 +15,17 @@ from raceway.theory.lubricant import Fluid
 
 
 class CageRing(NamedTuple):
-    """Data of a cage that is one rigid ring, with the defaults of decks."""
+    """Data of a cage that is one rigid ring, with the defaults used in decks."""
 
-    play: float = 0.0  # m, of the pockets along the pitch circle; 0: estimated
-    filled: float = float(variable_table.default("cage_filled"))  # share of the gaps with oil
-    # m, radius of the guiding land, radial clearance, width of both lands together; None: guided
-    # by the balls
+    play: float = 0.0  # m, play of the pockets along the pitch circle; 0: estimated
+    # fraction of the gaps that is filled with oil
+    filled: float = float(variable_table.default("cage_filled"))
+    # m: radius of the guiding land, radial clearance, total width of both lands; None if the cage
+    # is
+    # guided by the balls
     land: tuple[float, float, float] | None = None
-    inner: bool = False  # the land is on the inner ring
-    without: frozenset[str] = frozenset()  # parts that are left out: shear, land, churning
+    inner: bool = False  # True if the land is on the inner ring
+    without: frozenset[str] = frozenset()  # losses to leave out: shear, land, churning
 
 
 def power(
@@ -35,11 +37,13 @@ def power(
     orbit: float,
     angle: float = 0.0,
 ) -> float:
-    """Power lost in all rows, W. The inner ring turns at `ring` rad/s and the cage at `orbit`
-    rad/s; `share` is the fraction of oil around the balls, `angle` the mean contact angle in rad.
+    """Return the power dissipated in all rows in W. The inner ring turns at `ring` rad/s and the
+    cage at `orbit` rad/s; `share` is the volume fraction of oil around the balls, and `angle` is
+    the mean contact angle in rad.
 
-    In its pocket a ball turns about the bearing's axis, tilted by the contact angle; about the
-    pocket's own axis the oil resists twice as much. A cage on a land is taken as centred.
+    In its pocket a ball turns about the bearing's axis, tilted by the contact angle; the oil's
+    resistance to rotation about the axis of the pocket is twice as large. A cage that is guided by
+    a land is assumed to be centred.
     """
     oil, radius = fluid.viscosity, bearing.ball_radius
     lost = 0.0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Electrical capacitance of lubricated contacts (eqs 8, 10, 11, 12), F."""
+"""Electrical capacitance of lubricated contacts in F (eqs 8, 10, 11, 12)."""
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,16 +12,16 @@ PERMITTIVITY_AT = ("maximum", "mean", "two_thirds")
 
 
 def density_ratio(pressure: Numbers) -> Numbers:
-    """rho/rho_0 of a lubricant under `pressure` in Pa (eq 11, Dowson-Higginson)."""
+    """Return rho/rho_0 of a lubricant under `pressure` in Pa (eq 11, Dowson-Higginson)."""
     return laws.density_ratio(pressure)
 
 
 def permittivity(ambient: Numbers, pressure: Numbers) -> Numbers:
-    """Relative permittivity under `pressure` in Pa of an oil with the permittivity `ambient` at
-    rest (eqs 10, 11).
+    """Return the relative permittivity under `pressure` in Pa of an oil whose permittivity at
+    ambient pressure is `ambient` (eqs 10, 11).
 
-    Clausius-Mossotti: (e - 1)/(e + 2) grows in proportion to the density. Raises `ValueError` for
-    `ambient` below one, or so large that no finite permittivity follows.
+    According to Clausius-Mossotti, (e - 1)/(e + 2) is proportional to the density. Raises
+    `ValueError` if `ambient` is below one, or so large that no finite permittivity results.
 
     >>> print(f"{permittivity(2.2, 0.0):.3f} at rest, {permittivity(2.2, 2.5e9):.3f} at 2.5 GPa")
     2.200 at rest, 2.719 at 2.5 GPa
@@ -32,20 +32,21 @@ def permittivity(ambient: Numbers, pressure: Numbers) -> Numbers:
 
 
 def mean_permittivity(ambient: Numbers, pressure: Numbers) -> Numbers:
-    """Mean of `permittivity` over the area of a Hertz ellipse whose largest pressure is `pressure`
-    in Pa. Raises `ValueError` like `permittivity`.
+    """Return the mean of `permittivity` over the area of a Hertz ellipse whose largest pressure is
+    `pressure` in Pa. Raises `ValueError` like `permittivity`.
 
     >>> print(f"{mean_permittivity(2.2, 1.5e9):.3f}, at its largest {permittivity(2.2, 1.5e9):.3f}")
     2.578, at its largest 2.654
     """
-    permittivity(ambient, pressure)  # raises `ValueError`
+    permittivity(ambient, pressure)  # called for the `ValueError` that it may raise
     return laws.mean_permittivity(ambient, pressure)
 
 
 def film_permittivity(ambient: Numbers, pressure: Numbers, at: str = "maximum") -> Numbers:
-    """Relative permittivity of a film from the largest `pressure` in its ellipse (Pa). `at` is
-    "maximum" for the value at that pressure (as in the paper), "two_thirds" for the value at two
-    thirds of it, and "mean" for the mean over the area. Raises `ValueError` for another word."""
+    """Return the relative permittivity of a film, given the largest `pressure` in its ellipse (Pa).
+    `at` selects the value at that pressure ("maximum", as in the paper), the value at two thirds of
+    it ("two_thirds"), or the mean over the area ("mean"). Raises `ValueError` for an unknown
+    `at`."""
     if at not in PERMITTIVITY_AT:
         raise ValueError(f"permittivity_at '{at}' is not one of {', '.join(PERMITTIVITY_AT)}")
     if at == "mean":
@@ -54,12 +55,13 @@ def film_permittivity(ambient: Numbers, pressure: Numbers, at: str = "maximum") 
 
 
 def contact(ambient: Numbers, pressure: Numbers, a: Numbers, b: Numbers, h_c: Numbers) -> Numbers:
-    """eps_0 eps_r(p) pi a b/h_c of one contact; `pressure` in Pa, lengths in m (eq 8)."""
+    """Return eps_0 eps_r(p) pi a b/h_c of one contact; `pressure` in Pa, lengths in m (eq 8)."""
     return laws.contact_capacitance(permittivity(ambient, pressure), a, b, h_c)
 
 
 def ball(inner: ArrayLike, outer: ArrayLike) -> Numbers:
-    """Inner and outer contact in series, F; zero if either is zero (eq 12). Arrays of one shape.
+    """Return the capacitance in F of inner and outer contact in series, which is zero if either is
+    zero (eq 12). Arrays must have the same shape.
 
     >>> ball([3e-10, 3e-10], [6e-10, 0.0]).tolist()
     [2e-10, 0.0]
@@ -68,7 +70,8 @@ def ball(inner: ArrayLike, outer: ArrayLike) -> Numbers:
 
 
 def bearing(inner: ArrayLike, outer: ArrayLike, background: float = 0.0) -> Numbers:
-    """All balls in parallel, F, over the last axis (eq 12), plus `background`."""
+    """Return the capacitance in F of all balls (last axis) in parallel (eq 12), plus
+    `background`."""
     return np.sum(ball(inner, outer), axis=-1) + background
 
 

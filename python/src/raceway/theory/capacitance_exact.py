@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The gap around a ball as a capacitor, by integrals: I = integral of dA/(h + g), m. Reference for
-`capacitance_outside`; takes a few milliseconds per contact.
+"""The gap around a ball as a capacitor, computed with the integral I = integral of dA/(h + g) in m.
+This is the reference for `capacitance_outside` and takes a few milliseconds per contact.
 
 The gap g around a loaded contact is the exact Hertz gap (Carlson's integrals, DLMF 19.16; Johnson
-1985, ch. 4; derivation in docs/electric). Coordinates lie in the plane of the contact: x along
-rolling, unbounded, y across to the shoulders.
+1985, ch. 4; see docs/electric for the derivation). The coordinates are in the plane of the contact:
+x along rolling, which is unbounded, and y across the groove up to the shoulders.
 """
 
 from typing import NamedTuple
@@ -19,14 +19,14 @@ from raceway.theory.bearing import INNER, Bearing
 from raceway.theory.groove_width import shoulder_angle
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(10)
-# in e-folds of the distance from an edge: first and last step along x and the width of a step;
-# depth and width of the panels along y
+# in e-folds of the distance from an edge: first and last point and step size along x, and depth and
+# width of the panels along y
 NEAR, FAR, STEP = -22.0, 22.0, 0.4
 DEEP, PANEL = 25.0, 2.5
 
 
 class Hertz(NamedTuple):
-    """A loaded elliptical contact, SI units."""
+    """A loaded elliptical contact, in SI units."""
 
     r_x: float
     r_y: float
@@ -37,8 +37,8 @@ class Hertz(NamedTuple):
 
 
 def contact(r_x: float, r_y: float, modulus: float, load: float) -> Hertz:
-    """`Hertz` from effective radii in m under `load` in N, E' = `modulus` in Pa. Raises
-    `ValueError` for a load that is not positive."""
+    """Compute the `Hertz` contact for effective radii in m under a load in N, with E' = `modulus`
+    in Pa. Raises `ValueError` if the load is not positive."""
     if not load > 0:
         raise ValueError(f"load = {load} N must be positive")
     ellipse = hertz.exact(r_x, r_y)
@@ -49,7 +49,8 @@ def contact(r_x: float, r_y: float, modulus: float, load: float) -> Hertz:
 
 
 def gap(one: Hertz, x: ArrayLike, y: ArrayLike) -> Numbers:
-    """g in m at (x along rolling, y across) from the centre, zero inside the ellipse; broadcasts.
+    """Return the gap g in m at (x along rolling, y across) from the centre, which is zero inside
+    the ellipse; x and y are broadcast.
 
     >>> one = contact(4.990476e-3, 163.8e-3, 210e9 / 0.91, 120.0)
     >>> print(f"{1e9 * gap(one, 2 * one.b, 0.0):.0f} nm, {1e9 * gap(one, 0.0, 2 * one.a):.0f} nm")
@@ -61,12 +62,12 @@ def gap(one: Hertz, x: ArrayLike, y: ArrayLike) -> Numbers:
 
 
 def _gap(one, x, y, beyond):
-    """The gap at (x, y) with `beyond` = a^2 x^2 + b^2 y^2 - a^2 b^2, given separately because a
-    difference of squares is inaccurate near the ellipse."""
+    """Return the gap at (x, y). `beyond` = a^2 x^2 + b^2 y^2 - a^2 b^2 is a separate argument
+    because a difference of squares is inaccurate near the ellipse."""
     aa, bb, xx, yy = one.a**2, one.b**2, x * x, y * y
     half = (aa + bb - xx - yy) / 2
     root = np.sqrt(half * half + beyond)
-    # the larger root of l^2 + 2 half l - beyond = 0, without cancellation
+    # the larger root of l^2 + 2 half l - beyond = 0, computed without cancellation
     positive = half > 0
     lift = np.where(positive, beyond / np.where(positive, half + root, 1.0), root - half)
     p = elliprf(lift, lift + bb, lift + aa)
@@ -80,10 +81,10 @@ def _gap(one, x, y, beyond):
 def parabola(
     r_x: float, r_y: float, modulus: float, load: float, separation: ArrayLike, width: float
 ) -> Numbers:
-    """I in m around the ellipse, with the groove as a parabola up to y = ± `width` (m); I has the
-    shape of `separation` h (m). All separations share one gap, which is computed once.
+    """Return I in m around the ellipse, for a groove approximated by a parabola up to y = ± `width`
+    (m); I has the shape of `separation` h (m). The gap is computed only once for all separations.
 
-    Raises `ValueError` for a load that is not positive.
+    Raises `ValueError` if the load is not positive.
 
     >>> one = parabola(4.990476e-3, 163.8e-3, 210e9 / 0.91, 120.0, [30e-9, 1e-6], 4.2e-3)
     >>> (1e3 * one).round(1).tolist()  # mm
@@ -105,12 +106,12 @@ def arc(
     depth: float,
     angle: float = 0.0,
 ) -> Numbers:
-    """I in m around the ellipse in a circular groove of depth `depth` (m) at the contact angle
-    `angle` (rad), with the shape of `separation` (m).
+    """Return I in m around the ellipse in a circular groove of depth `depth` (m) at the contact
+    angle `angle` (rad), with the shape of `separation` (m).
 
-    Within the ellipse's width, the gap is that of `parabola`. Beyond it, the difference between the
-    gaps of arc and parabola is added, and the radius along rolling follows the raceway. Raises
-    `ValueError` for a load that is not positive.
+    Within the width of the ellipse, the gap is the same as in `parabola`. Beyond it, the difference
+    between the gaps of the arc and the parabola is added, and the radius along rolling follows the
+    raceway. Raises `ValueError` if the load is not positive.
     """
     r_x, r_y = (float(value) for value in bearing.effective_radii(raceway, angle))
     one = contact(r_x, r_y, bearing.effective_modulus, load)
@@ -138,8 +139,9 @@ def arc(
 def rigid_arc(
     bearing: Bearing, raceway: int, separation: ArrayLike, depth: float, angle: float = 0.0
 ) -> Numbers:
-    """I in m of an unloaded ball at `separation` (m) from the bottom of a circular groove of depth
-    `depth` (m), with the shape of `separation`. Exact to 6e-5 for two eccentric cylinders."""
+    """Return I in m for an unloaded ball at `separation` (m) from the bottom of a circular groove
+    of depth `depth` (m), with the shape of `separation`. For two eccentric cylinders, the result is
+    accurate to 6e-5."""
     gaps = np.atleast_1d(np.asarray(separation, float))
     total = np.zeros(gaps.shape)
     for place, g0 in np.ndenumerate(gaps):
@@ -154,8 +156,8 @@ def rigid_arc(
 
 
 def beside(ratio: ArrayLike) -> Numbers:
-    """G(H) of `capacitance_outside.beside` from its integral: strips of a line contact across the
-    ellipse."""
+    """Return G(H) of `capacitance_outside.beside` from its integral, by integrating strips of a
+    line contact across the ellipse."""
     ratio = np.atleast_1d(np.asarray(ratio, float))
     y, weight = _inward(1.0, 1.0)
     xi = np.exp(np.arange(NEAR, FAR, STEP))  # beyond one
@@ -166,15 +168,15 @@ def beside(ratio: ArrayLike) -> Numbers:
 
 
 def _arc_gap(bearing, raceway, g0, psi):
-    """Distance from ball to groove along a ray at `psi` from the ball's centre, g0 at the
-    bottom."""
+    """Return the distance from ball to groove along a ray at the angle `psi` from the centre of the
+    ball; it is g0 at the bottom."""
     groove, radius = bearing.groove(raceway), bearing.ball_radius
     c = groove - radius - g0
     return np.sqrt(groove**2 - (c * np.sin(psi)) ** 2) - c * np.cos(psi) - radius
 
 
 def _along(bearing, raceway, psi, angle):
-    """1/R_x at `psi` from the contact, towards the bottom, of a contact at `angle`."""
+    """Return 1/R_x at the angle `psi` from a contact at `angle`, measured towards the bottom."""
     cosine = np.cos(angle - psi)
     if raceway == INNER:
         curve = cosine / (bearing.inner_radius + bearing.inner_groove * (1 - cosine))
@@ -184,7 +186,8 @@ def _along(bearing, raceway, psi, angle):
 
 
 def _strips(one, y, weight, separation, bend=0.0, turned=0.0):
-    """Sum over `y` of `weight` times the integral of dx/(h + g), for each h in `separation`."""
+    """Return the sum over `y` of `weight` times the integral of dx/(h + g) for each h in
+    `separation`."""
     inside = np.maximum(1 - (y / one.a) ** 2, 0.0)
     edge = one.b * np.sqrt(inside)
     away = one.b * np.exp(np.arange(NEAR, FAR, STEP))
@@ -199,7 +202,8 @@ def _strips(one, y, weight, separation, bend=0.0, turned=0.0):
 
 
 def _panels(length, last):
-    """Nodes and weights over distances from `length` down, in at least `last` e-folds."""
+    """Return nodes and weights for distances that decrease from `length` by at least `last`
+    e-folds."""
     count = int(np.ceil(last / PANEL))
     width = last / count
     start = width * np.arange(count)[:, None]
@@ -209,7 +213,7 @@ def _panels(length, last):
 
 
 def _inward(a, reach) -> tuple[Floats, Floats]:
-    """(y, weights) from 0 to `reach`, at most a, denser towards a."""
+    """Return (y, weights) from 0 to `reach`, which is at most a; the nodes are denser towards a."""
     away, weight = _panels(a, DEEP)
     if reach < a:  # the groove ends within the ellipse
         half = reach / 2
@@ -218,6 +222,6 @@ def _inward(a, reach) -> tuple[Floats, Floats]:
 
 
 def _outward(a, reach) -> tuple[Floats, Floats]:
-    """(y, weights) from a to `reach`, denser towards a."""
+    """Return (y, weights) from a to `reach`; the nodes are denser towards a."""
     away, weight = _panels(reach - a, DEEP)
     return a + away, weight

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Capacitance of the gap around the contact patch in closed form: I = integral of dA/(h + g) over
-the gap outside the patch, m. The capacitance is eps_0 eps I.
+"""Closed-form capacitance of the gap around the contact patch, expressed by I = integral of dA/(h +
+g) in m over the gap outside the patch. The capacitance is eps_0 eps I.
 
-Numbers or arrays of one shape, SI units. All formulas are derived in docs/electric;
-`capacitance_exact` has the corresponding integrals.
+Functions accept numbers or arrays of equal shape in SI units. All formulas are derived in
+docs/electric; `capacitance_exact` evaluates the corresponding integrals numerically.
 """
 
 import numpy as np
@@ -14,12 +14,12 @@ from raceway.theory import hertz
 from raceway.theory.groove_width import HalfWidths
 
 FILLS = ("flooded", "cavitated", "dry")
-SMALLEST_KAPPA = 1.0  # the fits of beside and beyond are for ellipses across the groove
+SMALLEST_KAPPA = 1.0  # the fits in `beside` and `beyond` are for ellipses that are longer across
 
 
 def beside(ratio: Numbers) -> Numbers:
-    """G(H) with H = h/g_s: I of the gap before and behind the ellipse, divided by 2 a b/g_s. Within
-    0.2 % of the integral (`capacitance_exact.beside`) for H from 1e-3 to 1e3.
+    """Return G(H) with H = h/g_s, which is I of the gap before and behind the ellipse divided by 2
+    a b/g_s. It is within 0.2 % of the integral (`capacitance_exact.beside`) for H from 1e-3 to 1e3.
 
     >>> [round(float(beside(h)), 3) for h in (1e-3, 1.0, 1e3)]
     [33.802, 2.462, 0.098]
@@ -28,9 +28,9 @@ def beside(ratio: Numbers) -> Numbers:
 
 
 def beyond(ratio: Numbers, kappa: Numbers, reach: Numbers) -> Numbers:
-    """P, for the gap beyond one end of the ellipse: the integral of dy/sqrt(H + E(y)) from 1 to
-    `reach` = S/a, with y in units of a and H = h/g_s = `ratio`; zero if the ellipse fills the
-    groove."""
+    """Return P, which describes the gap beyond one end of the ellipse: the integral of dy/sqrt(H +
+    E(y)) from 1 to `reach` = S/a, with y in units of a and H = h/g_s = `ratio`. P is zero if the
+    ellipse fills the groove."""
     return laws.gap_beyond(ratio, kappa, reach)
 
 
@@ -42,12 +42,12 @@ def loaded(
     separation: Numbers,
     widths: HalfWidths,
 ) -> Numbers:
-    """I in m around a loaded contact: `modulus` E' in Pa, R_x in m, load in N, `separation` h_c in
-    m, `widths` of the groove.
+    """Return I in m around a loaded contact, for E' = `modulus` in Pa, R_x in m, a load in N, the
+    `separation` h_c in m and the `widths` of the groove.
 
-    I = 4 kappa E R (G + pi P sqrt(2 R_x g_s)/b), P the mean of both sides, E and R of the
-    `Ellipse`. Raises `ValueError` for a load or separation that is not positive or an ellipse that
-    is longer along rolling than across.
+    I = 4 kappa E R (G + pi P sqrt(2 R_x g_s)/b), where P is the mean of both sides, and E and R are
+    taken from the `Ellipse`. Raises `ValueError` if the load or the separation is not positive, or
+    if the ellipse is longer along rolling than across.
 
     >>> one = hertz.exact(4.990476e-3, 163.8e-3)
     >>> width = HalfWidths(4.2e-3, 4.2e-3)
@@ -71,15 +71,15 @@ def rigid(
     widths: HalfWidths,
     play: Numbers | None = None,
 ) -> Numbers:
-    """I in m of an unloaded ball at `separation` g_0 (m) from the bottom of the groove; R_x, ball
-    and `groove` radius in m, `ellipse` of the loaded contact. Raises `ValueError` for a separation
-    that is not positive.
+    """Return I in m for an unloaded ball at `separation` g_0 (m) from the bottom of the groove. R_x
+    and the radii of ball and `groove` are in m; `ellipse` describes the loaded contact. Raises
+    `ValueError` if the separation is not positive.
 
-    4 pi sqrt(R_x R) asinh(S/sqrt(2 R g_0)), the mean of both sides. R = kappa^2 E R/(ln 4 kappa -
-    1), within 1 % of R_y, makes it the limit of `loaded` for zero load. R is divided by 1 -
-    play/(r_c - R_b), because the centres of ball and groove approach each other with the `play`
-    (m). By default the play equals the separation; a film may separate surfaces with less play.
-    Beyond concentric circles asinh becomes asin.
+    I is 4 pi sqrt(R_x R) asinh(S/sqrt(2 R g_0)), averaged over both sides. With R = kappa^2 E R/(ln
+    4 kappa - 1), which is within 1 % of R_y, this is the limit of `loaded` for zero load. R is
+    divided by 1 - play/(r_c - R_b), because the centres of ball and groove approach each other with
+    the `play` (m). By default the play equals the separation; it is smaller if a film separates the
+    surfaces. If the play exceeds that of concentric circles, asinh becomes asin.
 
     >>> one, width = hertz.exact(4.990476e-3, 163.8e-3), HalfWidths(5.85e-3, 5.85e-3)
     >>> round(1e3 * float(rigid(one, 4.990476e-3, 6.3e-3, 6.552e-3, 12e-6, width)), 1)  # mm
@@ -92,11 +92,12 @@ def rigid(
 
 
 def fill(permittivity: Numbers, kind: str = "flooded", outlet: float = 1.0) -> Numbers:
-    """eps_s, the relative permittivity in the gap outside the contact patch.
+    """Return eps_s, the relative permittivity in the gap outside the contact patch.
 
-    "flooded": the oil's value; "cavitated": the mean of the oil's value and `outlet`, the value of
-    the medium in the downstream half (1 for air, more for foam); "dry": 1. Raises `ValueError` for
-    another kind or an outlet outside 1 to the oil's value.
+    For "flooded" it is the value of the oil, for "cavitated" the mean of the value of the oil and
+    `outlet`, the value of the medium in the downstream half (1 for air, more for foam), and for
+    "dry" it is 1. Raises `ValueError` for an unknown kind, or if the outlet is not between 1 and
+    the value of the oil.
     """
     if kind not in FILLS:
         raise ValueError(f"fill '{kind}' is not one of {', '.join(FILLS)}")

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Both gaps of every ball as capacitors: contact patch and surroundings of a loaded contact, rigid
-gap of an unloaded one. Arrays with one value per ball, SI units. Derivation: docs/electric.
+"""Both gaps of every ball as capacitors: the contact patch and its surroundings for a loaded
+contact, and a rigid gap for an unloaded one. Arrays have one value per ball, in SI units. The
+formulas are derived in docs/electric.
 
-A ball between the rings always has both capacitors. An unloaded one lies on the outer raceway under
-its centrifugal load Q_u, and its play is the gap to the inner raceway.
+A ball between the rings always has both capacitors. An unloaded ball rests on the outer raceway
+under its centrifugal load Q_u, and its play is the gap to the inner raceway.
 """
 
 from collections.abc import Callable
@@ -27,19 +28,20 @@ from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.static import Contacts, Equilibrium
 from raceway.theory.validity import Shoulders
 
-LEAST = 0.1  # N, lower limit of Q_u, for a ball that does not orbit
+LEAST = 0.1  # N, lower limit of Q_u for a ball that does not orbit
 ROUGHNESS = ("none", "gamma")
-# oil-filled share of the gap outside the patch
+# fraction of the gap outside the patch that is filled with oil
 WET_SHARE = {"flooded": 1.0, "cavitated": 0.5, "dry": 0.0}
 
 
 class Filling(NamedTuple):
-    """Filling of the gaps, permittivity and roughness model."""
+    """Medium that fills the gaps, and the models of permittivity and roughness."""
 
     kind: str = "flooded"  # one of `capacitance_outside.FILLS`
-    outlet: float = 1.0  # relative permittivity in the outlet if "cavitated"
+    outlet: float = 1.0  # relative permittivity in the outlet of a "cavitated" gap
     permittivity_at: str = "maximum"  # one of `capacitance.PERMITTIVITY_AT`
-    roughness: str = "none"  # one of `ROUGHNESS`: factor for a rough film on the patch
+    # one of `ROUGHNESS`: model of the effect of roughness on the capacitance of the patch
+    roughness: str = "none"
     shoulders: Shoulders = Shoulders()
 
 
@@ -47,24 +49,24 @@ FLOODED = Filling()
 
 
 class Capacitors(NamedTuple):
-    """Capacitors of one raceway, arrays (Z,) with one value per ball."""
+    """Capacitors at one raceway, in arrays (Z,) with one value per ball."""
 
-    load: Floats  # N, of the elastic contact; zero in a rigid gap
-    separation: Floats  # m: h_c, or the play of a ball without load
+    load: Floats  # N, load of the elastic contact; zero for a rigid gap
+    separation: Floats  # m: h_c, or the play of an unloaded ball
     area: Floats  # m^2, of the Hertz ellipse
-    plates: Floats  # F, of the ellipse; zero without load
-    outside: Floats  # F, of the gap around it
-    paths: Floats  # m: for a uniform current through the oil, resistivity over resistance
+    plates: Floats  # F, capacitance of the Hertz ellipse; zero without load
+    outside: Floats  # F, capacitance of the gap around the ellipse
+    paths: Floats  # m, resistivity over resistance for a uniform current through the oil
 
     @property
     def total(self) -> Floats:
-        """Plates and outside in parallel, (Z,), F."""
+        """Plates and outside in parallel (Z,), in F."""
         return self.plates + self.outside
 
     @property
     def of_balls(self) -> "Capacitors":
-        """Grooves (grooves, Z) merged into one capacitor per ball (Z,): in parallel, with the
-        largest load and the thinnest film."""
+        """The grooves (grooves, Z) merged into one capacitor per ball (Z,): they are in parallel,
+        and the largest load and the thinnest film are kept."""
         if self.load.ndim == 1:
             return self
         together = (np.max, np.min, *(np.sum,) * 4)
@@ -72,42 +74,42 @@ class Capacitors(NamedTuple):
 
 
 class BearingCapacitors(NamedTuple):
-    """Capacitors of both raceways and their combinations."""
+    """Capacitors at both raceways, and the capacitances of their combinations."""
 
     inner: Capacitors
     outer: Capacitors
 
     @property
     def ball(self) -> Floats:
-        """(Z,), F: inner and outer in series."""
+        """Capacitance (Z,) in F of inner and outer capacitor in series."""
         return capacitance.ball(self.inner.total, self.outer.total)
 
     @property
     def total(self) -> float:
-        """F: all balls in parallel."""
+        """Capacitance in F of all balls in parallel."""
         return float(np.sum(self.ball))
 
     @property
     def plates(self) -> float:
-        """F, of the ellipses alone; a ball that is unloaded on either raceway adds nothing (eq
-        12)."""
+        """Capacitance in F of the ellipses alone, without the balls that are unloaded on the inner
+        raceway (eq 12)."""
         loaded = self.inner.load > 0
         return float(np.sum(self.of_plates[loaded]))
 
     @property
     def of_plates(self) -> Floats:
-        """(Z,), F: the two ellipses alone, in series."""
+        """Capacitance (Z,) in F of the two ellipses alone, in series."""
         return capacitance.ball(self.inner.plates, self.outer.plates)
 
     @property
     def unloaded(self) -> float:
-        """F, of the balls that are unloaded on the inner raceway."""
+        """Capacitance in F of the balls that are unloaded on the inner raceway."""
         return float(np.sum(self.ball[self.inner.load <= 0]))
 
 
 def quiet_load(bearing: Bearing, orbit: Numbers, density: float = 7850.0) -> Numbers:
-    """Q_u = m r omega^2 in N of a ball without other load, at least 0.1; `orbit` is the cage speed
-    in rad/s, `density` in kg/m^3."""
+    """Return the centrifugal load Q_u = m r omega^2 in N of a ball without other load, but at least
+    0.1 N. `orbit` is the cage speed in rad/s and `density` is in kg/m^3."""
     mass = 4 / 3 * np.pi * bearing.ball_radius**3 * density
     return np.maximum(LEAST, mass * bearing.pitch_radius * np.square(orbit))[()]
 
@@ -126,14 +128,15 @@ def of_raceway(
     roughness: float = 0.0,
     clearance: float = 0.0,
 ) -> Capacitors:
-    """`Capacitors` of one raceway from loads (N), separations (m) and contact angles (rad) of the
-    balls, arrays (Z,), in oil with the relative `permittivity` at rest.
+    """Compute the `Capacitors` at one raceway from the loads (N), separations (m) and contact
+    angles (rad) of the balls, which are arrays (Z,), in an oil whose relative `permittivity` at
+    ambient pressure is given.
 
-    Without load the gap is rigid; its `play` (m) is by default the separation, and negative if a
-    film separates overlapping bodies. `film_thickness` (m) is the thickness between the plates, by
-    default the separation. The roughness sigma (m) counts if `filling` includes it; `clearance` is
-    diametral, m. Raises `ValueError` for a separation that is not positive and for unknown words in
-    `filling`.
+    The gap of an unloaded ball is rigid. Its `play` (m) is by default the separation; it is
+    negative if a film separates overlapping bodies. `film_thickness` (m) is the distance between
+    the plates, by default the separation. The roughness sigma (m) is used only if `filling`
+    requests it; the diametral `clearance` is in m. Raises `ValueError` if a separation is not
+    positive or if `filling` contains an unknown word.
     """
     load, separation, angle = np.broadcast_arrays(
         *(np.asarray(value, float) for value in (load, separation, angle))
@@ -148,7 +151,7 @@ def of_raceway(
 
     def shape(which):
         lean = angle[which]
-        if np.ptp(lean) == 0:  # one contact's shape applies to all
+        if np.ptp(lean) == 0:  # the shape of one contact applies to all
             lean = lean[0]
         return lean, *bearing.effective_radii(raceway, lean, clearance)
 
@@ -193,10 +196,11 @@ def of_raceway(
 def separation(
     thickness: Callable[[Floats], Floats], load: ArrayLike, play: ArrayLike, quiet: float
 ) -> Floats:
-    """Separation of a gap in m, continuous when contact is lost and regained: h_c at the larger of
-    the load and Q_u = `quiet` (N), but at least the `play` (m; negative or zero under load).
+    """Return the separation of a gap in m, which is continuous when contact is lost and regained:
+    h_c at the larger of the load and Q_u = `quiet` (N), but at least the `play` (m; negative or
+    zero under load).
 
-    `thickness` gives h_c in m from the contact loads in N. All arrays have the same shape.
+    `thickness` computes h_c in m from the contact loads in N. All arrays have the same shape.
     """
     load = np.asarray(load, float)
     film_there = thickness(np.maximum(load, quiet))
@@ -215,11 +219,13 @@ def of_statics(
     factor: Callable[[Floats], Floats] | None = None,
     scale: float = 1.0,
 ) -> BearingCapacitors:
-    """`BearingCapacitors` of an `Equilibrium` with rotating balls, the inner ring at `speed` rad/s.
+    """Compute the `BearingCapacitors` of an `Equilibrium` with rotating balls, for an inner ring at
+    `speed` rad/s.
 
-    `quiet` is `quiet_load` in N, the lower limit of the load on the outer film; two grooves share
-    it. `clearance` and `factor` as in `lubrication.lubricate`; `scale` multiplies every film.
-    Raises `ValueError` without speed, because there is no film then.
+    `quiet` is the `quiet_load` in N, which is the lower limit of the load on the outer film; two
+    grooves share it. `clearance` and `factor` are as in `lubrication.lubricate`; `scale` multiplies
+    the thickness of every film. Raises `ValueError` if the speed is zero, because there is no film
+    then.
     """
     if not speed:
         raise ValueError("speed = 0 rad/s: balls that do not turn have no film")

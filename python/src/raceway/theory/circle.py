@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Distances of balls from the circles of an inner ring's groove centres, and their derivatives.
+"""Distances of balls from the circles of groove centres of an inner ring, and their derivatives.
 
-The ring's position is (x, y, z, t_x, t_y): displacement of its centre in m and tilt about the two
-transverse axes in rad. Tilt rotates the ring's axis to e = (sin t_y, -sin t_x, ...), so t_x and t_y
-are the values reported by `fix bearing/ring`. A ball's position is (radial, axial) in m in the
-plane through the outer ring's axis at the ball's azimuth. Derivatives are with respect to these
-seven coordinates: ball first, then ring. The shape ... of the arrays is the broadcast shape of
-`azimuth` and the circles' `height`.
+The ring's position is (x, y, z, t_x, t_y), i.e. the displacement of its centre in m and the tilt
+about the two transverse axes in rad. Tilt rotates the ring's axis to e = (sin t_y, -sin t_x, ...),
+so that t_x and t_y are the values reported by `fix bearing/ring`. A ball's position is (radial,
+axial) in m in the plane through the outer ring's axis at the ball's azimuth. Derivatives are taken
+with respect to these seven coordinates, first those of the ball, then those of the ring. The shape
+... of the arrays is the shape to which `azimuth` and `height`, the heights of the circles, are
+broadcast.
 """
 
 from collections.abc import Callable
@@ -19,23 +20,25 @@ from raceway.arrays import Floats, Numbers
 
 
 class Reach(NamedTuple):
-    """Distances of balls from circles, along the contacts' lines of action."""
+    """Distances of balls from circles, along the lines of action of the contacts."""
 
     distance: Floats  # (...), m
-    slope: Floats  # (..., 7), first derivatives
-    curve: Callable[[int], Floats]  # n: second derivatives (..., n, n) for the first n coordinates
-    # (..., 2), unit vector from circle to ball in the ring's own section (radial, axial)
+    slope: Floats  # (..., 7), first derivatives of the distance
+    # maps n to the second derivatives (..., n, n) with respect to the first n coordinates
+    curve: Callable[[int], Floats]
+    # (..., 2), unit vector from the circle to the ball in the ring's own section (radial, axial)
     section: Floats
-    line: Floats  # (..., 3), that vector in space, which is the direction of the force on the ring
-    arm: Floats  # (..., 3), m, from the ring's centre to a point on that line
+    line: Floats  # (..., 3), the same vector in space, i.e. the direction of the force on the ring
+    arm: Floats  # (..., 3), m, from the ring's centre to a point on the line of action
 
 
 def straight(
     ball: Floats, place: Floats, azimuth: Floats, radius: float, height: Numbers = 0.0
 ) -> Reach:
-    """`Reach` after Jones and Harris: the circle's point at `azimuth` moves by the components of
-    the ring's displacement and tilt in the ball's plane (Harris, ch. 7), as if the circle were
-    locally straight. `height` in m is the height of the circle above the ring's centre.
+    """Return the `Reach` according to Jones and Harris: the point of the circle at `azimuth` moves
+    by the components of the ring's displacement and tilt in the plane of the ball (Harris, ch. 7),
+    as if the circle were locally straight. `height` in m is the axial position of the circle
+    relative to the ring's centre.
     """
     c, s, h = np.broadcast_arrays(np.cos(azimuth), np.sin(azimuth), height)
     both = np.zeros((*h.shape, 2, 7))
@@ -66,8 +69,8 @@ def straight(
 def exact(
     ball: Floats, place: Floats, azimuth: Floats, radius: float, height: Numbers = 0.0
 ) -> Reach:
-    """`Reach` to the nearest point in space of a circle that is shifted and tilted but remains a
-    circle; `height` as in `straight`."""
+    """Return the `Reach` to the nearest point in space of a circle that is shifted and tilted but
+    remains a circle; `height` is as in `straight`."""
     c, s, over = np.broadcast_arrays(np.cos(azimuth), np.sin(azimuth), height)
     axis, turn, bend = _axis(*place[3:])
     at = np.broadcast_to(ball, (*c.shape, 2))
@@ -105,16 +108,16 @@ def exact(
 
 
 def conjugate(moment: ArrayLike, tilt: Floats) -> Floats:
-    """The part (2,) of a moment (2,) or (3,) in N m, fixed in space, that does work on the tilts
-    (2,), rad. Its component along the ring's axis does none, since the ring's drive takes it
-    up."""
+    """Return the part (2,) of a moment (2,) or (3,) in N m, fixed in space, that does work on the
+    tilts (2,) in rad. The component along the ring's axis does no work, because the drive of the
+    ring takes it up."""
     axis, turn, _ = _axis(*tilt)
     return np.append(moment, 0.0)[:3] @ np.cross(axis, turn.T).T
 
 
 def _axis(t_x, t_y):
-    """The ring's axis (3,) and its first (3, 2) and second (3, 2, 2) derivatives with respect to
-    the tilts."""
+    """Return the ring's axis (3,) and its first (3, 2) and second (3, 2, 2) derivatives with
+    respect to the tilts."""
     x, y, dx, dy = np.sin(t_y), -np.sin(t_x), np.cos(t_y), -np.cos(t_x)  # dx by t_y, dy by t_x
     z = np.sqrt(1 - x * x - y * y)
     first = np.array([[0.0, dx], [dy, 0.0], [-y * dy / z, -x * dx / z]])

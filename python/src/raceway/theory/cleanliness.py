@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Lubricant cleanliness for the rating life: the terms of ISO 281 and their values."""
+"""Cleanliness of the lubricant for the rating life: the classes of ISO 281 and their values of
+e_C."""
 
 from collections.abc import Mapping
 
-# e_C of ISO 281:2007, table 13: for pitch diameters below 100 mm, and for larger ones
+# ranges of e_C (ISO 281:2007, table 13) for pitch diameters below 100 mm, and for larger ones
 CLEANLINESS: Mapping[str, tuple[tuple[float, float], tuple[float, float]]] = {
     "extreme": ((1.0, 1.0), (1.0, 1.0)),
     "high": ((0.6, 0.8), (0.8, 0.9)),
@@ -16,8 +17,8 @@ CLEANLINESS: Mapping[str, tuple[tuple[float, float], tuple[float, float]]] = {
 
 
 def contamination(cleanliness: str, pitch_diameter: float) -> float:
-    """e_C, the middle of the range for a word of `CLEANLINESS`; `pitch_diameter` in m. Raises
-    `ValueError` for another word."""
+    """Return e_C, the middle of the range for a class in `CLEANLINESS`; `pitch_diameter` is in m.
+    Raises `ValueError` for an unknown class."""
     if cleanliness not in CLEANLINESS:
         raise ValueError(f"cleanliness '{cleanliness}' is not one of {', '.join(CLEANLINESS)}")
     return sum(CLEANLINESS[cleanliness][pitch_diameter >= 0.1]) / 2

@@ -8,20 +8,22 @@ from raceway.theory.bearing import Bearing
 
 
 def load_parameter(clearance: Numbers, shift: Numbers) -> Numbers:
-    """epsilon = (1 - P_d/(2 delta_r))/2 for lengths in m (appendix A). Raises `ValueError` for zero
-    shift."""
+    """Return epsilon = (1 - P_d/(2 delta_r))/2 for lengths in m (appendix A). Raises `ValueError`
+    if the shift is zero."""
     if np.any(np.asarray(shift) == 0):
         raise ValueError("the load parameter of a ring that has not moved is undefined")
     return (1 - clearance / (2 * shift)) / 2
 
 
 def groove_distance(bearing: Bearing) -> float:
-    """Distance C = r_ci + r_co - D in m between the grooves' centres of curvature (eq A.2)."""
+    """Return the distance C = r_ci + r_co - D in m between the centres of curvature of the grooves
+    (eq A.2)."""
     return bearing.inner_groove + bearing.outer_groove - bearing.ball_diameter
 
 
 def free_contact_angle(bearing: Bearing, clearance: Numbers) -> Numbers:
-    """alpha_0 = acos(1 - P_d/(2C)) in rad (eq A.3). Raises `ValueError` unless 0 <= P_d <= 2C."""
+    """Return alpha_0 = acos(1 - P_d/(2C)) in rad (eq A.3). Raises `ValueError` unless 0 <= P_d <=
+    2C."""
     cosine = 1 - np.asarray(clearance) / (2 * groove_distance(bearing))
     if not np.all((cosine >= 0) & (cosine <= 1)):
         raise ValueError(
@@ -32,5 +34,5 @@ def free_contact_angle(bearing: Bearing, clearance: Numbers) -> Numbers:
 
 
 def free_endplay(bearing: Bearing, clearance: Numbers) -> Numbers:
-    """P_e = 2C sin(alpha_0) in m, from one axial stop to the other (eq A.4)."""
+    """Return P_e = 2C sin(alpha_0) in m, the distance between both axial stops (eq A.4)."""
     return 2 * groove_distance(bearing) * np.sin(free_contact_angle(bearing, clearance))

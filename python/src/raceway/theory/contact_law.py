@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Contact load as a function of overlap for statics: Hertz alone, or with the film in the gap."""
+"""Contact load as a function of overlap in statics, either by Hertz alone or with the film in the
+gap."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -15,7 +16,7 @@ from raceway.theory.lubricant import Fluid
 
 
 class Response(NamedTuple):
-    """Load and stiffness of contacts at given overlaps, arrays of one shape."""
+    """Load and stiffness of contacts at given overlaps, in arrays of equal shape."""
 
     load: Floats  # N
     slope: Floats  # d(load)/d(overlap), N/m
@@ -23,11 +24,11 @@ class Response(NamedTuple):
     elastic: Floats  # elastic compression in Hertz's law, m
 
 
-Law = Callable[[Floats], Response]  # of overlaps in m, negative in a gap
+Law = Callable[[Floats], Response]  # a function of overlaps in m, which are negative in a gap
 
 
 def hertzian(stiffness: Floats) -> Law:
-    """Q = K overlap^1.5, K in N/m^1.5."""
+    """Return the law Q = K overlap^1.5, with K in N/m^1.5."""
 
     def law(overlap):
         squeeze = np.maximum(overlap, 0)
@@ -40,30 +41,30 @@ def hertzian(stiffness: Floats) -> Law:
 
 @dataclass(frozen=True)
 class FilmInGap:
-    """The film of Masjedi and Khonsari between rolling surfaces, thinned by inlet shear.
+    """The film of Masjedi and Khonsari between rolling surfaces, reduced by inlet shear heating.
 
-    Below `film_gap.CUT` newtons the film keeps its thickness, so contacts begin at a gap of that
-    height.
+    Below a load of `film_gap.CUT` newtons the film thickness is constant, so that contact begins at
+    a gap of that height.
     """
 
     fluid: Fluid
-    speed: float  # of the inner ring, rad/s
-    starvation: float = 1.0  # factor on the thickness
+    speed: float  # rad/s, speed of the inner ring
+    starvation: float = 1.0  # factor on the film thickness
     share: float = 1.0  # zeta
-    # (C, Z), m/s; by default the speed for rolling at the angle of each contact
+    # (C, Z), m/s; by default the speed of pure rolling at the angle of each contact
     entrainment: Floats | None = None
 
     def factor(self, speed: Numbers) -> Numbers:
-        """phi_T of Murch and Wilson times the starvation factor, at the entrainment `speed` in
-        m/s."""
+        """Return phi_T of Murch and Wilson times the starvation factor, at the entrainment `speed`
+        in m/s."""
         loading = film_factors.thermal_loading(
             self.fluid.temperature_viscosity, self.fluid.viscosity, speed, self.fluid.conductivity
         )
         return film_factors.murch_wilson(loading) * self.starvation
 
     def law(self, bearing: Bearing, angle: Floats, clearance: float, stiffness: Floats) -> Law:
-        """`Law` of the contacts of `bearing.raceways`; contact `angle` in rad and `stiffness` are
-        (C, Z), by contact and ball."""
+        """Return the `Law` of the contacts of `bearing.raceways`; the contact `angle` in rad and
+        the `stiffness` are (C, Z), by contact and ball."""
         radii = np.array(
             [
                 bearing.effective_radii(side, one, clearance)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Stribeck-Harris distribution of a radial load over the balls (eq A.1), contact angle zero.
+"""Stribeck-Harris distribution of a radial load over the balls at zero contact angle (eq A.1).
 
-The load is treated as distributed continuously; in a real bearing it varies about these values as
+The load is treated as continuously distributed; in a real bearing it varies about these values as
 the balls pass.
 """
 
@@ -15,9 +15,10 @@ from raceway.theory.bearing import INNER, OUTER, Bearing
 
 
 def relative_load(azimuth: Numbers, parameter: float) -> Numbers:
-    """Q(psi)/Q_max = [1 - (1 - cos psi)/(2 epsilon)]^1.5, zero outside the load zone (eq A.1).
+    """Return Q(psi)/Q_max = [1 - (1 - cos psi)/(2 epsilon)]^1.5, or zero outside the load zone (eq
+    A.1).
 
-    `azimuth` is psi in rad from the load line, `parameter` is epsilon > 0.
+    `azimuth` is psi in rad, measured from the load line; `parameter` is epsilon > 0.
     """
     if not parameter > 0:
         raise ValueError(f"load parameter = {parameter} must be positive")
@@ -25,7 +26,8 @@ def relative_load(azimuth: Numbers, parameter: float) -> Numbers:
 
 
 def radial_integral(parameter: float) -> float:
-    """J_r(epsilon) = 1/(2 pi) integral of Q/Q_max cos psi over the load zone (Harris 7.24)."""
+    """Return J_r(epsilon), 1/(2 pi) times the integral of Q/Q_max cos psi over the load zone
+    (Harris 7.24)."""
     if parameter >= 1:
         value, _ = quad(
             lambda psi: relative_load(psi, parameter) * np.cos(psi), 0, np.pi, epsrel=1e-11
@@ -41,7 +43,7 @@ def radial_integral(parameter: float) -> float:
 
 
 def largest_load(balls: int, radial_load: float, parameter: float) -> float:
-    """Q_max = F_r/(Z J_r) in N (Stribeck).
+    """Return Q_max = F_r/(Z J_r) in N (Stribeck).
 
     >>> print(f"{largest_load(9, 5000.0, 0.5):.1f}")  # no clearance
     2427.8
@@ -50,8 +52,8 @@ def largest_load(balls: int, radial_load: float, parameter: float) -> float:
 
 
 def series_stiffness(bearing: Bearing) -> float:
-    """K in N/m^1.5 of inner and outer contact of one ball in series, contact angle zero (Harris
-    7.5)."""
+    """Return K in N/m^1.5 of the inner and outer contact of one ball in series, at zero contact
+    angle (Harris 7.5)."""
     inner, outer = (
         hertz.stiffness(hertz.exact(*bearing.effective_radii(side)), bearing.effective_modulus)
         for side in (INNER, OUTER)
@@ -60,8 +62,8 @@ def series_stiffness(bearing: Bearing) -> float:
 
 
 def shift(bearing: Bearing, radial_load: float, clearance: float = 0.0) -> float:
-    """Radial shift delta_r in m under `radial_load` > 0 N: F_r = Z K (delta_r - P_d/2)^1.5
-    J_r(epsilon)."""
+    """Return the radial shift delta_r in m under `radial_load` > 0 N, which is the solution of F_r
+    = Z K (delta_r - P_d/2)^1.5 J_r(epsilon)."""
     if not radial_load > 0:
         raise ValueError(f"radial load = {radial_load} N must be positive")
     stiffness = bearing.balls * series_stiffness(bearing)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Electrical figures of a bearing at one operating point from statics: `solve`, then `figures` as a
-mapping; `electric_table` gives them as text.
+"""Electrical results of a bearing at one operating point, from statics: first call `solve`, then
+`figures`, which returns a dict; `electric_table` formats it as text.
 
-The keys are a public interface for scripts; figures shared with `operating_point` have the same
-key.
+The keys are a public interface for scripts; quantities that `operating_point` also returns have the
+same keys.
 """
 
 import math
@@ -26,24 +26,25 @@ from raceway.theory.validity import of_statics
 
 
 class Point(NamedTuple):
-    """A bearing in equilibrium with its loads, rotating."""
+    """A rotating bearing in equilibrium with its loads."""
 
-    names: dict[str, Any]  # arguments of `figures` that identify the point
+    names: dict[str, Any]  # entries of the result of `figures` that identify the point
     bearing: Bearing
     oil: inputs.Oil
     state: Equilibrium
     films: Lubrication
     speed: float  # rad/s
-    quiet: float | Floats  # Q_u, N; one value per ball for several rows
+    quiet: float | Floats  # Q_u, N; one value per ball if there are several rows
     clearance: float  # m
     film: FilmInGap | None
     filling: Filling
-    four_point: float | None  # rad, contact angle of two grooves per ring
+    four_point: float | None  # rad, contact angle if each ring has two grooves
 
     __repr__ = short
 
     def capacitors(self, scale: float = 1.0) -> BearingCapacitors:
-        """`BearingCapacitors` with every film `scale` times as thick."""
+        """Return the `BearingCapacitors`, with the thickness of every film multiplied by
+        `scale`."""
         return capacitors.of_statics(
             self.bearing,
             self.state,
@@ -58,14 +59,14 @@ class Point(NamedTuple):
 
 
 class Ask(NamedTuple):
-    """Requested quantities of a point in addition to its capacitance; None if not requested."""
+    """Quantities to compute in addition to the capacitance; None if not requested."""
 
-    strength: float = film_voltage.STRENGTH  # breakdown field of a film, V/m
-    voltage: float | None = None  # V, between the rings
+    strength: float = film_voltage.STRENGTH  # V/m, breakdown field of a film
+    voltage: float | None = None  # V, voltage between the rings
     frequency: float | None = None  # Hz
-    resistivity: float = math.inf  # of the oil, ohm m
-    motor: tuple[float, float] | None = None  # C_wr, C_rf, F
-    measured: float | None = None  # F, of the bearing
+    resistivity: float = math.inf  # ohm m, resistivity of the oil
+    motor: tuple[float, float] | None = None  # F, C_wr and C_rf
+    measured: float | None = None  # F, measured capacitance of the bearing
 
 
 NOTHING = Ask()
@@ -87,14 +88,15 @@ def solve(
     four_point: float | None = None,
     double_row: DoubleRow | None = None,
 ) -> Point:
-    """`Point` of a bearing and lubricant by name or path, looked up in the inputs `folder`; loads
-    in N, `rpm` of the inner ring, diametral `clearance` in m, `temperature` in degrees C, `phase`
-    of the first ball in rad.
+    """Return the `Point` for a bearing and a lubricant, which are given by name or path and looked
+    up in the inputs `folder`. Loads are in N, `rpm` is the speed of the inner ring, `clearance` is
+    diametral in m, `temperature` is in degrees C, and `phase` is the azimuth of the first ball in
+    rad.
 
     Shoulders missing in `filling` are taken from the bearing's file. `models` is one of
-    `models.CAPACITANCE`; "full" includes the film in the gap and inlet shear. `four_point` (rad)
-    and `double_row` as in `inputs.bearing`. Raises `RacewayError`; `ValueError` without speed and
-    for unknown words.
+    `models.CAPACITANCE`; "full" includes the film in the gap and inlet shear heating. `four_point`
+    (rad) and `double_row` are as in `inputs.bearing`. Raises `RacewayError`, or `ValueError` if the
+    speed is zero or a word is unknown.
     """
     path, oil_path = (
         catalogue.find("bearings", bearing, folder),
@@ -149,9 +151,9 @@ def solve(
 
 
 def figures(point: Point, ask: Ask = NOTHING) -> dict[str, Any]:
-    """Figures by name in SI units, angles in degrees; None for quantities that were not requested.
-    `balls` is a list with one mapping for each ball. Raises `ValueError` for a measured capacitance
-    that no film of the model produces."""
+    """Return a dict of results in SI units, with angles in degrees and None for quantities that
+    were not requested. `balls` is a list with one dict per ball. Raises `ValueError` if no film
+    thickness of the model gives the measured capacitance."""
     found, films, oil = point.capacitors(), point.films, point.oil
     top = int(np.argmax(found.inner.load))
     loaded = found.inner.load > 0

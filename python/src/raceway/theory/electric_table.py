@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The electrical figures of `electric_point` as text: `table` for one point, `curves` for
+"""Format the electrical results of `electric_point` as text: `table` for one point, `curves` for
 several."""
 
 import math
@@ -47,13 +47,13 @@ TOPICS = {
         Row("phase_deg", "phase", "°"),
     ),
     "Motor": (Row("bearing_voltage_ratio", "bearing voltage ratio", "", "two such bearings"),),
-    "Film by the measured capacitance": (
+    "Film from measured capacitance": (
         Row("measured_F", "measured", "F"),
         Row("measured_h_c_m", "central film thickness", "m", "by all capacitance"),
-        Row("measured_plates_m", "read by the plates", "m"),
+        Row("measured_plates_m", "read from the plates", "m"),
     ),
 }
-COLUMNS = (  # of `curves`: key, heading, factor
+COLUMNS = (  # columns of `curves`: key, heading, factor
     ("load_N", "load N", 1),
     ("rpm", "rpm", 1),
     ("temperature_C", "T °C", 1),
@@ -69,7 +69,8 @@ COLUMNS = (  # of `curves`: key, heading, factor
 
 
 def table(result: Mapping[str, Any]) -> str:
-    """The result of `figures` as text: one block for each topic, then one row for each ball."""
+    """Format the result of `figures` as text, with one block per topic and then one row per
+    ball."""
     shown = dict(result, hertz_area_m2=f"{1e6 * result['hertz_area_m2']:.4g} mm²")
     for key in ("threshold_azimuth_deg", "phase_deg"):
         shown[key] = shown[key] and round(shown[key], 2) + 0.0
@@ -97,7 +98,7 @@ def table(result: Mapping[str, Any]) -> str:
 
 
 def curves(results: Sequence[Mapping[str, Any]]) -> str:
-    """Several results of `figures` as text, one line each."""
+    """Format several results of `figures` as text, with one line per result."""
     return several(results, COLUMNS)
 
 

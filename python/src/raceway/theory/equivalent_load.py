@@ -1,20 +1,22 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Dynamic equivalent load P = X F_r + Y F_a of single-row ball bearings (ISO 281, table 3).
 
-The factors are quoted from memory, without a copy of the standard. `life.of_loads` does not need
-them: its equivalent load follows from the loads of the balls, with clearance, tilts and rows.
+The factors are quoted from memory, not checked against the standard. `life.of_loads` does not need
+them, because it computes the equivalent load from the loads of the balls, including the effects of
+clearance, tilt and rows.
 """
 
 import math
 
 import numpy as np
 
-# deep groove, X = 0.56: F_a/(Z D^2) in MPa, which is f_0 F_a/C_0; e; Y, interpolated linearly
+# deep groove, X = 0.56: F_a/(Z D^2) in MPa, i.e. f_0 F_a/C_0; e; Y, interpolated linearly
 RELATIVE = (0.172, 0.345, 0.689, 1.03, 1.38, 2.07, 3.45, 5.17, 6.89)
 LIMIT = (0.19, 0.22, 0.26, 0.28, 0.30, 0.34, 0.38, 0.42, 0.44)
 AXIAL = (2.30, 1.99, 1.71, 1.55, 1.45, 1.31, 1.15, 1.04, 1.00)
 RADIAL = 0.56
-# angular contact, nominal angle in degrees: (e, X, Y); intermediate angles interpolated linearly
+# angular contact: nominal angle in degrees, then (e, X, Y), interpolated linearly between the
+# angles
 ANGLES = (20.0, 25.0, 30.0, 35.0, 40.0, 45.0)
 ANGULAR = (
     (0.57, 0.68, 0.80, 0.95, 1.14, 1.34),
@@ -26,9 +28,9 @@ ANGULAR = (
 def equivalent(
     radial: float, axial: float, *, angle: float, balls: int, ball_diameter: float
 ) -> float | None:
-    """P in N for loads in N; `angle` is the nominal contact angle in rad, the diameter is in m.
-    None for an axial load at angles outside the table, that is, below 20 degrees except 0, and
-    above 45. Without an axial load, P is the radial load at any angle.
+    """Return P in N for loads in N; `angle` is the nominal contact angle in rad and the diameter is
+    in m. Without an axial load, P is the radial load at any angle. Returns None for an axial load
+    if the angle is outside the table, i.e. between 0 and 20 degrees or above 45 degrees.
 
     >>> point = dict(angle=0.0, balls=9, ball_diameter=12.6e-3)
     >>> equivalent(2000.0, 0.0, **point), round(equivalent(2000.0, 1000.0, **point))

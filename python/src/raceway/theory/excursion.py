@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Balls that run ahead of their cage and lag behind it.
+"""Distances by which balls run ahead of their cage and lag behind it.
 
-Under a moment or a combined load the contact angles differ from ball to ball, and with them the
-speeds at which the balls roll around the bearing. A ball then moves relative to a cage that turns
-uniformly (called circumferential ball advance in bearing software). A pocket with less play than
-this motion restrains the ball, which then slides on both raceways, whose friction presses it
-against the pocket.
+Under a moment or a combined load, the contact angles differ from ball to ball, and so do the speeds
+at which the balls roll around the bearing. A ball then moves relative to a cage that turns
+uniformly, which bearing software calls circumferential ball advance. If a pocket has less play than
+this motion requires, it restrains the ball. The ball then slides on both raceways, and the friction
+there presses it against the pocket.
 """
 
 import math
@@ -21,7 +21,7 @@ from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.static import Equilibrium
 from raceway.units import prefixed
 
-POINTS = 720  # points on the path of a ball around the bearing
+POINTS = 720  # number of points on the path of a ball around the bearing
 
 
 class Excursion(NamedTuple):
@@ -29,12 +29,12 @@ class Excursion(NamedTuple):
 
     ahead: float  # m, largest distance ahead of the mean
     behind: float  # m, largest distance behind the mean, negative
-    play: float  # m, of the pockets, along the pitch circle
+    play: float  # m, play of the pockets along the pitch circle
     force: float | None  # N, estimated largest pocket force; None without friction coefficients
 
     @property
     def whole(self) -> float:
-        """Distance from the rearmost to the foremost position, m."""
+        """Distance in m between the rearmost and the foremost position."""
         return self.ahead - self.behind
 
 
@@ -45,17 +45,17 @@ def excursion(
     friction: Floats | None = None,
     play: float | None = None,
 ) -> Excursion | None:
-    """`Excursion` at the equilibrium `state` of a bearing with one row and one groove per ring,
-    whose inner ring turns at `speed` (rad/s) and whose outer ring is at rest; None for other
-    bearings.
+    """Compute the `Excursion` at the equilibrium `state` of a bearing with one row and one groove
+    per ring, whose inner ring turns at `speed` (rad/s) and whose outer ring is at rest. Returns
+    None for other bearings, or if no ball is loaded.
 
-    Each ball rolls at its own contact angles (`cage_speed.rolling`), balls without load at the mean
-    speed. The advance of a ball is R times the integral of 1 - w_c/w over the azimuth; with the
-    harmonic mean w_c of the balls' speeds w, it is periodic over a turn. If it exceeds `play` (m;
-    by default the estimate that runs use), a ball is restrained by
-    (1 - play/excursion) (w - w_c) R at both raceways. The traction of that slip by Heathcote's law
-    with the coefficients `friction` (2, Z) presses the ball against its pocket; the cage's speed is
-    the one at which these forces balance.
+    Each ball rolls at its own contact angles (`cage_speed.rolling`); unloaded balls move at the
+    mean speed. The advance of a ball is R times the integral of 1 - w_c/w over the azimuth, where w
+    is the ball's speed and w_c the harmonic mean of the speeds of all balls, with which the advance
+    is periodic over a turn. If the excursion exceeds `play` (m; by default the estimate used in
+    runs), a ball is restrained by (1 - play/excursion) (w - w_c) R at both raceways. The traction
+    due to this slip, by Heathcote's law with the coefficients `friction` (2, Z), presses the ball
+    against its pocket; the cage speed is the one at which these forces balance.
     """
     if np.ndim(state.inner.load) != 1:
         return None
@@ -94,7 +94,8 @@ def excursion(
 
 
 def _traction(bearing, side, slip, one, friction, orbit):
-    """N, traction along rolling on a ball that moves at `slip` (m/s) relative to free rolling."""
+    """Return the traction in N along rolling on a ball that moves at `slip` (m/s) relative to free
+    rolling."""
     r_x, _ = bearing.effective_radii(side, one.angle)
     r_d = sliding.deformed_radius(bearing.groove(side), bearing.ball_radius)
     u = orbit * bearing.pitch_radius
@@ -103,7 +104,8 @@ def _traction(bearing, side, slip, one, friction, orbit):
 
 
 def _integral(values):
-    """Integral of samples at equal angles over a turn, at `POINTS` angles, minus its mean."""
+    """Integrate samples at equal angles over a turn, and return the integral minus its mean at
+    `POINTS` angles."""
     count = len(values)
     waves = np.fft.fft(values) / count
     order = np.round(np.fft.fftfreq(count, 1 / count)).astype(int)
@@ -114,13 +116,13 @@ def _integral(values):
 
 
 def warning(found: Excursion) -> str | None:
-    """Warning if the balls' excursion exceeds the pocket play, otherwise None."""
+    """Return a warning if the excursion of the balls exceeds the pocket play, otherwise None."""
     if found.whole <= found.play:
         return None
     text = (
         f"the balls run up to {prefixed(found.ahead, 'm', 3)} ahead of and"
         f" {prefixed(-found.behind, 'm', 3)} behind their cage, {prefixed(found.whole, 'm', 3)} in"
-        f" all; its pockets have a play of {prefixed(found.play, 'm', 3)}"
+        f" total, but its pockets have a play of {prefixed(found.play, 'm', 3)}"
     )
     if found.force is None or not math.isfinite(found.force):
         return text

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Thickness of the elastohydrodynamic film (eqs 6, 7, 9), m. Numbers or arrays that broadcast, SI
-units. The formulas are in src-package/core/laws/film.h.
+"""Thickness of the elastohydrodynamic film in m (eqs 6, 7, 9). Functions accept numbers or arrays
+that broadcast, in SI units; the formulas are implemented in src-package/core/laws/film.h.
 
-Every formula is R_x f(U, G, W, kappa) with U = eta U_r/(E' R_x), G = xi E' and W = Q/(E' R_x^2),
-where U_r is the entrainment speed, half the sum of both surface speeds. At zero speed there is no
-film; zero load is an error, because the film of an unloaded contact is not elastohydrodynamic.
+Every formula has the form R_x f(U, G, W, kappa) with U = eta U_r/(E' R_x), G = xi E' and W = Q/(E'
+R_x^2), where U_r is the entrainment speed, i.e. half the sum of the speeds of both surfaces. The
+thickness is zero at zero speed. Zero load is an error, because the film of an unloaded contact is
+not elastohydrodynamic.
 """
 
 from typing import NamedTuple
@@ -36,7 +37,8 @@ def group(
     speed: Numbers,
     load: Numbers,
 ) -> Group:
-    """`Group` from eta (Pa s), xi (1/Pa), E' (Pa), R_x (m), kappa, |U_r| (m/s) and Q (N)."""
+    """Compute the `Group` from eta (Pa s), xi (1/Pa), E' (Pa), R_x (m), kappa, |U_r| (m/s), Q
+    (N)."""
     if np.any(np.asarray(load) <= 0):
         raise ValueError(f"load = {load} N must be positive")
     return Group(
@@ -48,47 +50,48 @@ def group(
 
 
 def h_min(r_x: Numbers, g: Group) -> Numbers:
-    """Smallest thickness after Masjedi and Khonsari (eq 6); R_x in m, `g` a `Group`."""
+    """Return the minimum thickness of Masjedi and Khonsari in m (eq 6); R_x in m, `g` a `Group`."""
     return r_x * laws.film_thickness(MASJEDI_KHONSARI, *g).h_min
 
 
 def h_c(r_x: Numbers, g: Group, printed: bool = False) -> Numbers:
-    """Central thickness after Masjedi and Khonsari (eq 9); R_x in m, `g` a `Group`.
+    """Return the central thickness of Masjedi and Khonsari in m (eq 9); R_x in m, `g` a `Group`.
 
-    Equation 9 is printed with a minus sign at the exponents of kappa; with a plus sign the film
-    agrees with Hamrock-Dowson and tends to the line contact as kappa grows. `printed` uses the
-    minus sign.
+    In the paper, the exponents of kappa in equation 9 have a minus sign. With a plus sign, the film
+    agrees with Hamrock-Dowson and tends to the film of a line contact as kappa grows. If `printed`
+    is true, the minus sign is used.
     """
     return r_x * laws.film_thickness(PRINTED if printed else MASJEDI_KHONSARI, *g).h_c
 
 
 def speed_exponent(kappa: Numbers, printed: bool = False) -> Numbers:
-    """d(ln h_c)/d(ln u) of `h_c`."""
+    """Return d(ln h_c)/d(ln u) of `h_c`."""
     return laws.film_exponents(PRINTED if printed else MASJEDI_KHONSARI, kappa).speed
 
 
 def load_exponent(kappa: Numbers, printed: bool = False) -> Numbers:
-    """-d(ln h_c)/d(ln Q) of `h_c`."""
+    """Return -d(ln h_c)/d(ln Q) of `h_c`."""
     return -laws.film_exponents(PRINTED if printed else MASJEDI_KHONSARI, kappa).load
 
 
 def hamrock_dowson_min(r_x: Numbers, g: Group) -> Numbers:
-    """Smallest thickness after Hamrock and Dowson (1977)."""
+    """Return the minimum thickness of Hamrock and Dowson (1977) in m."""
     return r_x * laws.film_thickness(HAMROCK_DOWSON, *g).h_min
 
 
 def hamrock_dowson_c(r_x: Numbers, g: Group) -> Numbers:
-    """Central thickness after Hamrock and Dowson (1977)."""
+    """Return the central thickness of Hamrock and Dowson (1977) in m."""
     return r_x * laws.film_thickness(HAMROCK_DOWSON, *g).h_c
 
 
 def ratio(h_min: Numbers, roughness: float, ball_roughness: float = 0.0) -> Numbers:
-    """Lambda = h_min/sqrt(sigma_1^2 + sigma_2^2), lengths in m (eq 7)."""
+    """Return Lambda = h_min/sqrt(sigma_1^2 + sigma_2^2), with lengths in m (eq 7)."""
     return h_min / laws.composite_roughness(roughness, ball_roughness)
 
 
 def regime(ratio: ArrayLike, boundary: float = 1.0, full: float = 3.0) -> np.int64 | Integers:
-    """0 boundary below `boundary`, 2 full film above `full`, 1 mixed between (Lambda = `ratio`).
+    """Classify Lambda = `ratio`: 0 (boundary) below `boundary`, 2 (full film) above `full`,
+    otherwise 1 (mixed).
 
     >>> regime([0.5, 1.4, 3.2]).tolist()
     [0, 1, 2]

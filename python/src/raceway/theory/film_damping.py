@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Damping by the film of a rolling contact: one Maxwell branch in parallel with the Hertz spring.
+"""Damping by the film of a rolling contact, modelled as a Maxwell branch in parallel with the Hertz
+spring.
 
-The linear response of a steady EHL line contact, applied to the ellipse: df/dt = k_m d(delta)/dt -
-f/tau, F_n = max(0, Q + f), k_m = 0.44 k h_c/delta_H, tau = 1.33 b/u. Accurate to 10 to 30 % for
-omega b/u below 1.2. Numbers or arrays of one shape, SI units.
+The model is the linear response of a steady EHL line contact, applied to an elliptical contact:
+df/dt = k_m d(delta)/dt - f/tau, F_n = max(0, Q + f), k_m = 0.44 k h_c/delta_H, tau = 1.33 b/u. It
+is accurate to 10 to 30 % for omega b/u below 1.2. Functions accept numbers or arrays of equal shape
+in SI units.
 """
 
 from typing import NamedTuple
@@ -18,14 +20,14 @@ class Branch(NamedTuple):
     """A spring and a dashpot in series."""
 
     stiffness: Numbers  # k_m, N/m
-    time: Numbers  # tau, s; infinite at rest
+    time: Numbers  # tau, s; infinite at zero speed
 
 
 def branch(k: Numbers, h_c: Numbers, elastic: Numbers, b: Numbers, speed: Numbers) -> Branch:
-    """`Branch` of a contact with slope k = 1.5 Q/delta_H in N/m; h_c, `elastic` = delta_H and the
-    semi-axis b along rolling in m, u in m/s.
+    """Return the `Branch` of a contact with slope k = 1.5 Q/delta_H in N/m; h_c, `elastic` =
+    delta_H and the semi-axis b along rolling are in m, and u is in m/s.
 
-    h_c/delta_H is limited to 1, since the fit applies to thin films.
+    The ratio h_c/delta_H is limited to 1, because the fit applies to thin films.
     """
     stiffness, rate = laws.film_branch(k, h_c, elastic, b, np.abs(speed))
     with np.errstate(divide="ignore"):
@@ -35,22 +37,22 @@ def branch(k: Numbers, h_c: Numbers, elastic: Numbers, b: Numbers, speed: Number
 def advance(
     force: Numbers, branch: Branch, approach: Numbers, step: Numbers
 ) -> tuple[Numbers, Numbers]:
-    """(f in N after `step` in s at a constant `approach` d(delta)/dt in m/s, its derivative with
-    respect to the approach in N s/m), exact."""
+    """Return (f in N after `step` in s at a constant `approach` d(delta)/dt in m/s, its derivative
+    with respect to the approach in N s/m). The solution is exact."""
     left, slope = laws.film_branch_step(branch.stiffness, 1 / branch.time, step, False)
     return left * force + slope * approach, slope
 
 
 def dashpot(k: Numbers, h_c: Numbers, elastic: Numbers, b: Numbers, speed: Numbers) -> Numbers:
-    """C = 0.59 k (h_c/delta_H) b/u = k_m tau in N s/m: the branch for slow motion. It grows without
-    bound as u goes to zero."""
+    """Return C = 0.59 k (h_c/delta_H) b/u = k_m tau in N s/m, which represents the branch for slow
+    motion. It grows without bound as u goes to zero."""
     one = branch(k, h_c, elastic, b, speed)
     return one.stiffness * one.time
 
 
 def loss_factor(k: Numbers, branch: Branch, frequency: Numbers) -> Numbers:
-    """Ratio of the imaginary to the real part of k + k_m i w tau/(1 + i w tau), w = `frequency` in
-    rad/s."""
+    """Return the ratio of the imaginary part to the real part of k + k_m i w tau/(1 + i w tau),
+    with w = `frequency` in rad/s."""
     z = 1j * frequency * branch.time
     whole = k + branch.stiffness * z / (1 + z)
     return whole.imag / whole.real

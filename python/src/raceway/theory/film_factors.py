@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Factors on the smooth, isothermal, fully flooded film: inlet shear heating, starvation,
-roughness. Numbers or arrays of one shape, SI units; every factor is 1 where its effect is absent.
+"""Factors on the smooth, isothermal and fully flooded film for inlet shear heating, starvation and
+roughness. Functions accept numbers or arrays of equal shape in SI units; a factor is 1 if its
+effect is absent.
 """
 
 import numpy as np
@@ -10,38 +11,38 @@ from raceway.core import laws
 
 MURCH_WILSON, WILSON = 1, 2
 
-GUPTA_MOST = 0.9  # largest 13.2 P L^0.42; runs limit it to this value
+GUPTA_MOST = 0.9  # largest 13.2 P L^0.42; larger values are reduced to this value in a run
 
 
 def thermal_loading(
     temperature_viscosity: Numbers, viscosity: Numbers, speed: Numbers, conductivity: Numbers
 ) -> Numbers:
-    """L = beta eta u^2/k_f from beta (1/K), eta (Pa s), the entrainment speed (m/s) and k_f (W/(m
-    K)). u is the entrainment speed, not the sum of both surface speeds, which would give four times
-    this L."""
+    """Return L = beta eta u^2/k_f, for beta in 1/K, eta in Pa s, k_f in W/(m K) and the entrainment
+    speed u in m/s. Note that with the sum of the speeds of both surfaces in place of u, L would be
+    four times as large."""
     return laws.thermal_loading(temperature_viscosity, viscosity, speed, conductivity)
 
 
 def murch_wilson(loading: Numbers) -> Numbers:
-    """Film factor 3.94/(3.94 + L^0.62), pure rolling (Murch and Wilson 1975; from memory,
-    unchecked). The default: within 0.5 % of SKF's factor on a 6208."""
+    """Return the film factor 3.94/(3.94 + L^0.62) for pure rolling (Murch and Wilson 1975; from
+    memory, unchecked). It is the default and is within 0.5 % of SKF's factor on a 6208."""
     return laws.inlet_shear(MURCH_WILSON, loading)
 
 
 def gupta_parts(
     loading: Numbers, pressure: Numbers, slide_roll: Numbers = 0.0
 ) -> tuple[Numbers, Numbers]:
-    """(1/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), 13.2 P L^0.42) of `gupta`: the factor without
-    pressure, and its relative reduction by pressure."""
+    """Return (1/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), 13.2 P L^0.42) of `gupta`, i.e. the factor
+    without the effect of pressure, and its relative reduction by pressure."""
     return tuple(laws.gupta_parts(loading, pressure, slide_roll))
 
 
 def gupta(loading: Numbers, pressure: Numbers, slide_roll: Numbers = 0.0) -> Numbers:
-    """Film factor (1 - 13.2 P L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), P = `pressure` = p_max
-    over E' (Gupta et al. 1992; Zhu and Cheng).
+    """Return the film factor (1 - 13.2 P L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), with P =
+    `pressure` = p_max/E' (Gupta et al. 1992; Zhu and Cheng).
 
-    `slide_roll` is S = s/u. Valid for L below about 10. Raises `ValueError` if pressure reduces the
-    factor by more than `GUPTA_MOST`.
+    `slide_roll` is S = s/u. The formula is valid for L below about 10. Raises `ValueError` if
+    pressure reduces the factor by more than `GUPTA_MOST`.
     """
     unpressed, lost = gupta_parts(loading, pressure, slide_roll)
     if np.any(lost > GUPTA_MOST):
@@ -50,26 +51,28 @@ def gupta(loading: Numbers, pressure: Numbers, slide_roll: Numbers = 0.0) -> Num
 
 
 def wilson(loading: Numbers) -> Numbers:
-    """Film factor 1/(1 + 0.1 L^0.64) (Wilson 1979)."""
+    """Return the film factor 1/(1 + 0.1 L^0.64) (Wilson 1979)."""
     return laws.inlet_shear(WILSON, loading)
 
 
 def aihara(loading: Numbers) -> Numbers:
-    """Factor on the hydrodynamic rolling torque, 1/(1 + 0.29 L^0.78) (Aihara 1987)."""
+    """Return the factor 1/(1 + 0.29 L^0.78) on the hydrodynamic rolling torque (Aihara 1987)."""
     return 1 / (1 + 0.29 * loading**0.78)
 
 
 def flooded_inlet(r_x: Numbers, b: Numbers, h_c: Numbers) -> Numbers:
-    """m* = 1 + 3.06 ((R_x/b)^2 h_c/R_x)^0.58: a contact is fully flooded when its inlet meniscus
-    lies beyond m* b (Hamrock and Dowson; from memory, unchecked). Lengths in m."""
+    """Return m* = 1 + 3.06 ((R_x/b)^2 h_c/R_x)^0.58: a contact is fully flooded if its inlet
+    meniscus is farther than m* b away (Hamrock and Dowson; from memory, unchecked). Lengths are in
+    m."""
     return 1 + 3.06 * ((r_x / b) ** 2 * h_c / r_x) ** 0.58
 
 
 def rough_capacitance(ratio: Numbers) -> Numbers:
-    """<1/h> h_c = L^2/(L^2 - 1) with L = h_c/sigma: a rough film with gamma-distributed thickness
-    and standard deviation sigma, relative to a smooth one.
+    """Return <1/h> h_c = L^2/(L^2 - 1) with L = h_c/sigma, the ratio of the capacitance of a rough
+    film whose thickness has a gamma distribution with standard deviation sigma to that of a smooth
+    film.
 
-    Raises `ValueError` for L of one or less, where the surfaces touch and the contact conducts.
+    Raises `ValueError` if L is one or less, where the surfaces touch and the contact conducts.
     """
     if np.any(np.asarray(ratio) <= 1):
         raise ValueError(f"h_c/sigma = {ratio} must be above 1: the contact conducts")

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The film in the gap, which adds to the overlap in Hertz's law.
+"""The film in the gap, whose thickness is added to the overlap in Hertz's law.
 
-Q = K delta_H^1.5 with delta_H = delta + zeta h_c(Q), where delta is the overlap of the rigid
-bodies, negative in a gap. As Q grows, delta_H grows and h_c falls, so there is exactly one root for
-any delta. zeta is 1.04 to 1.09 for a line contact according to a transient EHL solver; 1 is the
-default.
+The load is Q = K delta_H^1.5 with delta_H = delta + zeta h_c(Q), where delta is the overlap of the
+rigid bodies, which is negative in a gap. As Q grows, delta_H grows and h_c decreases, so there is
+exactly one root for any delta. A transient EHL solver gives zeta = 1.04 to 1.09 for a line contact;
+the default is 1.
 """
 
 from dataclasses import dataclass, replace
@@ -15,38 +15,38 @@ from numpy.typing import ArrayLike
 from raceway.arrays import Numbers
 from raceway.core import laws
 
-CUT = 1.0  # N: default load below which the thickness by a power law is constant
+CUT = 1.0  # N, default load below which the thickness given by a power law is constant
 
 
 class Squeeze(NamedTuple):
-    """Contacts with their films, arrays of one shape."""
+    """Contacts with their films, in arrays of equal shape."""
 
     load: Numbers  # Q, N
-    h_c: Numbers  # m; below the cut, the thickness at the cut
+    h_c: Numbers  # m; below the cut load, the thickness at the cut load
     elastic: Numbers  # delta_H, m; zero without load
     slope: Numbers  # dQ/d(delta), N/m
 
 
 @dataclass(frozen=True)
 class Law:
-    """A film as a function of the load: `law(load in N)` is (h_c in m, m = -d(ln h_c)/d(ln Q)).
-    Made by `power_law`, `all_regimes` and `heated`."""
+    """A film as a function of the load: `law(load in N)` returns (h_c in m, m = -d(ln h_c)/d(ln
+    Q)). Use `power_law`, `all_regimes` and `heated` to create one."""
 
     all_regimes: bool
     viscosity: Numbers  # Pa s
     pressure_viscosity: Numbers  # 1/Pa
     modulus: float  # E', Pa
     r_x: Numbers  # m
-    shape: Numbers  # R_y in m in all regimes, otherwise kappa
+    shape: Numbers  # R_y in m if `all_regimes` is true, otherwise kappa
     speed: Numbers  # m/s
     factor: Numbers
-    loading: Numbers = 0.0  # L of Gupta's factor; 0 without it
-    peak: Numbers = 0.0  # p_max/E' under 1 N
+    loading: Numbers = 0.0  # L of Gupta's factor; 0 if the factor is not applied
+    peak: Numbers = 0.0  # p_max/E' at a load of 1 N
     slide_roll: Numbers = 0.0
     cut: float = 0.0  # N
 
     def __call__(self, load: Numbers) -> tuple[Numbers, Numbers]:
-        """(h_c in m, m) under `load` in N."""
+        """Return (h_c in m, m) under `load` in N."""
         return tuple(laws.film_at_load(load, **vars(self)))
 
 
@@ -61,9 +61,9 @@ def power_law(
     factor: Numbers = 1.0,
     cut: float = CUT,
 ) -> Law:
-    """`Law` of Masjedi and Khonsari (`film.h_c`) times `factor`; below the load `cut` in N the
-    thickness keeps its value at `cut`. With `cut` 0 the thickness grows without bound as the load
-    goes to zero."""
+    """Return the `Law` of Masjedi and Khonsari (`film.h_c`) times `factor`. Below the load `cut` in
+    N the thickness keeps its value at `cut`. If `cut` is 0, the thickness grows without bound as
+    the load goes to zero."""
     return Law(False, viscosity, pressure_viscosity, modulus, r_x, kappa, speed, factor, cut=cut)
 
 
@@ -77,32 +77,33 @@ def all_regimes(
     *,
     factor: Numbers = 1.0,
 ) -> Law:
-    """`Law` of Nijenbanning, Venner and Moes (`film_regimes.h_c`) times `factor`. There is no film
-    at rest."""
+    """Return the `Law` of Nijenbanning, Venner and Moes (`film_regimes.h_c`) times `factor`. There
+    is no film at zero speed."""
     return Law(True, viscosity, pressure_viscosity, modulus, r_x, r_y, speed, factor)
 
 
 def heated(
     law: Law, loading: Numbers, peak: Numbers, slide_roll: Numbers = 0.0, *, cut: float = CUT
 ) -> Law:
-    """`law` times Gupta's factor (`film_factors.gupta`), which falls with pressure and so with
-    load.
+    """Return `law` times Gupta's factor (`film_factors.gupta`), which decreases with pressure and
+    therefore with load.
 
-    `loading` is L; `peak` is p_max/E' under 1 N, where p_max grows with Q^(1/3). Below the load
-    `cut` in N the factor keeps its value at `cut`. Beyond the range of Gupta's factor, the
-    reduction by pressure is `GUPTA_MOST`. Raises `ValueError` if a power law is cut at another
-    load.
+    `loading` is L, and `peak` is p_max/E' at a load of 1 N; p_max grows with Q^(1/3). Below the
+    load `cut` in N the factor keeps its value at `cut`. Beyond the range of Gupta's factor, the
+    reduction by pressure is limited to `GUPTA_MOST`. Raises `ValueError` if `law` is a power law
+    that is cut at a different load.
     """
     if not law.all_regimes and law.cut != cut:
-        raise ValueError(f"cut = {cut} N must be the cut of the power law, {law.cut} N")
+        raise ValueError(f"cut = {cut} N must equal the cut of the power law, {law.cut} N")
     return replace(law, loading=loading, peak=peak, slide_roll=slide_roll, cut=cut)
 
 
 def solve(overlap: ArrayLike, stiffness: Numbers, law: Law, share: float = 1.0) -> Squeeze:
-    """`Squeeze` of contacts with K in N/m^1.5 at an `overlap` in m of any sign; `share` is zeta.
+    """Solve for the `Squeeze` of contacts with K in N/m^1.5 at an `overlap` in m of any sign;
+    `share` is zeta.
 
-    dQ/d(delta) = 1.5 Q/(delta_H + 1.5 m zeta h_c). There is no load if the gap exceeds the
-    thickness of a cut film.
+    dQ/d(delta) is 1.5 Q/(delta_H + 1.5 m zeta h_c). There is no load if the gap exceeds the
+    thickness of a film with a cut.
     """
     return Squeeze(*laws.film_in_gap(overlap, stiffness, share, **vars(law)))
 
@@ -114,8 +115,8 @@ def energy(
     cut: float = 0.0,
     edge: Numbers = 0.0,
 ) -> Numbers:
-    """Energy in J of a contact at constant speed whose film is a power law of the load with m
-    = `exponent` above the load `cut` in N, at which its thickness is `edge` (m): 0.4 Q delta_H +
-    zeta m/(1 - m) (h_c Q - edge cut)."""
+    """Return the energy in J of a contact at constant speed whose film is a power law of the load
+    with m = `exponent` above the load `cut` in N, at which its thickness is `edge` (m): 0.4 Q
+    delta_H + zeta m/(1 - m) (h_c Q - edge cut)."""
     thinned = laws.thinning_work(share, exponent, squeeze.load, squeeze.h_c, cut, edge)
     return laws.hertz_energy(squeeze.load, squeeze.elastic) + thinned

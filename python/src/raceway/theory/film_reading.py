@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film thickness read from a bearing's capacitance as if it were the capacitance of the plates
-alone: a curve for correcting measured film thicknesses."""
+"""Film thickness read from the capacitance of a bearing as if all of it were the capacitance of the
+plates. The resulting curve is used to correct measured film thicknesses."""
 
 from typing import NamedTuple
 
@@ -14,26 +14,28 @@ FACTORS = np.geomspace(0.1, 10.0, 61)
 
 
 class Reading(NamedTuple):
-    """Arrays (N,) with one value for each film thickness: `h_c` is the thickness at the largest
-    inner load; the other films are scaled in proportion."""
+    """Readings as arrays (N,) with one value for each film thickness. `h_c` is the thickness at the
+    largest inner load; the other films are scaled in proportion."""
 
     h_c: Floats  # m
-    capacitance: Floats  # F, of the whole bearing
-    by_plates: Floats  # m: h_c if the plates were the whole capacitance
-    less_constant: Floats  # m: h_c after subtracting all but the plates' share at factor one
+    capacitance: Floats  # F, capacitance of the whole bearing
+    by_plates: Floats  # m, the h_c that would result if the plates were the whole capacitance
+    less_constant: Floats  # m, h_c after subtraction of all other capacitance at factor one
 
 
 def curve(point: Point, factors: ArrayLike = FACTORS) -> Reading:
-    """`Reading` of a bearing at one operating point with its films `factors` times as thick.
+    """Return the `Reading` of a bearing at one operating point for films that are `factors` times
+    as thick as computed.
 
-    The plates are inversely proportional to the film, at constant permittivity. `less_constant` is
-    the reading of a bridge zeroed with the surroundings at the model's film thickness; NaN where
-    nothing remains. Raises `ValueError` if no ball is loaded on both raceways.
+    The capacitance of the plates is inversely proportional to the film thickness; the permittivity
+    is constant. `less_constant` is the reading of a bridge that has been zeroed with the
+    surroundings at the model's film thickness; it is NaN where nothing remains after the
+    subtraction. Raises `ValueError` if no ball is loaded on both raceways.
     """
     whole = point.capacitors()
     plates = whole.plates
     if not plates > 0:
-        raise ValueError("no ball is loaded on both raceways: there are no plates to read")
+        raise ValueError("no ball is loaded on both raceways: there are no plates")
     h_c = float(whole.inner.separation[np.argmax(whole.inner.load)])
     factors = np.asarray(factors, float)
     total = np.array([point.capacitors(factor).total for factor in factors])
@@ -44,7 +46,8 @@ def curve(point: Point, factors: ArrayLike = FACTORS) -> Reading:
 
 
 def corrected(reading: Reading, by_plates: ArrayLike) -> Floats:
-    """Film thickness in m for readings `by_plates` (m), along the curve; NaN beyond its ends.
+    """Return the film thickness in m for readings `by_plates` (m), interpolated along the curve;
+    NaN beyond its ends.
 
     >>> curve = Reading(*(np.array(one) for one in ([1., 2.], [3., 2.], [.5, .8], [1., 2.])))
     >>> corrected(curve, [.5, .8, .9]).round(3).tolist()

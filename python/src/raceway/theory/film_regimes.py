@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Central film thickness in all regimes, from a rigid isoviscous to an elastic piezoviscous contact
-(Nijenbanning, Venner, Moes 1994).
+"""Central film thickness in all regimes, from a rigid and isoviscous to an elastic and piezoviscous
+contact (Nijenbanning, Venner, Moes 1994).
 
-Unlike the power laws of `film` it remains valid as the load goes to zero.
+Unlike the power laws in `film`, it remains valid as the load goes to zero.
 """
 
 from typing import NamedTuple
@@ -14,7 +14,7 @@ from raceway.core import laws
 
 
 class Moes(NamedTuple):
-    """Moes' dimensionless parameters, with u_s = 2u: U_s = eta u_s/(E' R_x)."""
+    """Dimensionless parameters of Moes, with u_s = 2u and U_s = eta u_s/(E' R_x)."""
 
     load: Numbers  # M = W U_s^(-3/4)
     material: Numbers  # L = xi E' U_s^(1/4)
@@ -31,7 +31,8 @@ def group(
     speed: Numbers,
     load: Numbers,
 ) -> Moes:
-    """`Moes` from eta (Pa s), xi (1/Pa), E' (Pa), R_x and R_y (m), u (m/s, not zero), Q (N)."""
+    """Compute `Moes` from eta (Pa s), xi (1/Pa), E' (Pa), R_x and R_y (m), u (m/s, not zero) and Q
+    (N)."""
     speed = 2 * viscosity * np.abs(speed) / (modulus * r_x)
     return Moes(
         load / (modulus * r_x**2) * speed**-0.75,
@@ -42,6 +43,6 @@ def group(
 
 
 def h_c(g: Moes) -> Numbers:
-    """Central thickness in m. The asymptotes were checked against the source; the formula that
-    joins them is from memory, unchecked."""
+    """Return the central thickness in m. The asymptotes were checked against the source; the
+    formula that joins them is from memory, unchecked."""
     return g.scale * laws.film_all_regimes(g.load, g.material, g.ratio)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Voltages across films: division between two films, field in a film, breakdown voltage, and the
-energy of a discharge. Numbers or arrays of one shape, SI units.
+"""Voltages across films: division between two films, electric field in a film, breakdown voltage,
+and energy of a discharge. Functions accept numbers or arrays of equal shape in SI units.
 
-A smooth thin film fails at 15 to 60 V/um (from memory, unchecked). Measured bearings fail first at
-1.5 to 6 V across two films (Lubricants 2024, 12, 1, table A1). This is far below the strength of
-smooth films because of roughness: the local gap is the film thickness minus three standard
-deviations.
+A smooth thin film fails at 15 to 60 V/um (from memory, unchecked). In measurements, bearings first
+fail at 1.5 to 6 V across two films (Lubricants 2024, 12, 1, table A1). This is far below the
+strength of smooth films because of roughness: the local gap is the film thickness minus three
+standard deviations of the roughness.
 """
 
 from typing import NamedTuple
@@ -17,22 +17,22 @@ from raceway.theory.asperity import CONDUCTS
 
 STRENGTH = 15e6  # V/m, lower end of the range for smooth thin films (from memory, unchecked)
 PEAKS = 3.0  # local reduction of a film, in standard deviations of the roughness
-# A/m^2 of peak current over Hertz area (from memory, unchecked)
+# A/m^2, limits of the peak current divided by the Hertz area (from memory, unchecked)
 HARMLESS, HARMFUL = 0.1e6, 0.7e6
-HARDNESS = 7.5e9  # Pa, of bearing steel: 7 to 8 GPa (from memory, unchecked)
+HARDNESS = 7.5e9  # Pa, hardness of bearing steel, which is 7 to 8 GPa (from memory, unchecked)
 STATES = ("capacitive", "leaking", "metallic")
 
 
 class Shares(NamedTuple):
-    """A voltage across a ball, divided between its films."""
+    """A voltage across a ball, divided between its two films."""
 
     inner: Numbers  # V
     outer: Numbers
 
 
 def divided(voltage: Numbers, inner: Numbers, outer: Numbers) -> Shares:
-    """`Shares` of a `voltage` between the rings by the capacitances of the films: V_i = V C_o/(C_i
-    + C_o). Raises `ValueError` unless both are positive.
+    """Divide a `voltage` between the rings according to the capacitances of the films: V_i = V
+    C_o/(C_i + C_o). Raises `ValueError` unless both capacitances are positive.
 
     >>> [round(float(one), 6) for one in divided(3.0, 2e-10, 1e-10)]
     [1.0, 2.0]
@@ -42,41 +42,41 @@ def divided(voltage: Numbers, inner: Numbers, outer: Numbers) -> Shares:
 
 
 def shares(inner: Numbers, outer: Numbers) -> Shares:
-    """Share of each film in one volt between the rings, from the capacitances; zero if both films
-    are open."""
+    """Return the fraction of a voltage between the rings that is across each film, from the
+    capacitances; both are zero if both films are open."""
     both = np.asarray(inner + outer, float)
     over = np.divide(1.0, both, out=np.zeros_like(both), where=both != 0)
     return Shares((outer * over)[()], (inner * over)[()])
 
 
 def local_gap(separation: Numbers, roughness: float = 0.0, floor: float = 0.0) -> Numbers:
-    """h - 3 sigma in m, or `floor` (m) where asperities touch."""
+    """Return h - 3 sigma in m, or `floor` (m) where asperities touch."""
     return np.maximum(separation - PEAKS * roughness, floor)
 
 
 def field(voltage: Numbers, gap: Numbers) -> Numbers:
-    """Field in V/m of a `voltage` over a `gap` (m), the film thickness or a `local_gap`; with the
-    sign of the voltage, infinite if the gap is zero."""
+    """Return the field in V/m for a `voltage` across a `gap` (m), which is the film thickness or a
+    `local_gap`. It has the sign of the voltage and is infinite if the gap is zero."""
     with np.errstate(divide="ignore", invalid="ignore"):
         return (np.asarray(voltage, float) / np.asarray(gap, float))[()]
 
 
 def ring_voltages(limits: tuple[Numbers, Numbers], inner: Numbers, outer: Numbers) -> Floats:
-    """Voltages (2, ...) between the rings in V at which the inner and the outer film reach the
-    voltages `limits`, from the capacitances: V_i (C_i + C_o)/C_o and V_o (C_i + C_o)/C_i. Infinite
-    for a film without voltage."""
+    """Return the voltages (2, ...) between the rings in V at which the inner and the outer film
+    reach the voltages `limits`, from the capacitances: V_i (C_i + C_o)/C_o and V_o (C_i + C_o)/C_i.
+    A voltage is infinite if there is no voltage across the film."""
     share = np.stack(shares(inner, outer))
     limit = np.stack([np.broadcast_to(one, share.shape[1:]) for one in limits])
     return np.divide(limit, share, out=np.full(share.shape, np.inf), where=share > 0)
 
 
 class Threshold(NamedTuple):
-    """The smallest voltage at which a film fails."""
+    """The smallest voltage between the rings at which a film fails."""
 
-    bearing: float  # V, of the weakest ball
-    ball: Numbers  # (Z,), V
-    weakest: int  # index of that ball
-    first: Numbers  # (Z,), film that fails first, 0 inner or 1 outer; the other film follows
+    bearing: float  # V, threshold of the weakest ball
+    ball: Numbers  # (Z,), V, threshold of each ball
+    weakest: int  # index of the weakest ball
+    first: Numbers  # (Z,), film that fails first, 0 inner or 1 outer; the other film fails next
 
 
 def threshold(
@@ -85,11 +85,13 @@ def threshold(
     strength: float = STRENGTH,
     roughness: float = 0.0,
 ) -> Threshold:
-    """`Threshold` of a bearing from gaps (m) and capacitances (F) of inner and outer films, arrays
-    (Z,); a film fails when its field over the local gap reaches `strength` (V/m).
+    """Compute the `Threshold` of a bearing from the gaps (m) and capacitances (F) of inner and
+    outer films, which are arrays (Z,). A film fails when the field in its local gap reaches
+    `strength` (V/m).
 
-    The smaller of E h_i (C_i + C_o)/C_o and E h_o (C_i + C_o)/C_i, then the minimum over all balls.
-    Raises `ValueError` for a capacitance or strength that is not positive.
+    The threshold of a ball is the smaller of E h_i (C_i + C_o)/C_o and E h_o (C_i + C_o)/C_i; the
+    threshold of the bearing is the minimum over all balls. Raises `ValueError` if a capacitance or
+    the strength is not positive.
 
     >>> found = threshold(([1e-7], [2e-7]), ([2e-10], [1e-10]), 15e6)
     >>> round(found.bearing, 3), found.first.tolist()
@@ -104,20 +106,22 @@ def threshold(
 
 
 def stored_energy(capacitance: Numbers, voltage: Numbers) -> Numbers:
-    """C V^2/2 in J, which a discharge may dissipate completely; C includes the capacitances in
+    """Return C V^2/2 in J, all of which a discharge may dissipate; C includes the capacitances in
     parallel with the bearing."""
     return capacitance * np.square(voltage) / 2
 
 
 def apparent_current_density(current: Numbers, area: Numbers) -> Numbers:
-    """Peak `current` (A) over the Hertz area (m^2) of all contacts through which it may flow,
-    A/m^2. Up to 0.1 A/mm^2 counts as harmless, above 0.7 as harmful (from memory, unchecked)."""
+    """Return the peak `current` (A) divided by the Hertz area (m^2) of all contacts through which
+    it may flow, in A/m^2. Values up to 0.1 A/mm^2 are considered harmless and values above 0.7
+    A/mm^2 harmful (from memory, unchecked)."""
     return current / _positive("area", area)
 
 
 def states(asperity_share: Numbers, loss: Numbers = 0.0) -> Numbers:
-    """Indices into `STATES`: metallic if asperities carry more than `CONDUCTS` of the load;
-    otherwise leaking if `loss` = 1/(omega R C), conduction over displacement current, is above one.
+    """Return indices into `STATES`: metallic if asperities carry more than `CONDUCTS` of the load,
+    otherwise leaking if `loss` = 1/(omega R C), the ratio of conduction current to displacement
+    current, is above one.
 
     >>> states([0.0, 0.0, 0.3], [0.1, 5.0, 0.0]).tolist()
     [0, 1, 2]
@@ -128,13 +132,15 @@ def states(asperity_share: Numbers, loss: Numbers = 0.0) -> Numbers:
 
 
 def real_area(asperity_share: Numbers, load: Numbers, hardness: float = HARDNESS) -> Numbers:
-    """A_r = L_a Q/H_m in m^2, area of metal contact under the share L_a of a load in N."""
+    """Return A_r = L_a Q/H_m in m^2, the area of metallic contact if asperities carry the fraction
+    L_a of a load Q in N."""
     return asperity_share * load / _positive("hardness", hardness)
 
 
 def constriction(area: Numbers, spots: int, resistivity: float) -> Numbers:
-    """Resistance in ohm of a metal `area` (m^2) divided into `spots` round spots: rho/(2 n a) after
-    Holm (from memory, unchecked), without oxide films. `resistivity` of the metal in ohm m."""
+    """Return the resistance in ohm of a metallic contact `area` (m^2) that is divided into `spots`
+    round spots, rho/(2 n a) (Holm; from memory, unchecked), without oxide films. `resistivity` is
+    the resistivity of the metal in ohm m."""
     if spots < 1:
         raise ValueError(f"spots = {spots} must be 1 or more")
     radius = np.sqrt(_positive("area", area) / (np.pi * spots))

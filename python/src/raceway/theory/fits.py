@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Reduction of a bearing's clearance by interference fits (Lamé's thick-walled tubes).
+"""Reduction of a bearing's clearance by interference fits (Lamé's solution for thick-walled tubes).
 
 A ring is treated as a tube that ends at the bottom of its groove, without shoulders. Shaft and
-housing are tubes as long as the ring. `heat.clearance_change` gives the effect of temperature.
+housing are tubes with the length of the ring. `heat.clearance_change` computes the effect of
+temperature.
 """
 
 import math
@@ -33,15 +34,16 @@ def clearance_change(
     shaft_material: Material = STEEL,
     housing_material: Material = STEEL,
 ) -> float:
-    """Change of the diametral clearance, m: 0 or negative.
+    """Return the change of the diametral clearance in m, which is 0 or negative.
 
-    `shaft` and `housing` are interferences in diameter (m) of the inner ring on its shaft and of
-    the outer ring in its housing; 0 or less, a loose fit, has no effect. `bore` and `outside` are
-    the bearing's diameters, `shaft_bore` is the bore of a hollow shaft and `housing_outside` the
-    outside diameter of the housing, all in m. Raises `ValueError` for diameters out of order.
+    `shaft` and `housing` are the diametral interferences (m) of the inner ring on its shaft and of
+    the outer ring in its housing; values of 0 or less, i.e. loose fits, have no effect. `bore` and
+    `outside` are the diameters of the bearing, `shaft_bore` is the bore of a hollow shaft and
+    `housing_outside` the outside diameter of the housing, all in m. Raises `ValueError` if the
+    diameters are not in increasing order.
 
-    A 6208 with an interference of 10 um on a solid steel shaft: the raceway grows by the
-    interference times the ratio of bore to raceway diameter.
+    For a 6208 with an interference of 10 um on a solid steel shaft, the raceway grows by the
+    interference times the ratio of bore to raceway diameter:
 
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     >>> round(1e6 * clearance_change(b, 40e-3, 80e-3, shaft=10e-6), 3)
@@ -51,8 +53,8 @@ def clearance_change(
     order = (shaft_bore, bore, inner, outer, outside, housing_outside)
     if not (0 <= order[0] and all(one < other for one, other in zip(order, order[1:]))):
         raise ValueError(
-            "diameters of shaft's bore, bore, inner raceway, outer raceway, outside and housing"
-            f" must grow: {', '.join(f'{one:g}' for one in order)} m"
+            "the diameters of shaft bore, bore, inner raceway, outer raceway, outside and housing"
+            f" must increase: {', '.join(f'{one:g}' for one in order)} m"
         )
     ring = Material(bearing.young, bearing.poisson)
     grows = 0.0
@@ -70,12 +72,12 @@ def clearance_change(
 
 
 def _shrinks(inside, outside, material):
-    """Decrease of a tube's outside diameter under external pressure, m/Pa."""
+    """Return the decrease of a tube's outside diameter under external pressure in m/Pa."""
     square = (inside / outside) ** 2
     return outside / material.young * ((1 + square) / (1 - square) - material.poisson)
 
 
 def _widens(inside, outside, material):
-    """Increase of a tube's inside diameter under internal pressure, m/Pa."""
+    """Return the increase of a tube's inside diameter under internal pressure in m/Pa."""
     square = (inside / outside) ** 2
     return inside / material.young * ((1 + square) / (1 - square) + material.poisson)

@@ -1,24 +1,25 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Friction torque of a bearing in static equilibrium: the power loss of all contacts of freely
-rolling balls, by part, divided by the speed of the ring.
+"""Friction torque of a bearing in static equilibrium. The power dissipated by all contacts of
+freely rolling balls is computed by component and divided by the speed of the ring.
 
 rolling
-    hydrodynamic, 2 f times the rolling speed and the factors of inlet shear and starvation
-    (`rolling`)
+    hydrodynamic rolling resistance: 2 f times the rolling speed, times the factors of inlet shear
+    heating and starvation (`rolling`)
 slip
-    differential slip in free rolling under Coulomb's law: the film has a constant coefficient or
-    the coefficient from Eyring's stress with its limit (`traction`), asperities carry their share
-    of the load with the boundary coefficient (`sliding`); slip across the grooves under the
-    gyroscopic moment
+    differential slip in free rolling under Coulomb's law, where the coefficient of the film is
+    constant or follows from Eyring's stress with its limit (`traction`), and asperities carry their
+    fraction of the load with the boundary coefficient (`sliding`); slip across the grooves due to
+    the gyroscopic moment
 spin
-    about the contact normals, at the rotation where the moments on the ball balance (`attitude`):
-    in closed form, as in a run, or, with `spin_law` "slices", together with slip
+    spin about the contact normals, for the ball rotation at which the moments on the ball balance
+    (`attitude`); computed in closed form, as in a run, or, with `spin_law` "slices", together with
+    slip
 hysteresis
-    of the steel (`rolling`)
+    hysteresis of the steel (`rolling`)
 drag
-    of the balls in oil and air (`drag`)
+    drag on the balls in oil and air (`drag`)
 cage
-    of a cage that is one ring, oil in its pockets and at its land, churning (`cage_drag`)
+    losses of a cage that is one ring: oil in its pockets and at its land, churning (`cage_drag`)
 
 A ball with more than two contacts cannot roll on all of them (`ball_motion`). A ball that touches
 only the outer ring is slowed by rolling resistance and slides (`skidding`).
@@ -59,26 +60,26 @@ SPIN_LAWS = ("closed", "slices")
 
 @dataclass(frozen=True)
 class Surfaces:
-    """Parameters of the laws except geometry, loads and oil."""
+    """Parameters of the friction laws other than geometry, loads and oil."""
 
-    boundary: float = 0.12  # mu_b, running (SKF)
+    boundary: float = 0.12  # boundary friction coefficient mu_b in running (SKF)
     film: float | None = 0.05  # traction coefficient of the film; None: from Eyring's stress
-    loss: float = 0.016  # alpha of hysteresis, 0.005 to 0.05
-    oil_share: float = 0.05  # oil fraction of the space around the balls
-    inlet: float = 0.0  # inlet length of rolling contacts, in semi-axes b; 0: flooded
+    loss: float = 0.016  # alpha of hysteresis, typically 0.005 to 0.05
+    oil_share: float = 0.05  # fraction of the space around the balls that is filled with oil
+    inlet: float = 0.0  # inlet length of rolling contacts, in multiples of b; 0: fully flooded
     starvation: float = 1.0  # factor on the hydrodynamic couple
 
 
 class Losses(NamedTuple):
-    """Losses in W of contacts (C, Z), inner ones first, of balls (Z,) and of the cage; shares and
-    coefficients of the contacts (C, Z)."""
+    """Losses in W of contacts (C, Z), inner contacts first, of balls (Z,) and of the cage, and
+    fractions and coefficients for the contacts (C, Z)."""
 
     rolling: Floats
     slip: Floats
     spin: Floats
     hysteresis: Floats
     drag: Floats
-    cage: float | None  # None: a chain of balls, or no cage
+    cage: float | None  # None if there is no cage or if the cage is a chain of balls
     asperity_share: Floats  # L_a
     friction: Floats  # mu
 
@@ -86,18 +87,18 @@ class Losses(NamedTuple):
 
     @property
     def parts(self) -> dict[str, float]:
-        """Power of each part in W."""
+        """Power of each component in W, by name."""
         found = {name: getattr(self, name) for name in PARTS}
         return {name: float(np.sum(of)) for name, of in found.items() if of is not None}
 
     @property
     def power(self) -> float:
-        """W."""
+        """Total power in W."""
         return sum(self.parts.values())
 
 
 class _Pressed(NamedTuple):
-    """Contacts (C, Z), C grooves of Z balls."""
+    """Data of the contacts (C, Z), i.e. C grooves for each of Z balls."""
 
     load: Floats
     angle: Floats
@@ -126,11 +127,12 @@ def losses(
     ball_density: float = 7800.0,
     cage: cage_drag.CageRing | None = None,
 ) -> Losses:
-    """`Losses` of an `Equilibrium` with its `Lubrication` and `Fluid`. The inner ring turns at
-    `ring` rad/s and the balls orbit at `orbit` rad/s, one number or (Z,); clearance in m,
-    `ball_density` in kg/m^3, a `cage` that is one ring or None. `spin_law` "closed" fits how spin
-    and differential slip reduce each other, and includes the gyroscopic moment; "slices" combines
-    slip and spin over the contact ellipse. Raises `ValueError` for another law."""
+    """Compute the `Losses` of an `Equilibrium` with its `Lubrication` and `Fluid`. The inner ring
+    turns at `ring` rad/s, and the balls orbit at `orbit` rad/s, one value or (Z,). The clearance is
+    in m and `ball_density` in kg/m^3; `cage` is a cage that is one ring, or None. With `spin_law`
+    "closed", the mutual reduction of spin and differential slip is computed with a fit, and the
+    gyroscopic moment is included; with "slices", slip and spin are combined over the contact
+    ellipse. Raises `ValueError` for an unknown law."""
     if spin_law not in SPIN_LAWS:
         raise ValueError(f"spin law '{spin_law}' is not one of {', '.join(SPIN_LAWS)}")
     surfaces = surfaces or Surfaces()
@@ -165,7 +167,7 @@ def losses(
         pair = pair[:, two]
         both = _Pressed(*(value[pair, balls] for value in pressed))
         at, turn = rates = [one[1:] for one in attitude.rolling(bearing, both.angle, ring)]
-        alone = at - turn * (at / turn)[::-1]  # spin of a ball that has none at the other raceway
+        alone = at - turn * (at / turn)[::-1]  # spin of a ball without spin at the other raceway
         both = _sheared(both, _free(both), alone, fluid, surfaces)
         if spin_law == "closed":
             limit, edge = both.friction * both.load, _edge(both)
@@ -196,7 +198,7 @@ def losses(
 
 
 def _by_groove(side):
-    """A tuple of arrays (Z,) for each groove."""
+    """Split `side` into a list with one tuple of arrays (Z,) per groove."""
     return [type(side)(*one) for one in zip(*map(np.atleast_2d, side))]
 
 
@@ -221,8 +223,8 @@ def _free(pressed):
 
 
 def _sheared(pressed, along, rate, fluid, surfaces):
-    """`_Pressed` with the film friction at a slip (m/s) and a spin (rad/s), which shear the film
-    more than differential slip alone does."""
+    """Return `_Pressed` with the film friction at a slip (m/s) and a spin (rad/s), because these
+    shear the film more than differential slip alone does."""
     if surfaces.film is not None:
         return pressed
     curve = pressed.speed / (2 * pressed.r_d * pressed.r_x)
@@ -240,9 +242,9 @@ def surfaces(
     models: str = "full",
     supply: oil_supply.Supply = oil_supply.BATH,
 ) -> Surfaces:
-    """`Surfaces` for the `models` of a run, full or eyring, with the inlet, the oil share and SKF's
-    starvation factor of a `supply`, for an inner ring at `ring` rad/s. Without the `size` of the
-    bearing, the starvation factor is omitted."""
+    """Return the `Surfaces` for the `models` of a run, full or eyring. The inlet, the oil fraction
+    and SKF's starvation factor are those of a `supply`, for an inner ring at `ring` rad/s. If the
+    `size` of the bearing is not given, the starvation factor is 1."""
     found = oil_supply.numbers(supply, bearing, fluid.density)
     starved = 1.0
     if size is not None:
@@ -257,7 +259,7 @@ def surfaces(
 
 
 def _one(bearing, side, contact, film, fluid, clearance, surfaces, alone):
-    """`Losses` of a groove except spin and drag, (5, Z)."""
+    """Return (rolling, slip, hysteresis, L_a, mu) of the contacts in a groove, an array (5, Z)."""
     live = contact.load > 0
     values = np.zeros((5, len(live)))
     load, a, b = contact.load[live], contact.a[live], contact.b[live]
@@ -289,7 +291,7 @@ def _one(bearing, side, contact, film, fluid, clearance, surfaces, alone):
     friction = traction.mixed(share, surfaces.boundary, smooth)
     rolled = resistance(speed) * turns
     slid = sliding.free_power(load, friction, speed, a, r_d, r_x)
-    part = np.ones(load.shape)  # rotation as a fraction of the rotation in rolling
+    part = np.ones(load.shape)  # rotation of the ball as a fraction of its rotation in pure rolling
     past, since, until, frequency = (one[live] for one in alone)
     if np.any((past > 0) & (rolled > friction * load * past)):
         flat = np.cos(contact.angle[live]) * bearing.pitch_radius
@@ -304,7 +306,7 @@ def _one(bearing, side, contact, film, fluid, clearance, surfaces, alone):
         part, at_last = (skidding.rotation(slowing, rate, time) for time in (since, until))
         rolled = slowed(part) * turns * part
         slid = np.where(part < 1, friction * load * past * (1 - part), slid)
-        slid += 0.2 * load * flat * (1 - at_last) ** 2 * frequency  # spinning up returning balls
+        slid += 0.2 * load * flat * (1 - at_last) ** 2 * frequency  # spinning up of returning balls
     values[:, live] = (
         rolled,
         slid,
@@ -316,10 +318,11 @@ def _one(bearing, side, contact, film, fluid, clearance, surfaces, alone):
 
 
 def _together(both, rates, ball):
-    """(slip, spin) powers of one ball at both raceways, at the rotation with the least total
-    loss, where the moments balance. Slip along rolling is such that no force remains."""
+    """Return the (slip, spin) powers of one ball at both raceways, for the rotation with the
+    smallest total loss, at which the moments balance. The slip along rolling is such that no force
+    remains."""
     at, turn = (one[:, ball] for one in rates)
-    bounds = -at / turn  # rotations without spin at one raceway
+    bounds = -at / turn  # rotations for which there is no spin at one of the raceways
     tried = np.linspace(*bounds, 17)
     one = _Pressed(*(value[:, ball] for value in both))
     curve = one.speed / (2 * one.r_d * one.r_x)
@@ -342,15 +345,16 @@ def _together(both, rates, ball):
 
 
 def _several(bearing, one, sides, ring, spin_law, fluid, surfaces):
-    """(slip, spin) powers (C,) of one ball with more than two contacts. The motion is that of
-    `ball_motion` or, with slices, the one at which forces and moments of slip and spin balance."""
+    """Return the (slip, spin) powers (C,) of one ball with more than two contacts. The motion is
+    that of `ball_motion` or, with slices, the motion for which forces and moments of slip and spin
+    balance."""
     lines, goal, _ = ball_motion.rates(bearing, sides, one.angle, ring)
 
     def least(one):
         weight = np.concatenate([one.friction * one.load, one.spin_moment])
         return ball_motion.least(lines, goal, weight, bearing.ball_radius)
 
-    # speed of the ball's surface past the contact
+    # direction in which the surface of the ball moves past the contact
     way = np.where(sides == INNER, 1.0, -1.0) * np.sign(ring)
     size = np.array([bearing.ball_radius, bearing.ball_radius, 1.0])
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Width of a raceway's groove around a ball: the angle of its shoulder and the half-width of a
-parabola with the same capacitance. Lengths in m, angles in rad."""
+"""Width of a raceway groove around a ball: the angle of its shoulder, and the half-width of a
+parabolic groove with the same capacitance. Lengths are in m and angles in rad."""
 
 from typing import NamedTuple
 
@@ -9,25 +9,25 @@ import numpy as np
 from raceway.arrays import Numbers
 from raceway.theory.bearing import INNER, Bearing
 
-USUAL_DEPTH = 0.18  # fraction of the ball's diameter, for unknown shoulders
+USUAL_DEPTH = 0.18  # fraction of the ball diameter, assumed if the shoulder is unknown
 
 
 class HalfWidths(NamedTuple):
-    """Half-widths S of the parabola on the two sides of a contact, m; equal at zero contact
-    angle."""
+    """Half-widths S in m of the parabola on both sides of a contact, which are equal at zero
+    contact angle."""
 
-    near: Numbers  # on the side of the nearer shoulder
+    near: Numbers  # on the side of the closer shoulder
     far: Numbers
 
 
 def depth(
     bearing: Bearing, raceway: int, shoulder: float = np.nan, clearance: float = 0.0
 ) -> float:
-    """t in m: height of the shoulder of diameter `shoulder` (m) above the groove's bottom; 0.18 of
-    the ball's diameter if `shoulder` is NaN. The diametral `clearance` (m) is assigned to the outer
-    groove.
+    """Return t in m, the height of the shoulder with the diameter `shoulder` (m) above the bottom
+    of the groove, or 0.18 ball diameters if `shoulder` is NaN. The diametral `clearance` (m) is
+    assigned to the outer groove.
 
-    Raises `ValueError` for a shoulder that is not between the bottom and the centre of the groove.
+    Raises `ValueError` if the shoulder is not between the bottom and the centre of the groove.
     """
     if np.isnan(shoulder):
         return USUAL_DEPTH * bearing.ball_diameter
@@ -44,11 +44,11 @@ def depth(
 def shoulder_angle(
     groove: float, ball_radius: float, depth: float, gap: Numbers = 0.0, offset: float = 0.0
 ) -> Numbers:
-    """theta_b in rad: the shoulder's angle at the centre of a ball that is `gap` (m) from the
-    bottom of its groove. The groove has the radius `groove` and the depth `depth` (m); its centre
-    of curvature is `offset` (m) from the ball's plane.
+    """Return theta_b in rad, the angle of the shoulder as seen from the centre of a ball that is
+    `gap` (m) from the bottom of its groove. The groove has the radius `groove` and the depth
+    `depth` (m), and its centre of curvature is `offset` (m) from the plane of the ball.
 
-    tan(theta_b) = (r_c sin(theta) - offset)/(R_b - t + gap), cos(theta) = 1 - t/r_c (derivation in
+    tan(theta_b) = (r_c sin(theta) - offset)/(R_b - t + gap) with cos(theta) = 1 - t/r_c (derived in
     docs/electric).
     """
     sine = np.sqrt(depth * (2 * groove - depth))
@@ -63,20 +63,23 @@ def half_widths(
     clearance: float = 0.0,
     semi_axis: Numbers = 0.0,
 ) -> HalfWidths:
-    """`HalfWidths` of a groove of depth `depth` (m) at the contact angle `angle` (rad), measured
-    around the contact ellipse with the semi-axis a = `semi_axis` across the groove (m; 0 without
-    load). Arrays have the broadcast shape of `angle` and `semi_axis`. `clearance` is diametral, m.
+    """Return the `HalfWidths` of a groove with the depth `depth` (m) at the contact angle `angle`
+    (rad), measured around the contact ellipse, whose semi-axis across the groove is a = `semi_axis`
+    (m; 0 if there is no load). The arrays have the shape to which `angle` and `semi_axis` are
+    broadcast. `clearance` is diametral, in m.
 
     S = R_b (4 tan(t/4) ± 0.09 gamma) with t = theta_b -/+ angle is the half-width of the parabola
-    that has the capacitance of the arc (derivation in docs/electric); + 0.09 gamma for the inner
-    and - for the outer raceway. S is zero beyond the shoulder. Within the ellipse the groove
-    already is the parabola, so the excess of the arc is subtracted there: 4 R_b q_a - a from the
-    first term and (q_a/q)^2 from the second, with q = tan(t/4), q_a = tan(a/(4 R_b)).
+    that has the same capacitance as the arc (derived in docs/electric); the sign is + 0.09 gamma
+    for the inner and - for the outer raceway. S is zero beyond the shoulder. Within the ellipse the
+    groove already is the parabola, so the excess of the arc is subtracted there: 4 R_b q_a - a from
+    the first term and a fraction (q_a/q)^2 of the second, with q = tan(t/4) and q_a = tan(a/(4
+    R_b)).
 
-    A groove of a four-point bearing ends in the middle plane, where the other groove of its ring
-    begins: on the side away from its shoulder, t is the contact angle and the term with 0.09 is
-    absent. With the `offset` G of the groove's centre and the contact angle alpha_0 of a centred
-    ball, tan(theta_b) = (r_c sin(theta) - G)/(R_b - t + (r_c - R_b)(1 - cos(alpha_0))).
+    A groove of a four-point contact bearing ends in the central plane, where the other groove of
+    the ring begins. On the side away from its shoulder, t is therefore the contact angle and the
+    term with 0.09 is absent. With the `offset` G of the groove's centre and the contact angle
+    alpha_0 of a centred ball, tan(theta_b) = (r_c sin(theta) - G)/(R_b - t + (r_c - R_b)(1 -
+    cos(alpha_0))).
 
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     >>> [round(1e3 * float(half_widths(b, side, 2.3e-3).near), 3) for side in (0, 1)]  # mm

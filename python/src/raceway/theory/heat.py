@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Temperatures of a bearing: cooling, heat balance with one node or with nodes for rings and balls,
-clearance as a function of temperature, flash temperature. SI units, temperatures in degrees C.
+"""Temperatures of a bearing: cooling, heat balance with one node or with separate nodes for rings
+and balls, clearance as a function of temperature, and flash temperature. SI units, with
+temperatures in degrees C.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -19,13 +20,14 @@ from raceway.theory.lubrication import Lubrication
 from raceway.theory.sliding import FREE
 from raceway.theory.static import Equilibrium
 
-RISE = 50.0  # K, at the reference conditions of ISO 15312
+RISE = 50.0  # K, temperature rise over ambient at the reference conditions of ISO 15312
 REFERENCE_VISCOSITY = 12.0  # mm^2/s at 70 C, ISO 15312
 
 
 def cooling(bore: float, outside: float, width: float) -> float:
-    """W_s = q_r pi B (D + d)/50 K in W/K (ISO 15312): conductance from a radial bearing of these
-    sizes (mm) through seats and housing to ambient, at the reference conditions."""
+    """Return W_s = q_r pi B (D + d)/50 K in W/K (ISO 15312), the conductance from a radial bearing
+    with these dimensions (mm) through its seats and the housing to ambient, at the reference
+    conditions."""
     return float(laws.iso_15312_conductance(1e-3 * bore, 1e-3 * outside, 1e-3 * width))
 
 
@@ -37,11 +39,11 @@ def balance(
     tolerance: float = 1e-6,
     coldest: float | None = None,
 ) -> float:
-    """Temperature in degrees C, within `tolerance`, at which `power`(T) in W equals `conductance`
-    in W/K times T - T_a, between `coldest` (by default ambient) and `hottest`.
+    """Find the temperature in degrees C, within `tolerance`, at which `power`(T) in W equals
+    `conductance` in W/K times T - T_a, between `coldest` (by default ambient) and `hottest`.
 
-    Raises `ValueError` if the bearing is still warming up at `hottest`. For a power that falls with
-    temperature, as with every oil, there is exactly one such temperature.
+    Raises `ValueError` if the bearing is still warming up at `hottest`. There is exactly one such
+    temperature if the power decreases with temperature, as it does with every oil.
     """
 
     def surplus(temperature):
@@ -57,7 +59,7 @@ def balance(
 
 
 class Nodes(NamedTuple):
-    """Temperatures of a bearing's parts, degrees C."""
+    """Temperatures of the parts of a bearing in degrees C."""
 
     inner: float
     balls: float
@@ -69,7 +71,7 @@ class OilFlow(NamedTuple):
 
     flow: float  # mass flow times heat capacity, W/K
     inlet: float  # degrees C
-    wetted: tuple[float, float, float]  # inner ring, balls, outer ring, m^2
+    wetted: tuple[float, float, float]  # m^2, areas of inner ring, balls and outer ring
     convection: float  # W/(m^2 K)
 
 
@@ -86,11 +88,12 @@ def network(
     ambient: float = 20.0,
     oil: OilFlow = STILL,
 ) -> dict[str, Any]:
-    """The heat network of a bearing, for `steady` and `advance`. `capacity` is the heat capacity in
-    J/K of inner ring, balls, outer ring and housing (0: no housing). Conductances in W/K:
-    `contacts` from the inner and the outer ring to all balls, `shaft` from inner ring to ambient,
-    `seat` from outer ring to housing (0: no thermal resistance), `housing` from housing to ambient;
-    `ambient` in degrees C. `oil` flows between inner ring, balls and outer ring."""
+    """Return the heat network of a bearing, which is an argument of `steady` and `advance`.
+    `capacity` contains the heat capacities in J/K of inner ring, balls, outer ring and housing (0:
+    no housing). Conductances are in W/K: `contacts` from the inner and the outer ring to all balls,
+    `shaft` from the inner ring to ambient, `seat` from the outer ring to the housing (0: no thermal
+    resistance), and `housing` from the housing to ambient. `ambient` is in degrees C. `oil` flows
+    between inner ring, balls and outer ring."""
     inner, outer = contacts
     return dict(
         capacity=capacity,
@@ -111,9 +114,9 @@ def advance(
     time: float,
     end: ArrayLike | None = None,
 ) -> tuple[float, Floats]:
-    """(heat in J carried away, temperatures in degrees C (4)) of a `network`, `time` seconds after
-    the temperatures `start`. The `heat` in W into the nodes and the oil (5) is constant or varies
-    linearly to `end`. Exact."""
+    """Return (heat in J carried away, temperatures in degrees C (4)) of a `network` at `time`
+    seconds after it had the temperatures `start`. The `heat` in W into the nodes and the oil (5) is
+    either constant or varies linearly to `end`. The solution is exact."""
     return library().call(
         "heat_advance",
         net=of,
@@ -125,20 +128,21 @@ def advance(
 
 
 def steady(of: Mapping[str, Any], heat: ArrayLike) -> tuple[float, Floats]:
-    """(slowest time constant in s, steady temperatures in degrees C (4)) of a `network` with `heat`
-    in W into its nodes and the oil (5)."""
+    """Return (slowest time constant in s, steady temperatures in degrees C (4)) of a `network` with
+    the `heat` in W into its nodes and the oil (5)."""
     return library().call("heat_steady", net=of, heat=heat)
 
 
 def outlet(of: Mapping[str, Any], surfaces: ArrayLike, heat: float = 0.0) -> float:
-    """Temperature in degrees C of the oil that leaves a `network`, with inner ring, balls and outer
-    ring at the temperatures `surfaces` (3) and `heat` in W generated in the oil."""
+    """Return the temperature in degrees C of the oil that leaves a `network`, with inner ring,
+    balls and outer ring at the temperatures `surfaces` (3) and with `heat` in W generated in the
+    oil."""
     return library().call("oil_outlet", net=of, surface=surfaces, heat=heat)
 
 
 def conductances(state: Equilibrium, films: Lubrication) -> tuple[float, float]:
-    """Conductances in W/K from the inner and from the outer ring to all balls through the moving
-    contacts: 0.874 2a sqrt(2 k rho c b u/pi) per contact."""
+    """Return the conductances in W/K from the inner ring and from the outer ring to all balls
+    through the moving contacts, 0.874 2a sqrt(2 k rho c b u/pi) per contact."""
     sides = ((state.inner, films.inner), (state.outer, films.outer))
     return tuple(
         float(laws.contact_conductance(at.a, at.b, film.entrainment)[at.load > 0].sum())
@@ -149,9 +153,9 @@ def conductances(state: Equilibrium, films: Lubrication) -> tuple[float, float]:
 def oil_flow(
     bearing: Bearing, width: float, fluid: Fluid, flow: float, inlet: float, orbit: float
 ) -> OilFlow:
-    """The `OilFlow` through a bearing of this `width` over all rows in m: `flow` is the mass flow
-    times heat capacity in W/K, `inlet` the temperature of the oil in degrees C, `orbit` the speed
-    of the balls around the bearing in rad/s."""
+    """Return the `OilFlow` through a bearing whose `width` over all rows is in m. `flow` is the
+    mass flow times heat capacity in W/K, `inlet` is the temperature of the incoming oil in degrees
+    C, and `orbit` is the speed of the balls around the bearing in rad/s."""
     radii = bearing.inner_radius, bearing.outer_radius, bearing.ball_radius
     balls = bearing.balls * len(bearing.layout.rows)
     wetted = laws.wetted_surfaces(*radii, balls, width)
@@ -167,9 +171,9 @@ def oil_flow(
 
 
 def into_nodes(inner: float, outer: float, balls: float = 0.0, oil: float = 0.0) -> list[float]:
-    """Heat in W into the nodes and the oil of a `network`: half of the power loss at each raceway
-    goes into the ring and half into the balls; losses at the `balls` alone and in flowing `oil` are
-    added."""
+    """Return the heat in W into the nodes and the oil of a `network`. Half of the power dissipated
+    at each raceway goes into the ring and half into the balls; losses at the `balls` alone and in
+    flowing `oil` are added."""
     return [inner / 2, (inner + outer) / 2 + balls, outer / 2, 0.0, oil]
 
 
@@ -185,11 +189,12 @@ def three_nodes(
     oil: float = 0.0,
     flow: OilFlow = STILL,
 ) -> Nodes:
-    """`Nodes` in steady state, for power losses in W at the `inner` and the `outer` raceway, half
-    of which go into the balls, at the `balls` alone, and in the `oil` of a `flow`.
+    """Return the `Nodes` in the steady state for losses in W at the `inner` and the `outer`
+    raceway, half of which go into the balls, at the `balls` alone, and in the `oil` of a `flow`.
 
-    Conductances in W/K: `shaft` from inner ring to ambient, `housing` from outer ring to ambient,
-    `contact` from a ring to all balls, or one each for the inner and the outer ring.
+    Conductances are in W/K: `shaft` from the inner ring to ambient, `housing` from the outer ring
+    to ambient, and `contact` from a ring to all balls, which may be a pair of values for the inner
+    and the outer ring.
     """
     contacts = contact if isinstance(contact, tuple) else (contact, contact)
     of = network(contacts=contacts, shaft=shaft, housing=housing, ambient=ambient, oil=flow)
@@ -197,31 +202,32 @@ def three_nodes(
 
 
 def clearance_change(bearing: Bearing, inner: Numbers, balls: Numbers, outer: Numbers) -> Numbers:
-    """Change of the diametral clearance in m for temperature rises in K of inner ring, balls and
-    outer ring: -12e-6 (D_i dT_i + 2 D_w dT_b - D_e dT_e)."""
+    """Return the change of the diametral clearance in m for temperature rises in K of inner ring,
+    balls and outer ring: -12e-6 (D_i dT_i + 2 D_w dT_b - D_e dT_e)."""
     radii = bearing.inner_radius, bearing.outer_radius, bearing.ball_radius
     return laws.clearance_change(*radii, inner, balls, outer)
 
 
 def flash(flux: Numbers, b: Numbers, speed: Numbers) -> Numbers:
-    """Temperature rise in K of a surface under a heat `flux` in W/m^2: 1.128 q sqrt(2b/(k rho c
-    u)), b the semi-axis along rolling in m, `speed` u in m/s (Blok, Jaeger)."""
+    """Return the temperature rise in K of a surface under a heat `flux` in W/m^2, 1.128 q
+    sqrt(2b/(k rho c u)), where b is the semi-axis along rolling in m and u = `speed` in m/s (Blok,
+    Jaeger)."""
     steel = laws.steel_of_bearings()
     conductor = float(steel.conductivity * steel.density * steel.heat)
     return 1.128 * flux * np.sqrt(2 * b / (conductor * speed))
 
 
 def film_rise(flux: Numbers, thickness: Numbers, conductivity: Numbers) -> Numbers:
-    """Excess in K of the temperature in the middle of the film over the surfaces: q_total h/(8
-    k_f), with the heat q_total in W/m^2 generated in the film."""
+    """Return the excess in K of the temperature in the middle of the film over the temperature of
+    the surfaces, q_total h/(8 k_f), where q_total in W/m^2 is the heat generated in the film."""
     return flux * thickness / (8 * conductivity)
 
 
 def greatest_flux(friction: Numbers, pressure: Numbers, edge: Numbers) -> Numbers:
-    """Largest mu p |s| on the ellipse in free rolling, 0.317 mu p_max s_e, in W/m^2.
+    """Return the largest mu p |s| on the ellipse in free rolling, 0.317 mu p_max s_e, in W/m^2.
 
-    p = p_max sqrt(1 - t^2) and |s| = s_e |t^2 - 0.120615|; `pressure` is p_max in Pa, `edge` is s_e
-    in m/s.
+    With p = p_max sqrt(1 - t^2) and |s| = s_e |t^2 - 0.120615|; `pressure` is p_max in Pa and
+    `edge` is s_e in m/s.
     """
     # with x = t^2, sqrt(1 - x) (x - x0) is largest at x = (2 + x0)/3
     place = (2 + FREE**2) / 3
@@ -229,11 +235,12 @@ def greatest_flux(friction: Numbers, pressure: Numbers, edge: Numbers) -> Number
 
 
 def reference_speed(boundary: makers.Boundary, level: float = 0.0) -> float:
-    """Thermal reference speed in rpm, at which SKF's friction under ISO 15312's conditions (F_r =
-    0.05 C0, 12 mm^2/s) equals the cooling at 50 K.
+    """Return the thermal reference speed in rpm, at which the friction loss by SKF's formula under
+    the conditions of ISO 15312 (F_r = 0.05 C0, 12 mm^2/s) equals the cooling at 50 K.
 
-    `level` is that of the oil bath in mm, 0 for none. ISO 15312 assumes oil up to the middle of the
-    lowest ball (from memory, unchecked). Raises `ValueError` if there is no such speed.
+    `level` is the level of the oil bath in mm, 0 if there is none. ISO 15312 assumes oil up to the
+    middle of the lowest ball (from memory, unchecked). Raises `ValueError` if there is no such
+    speed.
     """
 
     def surplus(speed):

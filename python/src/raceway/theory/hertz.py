@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Elliptical Hertz contact (eq 2).
 
-The ellipse has semi-axis a across the groove and b along rolling; kappa = a/b may be below one.
-All functions take and return numbers or arrays that broadcast, SI units. The formulas are in
-src-package/core/laws/hertz.h.
+The ellipse has the semi-axes a across the groove and b along rolling; kappa = a/b may be below one.
+All functions accept and return numbers or arrays that broadcast, in SI units. The formulas are
+implemented in src-package/core/laws/hertz.h.
 """
 
 from typing import NamedTuple
@@ -21,24 +21,25 @@ class Ellipse(NamedTuple):
     """Quantities of a contact that depend only on the shape of the surfaces."""
 
     kappa: Numbers  # a/b
-    first: Numbers  # complete elliptic integral F of modulus^2 1 - 1/kappa^2
-    second: Numbers  # complete elliptic integral E of the same modulus
-    radius: Numbers  # R in m, 1/R = 1/R_x + 1/R_y
+    first: Numbers  # complete elliptic integral F with modulus^2 = 1 - 1/kappa^2
+    second: Numbers  # complete elliptic integral E with the same modulus
+    radius: Numbers  # R in m, where 1/R = 1/R_x + 1/R_y
 
 
 def ellipticity(ratio: ArrayLike) -> Numbers:
-    """kappa = a/b for R_y/R_x = `ratio` (any positive number or array), to rounding error.
+    """Return kappa = a/b for R_y/R_x = `ratio` (any positive number or array), to rounding error.
 
-    The root of R_y/R_x = (kappa^2 E - F)/(F - E). Raises `ValueError` if a ratio is not positive.
+    kappa is the root of R_y/R_x = (kappa^2 E - F)/(F - E). Raises `ValueError` if a ratio is not
+    positive.
     """
     return exact(1.0, np.asarray(ratio, dtype=float)).kappa
 
 
 def exact(r_x: Numbers, r_y: Numbers) -> Ellipse:
-    """`Ellipse` of effective radii `r_x`, `r_y` (m), by the exact elliptic integrals. Raises
-    `ValueError` if a ratio of radii is not positive.
+    """Return the `Ellipse` for effective radii `r_x`, `r_y` (m), with exact elliptic integrals.
+    Raises `ValueError` if a ratio of radii is not positive.
 
-    The inner raceway of the paper's 6208:
+    For the inner raceway of the 6208 in the paper:
 
     >>> one = exact(4.990e-3, 163.8e-3)
     >>> print(f"{one.kappa:.3f}, K = {stiffness(one, 210e9 / 0.91):.3e} N/m^1.5")
@@ -51,9 +52,9 @@ def exact(r_x: Numbers, r_y: Numbers) -> Ellipse:
 
 
 def hamrock_brewe(r_x: Numbers, r_y: Numbers, printed: bool = False) -> Ellipse:
-    """`Ellipse` by Hamrock and Brewe's fit for alpha = R_y/R_x >= 1: kappa = alpha^(2/pi), E = 1 +
-    q/alpha, F = pi/2 + q ln(alpha), q = pi/2 - 1. `printed` uses the paper's F = 1 + q ln(alpha)
-    (eq 2 as printed).
+    """Return the `Ellipse` from the fit by Hamrock and Brewe for alpha = R_y/R_x >= 1: kappa =
+    alpha^(2/pi), E = 1 + q/alpha, F = pi/2 + q ln(alpha), q = pi/2 - 1. If `printed` is true, F = 1
+    + q ln(alpha) is used instead (eq 2 as printed in the paper).
     """
     if np.any(r_y < r_x):
         alpha = r_y / r_x
@@ -62,30 +63,32 @@ def hamrock_brewe(r_x: Numbers, r_y: Numbers, printed: bool = False) -> Ellipse:
 
 
 def stiffness(ellipse: Ellipse, modulus: float) -> Numbers:
-    """K in Q = K overlap^1.5, N/m^1.5, for E' = `modulus` in Pa (eq 2)."""
+    """Return K in Q = K overlap^1.5 in N/m^1.5, for E' = `modulus` in Pa (eq 2)."""
     return laws.hertz_stiffness(*ellipse, modulus)
 
 
 def load(stiffness: Numbers, overlap: Numbers) -> Numbers:
-    """Q = K overlap^1.5 in N, zero without overlap (eq 2)."""
+    """Return Q = K overlap^1.5 in N, which is zero if there is no overlap (eq 2)."""
     return laws.hertz_load(stiffness, overlap)
 
 
 def semi_axes(ellipse: Ellipse, modulus: float, load: Numbers) -> tuple[Numbers, Numbers]:
-    """(a across the groove, b along rolling) in m under `load` in N (Hertz)."""
+    """Return the semi-axes (a across the groove, b along rolling) in m under `load` in N
+    (Hertz)."""
     kappa, _, second, radius = ellipse
     return tuple(laws.hertz_semi_axes(kappa, second, radius, modulus, load))
 
 
 def pressure(ellipse: Ellipse, modulus: float, load: Numbers) -> Numbers:
-    """Largest pressure 1.5 Q/(pi a b) in Pa under `load` in N; zero without load."""
+    """Return the largest pressure 1.5 Q/(pi a b) in Pa under `load` in N; zero without load."""
     kappa, _, second, radius = ellipse
     return laws.hertz_pressure(kappa, second, radius, modulus, load)
 
 
 def sphere_stiffness(modulus: float, radius: float) -> float:
-    """K = 4/3 E* sqrt(R*) of two spheres, N/m^1.5; E* in Pa with 1/E* = sum((1 - nu^2)/E), R* in m.
+    """Return K = 4/3 E* sqrt(R*) in N/m^1.5 for two spheres, with E* in Pa, 1/E* = sum((1 -
+    nu^2)/E), and R* in m.
 
-    Equation 3 as printed has an additional factor 1/(1 - nu), which Hertz's theory does not
-    have."""
+    Equation 3 as printed in the paper has an additional factor 1/(1 - nu), which does not appear in
+    Hertz's theory."""
     return laws.sphere_stiffness(2 * radius, 2 * radius, 2 * modulus)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Impedance of a film or bearing, and the inverse: capacitance, resistance and film thickness from
-instrument readings. Numbers or arrays of one shape, SI units; frequencies in Hz.
+"""Impedance of a film or bearing, and its inverse: capacitance, resistance and film thickness from
+instrument readings. Functions accept numbers or arrays of equal shape in SI units; frequencies are
+in Hz.
 
-A film is a capacitor with its leak in parallel: Z = 1/(1/R + j omega C).
+A film is modelled as a capacitor in parallel with its leak: Z = 1/(1/R + j omega C).
 """
 
 from collections.abc import Callable, Sequence
@@ -16,20 +17,21 @@ from raceway.core import laws
 from raceway.theory.capacitance import VACUUM
 from raceway.theory.capacitors import BearingCapacitors
 
-THINNEST, THICKEST = 1e-3, 1e3  # search range of `film_scale`, factors on the model's films
+THINNEST, THICKEST = 1e-3, 1e3  # search range of `film_scale`, relative to the model's films
 
 
 def leak(resistivity: Numbers, paths: Numbers) -> Numbers:
-    """R in ohm of oil of `resistivity` (ohm m) between two surfaces; `paths` is pi a b/h + I over
-    the oil-filled part, m. With a uniform filling, R C = rho eps_0 eps for any geometry."""
+    """Return R in ohm between two surfaces, for an oil with `resistivity` (ohm m). `paths` in m is
+    pi a b/h + I over the part that is filled with oil. If the filling is uniform, R C = rho eps_0
+    eps for any geometry."""
     return resistivity / paths
 
 
 def impedance(
     capacitance: Numbers, frequency: Numbers, resistance: Numbers = np.inf
 ) -> complex | np.ndarray:
-    """Z in ohm, complex, of C (F) in parallel with R (ohm; infinite by default) at a frequency.
-    Raises `ValueError` for a frequency that is not positive."""
+    """Return Z in ohm (complex) of C (F) in parallel with R (ohm; infinite by default) at a
+    frequency in Hz. Raises `ValueError` if the frequency is not positive."""
     _positive(frequency)
     found = laws.film_impedance(capacitance, 1 / np.asarray(resistance, float), frequency)
     return (found.real + 1j * found.imaginary)[()]
@@ -38,8 +40,8 @@ def impedance(
 def of_bearing(
     found: BearingCapacitors, frequency: float | np.ndarray, resistivity: float = np.inf
 ) -> complex | np.ndarray:
-    """Z in ohm of a bearing at a frequency (Hz; a number or an array) in oil of `resistivity` (ohm
-    m): both films of a ball in series, the balls in parallel."""
+    """Return Z in ohm of a bearing at a frequency (Hz; a number or an array) in an oil with
+    `resistivity` (ohm m); both films of a ball are in series, and the balls are in parallel."""
     sides = (found.inner, found.outer)
     return of_films(
         [side.total for side in sides], [side.paths for side in sides], frequency, resistivity
@@ -52,27 +54,28 @@ def of_films(
     frequency: Numbers,
     resistivity: float = np.inf,
 ) -> complex | np.ndarray:
-    """Z in ohm of a bearing from `capacitances` (F) and `paths` (m) of the inner and of the outer
-    films, arrays (..., Z); the frequency has the shape of the leading dimensions. Raises as in
-    `impedance`."""
+    """Return Z in ohm of a bearing from the `capacitances` (F) and `paths` (m) of the inner and
+    outer films, which are arrays (..., Z); the frequency has the shape of the leading dimensions.
+    Raises `ValueError` like `impedance`."""
     _positive(frequency)
     return 1 / _admittance(capacitances, paths, resistivity, frequency)
 
 
 def leak_of_films(paths: Sequence[Floats], resistivity: float) -> Numbers:
-    """R in ohm of a bearing at direct current, `paths` (m) of its inner and outer films (..., Z).
-    Infinite if nothing leaks."""
+    """Return R in ohm of a bearing for direct current, from the `paths` (m) of its inner and outer
+    films (..., Z). It is infinite if nothing leaks."""
     with np.errstate(divide="ignore"):
         return 1 / _admittance(np.zeros_like(paths), paths, resistivity, 0.0).real
 
 
 def capacitance_of(impedance: complex | np.ndarray, frequency: Numbers) -> Numbers:
-    """C in F of a measured Z (ohm, complex): -sin(phi)/(omega |Z|), phi = arg Z."""
+    """Return C in F from a measured Z (ohm, complex), -sin(phi)/(omega |Z|) with phi = arg Z."""
     return laws.capacitance_of_impedance(np.real(impedance), np.imag(impedance), frequency)[()]
 
 
 def resistance_of(impedance: complex | np.ndarray) -> Numbers:
-    """R in ohm in parallel with the C of `capacitance_of`: |Z|/cos(phi). Infinite without leakage.
+    """Return R in ohm in parallel with the C of `capacitance_of`, |Z|/cos(phi), which is infinite
+    without leakage.
 
     >>> z = impedance(2e-10, 1e4, 5e5)
     >>> print(f"{capacitance_of(z, 1e4):.3e} F, {resistance_of(z):.3e} ohm")
@@ -88,8 +91,8 @@ def _positive(frequency):
 
 
 def _admittance(capacitances, paths, resistivity, frequency):
-    """Admittance in S of the balls in parallel, from `capacitances` (F) and `paths` (m) of inner
-    and outer films (..., Z), at `frequency` (Hz)."""
+    """Return the admittance in S of the balls in parallel, from the `capacitances` (F) and `paths`
+    (m) of inner and outer films (..., Z), at `frequency` (Hz)."""
     capacitance, conductance, frequency = np.broadcast_arrays(
         np.stack(capacitances, axis=-2),
         np.stack(paths, axis=-2) / resistivity,
@@ -111,17 +114,18 @@ def _admittance(capacitances, paths, resistivity, frequency):
 
 
 def plates_thickness(capacitance: Numbers, area: Numbers, permittivity: Numbers) -> Numbers:
-    """h in m if C belongs to the plates alone: eps_0 eps A/C, A = pi a b in m^2. Too small if C
-    includes other capacitance."""
+    """Return h in m under the assumption that C is the capacitance of the plates alone: eps_0 eps
+    A/C with A = pi a b in m^2. The result is too small if C includes other capacitance."""
     return VACUUM * permittivity * area / capacitance
 
 
 def film_scale(capacitance: float, whole: Callable[[float], float]) -> float:
-    """Common factor on all films of a model that gives a measured `capacitance` (F); `whole` is the
-    model's capacitance in F as a decreasing function of that factor.
+    """Return the factor by which all film thicknesses of a model must be multiplied to obtain a
+    measured `capacitance` (F). `whole` computes the model's capacitance in F, which decreases with
+    that factor.
 
-    Raises `ValueError` if no factor from 1e-3 to 1e3 fits: the reading then includes another
-    capacitance.
+    Raises `ValueError` if no factor from 1e-3 to 1e3 fits, in which case the reading includes
+    another capacitance.
 
     >>> round(film_scale(2e-10, lambda scale: 1e-10 / scale), 6)
     0.5
@@ -130,7 +134,7 @@ def film_scale(capacitance: float, whole: Callable[[float], float]) -> float:
     if not least <= capacitance <= most:
         raise ValueError(
             f"capacitance = {capacitance} F: films from {THINNEST:g} to {THICKEST:g} times as thick"
-            f" as in the model have {most:.4g} to {least:.4g} F"
+            f" as in the model give {most:.4g} to {least:.4g} F"
         )
     log = brentq(
         lambda step: whole(float(np.exp(step))) - capacitance,
@@ -144,8 +148,8 @@ def film_scale(capacitance: float, whole: Callable[[float], float]) -> float:
 def bearing_voltage_ratio(
     winding_rotor: Numbers, stator_rotor: Numbers, *bearings: Numbers
 ) -> Numbers:
-    """BVR = C_wr/(C_wr + C_rf + the bearings' C): shaft voltage of a motor over the common-mode
-    voltage of its windings. All in F.
+    """Return BVR = C_wr/(C_wr + C_rf + C of the bearings), the ratio of the shaft voltage of a
+    motor to the common-mode voltage of its windings. All capacitances are in F.
 
     >>> round(float(bearing_voltage_ratio(50e-12, 1e-9, 200e-12, 200e-12)), 5)
     0.03448

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Speeds of a bearing whose balls roll without slip, and of a simulated bearing."""
+"""Speeds of a bearing whose balls roll without slip, and of balls in a simulated bearing."""
 
 from typing import NamedTuple
 
@@ -12,7 +12,7 @@ from raceway.theory.bearing import Bearing
 
 
 class Frequencies(NamedTuple):
-    """Frequencies in the unit of the rings' speeds."""
+    """Kinematic frequencies, in the unit of the speeds of the rings."""
 
     cage: Numbers  # FTF, positive if the inner ring's speed is positive
     outer: Numbers  # BPFO, ball passes over a point of the outer ring
@@ -23,12 +23,13 @@ class Frequencies(NamedTuple):
 def frequencies(
     bearing: Bearing, angle: Numbers = 0.0, inner: Numbers = 1.0, outer: Numbers = 0.0
 ) -> Frequencies:
-    """FTF, BPFO, BPFI, BSF at a contact `angle` in rad, with rings at the speeds `inner` and
-    `outer`: by default in orders of the shaft, outer ring at rest.
+    """Return FTF, BPFO, BPFI and BSF at a contact `angle` in rad for rings that turn at the speeds
+    `inner` and `outer`. By default the outer ring is at rest and the frequencies are in orders of
+    the shaft speed.
 
-    BSF = (1 - gamma^2 cos^2(angle)) / (2 gamma) |inner - outer|, gamma = ball over pitch diameter
-    (Harris, Rolling Bearing Analysis, ch. 10): a ball rolls about an axis across its contact
-    normals.
+    BSF = (1 - gamma^2 cos^2(angle)) / (2 gamma) |inner - outer|, where gamma is the ratio of ball
+    to pitch diameter (Harris, Rolling Bearing Analysis, ch. 10): a ball rolls about an axis that is
+    perpendicular to its contact normals.
 
     >>> from raceway.theory.bearing import Bearing
     >>> paper = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
@@ -42,17 +43,19 @@ def frequencies(
 
 
 def cosine_of_cage(bearing: Bearing, order: float) -> float:
-    """Cosine of the contact angle at which balls that roll without slip give the cage the `order`
-    (cage speed over shaft speed, outer ring at rest): the inverse of FTF in `frequencies`. Above 1
-    for a cage that slips more than any angle explains."""
+    """Return the cosine of the contact angle at which balls that roll without slip give the cage
+    the `order` (ratio of cage speed to shaft speed with the outer ring at rest), i.e. the inverse
+    of FTF in `frequencies`. The result is above 1 if the cage slips more than any angle can
+    explain."""
     return (1 - 2 * order) * bearing.pitch_radius / bearing.ball_radius
 
 
 def entrainment(bearing: Bearing, spin: Numbers, angle: Numbers = 0.0) -> Numbers:
-    """Entrainment speed in m/s, the same at both raceways, for an inner ring at `spin` rad/s.
+    """Return the entrainment speed in m/s, which is the same at both raceways, for an inner ring at
+    `spin` rad/s.
 
-    U_r = omega r_pitch (1 - gamma^2)/2: half the sum of both surface speeds relative to the
-    contact.
+    U_r = omega r_pitch (1 - gamma^2)/2 is half the sum of the speeds of both surfaces relative to
+    the contact.
     """
     ball, pitch = bearing.ball_radius * np.cos(angle), bearing.pitch_radius
     orbit = laws.pure_rolling(ball, pitch, np.abs(spin), 0.0).orbit
@@ -62,12 +65,12 @@ def entrainment(bearing: Bearing, spin: Numbers, angle: Numbers = 0.0) -> Number
 def spall_length(
     bearing: Bearing, spin: Numbers, seconds: Numbers, angle: Numbers = 0.0
 ) -> Numbers:
-    """Length in m of a spall along rolling, from the `seconds` between a ball's entry and its
-    impact; the inner ring turns at `spin` rad/s.
+    """Return the length in m of a spall along rolling, from the time `seconds` between the entry of
+    a ball and its impact; the inner ring turns at `spin` rad/s.
 
-    The impact occurs when the ball is half-way (Sawalha and Randall, Mech. Syst. Signal Process. 25
-    (2011) 846). A ball that loses its load over the spall hits late, and the length is
-    overestimated; `spall.length` accounts for its flight.
+    The impact occurs when the ball is half-way across (Sawalha and Randall, Mech. Syst. Signal
+    Process. 25 (2011) 846). A ball that loses its load over the spall hits later, so that the
+    length is overestimated; `spall.length` takes its flight into account.
 
     >>> from raceway.theory.bearing import Bearing
     >>> paper = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
@@ -78,9 +81,9 @@ def spall_length(
 
 
 def orbital_speed(x: ArrayLike, y: ArrayLike, vx: ArrayLike, vy: ArrayLike) -> Numbers:
-    """(x v_y - y v_x)/r^2 in rad/s of points at `x`, `y` (m) from the axis. Raises `ValueError` on
-    the axis."""
+    """Return (x v_y - y v_x)/r^2 in rad/s for points at `x`, `y` (m) from the axis. Raises
+    `ValueError` for a point on the axis."""
     squared = np.square(x) + np.square(y)
     if np.any(squared == 0):
-        raise ValueError("a ball sits on the bearing's axis")
+        raise ValueError("a ball is on the bearing's axis")
     return (x * vy - y * vx) / squared

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Rating life of a radial or angular contact ball bearing: ISO 281:2007 and, from the loads of its
-balls, ISO/TS 16281:2008. Lives are for a reliability of 90 %; `RELIABILITY` has factors for other
-values.
+"""Rating life of a radial or angular contact ball bearing according to ISO 281:2007 and, from the
+loads on its balls, according to ISO/TS 16281:2008. The lives are for a reliability of 90 %;
+`RELIABILITY` lists factors for other values.
 
-The reference life uses the loads of statics or of a run and so includes clearance, tilt, moments
-and centrifugal loads. The life of ISO 281 itself depends only on the load on the whole bearing.
+The reference life is computed from the ball loads in statics or in a run and therefore includes the
+effects of clearance, tilt, moments and centrifugal loads. The life of ISO 281 itself depends only
+on the load on the whole bearing.
 """
 
 from collections.abc import Mapping
@@ -18,20 +19,20 @@ from raceway.theory.cleanliness import contamination
 
 # a_1 of ISO 281:2007, table 12: reliability in percent
 RELIABILITY: Mapping[float, float] = {90: 1, 95: 0.64, 96: 0.55, 97: 0.47, 98: 0.37, 99: 0.25}
-LARGEST_FACTOR = 50.0  # limit of a_ISO
-PERMITTED = 4.2e9  # Pa, for the most loaded contact under the static load rating (ISO 76)
-# kappa up to which a row applies, and the row's two constants (ISO 281:2007, eqs 31 to 33); the
-# constants of the second row make a_ISO continuous at kappa 0.4 and 1
+LARGEST_FACTOR = 50.0  # upper limit of a_ISO
+PERMITTED = 4.2e9  # Pa, largest contact pressure under the static load rating (ISO 76)
+# largest kappa to which a row applies, and the two constants of the row (ISO 281:2007, eqs 31 to
+# 33); the constants of the second row make a_ISO continuous at kappa = 0.4 and 1
 _FACTOR = ((0.4, 2.2649, 0.054381), (1.0, 1.9987, 0.19087), (4.0, 1.9987, 0.071739))
-# exponents of the mean loads: for the ring that turns relative to the load, and for the other ring
+# exponents of the mean loads for the ring that rotates relative to the load and for the other ring
 # (ISO/TS 16281, eqs 20 and 21)
 POWERS = (3.0, 10 / 3)
-# largest ratio of groove radius to ball diameter, inner and outer, for the ratings of ISO 281
+# largest ratios of groove radius to ball diameter (inner, outer) for which ISO 281 gives ratings
 CONFORMITY = (0.52, 0.53)
 
 
 class Ratings(NamedTuple):
-    """Load ratings of a bearing from its catalogue, N."""
+    """Load ratings of a bearing from its catalogue in N."""
 
     dynamic: float  # C
     static: float  # C_0
@@ -39,27 +40,27 @@ class Ratings(NamedTuple):
 
 
 class Life(NamedTuple):
-    """Rating life under the loads of the balls."""
+    """Rating life of a bearing under given ball loads."""
 
     reference: float  # 1e6 revolutions, L_10r of ISO/TS 16281
-    equivalent: float  # N, the radial load of the same life by ISO 281
-    factor: float  # a_ISO, NaN without a viscosity
+    equivalent: float  # N, the radial load for which ISO 281 gives the same life
+    factor: float  # a_ISO, NaN if the viscosity is not given
     modified: float  # 1e6 revolutions, a_ISO L_10r
     viscosity_ratio: float  # kappa
 
 
 def ratings(dynamic: float, static: float, pitch_diameter: float) -> Ratings:
-    """`Ratings` with the fatigue load limit estimated: C_0/22, above a `pitch_diameter` of 0.1 m
-    times (0.1/D_pw)^0.5 (the simple estimate of ISO 281, annex B, as commonly quoted; not checked
-    against the standard). Loads in N, diameters in m."""
+    """Return the `Ratings` with an estimate of the fatigue load limit: C_0/22, which is multiplied
+    by (0.1/D_pw)^0.5 if `pitch_diameter` exceeds 0.1 m (the simple estimate of ISO 281, annex B, as
+    commonly quoted; not checked against the standard). Loads are in N and diameters in m."""
     large = max(pitch_diameter / 0.1, 1.0)
     return Ratings(dynamic, static, static / 22 / large**0.5)
 
 
 def basic(dynamic: float, load: ArrayLike) -> np.ndarray:
-    """L_10 = (C/P)^3 in 1e6 revolutions; loads in N (ISO 281:2007, eq 2).
+    """Return L_10 = (C/P)^3 in 1e6 revolutions for loads in N (ISO 281:2007, eq 2).
 
-    XJTU-SY's bearing, C 12.82 kN under 12 kN at 2100 rpm, in hours:
+    For the bearing of XJTU-SY, with C = 12.82 kN, under 12 kN at 2100 rpm, in hours:
 
     >>> round(float(basic(12820.0, 12000.0)) * 1e6 / (60 * 2100), 3)
     9.677
@@ -68,10 +69,10 @@ def basic(dynamic: float, load: ArrayLike) -> np.ndarray:
 
 
 def wide_grooves(bearing: Bearing) -> np.ndarray:
-    """Factors (2,) on the ball ratings of the inner and the outer groove: for a groove wider than
-    `CONFORMITY`, (2 f/(2 f - 1))^0.41 relative to its value at `CONFORMITY`, where f is groove
-    radius over ball diameter (Lundberg and Palmgren 1947); otherwise 1, because ISO 281 does not
-    give narrower grooves a higher rating."""
+    """Return the factors (2,) on the ball ratings of the inner and the outer groove. For a groove
+    wider than `CONFORMITY`, the factor is (2 f/(2 f - 1))^0.41 divided by its value at
+    `CONFORMITY`, where f is the ratio of groove radius to ball diameter (Lundberg and Palmgren
+    1947). Otherwise it is 1, because ISO 281 does not give narrower grooves a higher rating."""
     groove, limit = (
         np.array([bearing.inner_groove, bearing.outer_groove]) / bearing.ball_diameter,
         np.array(CONFORMITY),
@@ -81,10 +82,10 @@ def wide_grooves(bearing: Bearing) -> np.ndarray:
 
 
 def ball_ratings(bearing: Bearing, dynamic: float, angle: float = 0.0) -> tuple[float, float]:
-    """(Q_ci, Q_ce) in N: the ball load for which the inner and the outer raceway last 1e6
+    """Return (Q_ci, Q_ce) in N, the ball loads for which the inner and the outer raceway last 1e6
     revolutions (ISO/TS 16281, eqs 16 to 19). `dynamic` is C in N of the bearing with grooves no
-    wider than `CONFORMITY`; for wider grooves the factors of `wide_grooves` apply. `angle` is the
-    nominal contact angle, rad."""
+    wider than `CONFORMITY`; for wider grooves the factors of `wide_grooves` are applied. `angle` is
+    the nominal contact angle in rad."""
     ball, wide = bearing.ball_diameter, wide_grooves(bearing)
     gamma = ball * np.cos(angle) / (2 * bearing.pitch_radius)
     inner, outer = (
@@ -107,14 +108,15 @@ def reference(
     outer: ArrayLike,
     angle: float = 0.0,
 ) -> float:
-    """L_10r in 1e6 revolutions, from the loads (N) of the `inner` and `outer` contacts (..., Z) of
-    one or many positions of the balls; the inner ring rotates (ISO/TS 16281, eqs 20 to 22).
+    """Return L_10r in 1e6 revolutions from the loads (N) of the `inner` and `outer` contacts (...,
+    Z) at one or more positions of the balls, for a rotating inner ring (ISO/TS 16281, eqs 20 to
+    22).
 
-    Loads of several rows and grooves are arranged as in `static.Equilibrium`. Two grooves per ring
-    count as two rows: `dynamic` is the rating of all rows, and raceways of all rows add up. Makers
-    rate four-point contact bearings in this way.
+    The loads of several rows and grooves are arranged as in `static.Equilibrium`. Two grooves per
+    ring count as two rows: `dynamic` is the rating of all rows, and the contributions of the
+    raceways of all rows are added. Makers rate four-point contact bearings in this way.
 
-    Raises `ValueError` for a negative load, or if all loads are zero.
+    Raises `ValueError` if a load is negative or if all loads are zero.
 
     >>> from raceway.theory import static
     >>> from raceway.theory.bearing import Bearing
@@ -125,7 +127,7 @@ def reference(
     """
     loads = np.asarray(inner, float), np.asarray(outer, float)
     if any((one < 0).any() for one in loads) or not all(one.any() for one in loads):
-        raise ValueError("loads of balls must be 0 or more, and some of them above 0")
+        raise ValueError("ball loads must be 0 or more, and at least one must be above 0")
     raceways = [one.reshape(bearing.layout.tracks, -1) for one in loads]
     means = [np.mean(one**power, axis=1) for one, power in zip(raceways, POWERS)]
     return of_means(bearing, dynamic, *means, angle)
@@ -134,8 +136,9 @@ def reference(
 def of_means(
     bearing: Bearing, dynamic: float, inner: ArrayLike, outer: ArrayLike, angle: float = 0.0
 ) -> float:
-    """`reference` from power means: `inner` and `outer` are the means (T,) over balls and positions
-    of the loads (N) raised to `POWERS`, for the T grooves of each ring, over all rows."""
+    """Return the life of `reference` from power means: `inner` and `outer` are the means (T,), over
+    balls and positions, of the loads (N) raised to `POWERS`, for the T grooves of each ring in all
+    rows."""
     means = np.atleast_1d(np.asarray(inner, float)), np.atleast_1d(np.asarray(outer, float))
     rated = ball_ratings(bearing, dynamic / len(means[0]) ** 0.7, angle)
     risks = [
@@ -146,38 +149,38 @@ def of_means(
 
 
 def of_duties(lives: ArrayLike, shares: ArrayLike) -> float:
-    """Life under several operating points in succession, in the unit of `lives` (N,):
-    1/sum(share/life) with the `shares` (N,) of the revolutions (Palmgren-Miner; ISO/TS 16281,
-    clause 5). Shares of time apply to lives in hours. Raises `ValueError` for shares that do not
-    add up to 1.
+    """Return the life under several operating points in succession, in the unit of `lives` (N,):
+    1/sum(share/life), where `shares` (N,) are fractions of the revolutions (Palmgren-Miner; ISO/TS
+    16281, clause 5). If the lives are in hours, the shares are fractions of the time. Raises
+    `ValueError` if the shares do not add up to 1.
 
     >>> round(of_duties([1000.0, 100.0], [0.9, 0.1]), 1)
     526.3
     """
     life, share = np.asarray(lives, float), np.asarray(shares, float)
     if (share < 0).any() or not np.isclose(share.sum(), 1.0) or not (life > 0).all():
-        raise ValueError("shares must be 0 or more and add up to 1, lives must be above 0")
+        raise ValueError("shares must be 0 or more and add up to 1, and lives must be above 0")
     return float(1 / (share / life).sum())
 
 
 def reference_viscosity(rpm: ArrayLike, pitch_diameter: float) -> np.ndarray:
-    """nu_1 in mm2/s at which kappa is 1 (ISO 281:2007, eqs 28 and 29); `pitch_diameter` in m. It
-    jumps by 2 % at 1000 rpm, as in the standard."""
+    """Return nu_1 in mm2/s, the viscosity at which kappa is 1 (ISO 281:2007, eqs 28 and 29);
+    `pitch_diameter` is in m. As in the standard, it jumps by 2 % at 1000 rpm."""
     speed = np.asarray(rpm, float)
     slow, fast = 45000 * speed**-0.83, 4500 * speed**-0.5
     return np.where(speed < 1000, slow, fast) * (1e3 * pitch_diameter) ** -0.5
 
 
 def factor(viscosity_ratio: float, contamination: float) -> float:
-    """a_ISO of a radial ball bearing, 0.1 to 50 (ISO 281:2007, eqs 31 to 33). `viscosity_ratio` is
-    kappa, limited to 4; `contamination` is e_C C_u/P. Below kappa = 0.1 the standard gives
-    no value: the result is 0.1 there.
+    """Return a_ISO of a radial ball bearing, which is between 0.1 and 50 (ISO 281:2007, eqs 31 to
+    33). `viscosity_ratio` is kappa, which is limited to 4; `contamination` is e_C C_u/P. The result
+    is 0.1 below kappa = 0.1, where the standard gives no value.
 
     >>> round(factor(0.8, 0.3), 4)
     6.8198
     """
     if not (viscosity_ratio >= 0 and contamination >= 0):
-        raise ValueError(f"kappa {viscosity_ratio} and e_C C_u/P {contamination}: 0 or more")
+        raise ValueError(f"kappa {viscosity_ratio} and e_C C_u/P {contamination} must be 0 or more")
     if viscosity_ratio < 0.1:
         return 0.1
     kappa = min(viscosity_ratio, 4.0)
@@ -189,19 +192,19 @@ def factor(viscosity_ratio: float, contamination: float) -> float:
 
 
 def static_safety(pressure: float) -> float:
-    """s_0: factor on the load at which the pressure (Pa) of the most heavily loaded contact reaches
-    `PERMITTED`; it grows with the cube root of the load (ISO 76:2006, clause 4, for the actual
-    loads of the balls)."""
+    """Return s_0, the factor on the load at which the pressure (Pa) at the most heavily loaded
+    contact reaches `PERMITTED`. The pressure is proportional to the cube root of the load (ISO
+    76:2006, clause 4, applied to the actual loads of the balls)."""
     return (PERMITTED / pressure) ** 3
 
 
 def minimum_load(factor: float, viscosity: float, rpm: float, mean_diameter: float) -> float:
-    """F_rm in N, the radial load below which balls of a deep groove bearing may slide instead of
-    roll: 1000 k_r (nu n/1000)^(2/3) (d_m/100)^2 with nu in mm2/s and d_m in mm.
+    """Return F_rm in N, the radial load below which the balls of a deep groove bearing may slide
+    instead of rolling: 1000 k_r (nu n/1000)^(2/3) (d_m/100)^2 with nu in mm2/s and d_m in mm.
 
-    `factor` is k_r of the maker's product table, `viscosity` nu in mm2/s, `mean_diameter` the mean
-    of bore and outside diameter in m. Symbols are as in SKF's pages on loads of deep groove
-    bearings. The formula is quoted from memory and is for information only.
+    `factor` is k_r from the maker's product table, `viscosity` is nu in mm2/s, and `mean_diameter`
+    is the mean of bore and outside diameter in m. The symbols are those on SKF's pages about loads
+    on deep groove bearings. The formula is quoted from memory and is for information only.
 
     >>> round(minimum_load(0.025, 46.0, 1500.0, 0.060), 1)
     151.4
@@ -220,8 +223,9 @@ def of_loads(
     viscosity: float | None = None,
     cleanliness: str = "normal",
 ) -> Life:
-    """`Life` under loads (..., Z) of the balls in N at `rpm` with an oil of kinematic `viscosity`
-    in mm2/s; None omits a_ISO. Raises `ValueError` as `reference` and `contamination` do."""
+    """Compute the `Life` under ball loads (..., Z) in N at `rpm` with an oil whose kinematic
+    `viscosity` is in mm2/s; if it is None, a_ISO is not computed. Raises `ValueError` like
+    `reference` and `contamination`."""
     life = reference(bearing, rated.dynamic, inner, outer, angle)
     load = rated.dynamic / life ** (1 / 3)
     if viscosity is None or not rpm:

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Basic load ratings of a row of balls, C (ISO 281:2007) and C_0 (ISO 76:2006), and balls for
-given ratings.
+"""Basic load ratings of a row of balls, C (ISO 281:2007) and C_0 (ISO 76:2006), and the inverse:
+the balls that have given ratings.
 
-The tables of f_c and f_0 hold for grooves no wider than 0.52 (inner) and 0.53 (outer) of the ball
+The tables of f_c and f_0 are valid for groove radii up to 0.52 (inner) and 0.53 (outer) of the ball
 diameter. They are taken from public calculators and were not checked against the standards. One
-calculator has f_0 = 15.7 at 0.06, where interpolation between its neighbours gives 15.9.
+calculator has f_0 = 15.7 at 0.06, where interpolation between the adjacent values gives 15.9.
 """
 
 import math
@@ -13,14 +13,14 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import brentq
 
-# at D cos(angle)/D_pw = 0, 0.01, ... 0.40
+# values at D cos(angle)/D_pw = 0, 0.01, ... 0.40
 _F0 = (
     *(14.7, 14.9, 15.1, 15.3, 15.5, 15.7, 15.9, 16.1, 16.3, 16.5),
     *(16.4, 16.1, 15.9, 15.6, 15.4, 15.2, 14.9, 14.7, 14.4, 14.2),
     *(14.0, 13.7, 13.5, 13.2, 13.0, 12.8, 12.5, 12.3, 12.1, 11.8),
     *(11.6, 11.4, 11.2, 10.9, 10.7, 10.5, 10.3, 10.0, 9.8, 9.6, 9.4),
 )
-# at 0.01, 0.02, ... 0.40
+# values at 0.01, 0.02, ... 0.40
 _FC = (
     *(29.1, 35.8, 40.3, 43.8, 46.7, 49.1, 51.1, 52.8, 54.3, 55.5),
     *(56.6, 57.5, 58.2, 58.8, 59.3, 59.6, 59.8, 59.9, 60.0, 59.9),
@@ -28,15 +28,15 @@ _FC = (
     *(55.3, 54.6, 53.9, 53.2, 52.4, 51.7, 50.9, 50.0, 49.2, 48.4),
 )
 _STEP = 0.01
-MATERIAL = 1.3  # b_m of ISO 281 for ball bearings of modern steel
-LARGE = 25.4  # mm; above it C follows another power of the ball diameter (from memory)
-FULLEST = 0.95  # largest share of the pitch circle that balls take up; the cage needs the rest
-# mm: balls are made in steps of 1/64 in; if none is close enough, in steps of 0.5 mm
+MATERIAL = 1.3  # b_m of ISO 281 for ball bearings made of modern steel
+LARGE = 25.4  # mm, ball diameter above which its exponent in C is different (from memory)
+FULLEST = 0.95  # largest fraction of the pitch circle that balls take up, leaving room for the cage
+# mm: ball diameters are multiples of 1/64 in or, if none is close enough, of 0.5 mm
 INCH_STEP, METRIC_STEP, NEAR = 25.4 / 64, 0.5, 0.015
 
 
 class Balls(NamedTuple):
-    """The balls of a row."""
+    """Number and size of the balls in a row."""
 
     number: int
     diameter: float  # m
@@ -50,8 +50,8 @@ def _ratio(ball: float, pitch: float, angle: float) -> float:
 
 
 def static_factor(ball: float, pitch: float, angle: float = 0.0) -> float:
-    """f_0 of ISO 76:2006, table 1; diameters in m, nominal contact `angle` in rad. Raises
-    `ValueError` outside the table.
+    """Return f_0 of ISO 76:2006, table 1, for diameters in m and the nominal contact `angle` in
+    rad. Raises `ValueError` outside the range of the table.
 
     >>> round(static_factor(7.94e-3, 39.04e-3), 2)
     13.9
@@ -60,18 +60,19 @@ def static_factor(ball: float, pitch: float, angle: float = 0.0) -> float:
 
 
 def static(number: int, ball: float, pitch: float, angle: float = 0.0, *, rows: int = 1) -> float:
-    """C_0 in N, the radial load rating (ISO 76:2006, eq 1); arguments as in `dynamic`."""
+    """Return the radial load rating C_0 in N (ISO 76:2006, eq 1); the arguments are as in
+    `dynamic`."""
     factor = static_factor(ball, pitch, angle)
     return rows * factor * number * (1e3 * ball) ** 2 * math.cos(angle)
 
 
 def dynamic(number: int, ball: float, pitch: float, angle: float = 0.0, *, rows: int = 1) -> float:
-    """C in N, the radial load rating of `rows` (ISO 281:2007, eqs 1 and 2) of `number` balls each
-    on a `pitch` circle; diameters in m, nominal contact `angle` in rad. A four-point bearing counts
-    as two rows, as in the makers' factors for its equivalent load. Raises `ValueError` outside the
-    table of f_c.
+    """Return the radial load rating C in N of `rows` (ISO 281:2007, eqs 1 and 2) with `number`
+    balls each on a `pitch` circle; diameters are in m and the nominal contact `angle` is in rad. A
+    four-point contact bearing counts as two rows, as in the makers' factors for its equivalent
+    load. Raises `ValueError` outside the range of the table of f_c.
 
-    CWRU's 6205:
+    For the 6205 of CWRU:
 
     >>> round(dynamic(9, 7.94e-3, 39.04e-3))
     14027
@@ -84,8 +85,8 @@ def dynamic(number: int, ball: float, pitch: float, angle: float = 0.0, *, rows:
 
 
 def number(static_rating: float, ball: float, pitch: float, angle: float = 0.0) -> int:
-    """The number of balls of diameter `ball` (m) whose C_0 is nearest to a rating in N; other
-    arguments as in `dynamic`.
+    """Return the number of balls of diameter `ball` (m) for which C_0 is closest to a rating in N;
+    the other arguments are as in `dynamic`.
 
     >>> number(17100.0, 7.938e-3, 54e-3, math.radians(25))
     19
@@ -102,14 +103,14 @@ def balls(
     *,
     rows: int = 1,
 ) -> Balls:
-    """The `Balls` of a row in a bearing with these ratings (N) on a `pitch` circle (m).
+    """Return the `Balls` of a row in a bearing with the given ratings (N) on a `pitch` circle (m).
 
-    For each number of balls, C_0 gives the diameter. The number chosen is the one for which C by
-    ISO 281, times the maker's `dynamic_factor`, is nearest to the rating. The diameter is then
-    rounded to the nearest multiple of 1/64 in if that is within 1.5 %, otherwise to the nearest
-    multiple of 0.5 mm. Raises `ValueError` if no balls fit.
+    For each number of balls, the diameter is computed from C_0. The number is then chosen such that
+    C by ISO 281, multiplied by the maker's `dynamic_factor`, is closest to the rating. Finally, the
+    diameter is rounded to the nearest multiple of 1/64 in if that is within 1.5 %, otherwise to the
+    nearest multiple of 0.5 mm. Raises `ValueError` if no balls fit.
 
-    JTEKT's 7208B, 40 degrees:
+    For the 7208B of JTEKT, with a contact angle of 40 degrees:
 
     >>> count, diameter = balls(30600.0, 21300.0, 60e-3, math.radians(40))
     >>> count, round(1e3 * diameter, 3)
@@ -118,7 +119,7 @@ def balls(
     found = {}
     for count in range(4, 60):
         largest = pitch * math.sin(FULLEST * math.pi / count)
-        # inside the tables, which range from a ratio of 0.01 to 0.4
+        # stay inside the tables, whose range is 0.01 to 0.4
         low, high = 0.011 * pitch / math.cos(angle), min(largest, 0.39 * pitch / math.cos(angle))
 
         def excess(ball, count=count):

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Life and equivalent load under a spectrum of loads: points with time shares.
+"""Life and equivalent load under a spectrum of loads, which consists of points with time shares.
 
 Damage adds up by revolutions (Palmgren-Miner, as in ISO 281 and ISO/TS 16281): 1/L is the sum of
-u_i/L_i, u_i the share of the revolutions at point i. The equivalent load is the steady load that
-gives that life, (sum q_i n_i P_i^p/sum q_i n_i)^(1/p) with time shares q_i, speeds n_i and p = 3
-for ball bearings (makers' catalogues: NSK, average of fluctuating load; SEED guide, 4.4).
+u_i/L_i, where u_i is the fraction of the revolutions made at point i. The equivalent load is the
+steady load that gives the same life, (sum q_i n_i P_i^p/sum q_i n_i)^(1/p) with time shares q_i,
+speeds n_i and p = 3 for ball bearings (makers' catalogues: NSK, average of fluctuating load; SEED
+guide, 4.4).
 """
 
 import csv
@@ -18,7 +19,7 @@ from raceway.files import FilePath
 from raceway.theory import life
 from raceway.units import prefixed
 
-# {column: (lowest, highest, unit, default)}; the columns of a sweep's table, and the time share
+# {column: (least, greatest, unit, default)} for the columns of a sweep's table and the time share
 COLUMNS = {
     "load": (0.0, 1e6, "N", 0.0),
     "axial": (-1e6, 1e6, "N", 0.0),
@@ -27,26 +28,27 @@ COLUMNS = {
 }
 LIFE = "life_reference_Mrev"
 KEYS = ("equivalent_load_N", LIFE, "dynamic_rating_N")
-# {column of a sweep's table: figure of the run that replaces it}
+# {column of a sweep's table: result of the run that is used if the table does not have the column}
 OF_RUN = {"load": "load_N", "rpm": "rpm"}
 
 
 class Duty(NamedTuple):
-    """A point of a spectrum."""
+    """One point of a load spectrum."""
 
     load: float  # N, radial
     axial: float  # N
     rpm: float
-    share: float  # of the time, in any unit
+    share: float  # share of the time, in any unit
 
 
 def read(path: FilePath) -> tuple[list[Duty], list[dict[str, float]]]:
-    """The points of the CSV file `path` and, if it is `results.csv` of a sweep, the equivalent load
-    and the rating of each point by `KEYS`, otherwise an empty list.
+    """Read the points in the CSV file `path`. Return them together with a list that contains the
+    equivalent load and the rating of each point, keyed by `KEYS`, if the file is the `results.csv`
+    of a sweep, and is empty otherwise.
 
-    The head line has names of `COLUMNS`, including rpm, and each point has a row. A sweep's table
-    has more columns. Raises `InputError` with the line and the value that is wrong, also for a
-    point of a sweep that has not finished or has no equivalent load."""
+    The first line contains names from `COLUMNS`, including rpm, and each point has a row. The table
+    of a sweep has additional columns. Raises `InputError`, stating the point and the value that is
+    wrong, and also if a point of a sweep has not finished or has no equivalent load."""
     try:
         with open(path, newline="", encoding="utf-8-sig") as file:
             rows = [row for row in csv.reader(file) if any(row) and row[0].lstrip()[:1] != "#"]
@@ -59,17 +61,17 @@ def read(path: FilePath) -> tuple[list[Duty], list[dict[str, float]]]:
     if not swept and (unknown := [name for name in head if name not in COLUMNS]):
         raise InputError(f"{path}: there is no column {unknown[0]}; columns: {', '.join(COLUMNS)}")
     if "rpm" not in head or len(set(head)) < len(head) or len(rows) < 2:
-        raise InputError(f"{path}: give each column once, rpm among them, and a row for each point")
+        raise InputError(f"{path}: give each column once, including rpm, and one row per point")
     for number, row in enumerate(rows[1:], 1):
         if len(row) != len(head):
-            raise InputError(f"{path}: point {number} has {len(row)} cells, the head {len(head)}")
+            raise InputError(f"{path}: point {number} has {len(row)} cells, not {len(head)}")
     points = [dict(zip(head, row)) for row in rows[1:]]
     found = [_run(path, number, one) for number, one in enumerate(points, 1)] if swept else []
     return [_duty(path, number, one) for number, one in enumerate(points, 1)], found
 
 
 def _run(path, number, point):
-    """The figures of a sweep's point, whose rating may be missing."""
+    """Return the results of a point in a sweep, in which the rating may be missing."""
     where = f"{path}: point {number} ({point['point']})"
     if point["status"] != "finished":
         why = f": {point['message']}" if point.get("message") else ""
@@ -105,14 +107,15 @@ def _duty(path, number, point):
 def of_sweep(
     duties: Sequence[Duty], runs: Sequence[Mapping[str, float]], dynamic: float | None = None
 ) -> dict[str, Any]:
-    """Like `of_points`, for the points of a sweep with the figures of their `runs`. These figures
-    follow from the ball loads in the runs. `dynamic` is C in N of all rows, by default from the
-    runs. Raises `InputError` without a rating or with several."""
+    """Return the same results as `of_points` for the points of a sweep, using the results of their
+    `runs`, which are computed from the ball loads in the runs. `dynamic` is C in N of all rows; by
+    default it is taken from the runs. Raises `InputError` if there is no rating or more than
+    one."""
     known = {one["dynamic_rating_N"] for one in runs if "dynamic_rating_N" in one}
     rated = known if dynamic is None else {dynamic}
     if len(rated) != 1:
         said = " and ".join(f"{one:g} N" for one in sorted(rated)) or "none"
-        raise InputError(f"the points need one dynamic load rating and have {said}: give --C")
+        raise InputError(f"the points need one dynamic load rating but have {said}: give --C")
     (rating,) = rated
     loads = iter(runs)
 
@@ -126,10 +129,11 @@ def of_sweep(
 def of_points(
     duties: Sequence[Duty], figures: Callable[[Duty], Mapping[str, Any]]
 ) -> dict[str, Any]:
-    """Figures by name for the spectrum `duties`, SI units; `points` has the figures of each point.
+    """Return a dict of results for the spectrum `duties` in SI units; `points` contains the results
+    for each point.
 
-    `figures` returns the figures of a point (`operating_point.figures`). Raises `InputError` if the
-    figures include no life because the bearing has no rating.
+    `figures` returns the results at a point (`operating_point.figures`). Raises `InputError` if
+    they do not include a life because the bearing has no rating.
     """
     points: list[dict[str, Any]] = []
     for duty in duties:
@@ -159,7 +163,7 @@ def of_points(
 
 
 def table(found: Mapping[str, Any]) -> str:
-    """The result of `of_points` as text."""
+    """Format the result of `of_points` as text."""
     rows = [["load", "axial", "rpm", "time", "turns", "damage", "P", "L_10r, 10^6"]]
     whole = sum(one["share"] for one in found["points"])
     for one in found["points"]:

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Oils as functions of temperature and pressure: Walther, Vogel, Roelands, Barus. Temperatures in
-degrees C.
+"""Properties of oils as functions of temperature and pressure: Walther, Vogel, Roelands, Barus.
+Temperatures are in degrees C.
 
-A `Lubricant` holds physical data, `Lubricant.at` gives the `Fluid` at a temperature. Values are for
-ambient pressure unless a pressure is given. Numbers or arrays of one shape, SI units except for
-kinematic viscosity in mm^2/s, the unit of viscosity grades and of ASTM D341.
+A `Lubricant` contains the physical data, and `Lubricant.at` returns the `Fluid` at a temperature.
+Values are for ambient pressure unless a pressure is given. Functions accept numbers or arrays of
+equal shape in SI units, except for kinematic viscosity, which is in mm^2/s like viscosity grades
+and ASTM D341.
 """
 
 from dataclasses import dataclass, field
@@ -18,7 +19,7 @@ from raceway.sweeps import variable_table
 
 
 class Fluid(NamedTuple):
-    """A lubricant at its temperature and ambient pressure."""
+    """Properties of a lubricant at one temperature and ambient pressure."""
 
     temperature: Numbers  # degrees C
     viscosity: Numbers  # eta, Pa s
@@ -29,7 +30,7 @@ class Fluid(NamedTuple):
     conductivity: float  # k_f, W/(m K)
     heat_capacity: float  # J/(kg K)
     eyring_stress: float  # tau_0, Pa
-    limiting_traction: float  # Lambda_L, limiting shear stress over pressure
+    limiting_traction: float  # Lambda_L, limiting shear stress divided by pressure
 
     @property
     def kinematic(self) -> Numbers:
@@ -39,9 +40,9 @@ class Fluid(NamedTuple):
 
 @dataclass(frozen=True)
 class Walther:
-    """lg lg(nu + 0.7) = A - B lg T through kinematic viscosities in mm^2/s at 40 and 100 C.
+    """lg lg(nu + 0.7) = A - B lg T, given the kinematic viscosities in mm^2/s at 40 and 100 C.
 
-    ASTM D341. Raises `ValueError` unless low > high > 0.3, the limit of the double logarithm.
+    See ASTM D341. Raises `ValueError` unless low > high > 0.3, the limit of the double logarithm.
     """
 
     low: float  # at 40 C
@@ -55,33 +56,36 @@ class Walther:
             )
 
     def viscosity(self, temperature: Numbers, oil: "Lubricant") -> tuple[Numbers, Numbers]:
-        """(nu in mm^2/s, -d(ln nu)/dT in 1/K) at a temperature; independent of the density of
-        `oil`."""
+        """Return (nu in mm^2/s, -d(ln nu)/dT in 1/K) at a temperature; the density of `oil` is not
+        used."""
         return tuple(laws.walther(self.low, self.high, temperature))
 
 
 @dataclass(frozen=True)
 class Vogel:
-    """eta = k exp(b/(T + c)), T in degrees C; FVA 3: 0.062e-3 Pa s, 1021.7 K, 101.5517 C."""
+    """eta = k exp(b/(T + c)) with T in degrees C; for FVA 3, k = 0.062e-3 Pa s, b = 1021.7 K and c
+    = 101.5517 C."""
 
     k: float  # Pa s
     b: float  # K
     c: float  # degrees C
 
     def viscosity(self, temperature: Numbers, oil: "Lubricant") -> tuple[Numbers, Numbers]:
-        """(nu in mm^2/s, -d(ln nu)/dT in 1/K) at a temperature, with the density of `oil`."""
+        """Return (nu in mm^2/s, -d(ln nu)/dT in 1/K) at a temperature, using the density of
+        `oil`."""
         return tuple(laws.vogel(self.k, self.b, self.c, oil.density, oil.thinning, temperature))
 
 
 def _usual(name):
-    """A field with the default of the decks for a constant of an oil."""
+    """Return a field whose default is the value used in decks for a constant of an oil."""
     return field(default_factory=lambda: float(variable_table.default(name)))
 
 
 @dataclass(frozen=True)
 class Lubricant:
-    """Physical data of an oil: density and 1/xi linear in temperature, permittivity after
-    Clausius-Mossotti. 1/xi depends on temperature as for FVA 3 at ambient pressure.
+    """Physical data of an oil. Density and 1/xi are linear functions of temperature, and the
+    permittivity follows Clausius-Mossotti. 1/xi depends on temperature in the same way as for FVA 3
+    at ambient pressure.
 
     >>> vg46 = Lubricant(Walther(46.0, 7.04), 862.9, 0.6, 22.57e-9, 14.5e-9, 2.25, 0.15, 1950.0)
     >>> hot = vg46.at(70.0)
@@ -91,7 +95,7 @@ class Lubricant:
 
     law: Walther | Vogel
     density: float  # at 40 C, kg/m^3
-    thinning: float  # kg/(m^3 K): decrease of the density
+    thinning: float  # kg/(m^3 K), decrease of the density with temperature
     pressure_viscosity: float  # at 40 C, 1/Pa
     pressure_viscosity_hot: float  # at 100 C, 1/Pa
     permittivity: float  # at 40 C
@@ -101,7 +105,8 @@ class Lubricant:
     limiting_traction: float = _usual("limiting_traction")
 
     def at(self, temperature: Numbers) -> Fluid:
-        """The `Fluid` at a temperature in degrees C. Raises `ValueError` outside -40 to 200 C."""
+        """Return the `Fluid` at a temperature in degrees C. Raises `ValueError` outside -40 to 200
+        C."""
         warm = np.asarray(temperature, float)
         if not np.all((warm >= -40) & (warm <= 200)):
             raise ValueError(f"temperature = {temperature} C must lie from -40 to 200 C")
@@ -132,25 +137,27 @@ class Lubricant:
 
 
 def fva3(pressure: Numbers, temperature: Numbers) -> Numbers:
-    """Viscosity in Pa s of the reference oil FVA 3 under `pressure` in Pa (Schwarz et al. 2023,
-    table A1): eta_0 exp(p/(327.7918 + 2.9862 T + (4.419e-3 + 3.0115e-4 T) p)), p in bar."""
+    """Return the viscosity in Pa s of the reference oil FVA 3 under `pressure` in Pa (Schwarz et
+    al. 2023, table A1): eta_0 exp(p/(327.7918 + 2.9862 T + (4.419e-3 + 3.0115e-4 T) p)), with p in
+    bar."""
     bar = pressure / 1e5
     divisor = 327.7918 + 2.9862 * temperature + (4.419e-3 + 3.0115e-4 * temperature) * bar
     return 0.062e-3 * np.exp(1021.7 / (temperature + 101.5517) + bar / divisor)
 
 
 def roelands_exponent(viscosity: Numbers, pressure_viscosity: Numbers) -> Numbers:
-    """z = 1.96e8 xi/(ln eta_0 + 9.67): Roelands and Barus have the same slope at p = 0."""
+    """Return z = 1.96e8 xi/(ln eta_0 + 9.67), for which Roelands and Barus have equal slopes at p =
+    0."""
     return laws.roelands_exponent(viscosity, pressure_viscosity)
 
 
 def roelands(viscosity: Numbers, pressure_viscosity: Numbers, pressure: Numbers) -> Numbers:
-    """Viscosity in Pa s under `pressure` in Pa (Roelands 1966):
-    ln eta = ln eta_0 + (ln eta_0 + 9.67) ((1 + p/1.96e8)^z - 1)."""
+    """Return the viscosity in Pa s under `pressure` in Pa (Roelands 1966), ln eta = ln eta_0 + (ln
+    eta_0 + 9.67) ((1 + p/1.96e8)^z - 1)."""
     return laws.roelands(viscosity, pressure_viscosity, pressure)
 
 
 def barus(viscosity: Numbers, pressure_viscosity: Numbers, pressure: Numbers) -> Numbers:
-    """eta_0 exp(xi p) in Pa s (Barus 1893); for the inlet only, much too high at Hertz
-    pressures."""
+    """Return eta_0 exp(xi p) in Pa s (Barus 1893). The law should be used for the inlet only,
+    because it gives much too high values at Hertz pressures."""
     return viscosity * np.exp(pressure_viscosity * pressure)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film and capacitance of a bearing in static equilibrium, rolling without slip: statics,
-kinematics and film combined.
+"""Film and capacitance of a bearing in static equilibrium with balls that roll without slip, from
+statics, kinematics and film thickness.
 
-Each contact has the entrainment speed of pure rolling at its own contact angle or, for a ball on
-several grooves, the speed that follows from the ball's motion (`ball_motion`). The film is that of
-Masjedi and Khonsari for the contact's elastic load (eqs 6, 7, 9), the capacitance that of eqs 8 and
-10-12.
+The entrainment speed of a contact is that of pure rolling at its own contact angle or, for a ball
+on several grooves, it follows from the motion of the ball (`ball_motion`). The film thickness is
+that of Masjedi and Khonsari under the elastic load of the contact (eqs 6, 7, 9), and the
+capacitance is computed with eqs 8 and 10-12.
 """
 
 from collections.abc import Callable
@@ -23,26 +23,26 @@ from raceway.theory.static import Equilibrium, equilibrium
 
 
 class Film(NamedTuple):
-    """Films of one raceway, arrays with the shape of those in `static.Contacts`; zero without
-    contact."""
+    """Films on one raceway, in arrays with the same shape as in `static.Contacts`; zero if there is
+    no contact."""
 
     entrainment: Floats  # m/s
     h_min: Floats  # m
     h_c: Floats  # m
     ratio: Floats  # Lambda
     capacitance: Floats  # F
-    rolling: Floats  # m/s, as from `ball_motion.speeds`
+    rolling: Floats  # m/s, as returned by `ball_motion.speeds`
 
     __repr__ = short
 
 
 class Lubrication(NamedTuple):
-    """Films of both raceways and the capacitance in a bridge measurement."""
+    """Films on both raceways, and the capacitance that a bridge would measure."""
 
     inner: Film
     outer: Film
-    ball: Floats  # (Z,), F: inner and outer in series (eq 12), grooves of a ring in parallel
-    total: float  # F: all balls in parallel (eq 12), no background
+    ball: Floats  # (Z,), F: inner and outer in series (eq 12), grooves of one ring in parallel
+    total: float  # F: all balls in parallel (eq 12), without background
 
     __repr__ = short
 
@@ -55,9 +55,9 @@ def lubricate(
     clearance: float = 0.0,
     factor: Callable[[Floats], Floats] | None = None,
 ) -> Lubrication:
-    """`Lubrication` of an `Equilibrium` with an `inputs.Oil`, the inner ring at `speed` rad/s;
-    `clearance` of the equilibrium in m; `factor` maps an entrainment speed in m/s to a factor on
-    the thickness, by default 1.
+    """Compute the `Lubrication` of an `Equilibrium` with the oil `inputs.Oil`, for an inner ring at
+    `speed` rad/s. `clearance` in m must be the one used for the equilibrium. `factor` computes a
+    factor on the film thickness from the entrainment speed in m/s; by default the factor is 1.
 
     >>> from raceway.theory.bearing import Bearing
     >>> from raceway.inputs import Oil
@@ -106,17 +106,17 @@ def _film(bearing, side, contact, speeds, oil, clearance, factor):
 
 
 def orbit(bearing: Bearing, state: Equilibrium, speed: float) -> float | Floats:
-    """Orbital speed of the balls in rad/s for an inner ring at `speed` rad/s: rolling at the mean
-    contact angle, weighted by the loads on both raceways, since one cage carries all balls of a row
-    (Harris, ch. 10). For several rows, one speed for each ball (Z,). Raises `NoEquilibrium` if no
-    ball carries load."""
+    """Return the orbital speed of the balls in rad/s for an inner ring at `speed` rad/s. The balls
+    roll at the mean contact angle, weighted by the loads on both raceways, because all balls of a
+    row share one cage (Harris, ch. 10). If there are several rows, the result has one speed for
+    each ball (Z,). Raises `NoEquilibrium` if no ball carries load."""
     load = np.vstack([state.inner.load, state.outer.load])
     if not load.any():
         raise NoEquilibrium("no ball carries load: the ring is held where it touches no ball")
     cosine = np.cos(np.vstack([state.inner.angle, state.outer.angle]))
     if len(bearing.layout.rows) == 1:
         mean = np.average(cosine, weights=load)
-    else:  # a row without load has the mean contact angle of all rows
+    else:  # a row without load is assigned the mean contact angle of all rows
         rows = [bearing.row == row for row in range(len(bearing.layout.rows))]
         loads = [load * row if (load * row).any() else load for row in rows]
         mean = np.array([np.average(cosine, weights=one) for one in loads])[bearing.row]
@@ -126,9 +126,9 @@ def orbit(bearing: Bearing, state: Equilibrium, speed: float) -> float | Floats:
 def turning(
     bearing: Bearing, speed: float, *loads: float, **options: Any
 ) -> tuple[Equilibrium, float | Floats]:
-    """(`Equilibrium`, `orbit` in rad/s) with the centrifugal load of balls that roll at `speed`
-    rad/s of the inner ring; loads and options as in `static.equilibrium`. The contact angles
-    determine the orbital speed and the orbital speed determines the angles, so both are iterated.
+    """Return (`Equilibrium`, `orbit` in rad/s), including the centrifugal load of balls that roll
+    at an inner ring speed of `speed` rad/s; loads and options are as in `static.equilibrium`. The
+    orbital speed depends on the contact angles and vice versa, so both are determined by iteration.
     With several grooves, the film in the gap is part of the iteration.
     """
     near, film = options.get("near"), options.get("film")

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Friction torque of a bearing by its makers' formulas, for comparison with the physical losses.
+"""Friction torque of a bearing from formulas of its makers, for comparison with the physical
+losses.
 
-In the units of the catalogues: mm, N, rpm, mm^2/s, and N mm. SKF's model is from Rolling
-bearings 10000 EN 2013 (pages 105 and 106) for deep-groove ball bearings and for single-row angular
-contact ball bearings, whose constants are in the General Catalogue 6000, 2006 (page 92 of the
-Russian edition, from the text layer in github.com/ArtemFilin1990/Mar).
+Units are those of the catalogues: mm, N, rpm, mm^2/s, and N mm. SKF's model for deep groove and
+single-row angular contact ball bearings is taken from Rolling bearings 10000 EN 2013 (pages 105 and
+106); the constants of the latter are in the General Catalogue 6000, 2006 (page 92 of the Russian
+edition, from the text layer in github.com/ArtemFilin1990/Mar).
 """
 
 from dataclasses import dataclass
@@ -15,7 +16,7 @@ import numpy as np
 from raceway.arrays import Numbers
 from raceway.core import laws
 
-# series: R1, R2, S1, S2
+# {series: (R1, R2, S1, S2)}
 CONSTANTS = {
     "60": (4.1e-7, 1.7, 3.73e-3, 14.6),
     "62": (3.9e-7, 1.7, 3.23e-3, 36.5),
@@ -25,13 +26,13 @@ CONSTANTS = {
     "618": (4.7e-7, 1.7, 6.50e-3, 0.78),
     "619": (4.3e-7, 1.7, 4.75e-3, 3.6),
 }
-# R1, R2, R3, S1, S2, S3 of single-row angular contact ball bearings, contact angle 40 degrees
+# (R1, R2, R3, S1, S2, S3) for single-row angular contact ball bearings, contact angle 40 degrees
 ANGULAR = {"72": (5.03e-7, 1.97, 1.90e-12, 1.30e-2, 0.68, 1.91e-12)}
 SAME = {"630": "60", "622": "62", "623": "63", "161": "160", "628": "618"}
-BOUNDARY, MINERAL, SYNTHETIC = 0.12, 0.05, 0.04  # mu_bl, and mu_EHL for each kind of oil
-OIL, GREASE = 3e-8, 6e-8  # K_rs: low oil bath and jet; grease and oil-air
-K_Z, K_Z_ANGULAR = 3.1, 4.4  # deep-groove and single-row angular contact ball bearings
-# values read from the diagram: level over mean diameter, V_M
+BOUNDARY, MINERAL, SYNTHETIC = 0.12, 0.05, 0.04  # mu_bl, and mu_EHL for the two kinds of oil
+OIL, GREASE = 3e-8, 6e-8  # K_rs for low oil bath and jet, and for grease and oil-air
+K_Z, K_Z_ANGULAR = 3.1, 4.4  # for deep groove and single-row angular contact ball bearings
+# values read from SKF's diagram: level over mean diameter, and V_M
 LEVEL = np.array([0, 0.065, 0.109, 0.148, 0.193, 0.252, 0.365, 0.5, 0.66, 0.87, 1.07, 1.2])
 CHURNING = 1e-5 * np.array([0, 2.9, 7.35, 13.8, 21.7, 31.6, 44.6, 56.6, 67.5, 83.6, 100.7, 124.6])
 
@@ -46,13 +47,13 @@ class Size(NamedTuple):
 
 @dataclass(frozen=True)
 class Boundary:
-    """Boundary dimensions (mm) and load rating (N) of a ball bearing as in its maker's
+    """Boundary dimensions (mm) and load rating (N) of a ball bearing, as in the maker's
     catalogue."""
 
     bore: float
     outside: float
     width: float
-    series: str  # of `CONSTANTS`, `SAME` or `ANGULAR`
+    series: str  # a key of `CONSTANTS`, `SAME` or `ANGULAR`
     static_rating: float  # C0, N
 
     def __post_init__(self):
@@ -75,7 +76,7 @@ class Boundary:
 
 
 class Torque(NamedTuple):
-    """SKF's friction torque, N mm."""
+    """SKF's friction torque in N mm, and its components."""
 
     total: Numbers
     rolling: Numbers  # phi_ish phi_rs G_rr (nu n)^0.6
@@ -98,12 +99,12 @@ def skf(
     level: float = 0.0,
     seal: float = 0.0,
 ) -> Torque:
-    """`Torque` under `radial` and `axial` load in N at `speed` in rpm with an oil of `kinematic`
-    viscosity in mm^2/s.
+    """Compute the `Torque` under a `radial` and an `axial` load in N at `speed` in rpm, with an oil
+    whose `kinematic` viscosity is in mm^2/s.
 
-    `replenishment` is K_rs, `boundary` and `film` are mu_bl and mu_EHL, `level` is the height of
-    the oil above the lowest raceway in mm (0: no drag; up to 1.2 d_m, `ValueError` beyond), `seal`
-    in N mm (0 for an open bearing).
+    `replenishment` is K_rs, and `boundary` and `film` are mu_bl and mu_EHL. `level` is the height
+    of the oil above the lowest point of the raceway in mm (0: no drag; at most 1.2 d_m, otherwise
+    `ValueError` is raised). `seal` is the torque of the seals in N mm (0 for an open bearing).
     """
     d, outside, mean = bearing.bore, bearing.outside, bearing.mean
     rolled, slid = _geometric(bearing, radial, np.abs(axial), speed)
@@ -117,7 +118,7 @@ def skf(
 
 
 def _geometric(bearing, radial, axial, speed):
-    """G_rr and G_sl of SKF's model; `axial` is not negative."""
+    """Return G_rr and G_sl of SKF's model; `axial` must not be negative."""
     mean = bearing.mean
     if bearing.series in ANGULAR:
         r1, r2, r3, s1, s2, s3 = ANGULAR[bearing.series]
@@ -127,7 +128,7 @@ def _geometric(bearing, radial, axial, speed):
             s1 * mean**0.26 * ((radial + s3 * thrown) ** (4 / 3) + s2 * axial ** (4 / 3)),
         )
     r1, r2, s1, s2 = CONSTANTS[SAME.get(bearing.series, bearing.series)]
-    # degrees; without axial load the angle is multiplied by zero
+    # degrees; if there is no axial load, the term with the angle is multiplied by zero
     angle = 24.6 * (np.where(axial > 0, axial, 1.0) / bearing.static_rating) ** 0.24
     sine = np.sin(np.radians(angle))
     slid = np.where(
@@ -139,7 +140,8 @@ def _geometric(bearing, radial, axial, speed):
 
 
 def drag(bearing: Boundary, speed: Numbers, kinematic: Numbers, level: float) -> Numbers:
-    """SKF's M_drag of one row of balls in an oil bath, N mm; arguments as `skf`."""
+    """Return SKF's M_drag in N mm for one row of balls in an oil bath; arguments are as in
+    `skf`."""
     mean = bearing.mean
     if not 0 <= level <= 1.2 * mean:
         raise ValueError(f"oil level {level} mm must lie between 0 and {1.2 * mean:g} mm")
@@ -164,10 +166,10 @@ def palmgren(
     bath: float = 2.0,
     static_load: Numbers | None = None,
 ) -> tuple[Numbers, Numbers]:
-    """(speed-dependent M0, load-dependent M1) in N mm after Palmgren (from memory, unchecked).
+    """Return (speed-dependent M0, load-dependent M1) in N mm by Palmgren (from memory, unchecked).
 
-    `bath` is f0, about 2 in an oil bath, which is not the f0 of SKF's product tables. f1 = 0.0004
-    (F_s/C0)^0.55 with F_s = `static_load` in N, by default `load`.
+    `bath` is f0, which is about 2 in an oil bath and is not the f0 in SKF's product tables. f1 is
+    0.0004 (F_s/C0)^0.55 with F_s = `static_load` in N, by default equal to `load`.
     """
     rate = np.asarray(kinematic * speed, float)
     moved = np.where(rate >= 2000, 1e-7 * np.maximum(rate, 1.0) ** (2 / 3), 160e-7)

@@ -1,23 +1,23 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Models of the contacts: their names in decks and options, the default model, and the figures that
-each model omits."""
+"""Models of the contacts: their names in decks and options, the default model, and the results that
+each model does not include."""
 
 from collections.abc import Iterable
 
 PAPER, DEFAULT = "paper", "full"
-STATICS = ("paper", "full", "eyring")  # runs also have "film": film of full, friction of paper
-CAPACITANCE = ("paper", "full")  # eyring has the films of full
-# The publication's friction between balls and raceways keeps the balls rolling. Its torque has no
-# rolling resistance, no slip within a contact patch and no drag: 29 uN m where the makers' formulas
-# give 146 mN m (main deck).
+STATICS = ("paper", "full", "eyring")  # runs also have "film": films of full, friction of paper
+CAPACITANCE = ("paper", "full")  # the films of eyring are those of full
+# In the publication, the friction between balls and raceways only keeps the balls rolling. The
+# torque includes neither rolling resistance nor slip within a contact patch nor drag: it is 29 uN m
+# where the makers' formulas give 146 mN m (main deck).
 WITHOUT_LOSSES = ("paper", "film")
 LOSSES = ("friction_torque_N_m", "power_loss_W", "losses_W", "asperity_share")
-HEADLINES = ("friction_torque_N_m",)  # if absent, a table shows the reason instead
+HEADLINES = ("friction_torque_N_m",)  # if one of these is absent, a table shows the reason instead
 
 
 def absent(models: str | None, keys: Iterable[str]) -> dict[str, str]:
-    """{key: reason} for the figures among `keys` that `models` omits; empty if it omits none of
-    them, and for a user's own models (None or another name).
+    """Return {key: reason} for those of `keys` that the `models` do not compute. The dict is empty
+    if they compute all of them, and for models defined by a user (None or another name).
 
     >>> absent("paper", ["friction_torque_N_m", "q_max_N"])
     {'friction_torque_N_m': 'not in models paper'}

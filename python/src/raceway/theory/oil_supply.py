@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Kinds of lubrication: the inlet of rolling contacts, SKF's starvation constant and the share of
-oil around the balls (docs/tribology, Kinds of lubrication)."""
+"""Kinds of lubrication, which determine the inlet of rolling contacts, SKF's starvation constant
+and the volume fraction of oil around the balls (docs/tribology, Kinds of lubrication)."""
 
 from typing import NamedTuple
 
@@ -11,26 +11,26 @@ KINDS = ("bath", "jet", "mist", "grease", "minimal")  # in the order of core/law
 
 
 class Supply(NamedTuple):
-    """How a bearing is lubricated."""
+    """The way in which a bearing is lubricated."""
 
     kind: str = "bath"  # one of `KINDS`
     level: float = 0.5  # level of a bath above the lowest raceway, in ball diameters
 
 
-BATH = Supply()  # oil level at the middle of the lowest ball
+BATH = Supply()  # the oil level is at the middle of the lowest ball
 
 
 class Numbers(NamedTuple):
-    """Friction parameters determined by a `Supply`."""
+    """Friction parameters that are determined by a `Supply`."""
 
-    inlet: float  # in semi-axes b along rolling; 0: flooded, 1: the shortest
-    replenishment: float  # K_rs of SKF's starvation factor; 0: none
+    inlet: float  # inlet length in multiples of b; 0: fully flooded, 1: the shortest inlet
+    replenishment: float  # K_rs of SKF's starvation factor; 0: no starvation
     share: float  # X, volume fraction of oil around the balls
 
 
 def numbers(supply: Supply, bearing: Bearing, density: float) -> Numbers:
-    """`Numbers` of a bearing with oil of a `density` in kg/m^3. Raises `ValueError` for an unknown
-    type or a level below 0."""
+    """Return the `Numbers` for a bearing with an oil whose `density` is in kg/m^3. Raises
+    `ValueError` for an unknown kind of lubrication or a level below 0."""
     if supply.kind not in KINDS:
         raise ValueError(f"lubrication '{supply.kind}' is not one of {', '.join(KINDS)}")
     if not supply.level >= 0:

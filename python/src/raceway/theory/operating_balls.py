@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of individual balls at an operating point, SI units."""
+"""Results for individual balls at an operating point, in SI units."""
 
 from typing import Any
 
@@ -10,9 +10,9 @@ from raceway.theory.static import Equilibrium
 
 
 def balls(state: Equilibrium, films: Lubrication | None) -> list[dict[str, Any]]:
-    """One mapping for each ball: loads, contact angles, pressures, semi-axes and, unless `films` is
-    None, the films. With several grooves per ring each ball has a list of `contacts`, with the
-    names of a record."""
+    """Return a list with one dict per ball: loads, contact angles, pressures, semi-axes and, unless
+    `films` is None, the films. If the rings have several grooves, each ball has a list of
+    `contacts`, whose keys are the names used in a record."""
     found = [{"azimuth_rad": float(one)} for one in state.azimuth]
     if films is not None:
         for ball, value in zip(found, films.ball):

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of a bearing at one operating point from theory: `figures` as a mapping, `table`
-(`operating_table`) as text.
+"""Results of a bearing at one operating point from theory: `figures` returns a dict, and `table`
+(`operating_table`) formats it as text.
 
-The keys are a public interface for scripts; figures shared with `summary` have the same key.
+The keys are a public interface for scripts; quantities that `summary` also returns have the same
+keys.
 """
 
 import math
@@ -67,26 +68,27 @@ def figures(
     supply: Supply = BATH,
     cage: cage_drag.CageRing | None = None,
 ) -> dict[str, Any]:
-    """Figures by name in SI units, text, numbers or None; `balls` is a list with one mapping for
-    each ball.
+    """Return a dict of results in SI units, which are texts, numbers or None; `balls` is a list
+    with one dict per ball.
 
-    `bearing` and `lubricant` are names or paths of data files, looked up in the inputs `folder`
-    (`catalogue.find`); the other arguments are as in `static.equilibrium`, with `rpm` of the inner
-    ring and the load along x. Degrees of freedom that are not `held` are free. `models` is one of
-    `models.STATICS`: "full" includes the film in the gap, inlet shear and the friction torque, with
-    the `spin_law` of `friction_torque.losses`; "eyring" also includes Eyring's stress with its
-    limit in the film. `temperature` of the lubricant is in degrees C, by default as in its file.
-    `cleanliness` is a word of `cleanliness.CLEANLINESS`. `four_point` in rad makes the bearing a
-    four-point contact bearing with that angle; the bearing's file may also specify it. Each of
-    `balls` then has a list of `contacts`. `double_row` gives the bearing two rows; `balls` lists
-    one row after the other. `dynamic` is C in N of a row and replaces the value in the file.
-    `supply` is the kind of lubrication, `cage` a cage that is one ring, whose losses count in the
-    friction torque. `absent` gives, by key, the reason why the models omit a figure.
+    `bearing` and `lubricant` are names or paths of data files, which are looked up in the inputs
+    `folder` (`catalogue.find`). The other arguments are as in `static.equilibrium`, with `rpm` of
+    the inner ring and the load along x. Degrees of freedom that are not `held` are free. `models`
+    is one of `models.STATICS`: "full" includes the film in the gap, inlet shear heating and the
+    friction torque, with the `spin_law` of `friction_torque.losses`; "eyring" also includes
+    Eyring's stress with its limit in the film. `temperature` is the lubricant temperature in
+    degrees C, by default the value in its file. `cleanliness` is a key of
+    `cleanliness.CLEANLINESS`. `four_point` in rad makes the bearing a four-point contact bearing
+    with that angle, which may also be specified in the bearing's file; each of `balls` then has a
+    list of `contacts`. `double_row` gives the bearing two rows, which `balls` lists one after the
+    other. `dynamic` is C in N of a row and replaces the value in the file. `supply` is the kind of
+    lubrication, and `cage` a cage that is one ring, whose losses are included in the friction
+    torque. In the result, `absent` maps the keys that the models do not compute to the reason.
 
     As in a deck, the ring is held along z if there is no axial load (`inputs.held`).
 
-    Raises `RacewayError`: `NoEquilibrium`, or `InputError` for a data file; `ValueError` for other
-    models or another word.
+    Raises `RacewayError`: `NoEquilibrium`, or `InputError` for a data file. Raises `ValueError` for
+    unknown models or another unknown word.
     """
     path = catalogue.find("bearings", bearing, folder)
     if models not in model_names.STATICS:
@@ -113,7 +115,7 @@ def figures(
         finite_shift=exact_circle,
         film=film,
     )
-    orbit = float(np.mean(orbits))  # mean over all rows
+    orbit = float(np.mean(orbits))  # averaged over all rows
     result = dict(
         bearing=path.name,
         lubricant=None if oil is None else str(lubricant),
@@ -147,7 +149,7 @@ def figures(
     result.update(_loads(state))
     pressure = max(result["p_max_inner_Pa"], result["p_max_outer_Pa"])
     result.update(static_safety=life.static_safety(pressure))
-    # the file's ratings do not apply to a deep groove bearing to which an option adds grooves
+    # the ratings in the file do not apply to a deep groove bearing to which an option adds grooves
     if four_point == stated or dynamic is not None:
         angle = nominal if four_point is None else four_point
         result.update(_life(path, body, state, rpm, fluid, cleanliness, angle, dynamic))
@@ -220,12 +222,13 @@ def figures(
 
 
 def _wide(body):
-    """The warning that the rating used for the life applies to narrower grooves."""
+    """Return the warning that the rating used for the life is for narrower grooves, if it
+    applies."""
     if min(wide := life.wide_grooves(body)) >= 1 - 1e-9:
         return []
     return [
         "groove radii above {:g} (inner) and {:g} (outer) of the ball diameter reduce the load"
-        " ratings of the balls to {:.0%} and {:.0%} of the ratings by the file's C".format(
+        " ratings of the balls to {:.0%} and {:.0%} of those that follow from C in the file".format(
             *life.CONFORMITY, *wide
         )
     ]
@@ -237,14 +240,14 @@ def _sliding(state, friction, needed):
     if not slide.any():
         return []
     return [
-        f"{slide.sum()} balls have less friction than the coefficient of {needed.max():.2g} that"
-        " their gyroscopic moment needs: they slide across their grooves, and a run may skid and"
-        " lose more"
+        f"the friction of {slide.sum()} balls is below the coefficient of {needed.max():.2g} that"
+        " their gyroscopic moment requires: they slide across their grooves, and in a run they may"
+        " skid and dissipate more"
     ]
 
 
 def _oil(lubricant, folder, temperature):
-    """(`Oil`, `Fluid`), or (None, None) for no lubricant or a dry one."""
+    """Return (`Oil`, `Fluid`), or (None, None) if there is no lubricant or it is dry."""
     if lubricant is None:
         return None, None
     path = _lubricant(lubricant, folder)
@@ -269,11 +272,11 @@ def _complete(fluid, models):
 
 
 def _makers(body, boundary, load, axial, rpm, viscosity):
-    """Torque by the makers' formulas, which apply to one groove per ring, if the file has the
-    required data."""
+    """Return the torque by the makers' formulas, which are for one groove per ring, if the file has
+    the required data."""
     if boundary is None or body.layout != Layout():
         return dict(torque_skf_N_m=None, torque_palmgren_N_m=None)
-    level = 500 * body.ball_diameter  # mm above the lowest raceway: the middle of a ball
+    level = 500 * body.ball_diameter  # mm above the lowest raceway, i.e. at the middle of a ball
     return dict(
         torque_skf_N_m=1e-3 * makers.skf(boundary, load, axial, rpm, viscosity, level=level).total,
         torque_palmgren_N_m=1e-3 * sum(makers.palmgren(boundary, load, rpm, viscosity)),
@@ -281,8 +284,8 @@ def _makers(body, boundary, load, axial, rpm, viscosity):
 
 
 def _basic_life(body, figures, angle):
-    """L_10 of ISO 281; the standard's table of load factors applies to one row and one groove per
-    ring."""
+    """Return L_10 of ISO 281 with its load; the table of load factors in the standard is for one
+    row and one groove per ring."""
     axial, layout = figures["axial_N"], body.layout
     if axial and layout != Layout():
         return {}
@@ -299,7 +302,8 @@ def _basic_life(body, figures, angle):
 
 
 def _life(path, body, state, rpm, fluid, cleanliness, angle, dynamic):
-    """Life of a bearing with a basic `dynamic` load rating in N, by default from its file."""
+    """Return the life of a bearing whose `dynamic` load rating is in N, by default from its
+    file."""
     result = {}
     stated, rows = inputs.minimum_load(path), len(body.layout.rows)
     if rows == 1 and stated and rpm and fluid is not None and not math.isnan(fluid.kinematic):
@@ -312,7 +316,7 @@ def _life(path, body, state, rpm, fluid, cleanliness, angle, dynamic):
         rated = life.Ratings(dynamic, math.nan, math.nan)
     elif dynamic is not None:
         rated = rated._replace(dynamic=dynamic)
-    # for all rows, from the ratings of one row
+    # convert the ratings of one row to those of all rows
     rated = life.Ratings(rated.dynamic * rows**0.7, rated.static * rows, rated.fatigue * rows)
     known = fluid is not None and not math.isnan(fluid.kinematic + rated.fatigue)
     viscosity = fluid.kinematic if known else None
@@ -395,12 +399,14 @@ def _loads(state):
 
 
 def _rounded(values):
-    """Values with rounding errors below 1e-9 of the largest set to zero, for symmetry."""
+    """Set values below 1e-9 of the largest to zero, because by symmetry they are rounding
+    errors."""
     return np.where(np.abs(values) > 1e-9 * np.abs(values).max(), values, 0.0)
 
 
 def _plain(value):
-    """`value` for JSON; None for NaN, as for the capacitance of contacts without film."""
+    """Convert `value` for JSON; NaN, e.g. the capacitance of contacts without a film, becomes
+    None."""
     if isinstance(value, dict):
         return {key: _plain(one) for key, one in value.items()}
     if isinstance(value, list):

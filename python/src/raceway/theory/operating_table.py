@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The figures of `operating_point` as text."""
+"""Format the results of `operating_point` as text."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -29,7 +29,7 @@ TOPICS = {
         Row("orbital_speed_rad_s", "cage speed", "rad/s", "rolling, Harris ch. 10"),
         Row(
             "ball_excursion_m",
-            "balls ahead of to behind the cage",
+            "excursion of balls in the cage",
             "m",
             "free, from contact angles",
         ),
@@ -106,7 +106,7 @@ TOPICS = {
         row("capacitance_top_F"),
     ),
 }
-CURVES = (  # of the table of several points: key, heading, scale
+CURVES = (  # columns of the table for several points: key, heading, scale
     ("load_N", "load N", 1),
     ("axial_N", "axial N", 1),
     ("rpm", "rpm", 1),
@@ -120,7 +120,7 @@ CURVES = (  # of the table of several points: key, heading, scale
     ("friction_torque_N_m", "torque N mm", 1e3),
     ("capacitance_F", "plates pF", 1e12),
 )
-COLUMNS = (  # of the table of balls: key, heading, SI unit
+COLUMNS = (  # columns of the table of balls: key, heading, SI unit
     ("azimuth_rad", "azimuth, °", "deg"),
     ("q_inner_N", "Q inner", "N"),
     ("q_outer_N", "Q outer", "N"),
@@ -134,7 +134,7 @@ COLUMNS = (  # of the table of balls: key, heading, SI unit
     ("lambda_outer", "lambda out.", ""),
     ("capacitance_F", "C", "F"),
 )
-CONTACT_COLUMNS = (  # of the table of contacts with several grooves per ring
+CONTACT_COLUMNS = (  # columns of the table of contacts if the rings have several grooves
     ("azimuth_rad", "azimuth, °", "deg"),
     ("raceway", "contact", None),
     ("q_N", "Q", "N"),
@@ -147,12 +147,13 @@ CONTACT_COLUMNS = (  # of the table of contacts with several grooves per ring
 
 
 def curves(results: Sequence[Mapping[str, Any]]) -> str:
-    """Several results of `figures` as text, one line each."""
+    """Format several results of `figures` as text, with one line per result."""
     return several(results, CURVES)
 
 
 def table(result: Mapping[str, Any]) -> str:
-    """The result of `figures` as text: one block for each topic, then one row for each ball."""
+    """Format the result of `figures` as text, with one block per topic and then one row per
+    ball."""
     filled = {row.key: result.get(row.key) for rows in TOPICS.values() for row in rows}
     filled.update({key: why for key, why in result["absent"].items() if key in models.HEADLINES})
     filled.update({f"loss_{part}_W": loss for part, loss in (result["losses_W"] or {}).items()})
@@ -168,7 +169,7 @@ def table(result: Mapping[str, Any]) -> str:
 
 
 def _table_of_balls(balls):
-    """One row for each ball; with several grooves per ring, one row for each loaded contact."""
+    """Return one row per ball or, if the rings have several grooves, one row per loaded contact."""
     if "contacts" in balls[0]:
         columns = CONTACT_COLUMNS
         found = [

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Stiffness and damping of a bearing's ring from statics and films: at one position of the balls,
-and as mean and spread over a ball pass.
+"""Stiffness and damping of a bearing's ring from statics and films, either at one position of the
+balls or as mean and range over a ball pass.
 
-Damping comes only from the films and the steel of the contacts. Seats, housing, grease and friction
-are omitted.
+Damping is due only to the films and the steel of the contacts; seats, housing, grease and friction
+are not included.
 """
 
 import math
@@ -23,8 +23,8 @@ from raceway.theory.models import DEFAULT
 from raceway.theory.small_motion import Response, response
 from raceway.theory.static import Equilibrium, equilibrium
 
-PHASES = 8  # positions of the balls over a ball pass
-# contact dampers by models
+PHASES = 8  # number of positions of the balls in a ball pass
+# laws of the contact dampers, by models
 LAWS = {
     "paper": "steel and squeeze film, eqs 4 and 5",
     "full": "steel, eq 4, and film branch",
@@ -33,14 +33,15 @@ LAWS["eyring"] = LAWS["full"]
 
 
 class Dampers(NamedTuple):
-    """Dampers in parallel with the springs of the contacts (C, Z), in the order of `seat`."""
+    """Dampers in parallel with the springs of the contacts (C, Z), in the order used in `seat`."""
 
     damping: Floats  # N s/m
     stiffening: Floats  # N/m
 
 
 class OverPass(NamedTuple):
-    """`Response` over a ball pass; least and greatest values are entry by entry."""
+    """`Response` over a ball pass; the least and greatest values are taken for each entry
+    separately."""
 
     mean: Response
     least: Response
@@ -57,11 +58,12 @@ def dampers(
     clearance: float = 0.0,
     frequency: float = 0.0,
 ) -> Dampers:
-    """`Dampers` of the contacts of an equilibrium with its films, the same as in the simulation
-    with these `models` (a key of `LAWS`). `clearance` in m is that of `state`.
+    """Return the `Dampers` of the contacts at an equilibrium with its films, which are the same as
+    in a simulation with these `models` (a key of `LAWS`). `clearance` in m must be the one used for
+    `state`.
 
-    The film branch depends on the `frequency` of the motion, in rad/s. Raises `ValueError` for
-    other models.
+    The film branch depends on the `frequency` of the motion in rad/s. Raises `ValueError` for
+    unknown models.
     """
     if models not in LAWS:
         raise ValueError(f"models '{models}' is not one of {', '.join(LAWS)}")
@@ -94,7 +96,8 @@ def dampers(
 
 
 def over_pass(at: Callable[[float], Response], balls: int, phases: int = PHASES) -> OverPass:
-    """`OverPass` of `at`(phase in rad) at equidistant `phases` of the ball pass of `balls` balls.
+    """Evaluate `at`(phase in rad) at equidistant `phases` of the ball pass of `balls` balls, and
+    return the result as an `OverPass`.
 
     >>> from raceway.theory.bearing import Bearing
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
@@ -125,12 +128,12 @@ def turning_ring(
     phases: int = PHASES,
     **options: Any,
 ) -> OverPass:
-    """`OverPass` under a radial load along x and an axial load (N), with the inner ring at `speed`
-    rad/s.
+    """Return the `OverPass` under a radial load along x and an axial load (N), with the inner ring
+    at `speed` rad/s.
 
-    Without an `oil` there is no damping. "full" `models` also need the `fluid`. `frequency` of the
-    motion is in rad/s, 0 for slow motion. `options` (clearance, moment, held and others) are passed
-    to `static.equilibrium`. Raises `NoEquilibrium`.
+    Without an `oil` there is no damping. The `models` "full" also need the `fluid`. `frequency` of
+    the motion is in rad/s, 0 for slow motion. `options` (clearance, moment, held and others) are
+    passed to `static.equilibrium`. Raises `NoEquilibrium`.
     """
     film = None
     if oil is not None and speed and models == "full":
@@ -138,11 +141,11 @@ def turning_ring(
             raise ValueError("models full need the fluid")
         film = FilmInGap(fluid, speed)
     clearance = options.get("clearance", 0.0)
-    # a film hardly affects the contact angles but takes long to solve for
+    # without the film, which hardly affects the contact angles but makes the solution slow
     _, orbit = turning(bearing, speed, load, axial, **options)
 
     def at(phase):
-        # with several grooves, the balls' motion determines the entrainment
+        # with several grooves, the entrainment speed depends on the motion of the balls
         if film is not None and len(bearing.raceways) > 2:
             state, _ = turning(bearing, speed, load, axial, phase=phase, film=film, **options)
         else:

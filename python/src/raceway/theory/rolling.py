@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Rolling resistance: hydrodynamic, in the inlet of the film, and from hysteresis of the steel.
+"""Rolling resistance due to the hydrodynamic force in the film inlet and to hysteresis of the
+steel.
 
 Both act on ball and ring as equal and opposite couples about the axis of the relative rolling
-velocity w, which they oppose. Numbers or arrays of one shape, SI units; fully flooded and
-isothermal.
+velocity w, and oppose it. Functions accept numbers or arrays of equal shape in SI units, for fully
+flooded and isothermal contacts.
 """
 
 from raceway.arrays import Numbers
@@ -18,37 +19,40 @@ def hydrodynamic(
     speed: Numbers,
     load: Numbers,
 ) -> Numbers:
-    """f in N; the contact loses the power 2 f u. Biboulet and Houpert 2010, part 2, eq 32, written
-    as powers of U = eta u/(E' R_x), W and R_y/R_x by Balan et al. 2015, which differs by less than
-    0.6 % for a ball bearing.
+    """Return the force f in N; the power dissipated in the contact is 2 f u. The formula is
+    Biboulet and Houpert 2010, part 2, eq 32, written by Balan et al. 2015 with powers of U = eta
+    u/(E' R_x), W and R_y/R_x, which differs by less than 0.6 % for a ball bearing.
 
-    eta in Pa s, E' in Pa, R_x and R_y in m, u in m/s, Q in N. Valid for kappa up to 60 and p_max
-    from 0.06 to 4 GPa. Zero at rest and without load.
+    eta is in Pa s, E' in Pa, R_x and R_y in m, u in m/s and Q in N. The formula is valid for kappa
+    up to 60 and p_max from 0.06 to 4 GPa. The force is zero at zero speed and at zero load.
     """
     return laws.rolling_force(viscosity, modulus, r_x, r_y, speed, load)
 
 
 def inlet(length: float, h_c: Numbers, b: Numbers, r_x: Numbers) -> Numbers:
-    """Share of `hydrodynamic` that remains with an inlet of `length` in semi-axes b, 1/2 to 1; 0 is
-    flooded, 1 the shortest. h_c, b and R_x in m."""
+    """Return the fraction of `hydrodynamic` that remains with an inlet of `length` in multiples of
+    b, which is between 1/2 and 1. A length of 0 means fully flooded and 1 is the shortest inlet.
+    h_c, b and R_x are in m."""
     return laws.rolling_inlet(length, h_c, b, r_x)
 
 
 def couple(force: Numbers, r_x: Numbers) -> Numbers:
-    """2 f R_x in N m: the couple of a hydrodynamic force f; its power at Omega = u/R_x is 2 f u."""
+    """Return the couple 2 f R_x in N m of a hydrodynamic force f; its power at Omega = u/R_x is 2 f
+    u."""
     return 2 * force * r_x
 
 
 def hysteresis(load: Numbers, b: Numbers, loss: float) -> Numbers:
-    """Couple alpha Q 2b/(3 pi) in N m for a load Q in N and the semi-axis b along rolling in m;
-    `loss` is alpha, 0.005 to 0.05 for steel (Schwarz et al. 2023; Johnson 1985, section 9.4).
+    """Return the couple alpha Q 2b/(3 pi) in N m for a load Q in N and the semi-axis b along
+    rolling in m; `loss` is alpha, 0.005 to 0.05 for steel (Schwarz et al. 2023; Johnson 1985,
+    section 9.4).
 
-    This is the couple of a line contact; see `hysteresis_strips`.
+    This is the couple of a line contact; see also `hysteresis_strips`.
     """
     return laws.hysteresis_couple(loss, load, b)
 
 
 def hysteresis_strips(load: Numbers, b: Numbers, loss: float) -> Numbers:
-    """3/16 alpha Q b in N m: the line contact's couple integrated strip by strip over the ellipse,
-    12 % less than `hysteresis`."""
+    """Return 3/16 alpha Q b in N m, the couple of a line contact integrated strip by strip over the
+    ellipse, which is 12 % less than `hysteresis`."""
     return 3 / 16 * loss * load * b

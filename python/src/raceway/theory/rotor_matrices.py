@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A rotor given as matrices by a rotor dynamics program, and its bending modes.
+"""A rotor whose matrices are given by a rotor dynamics program, and its bending modes.
 
-A node has the degrees of freedom x, y, z, rx, ry, rz (ROSS since 2.0) or x, y, rx, ry (ROSS before
-2.0); axes are right-handed, with z along the shaft. M q'' + (C + spin G) q' + K q = f in kg, m, s,
-N and rad, spin in rad/s. The rotor must be free, because the simulation adds the bearings.
+The degrees of freedom of a node are x, y, z, rx, ry, rz (ROSS since 2.0) or x, y, rx, ry (ROSS
+before 2.0); axes are right-handed, with z along the shaft. The matrices satisfy M q'' + (C + spin
+G) q' + K q = f in kg, m, s, N and rad, with the spin in rad/s. The rotor must be free, because the
+simulation adds the bearings.
 """
 
 from collections.abc import Sequence
@@ -16,10 +17,10 @@ from raceway.arrays import Floats
 from raceway.theory import beam_motion, shaft_bending
 from raceway.theory.beam import FREEDOMS
 
-# indices of our degrees of freedom, by number of degrees of freedom per node
+# indices of this package's degrees of freedom, by number of degrees of freedom per node
 OURS = {4: (0, 1, 3, 4), 6: (0, 1, 2, 3, 4)}
 THEIRS = {4: (0, 1, 2, 3), 6: (0, 1, 2, 3, 4)}
-SMALL = 1e-9  # rounding tolerance, fraction of the largest number
+SMALL = 1e-9  # tolerance for rounding errors, as a fraction of the largest number
 NEAR = 1e-6  # m, tolerance of a node's position
 PROPER = 1e-6  # largest coupling of modes by damping, as a fraction of the diagonal
 
@@ -27,7 +28,7 @@ PROPER = 1e-6  # largest coupling of modes by damping, as a fraction of the diag
 class Rotor(NamedTuple):
     """A free rotor with N nodes."""
 
-    z: Floats  # (N,), m, rising
+    z: Floats  # (N,), m, increasing
     whole: beam_motion.Matrices  # (5 N, 5 N)
     damping: Floats  # (5 N, 5 N)
 
@@ -39,11 +40,12 @@ def rotor(
     gyroscopic: ArrayLike,
     damping: ArrayLike | None = None,
 ) -> Rotor:
-    """`Rotor` of nodes at `z` (N,) in m and matrices (n, n), n = 4 N or 6 N, without bearings.
+    """Create a `Rotor` without bearings from nodes at `z` (N,) in m and matrices (n, n), where n is
+    4 N or 6 N.
 
     Raises `ValueError` for properties that `fix bearing/shaft` does not support: matrices that are
-    not symmetric (G: not antisymmetric), matrices that differ between the planes, and stiffness or
-    damping that holds the rotor.
+    not symmetric (for G: not antisymmetric), matrices that differ between the two planes, and
+    stiffness or damping that restrains the rotor.
 
     >>> from raceway.theory.beam import Section, divided
     >>> z, pieces = divided([Section(0.4, 0.04)], [0.1, 0.2, 0.3])
@@ -57,7 +59,7 @@ def rotor(
     """
     z = np.asarray(z, float)
     if z.ndim != 1 or len(z) < 2 or not np.all(np.isfinite(z)) or not np.all(np.diff(z) > 0):
-        raise ValueError("positions of the nodes must be two or more, finite and rising")
+        raise ValueError("there must be at least two node positions, finite and increasing")
     given = dict(M=mass, K=stiffness, G=gyroscopic)
     if damping is not None:
         given["C"] = damping
@@ -76,18 +78,18 @@ def bending(
     damping: float = 0.0,
     places: Sequence[float] = (),
 ) -> shaft_bending.Bending:
-    """Bending of `of`, as in `shaft_bending.bending`, with its own damping and the `damping`
-    ratio of every mode.
+    """Return the bending of `of` like `shaft_bending.bending`, with the rotor's own damping in
+    addition to the `damping` ratio of every mode.
 
-    The nodes at `kept` (m) respond exactly to steady loads. Stations are these nodes, the centre of
-    mass and `places` (m) anywhere on the rotor. Between two nodes they follow from Timoshenko's
-    beam without loads: exact for an element with constant section. Raises `ValueError` for a kept
-    position without a node, a position off the rotor, too many modes, and damping that couples
-    them.
+    The response of the nodes at `kept` (m) to steady loads is exact. Stations are these nodes, the
+    centre of mass and `places` (m), which may be anywhere on the rotor. Between two nodes,
+    displacements follow from a Timoshenko beam without loads, which is exact for an element with
+    constant cross-section. Raises `ValueError` for a kept position without a node, a position off
+    the rotor, too many modes, and damping that couples the modes.
     """
     nodes = sorted({node(of, place) for place in kept})
     if not nodes:
-        raise ValueError("needs positions to keep: the positions of bearings")
+        raise ValueError("needs positions to keep, such as those of the bearings")
     everywhere = range(len(of.z))
     found = shaft_bending.bending(of.z, of.whole, nodes, modes, everywhere, damping)
     stations = [*of.z[nodes], found.body.centre, *places]
@@ -104,22 +106,22 @@ def bending(
 
 
 def node(of: Rotor, place: float) -> int:
-    """The number of the node at `place` (m). Raises `ValueError` if there is none."""
+    """Return the number of the node at `place` (m). Raises `ValueError` if there is none."""
     nearest = int(np.argmin(np.abs(of.z - place)))
     if not abs(of.z[nearest] - place) <= NEAR:
         raise ValueError(
-            f"a kept place must be a node: none is at {place:g} m, the nearest is at"
+            f"a kept position must be a node: none is at {place:g} m, the nearest is at"
             f" {of.z[nearest]:g} m"
         )
     return nearest
 
 
 def _ours(name, matrix, nodes):
-    """(5 N, 5 N) matrix in our degrees of freedom."""
+    """Convert a matrix to this package's degrees of freedom, (5 N, 5 N)."""
     sizes = [freedoms * nodes for freedoms in OURS]
     if matrix.shape not in [(size, size) for size in sizes]:
         raise ValueError(
-            f"{name} is {' x '.join(map(str, matrix.shape))}, and {nodes} nodes need"
+            f"{name} is {' x '.join(map(str, matrix.shape))}, but {nodes} nodes need"
             f" {sizes[0]} x {sizes[0]} or {sizes[1]} x {sizes[1]}"
         )
     if not np.all(np.isfinite(matrix)):
@@ -135,7 +137,7 @@ def _ours(name, matrix, nodes):
 
 
 def _check(of):
-    # tilts as lengths over an element, so that one tolerance applies to all entries
+    # tilts are multiplied by the element length, so that one tolerance applies to all entries
     length = np.diff(of.z).mean()
     unit = np.tile([1.0, 1.0, 1.0, 1 / length, 1 / length], len(of.z))
     one, other = shaft_bending.planes(len(of.z))
@@ -149,22 +151,22 @@ def _check(of):
             if np.abs(rest).max() > small:
                 raise ValueError(f"{name} {why}")
     if not np.all(np.linalg.eigvalsh(one.T @ of.whole.mass @ one) > 0):
-        raise ValueError("M is not positive definite across the shaft")
+        raise ValueError("M is not positive definite transverse to the shaft")
 
 
 def _faults(name, matrix, one, other, rigid):
-    """(error text, entries that must be 0) of a matrix; `one` and `other` select its planes, and
-    `rigid` has the motions of a rigid body in one."""
+    """Yield (error text, entries that must be 0) for a matrix; `one` and `other` select its planes,
+    and `rigid` contains the motions of a rigid body in one plane."""
     own, both = one.T @ matrix @ one, one.T @ matrix @ other
     if name == "G":
         yield "is not antisymmetric", matrix + matrix.T
         yield "differs between the planes of x and y", both - both.T
         return
     yield "is not symmetric", matrix - matrix.T
-    if name != "M":  # before the planes are compared, because bearings often differ between them
+    if name != "M":  # checked before the planes are compared, because bearings often differ there
         yield (
-            "holds the rotor: a motion as a rigid body must be free. Leave bearings, seals and"
-            " axial forces out; ROSS has M0, K0, C0 and G0 without bearings",
+            "restrains the rotor, which must be free to move as a rigid body. Leave bearings, seals"
+            " and axial forces out; in ROSS, M0, K0, C0 and G0 do not include bearings",
             own @ rigid / np.abs(rigid).max(),
         )
     yield "differs between the planes of x and y", own - other.T @ matrix @ other
@@ -172,14 +174,15 @@ def _faults(name, matrix, one, other, rigid):
 
 
 def _element(of, k):
-    """(4, 4) stiffness block in the plane of x between the nodes k and k + 1."""
+    """Return the stiffness (4, 4) in the plane of x of the element between nodes k and k + 1."""
     at = np.array([FREEDOMS * k, FREEDOMS * k + 4])
     return of.whole.stiffness[np.ix_(at, at + FREEDOMS)]
 
 
 def _shape(of, shape, place):
-    """(n, 2) displacement and tilt at `place` (m) of the modes with `shape` (n, N, 2) at the nodes.
-    Static shapes of Timoshenko's element: Przemieniecki 1968, ch. 5."""
+    """Return displacement and tilt (n, 2) at `place` (m) for the modes whose `shape` (n, N, 2) is
+    given at the nodes, using the static shapes of Timoshenko's element (Przemieniecki 1968, ch.
+    5)."""
     k = int(np.clip(np.searchsorted(of.z, place) - 1, 0, len(of.z) - 2))
     length = of.z[k + 1] - of.z[k]
     u = min(max((place - of.z[k]) / length, 0.0), 1.0)
@@ -188,7 +191,8 @@ def _shape(of, shape, place):
     block = _element(of, k)
     if not block[0, 0] < 0:
         raise ValueError(f"no shaft joins the nodes at {of.z[k]:g} and {of.z[k + 1]:g} m")
-    soft = 2 + 12 * block[1, 1] / (block[0, 0] * length**2)  # shear over bending displacement
+    # ratio of shear to bending displacement
+    soft = 2 + 12 * block[1, 1] / (block[0, 0] * length**2)
     moved = np.array(
         [
             1 - 3 * u**2 + 2 * u**3 + soft * (1 - u),
@@ -210,8 +214,8 @@ def _shape(of, shape, place):
 
 
 def _modal_damping(of, found):
-    """Modal damping (n,) in N s/m from the rotor's own damping; `found` has all nodes as
-    stations."""
+    """Return the modal damping (n,) in N s/m due to the rotor's own damping; all nodes must be
+    stations of `found`."""
     shapes = found.shape.reshape(len(found.mass), -1).T
     plane = shaft_bending.planes(len(of.z))[0]
     whole = shapes.T @ plane.T @ of.damping @ plane @ shapes

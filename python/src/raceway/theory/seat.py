@@ -2,10 +2,10 @@
 """Equilibrium position of a ball between the grooves of an inner and an outer ring, in the plane
 through the bearing's axis (Jones 1960).
 
-Coordinates are (radial, axial) in m. Each of Z balls has C contacts, one for each groove, inner
-grooves first. Each contact is a spring with its `contact_law`. Its energy is convex in the ball's
-position, and so is the total energy with the centrifugal load. A ball therefore moves from groove
-to groove without a jump.
+Coordinates are (radial, axial) in m. Each of Z balls has C contacts, one for each groove, with
+inner grooves first. Each contact is a spring that obeys its `contact_law`. Its energy is a convex
+function of the ball's position, and so is the total energy including the centrifugal load. A ball
+therefore moves from groove to groove without a jump.
 """
 
 from collections.abc import Callable
@@ -21,37 +21,39 @@ from raceway.theory.small_motion import Linear
 
 
 class Grooves(NamedTuple):
-    """Surroundings of the balls: grooves, stiffness and centrifugal load."""
+    """Surroundings of the balls: grooves, contact stiffness and centrifugal load."""
 
-    # balls (Z, 2) -> `Reach` to the circles of the inner grooves' centres, arrays (inner grooves,
-    # Z)
+    # maps balls (Z, 2) to the `Reach` to the circles of the inner groove centres, with arrays
+    # (inner
+    # grooves, Z)
     inner: Callable[[Floats], circle.Reach]
-    outer: Floats  # (outer grooves, Z, 2), m: centres of curvature of the outer grooves
+    outer: Floats  # (outer grooves, Z, 2), m, centres of curvature of the outer grooves
     gap: Floats  # (C, 1), m: r_c - R_b
-    stiffness: Floats  # (C, Z), N/m^1.5
-    centrifugal: Floats  # (Z,), N, outwards
-    law: Law  # of overlaps (C, Z)
+    stiffness: Floats  # (C, Z), N/m^1.5, contact stiffness
+    centrifugal: Floats  # (Z,), N, centrifugal load, which is directed outwards
+    law: Law  # contact law for overlaps (C, Z)
 
 
 class Touch(NamedTuple):
     """Contacts of balls at given positions."""
 
-    distance: Floats  # (C, Z), m, ball to centre of curvature
-    direction: Floats  # (C, Z, 2), from ball to raceway
+    distance: Floats  # (C, Z), m, from the ball to the centre of curvature
+    direction: Floats  # (C, Z, 2), unit vectors from ball to raceway
     load: Floats  # (C, Z), N
-    along: Floats  # (C, Z), N/m: stiffness of each contact along its line of action
+    along: Floats  # (C, Z), N/m, stiffness of each contact along its line of action
     energy: Floats  # (C, Z), J
-    elastic: Floats  # (C, Z), m: compression of the steel
-    reach: circle.Reach  # of the inner grooves
+    elastic: Floats  # (C, Z), m, compression of the steel
+    reach: circle.Reach  # distances from the inner grooves
 
     @property
     def carried(self) -> Floats:
-        """(Z,), bool: balls with an inner contact; other balls do not support the inner ring."""
+        """(Z,), bool, True for balls with an inner contact; other balls do not support the inner
+        ring."""
         return (self.load[: len(self.reach.distance)] > 0).any(0)
 
     @property
     def curve(self) -> Floats:
-        """(C, Z, 2, 2): second derivatives of the distances with respect to the ball's position."""
+        """(C, Z, 2, 2), second derivatives of the distances with respect to the ball's position."""
         inner = len(self.reach.distance)
         line = self.direction[inner:, :, :, None] * self.direction[inner:, :, None, :]
         outer = (np.eye(2) - line) / np.maximum(self.distance[inner:], 1e-300)[..., None, None]
@@ -59,7 +61,7 @@ class Touch(NamedTuple):
 
 
 def touch(grooves: Grooves, ball: Floats) -> Touch:
-    """`Touch` of balls (Z, 2)."""
+    """Return the `Touch` of balls at the positions `ball` (Z, 2)."""
     reach, arm = grooves.inner(ball), ball - grooves.outer
     length = np.linalg.norm(arm, axis=-1)
     distance = np.concatenate([reach.distance, length])
@@ -69,26 +71,26 @@ def touch(grooves: Grooves, ball: Floats) -> Touch:
 
 
 def energy(grooves: Grooves, touch: Touch, ball: Floats) -> Floats:
-    """Energy (Z,) in J of all springs, minus the work of the centrifugal load."""
+    """Return the energy (Z,) in J of all springs, minus the work of the centrifugal load."""
     return touch.energy.sum(0) - grooves.centrifugal * (ball[:, 0] - grooves.outer[0, :, 0])
 
 
 def gradient(grooves: Grooves, touch: Touch) -> Floats:
-    """Derivative (Z, 2) of the energy, N: minus the force on each ball."""
+    """Return the derivative (Z, 2) of the energy in N, which is minus the force on each ball."""
     result = (touch.load[..., None] * touch.direction).sum(0)
     result[:, 0] -= grooves.centrifugal
     return result
 
 
 def hessian(touch: Touch) -> Floats:
-    """Second derivative (Z, 2, 2) of the energy, N/m: the stiffness of each spring along its line
-    of action, and Q/s across it."""
+    """Return the second derivative (Z, 2, 2) of the energy in N/m, which consists of the stiffness
+    of each spring along its line of action, and of Q/s across it."""
     line = touch.direction[..., :, None] * touch.direction[..., None, :]
     return _springs(touch.along, line, touch.load, touch.curve).sum(0)
 
 
 def linear(touch: Touch) -> Linear:
-    """`Linear` of all balls."""
+    """Return the `Linear` of all balls."""
     inner, count = len(touch.reach.distance), touch.load.shape[1]
     line, curve = np.zeros((2, len(touch.load), count, 7, 7))
     approach = np.zeros((len(touch.load), count, 7))
@@ -104,15 +106,16 @@ def _springs(along, line, load, curve):
 
 
 def nearest(grooves: Grooves) -> tuple[Floats, ...]:
-    """The inner and outer groove that compress each ball most, or leave it the least play:
-    (compression (Z,) in m, negative with play; unit vector (Z, 2) from the outer to the inner
-    centre; their distance (Z,); outer centre (Z, 2); contacts (2, Z) by index)."""
+    """For each ball, find the inner and the outer groove that compress it most, or that leave it
+    the least play. Return (compression (Z,) in m, negative if there is play; unit vector (Z, 2)
+    from the outer to the inner centre; distance (Z,) between these centres; outer centre (Z, 2);
+    indices of the two contacts (2, Z))."""
     pairs, inner = [], None
     for k, outer in enumerate(grooves.outer):
         inner = grooves.inner(outer)
         count = len(inner.distance)
         gap = grooves.gap[:count] + grooves.gap[count + k]
-        # exact if the circle lies in the ball's plane
+        # exact if the circle lies in the plane of the ball
         line = -inner.distance[..., None] * inner.slope[..., :2]
         number = np.broadcast_to([[[i], [count + k]] for i in range(count)], (count, 2, len(outer)))
         centre = np.broadcast_to(outer, line.shape)
@@ -124,15 +127,16 @@ def nearest(grooves: Grooves) -> tuple[Floats, ...]:
 
 
 def settle(grooves: Grooves, near: Floats | None = None) -> Floats:
-    """Positions (Z, 2) in which every ball is in equilibrium. If nearby positions `near` are given,
-    balls that are held start there. Raises `NoEquilibrium` if Newton's method does not find one."""
+    """Return the positions (Z, 2) at which every ball is in equilibrium. If nearby positions `near`
+    are given, the search starts there for balls that are held. Raises `NoEquilibrium` if Newton's
+    method does not converge."""
     centrifugal, stiffness = grooves.centrifugal, grooves.stiffness
     tight, line, distance, outer, pair = nearest(grooves)
     balls = np.arange(len(outer))
     squeeze, play = np.maximum(tight, 0), np.minimum(tight, 0)
     soft, hard = stiffness[pair, balls]
     gap = grooves.gap[pair, 0]
-    # equal and opposite loads on one line; a ball with play is in the middle
+    # the loads are equal and opposite on one line; a ball with play is placed in the middle
     share = squeeze / (1 + (soft / hard) ** (2 / 3)) + play / 2
     between = outer + line * (1 - (gap[0] + share) / distance)[:, None]
     thrown = outer.copy()
@@ -141,15 +145,16 @@ def settle(grooves: Grooves, near: Floats | None = None) -> Floats:
     if near is not None:
         ball = np.where(((squeeze > 0) | (centrifugal > 0))[:, None], near, ball)
     scale = centrifugal + hertz.load(hard, squeeze)
-    longest = 0.25 * gap[:, 0].sum()  # longest step, small compared with the groove
-    # keeps the matrix regular for a ball that has lost one or both grooves
+    longest = 0.25 * gap[:, 0].sum()  # longest step, which is small compared with the groove
+    # keeps the matrix regular for a ball that has lost contact with one or both grooves
     floor = (1e-9 * scale.max() + 1e-30) / longest * np.eye(2)
     digits = 8 * np.spacing(outer[:, 0])
     now = touch(grooves, ball)
     for _ in range(200):
         slope = gradient(grooves, now)
         size = np.linalg.norm(slope, axis=-1)
-        # distances have errors in the last digits of the circle's radius, even where a contact has
+        # distances have errors in the last digits of the circle's radius, even if a contact has
+        # only
         # just closed
         rounding = 1.5 * (stiffness * np.sqrt(now.elastic + digits)).sum(0) * digits
         left = size > 1e-12 * scale + rounding
@@ -163,13 +168,15 @@ def settle(grooves: Grooves, near: Floats | None = None) -> Floats:
             break
     excess = size - 1e-7 * np.maximum(scale, 1e-6 * scale.max()) - rounding
     if np.any(excess > 0):
-        raise NoEquilibrium(f"ball {int(np.argmax(excess))} finds no balance between its raceways")
+        raise NoEquilibrium(
+            f"no equilibrium position found for ball {int(np.argmax(excess))} between its raceways"
+        )
     return ball
 
 
 def _moved(grooves, ball, step, slope, now):
-    """(balls, `Touch`) after each ball's step from the present `Touch`, halved until the energy or
-    the residual force decreases."""
+    """Return (balls, `Touch`) after a step of each ball from the current `Touch`; the step is
+    halved until the energy or the residual force decreases."""
     here, descent, size = (
         energy(grooves, now, ball),
         (slope * step).sum(-1),

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A shaft on several ball bearings at rest: displacements, loads and tilts of the bearings.
+"""A shaft at rest on several ball bearings: displacements, and the loads and tilts of the bearings.
 
-The shaft is a beam (`beam`), each bearing is solved with its full statics in five degrees of
+The shaft is a beam (`beam`), and each bearing is solved with the full statics in five degrees of
 freedom (`static`). The equilibrium of all nodes
 
     K q + sum of bearing forces(q) = loads
 
-is solved by Newton iteration with the bearings' own stiffness matrices. A bearing with clearance
-carries no load initially, so soft springs to the ground are added and removed in steps.
+is found by Newton iteration with the stiffness matrices of the bearings. A bearing with clearance
+initially carries no load, so soft springs to the ground are added and then removed in steps.
 """
 
 from collections.abc import Sequence
@@ -21,22 +21,22 @@ from raceway.theory import beam, static
 from raceway.theory.beam import FREEDOMS, Disc, Section, Steel
 from raceway.theory.bearing import Bearing
 
-HELP = (1e8, 1e6, 1e4, 0.0)  # N/m, stiffnesses of the soft springs, in turn
+HELP = (1e8, 1e6, 1e4, 0.0)  # N/m, stiffnesses of the soft springs in successive steps
 STEPS = 60  # largest number of Newton iterations per stiffness
-EXACT = 1e-9  # largest residual of the balance relative to the loads
+EXACT = 1e-9  # largest residual of the force balance, relative to the loads
 
 
 @dataclass(frozen=True)
 class Seat:
-    """A bearing on the shaft, with its outer ring in the housing."""
+    """A bearing on the shaft whose outer ring is in the housing."""
 
-    at: float  # m, of the ball plane along the shaft
+    at: float  # m, position of the plane of the balls along the shaft
     bearing: Bearing
-    clearance: float = 0.0  # m, diametral
-    # (5,), m and rad: displacement of the outer ring from its nominal position, x, y, z, rx, ry
+    clearance: float = 0.0  # m, diametral clearance
+    # (5,), m and rad: displacement x, y, z, rx, ry of the outer ring from its nominal position
     offset: tuple[float, ...] = (0.0,) * FREEDOMS
-    floating: bool = False  # the outer ring slides along z: no axial load except from a spring
-    spring: float = 0.0  # N, along z: force of a soft spring on the outer ring, which then slides
+    floating: bool = False  # the outer ring slides along z: no axial load except from the spring
+    spring: float = 0.0  # N, force along z of a soft spring on the outer ring, which then slides
     phase: float = 0.0  # rad, azimuth of the first ball
 
     @property
@@ -56,7 +56,7 @@ class Load:
 
 @dataclass(frozen=True)
 class Shaft:
-    """Sections starting at z = 0, their material, gravity, and rigid bodies on the shaft."""
+    """Sections starting at z = 0, their material, gravity, and the discs on the shaft."""
 
     sections: Sequence[Section]
     steel: Steel = field(default_factory=Steel)
@@ -66,13 +66,13 @@ class Shaft:
 
 @dataclass(frozen=True)
 class Carried:
-    """A bearing of a shaft at rest."""
+    """State of a bearing on a shaft at rest."""
 
     seat: Seat
-    place: Floats  # (5,), m and rad: position of the inner relative to the outer ring
-    load: Floats  # (5,), N and N m: of the shaft on the inner ring
+    place: Floats  # (5,), m and rad, position of the inner ring relative to the outer ring
+    load: Floats  # (5,), N and N m, load of the shaft on the inner ring
     state: static.Equilibrium
-    stiffness: Floats  # (5, 5), of the bearing as it acts on the shaft
+    stiffness: Floats  # (5, 5), stiffness of the bearing as it acts on the shaft
 
     __repr__ = short
 
@@ -81,10 +81,10 @@ class Carried:
 class Rest:
     """Equilibrium of a shaft."""
 
-    z: Floats  # (N,), m, of the nodes
+    z: Floats  # (N,), m, positions of the nodes
     place: Floats  # (N, 5), m and rad, displacements of the nodes
     bearings: list[Carried]
-    residual: float  # residual of the balance relative to the loads
+    residual: float  # residual of the force balance, relative to the loads
 
     __repr__ = short
 
@@ -97,11 +97,11 @@ def rest(
     speed: float = 0.0,
     ball_density: float = 7800.0,
 ) -> Rest:
-    """`Rest` of `shaft` on `seats` under `loads`; `speed` of the shaft in rad/s adds the
+    """Find the equilibrium of `shaft` on `seats` under `loads`. A shaft `speed` in rad/s adds the
     centrifugal loads of the balls.
 
-    Raises `ValueError` for a position off the shaft, `NoEquilibrium` if the bearings cannot hold
-    the loads.
+    Raises `ValueError` for a position off the shaft, and `NoEquilibrium` if the bearings cannot
+    support the loads.
 
     >>> from raceway.theory.bearing import Bearing
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
@@ -130,13 +130,14 @@ def rest(
         place, left = _newton(stiffness, given, holders, place, soft)
     if not left <= EXACT:
         raise NoEquilibrium(
-            f"the bearings do not hold the shaft: {left:.1e} of its loads are not balanced"
+            f"the bearings do not hold the shaft: a fraction {left:.1e} of the load remains"
         )
     return Rest(z, place.reshape(-1, FREEDOMS), [one.carried(place) for one in holders], left)
 
 
 class _Holder:
-    """A bearing's forces on the shaft, with the axial force of its spring if it slides along z."""
+    """Forces of a bearing on the shaft, including the axial force of its spring if it slides along
+    z."""
 
     def __init__(self, seat, first, speed, density):
         self.seat, self.at = seat, slice(first, first + FREEDOMS)
@@ -158,7 +159,7 @@ class _Holder:
         )
 
     def respond(self, place):
-        """(force (5,), stiffness (5, 5)) on the shaft."""
+        """Return (force (5,), stiffness (5, 5)) acting on the shaft."""
         try:
             state = self.state(place)
         except NoEquilibrium:
@@ -188,8 +189,8 @@ class _Holder:
 
 
 def _newton(stiffness, given, holders, place, soft):
-    """(position, residual of the balance relative to the loads) with springs `soft` (N/m) to the
-    ground."""
+    """Return (position, residual of the force balance relative to the loads) for springs with the
+    stiffness `soft` (N/m) to the ground."""
     lengths = np.tile([1.0, 1.0, 1.0, 0.1, 0.1], len(given) // FREEDOMS)  # m per unit coordinate
     size = max(np.abs(given / lengths).max(), *(abs(one.seat.spring) for one in holders), 0.0)
 
@@ -210,12 +211,12 @@ def _newton(stiffness, given, holders, place, soft):
             step = np.linalg.solve(slope, left)
         except np.linalg.LinAlgError:
             break
-        # the energy is convex apart from contact angles: continue while it decreases along the step
+        # except for the contact angles, the energy is convex: shorten the step until it decreases
         share, start = min(1.0, 50e-6 / np.abs(step * lengths).max()), left @ step
         while True:
             try:
                 further, bend = balance(place + share * step)
-            except NoEquilibrium:  # a ball out of its groove
+            except NoEquilibrium:  # a ball is forced out of its groove
                 further = None
             if further is not None and abs(further @ step) <= abs(start):
                 break

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Reduced bending model of a round shaft, as input for `fix bearing/shaft ... flexible`.
+"""Reduced bending model of a round shaft, the input for `fix bearing/shaft ... flexible`.
 
-The reduction follows Craig and Bampton (AIAA J. 6 (1968) 1313) in one plane: displacement and
-tilt of kept nodes, and modes of the other nodes while the kept nodes are held. Natural modes of the
-free reduced shaft are its two rigid-body motions and the elastic modes, which are mass-orthogonal
-to them. A round shaft has the same modes in both planes.
+The reduction follows Craig and Bampton (AIAA J. 6 (1968) 1313) in one plane. Its coordinates are
+the displacement and tilt of the kept nodes, and the modes of the other nodes with the kept nodes
+held. The natural modes of the free reduced shaft are its two rigid-body motions and the elastic
+modes, which are mass-orthogonal to them. A round shaft has the same modes in both planes.
 """
 
 from collections.abc import Sequence
@@ -18,19 +18,19 @@ from raceway.theory.beam import FREEDOMS
 
 
 class Bending(NamedTuple):
-    """A shaft as a rigid body with n elastic modes in each plane, defined at N stations.
+    """A shaft as a rigid body with n elastic modes in each plane, which are defined at N stations.
 
-    A mode's coordinate q (m) is its largest displacement. At a station the shaft moves by
+    The coordinate q (m) of a mode is its largest displacement. At a station, the shaft moves by
     ``shape[mode, station, 0] * q`` and tilts by ``shape[mode, station, 1] * q`` in the plane.
     """
 
     body: beam_motion.Rigid
     z: Floats  # (N,), m
-    shape: Floats  # (n, N, 2): displacement (1) and tilt (rad/m)
+    shape: Floats  # (n, N, 2), displacement (1) and tilt (rad/m) of each mode
     mass: Floats  # (n,), kg
     stiffness: Floats  # (n,), N/m
     damping: Floats  # (n,), N s/m
-    gyroscopic: Floats  # (n + 1, n + 1), times spin: a rigid tilt (rad), then the modes
+    gyroscopic: Floats  # (n + 1, n + 1), times spin; first a rigid tilt (rad), then the modes
 
 
 def bending(
@@ -41,12 +41,13 @@ def bending(
     stations: Sequence[int],
     damping: float = 0.0,
 ) -> Bending:
-    """`Bending` of `whole` with the nodes at `z` (N,) in m.
+    """Return the `Bending` of the shaft with the matrices `whole` and with nodes at `z` (N,) in m.
 
-    The `kept` nodes respond exactly to steady loads on them; `modes` is the number of modes in a
-    plane with the kept nodes held. The result has ``2 len(kept) + modes - 2`` elastic modes.
-    `stations` are the nodes at which the shapes are needed. `damping` is the damping ratio of every
-    mode. Raises `ValueError` for more modes than the shaft has, or none.
+    The response of the `kept` nodes to steady loads on them is exact; `modes` is the number of
+    modes per plane with the kept nodes held. The result has ``2 len(kept) + modes - 2`` elastic
+    modes. `stations` are the nodes at which the mode shapes are needed. `damping` is the damping
+    ratio of every mode. Raises `ValueError` if there are more modes than the shaft has, or no
+    elastic modes at all.
 
     >>> from raceway.theory.beam import STEEL, Section, divided
     >>> z, pieces = divided([Section(0.5, 0.02)], np.linspace(0, 0.5, 21))
@@ -64,8 +65,8 @@ def bending(
     few = [basis.T @ matrix @ basis for matrix in (stiffness, mass)]
     shapes = basis @ scipy.linalg.eigh(*few)[1][:, 2:]
     if not shapes.shape[1]:
-        raise ValueError("a shaft that bends needs another kept place or a mode")
-    # removes the rounding errors of rigid-body motion from the modes
+        raise ValueError("a shaft that bends needs another kept position or a mode")
+    # remove the rounding errors in the modes that correspond to rigid-body motions
     rigid = np.zeros((2 * len(z), 2))
     rigid[0::2, 0], rigid[0::2, 1], rigid[1::2, 1] = 1.0, z - body.centre, 1.0
     own = rigid.T @ mass
@@ -88,9 +89,9 @@ def bending(
 
 
 def planes(nodes: int) -> tuple[Floats, Floats]:
-    """Matrices (5 N, 2 N), N = `nodes`, that map displacement and slope in a plane to the degrees
-    of freedom of `beam`: one for the plane of x, where the slope is ry, and one for the plane of y,
-    where it is -rx."""
+    """Return two matrices (5 N, 2 N), N = `nodes`, that map displacement and slope in a plane to
+    the degrees of freedom of `beam`: the first for the plane of x, where the slope is ry, and the
+    second for the plane of y, where it is -rx."""
     one, other = np.zeros((FREEDOMS * nodes, 2 * nodes)), np.zeros((FREEDOMS * nodes, 2 * nodes))
     for k in range(nodes):
         one[FREEDOMS * k, 2 * k] = one[FREEDOMS * k + 4, 2 * k + 1] = 1.0
@@ -99,13 +100,14 @@ def planes(nodes: int) -> tuple[Floats, Floats]:
 
 
 def _craig_bampton(mass: Floats, stiffness: Floats, kept: Sequence[int], modes: int) -> Floats:
-    """Motions (2 N, 2 kept + modes) in one plane: those of the kept nodes, then the modes."""
+    """Return the motions (2 N, 2 kept + modes) in one plane: those of the kept nodes, then the
+    modes."""
     import scipy.linalg
 
     held = np.concatenate([2 * k + np.arange(2) for k in kept])
     rest = np.setdiff1d(np.arange(len(mass)), held)
     if modes > len(rest):
-        raise ValueError(f"{modes} modes: the shaft has {len(rest)} in addition to its kept places")
+        raise ValueError(f"{modes} modes: the shaft has {len(rest)} in addition to its kept nodes")
     basis = np.zeros((len(mass), len(held) + modes))
     basis[held, np.arange(len(held))] = 1.0
     inner = np.ix_(rest, rest)

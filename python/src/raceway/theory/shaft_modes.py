@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Names of a shaft's natural motions on its bearings, and its critical speeds (Friswell et al.,
-Dynamics of Rotating Machines, 2010, ch. 5 and 6)."""
+"""Classification of a shaft's natural motions on its bearings, and its critical speeds (Friswell et
+al., Dynamics of Rotating Machines, 2010, ch. 5 and 6)."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -14,13 +14,13 @@ from raceway.theory.beam_motion import Matrices
 from raceway.theory.shaft import Rest, Shaft
 from raceway.theory.shaft_motion import nodes, springs
 
-FREE = 1e-5  # fraction of the median frequency below which a motion is free
-ROUND = 0.1  # circularity of an orbit below which it is called planar
-BENT = 0.5  # share of a mode's strain energy in the shaft above which it is called bending
+FREE = 1e-5  # fraction of the median frequency below which a motion is considered free
+ROUND = 0.1  # circularity of an orbit below which the motion is called planar
+BENT = 0.5  # fraction of the strain energy in the shaft above which a mode is called bending
 
 
 class Mode(NamedTuple):
-    """A natural motion, or a critical speed."""
+    """A natural motion or a critical speed."""
 
     speed: float  # rad/s: natural frequency, or shaft speed that equals the natural frequency
     shape: str  # axial, parallel, conical, bending or free
@@ -28,7 +28,7 @@ class Mode(NamedTuple):
 
 
 def modes(shaft: Shaft, rest: Rest, speed: float) -> list[Mode]:
-    """Natural motions at the shaft's `speed` (rad/s), by frequency.
+    """Return the natural motions at the shaft `speed` (rad/s), in order of frequency.
 
     >>> from raceway.theory.bearing import Bearing
     >>> from raceway.theory.beam import Section
@@ -45,7 +45,7 @@ def modes(shaft: Shaft, rest: Rest, speed: float) -> list[Mode]:
     z, whole = nodes(shaft, rest)
     bearings = springs(z, rest)
     stiffness = whole.stiffness + bearings
-    if speed == 0:  # real shapes: at rest, the two modes of equal frequency in a pair are planar
+    if speed == 0:  # modes are real: both modes of a pair with equal frequency are planar at rest
         squares, real = scipy.linalg.eigh(stiffness, whole.mass)
         speeds = np.sqrt(np.maximum(squares, 0.0))
         return _named(z, whole, bearings, list(zip(speeds, real.T, strict=True)))
@@ -64,10 +64,12 @@ def modes(shaft: Shaft, rest: Rest, speed: float) -> list[Mode]:
 
 
 def critical_speeds(shaft: Shaft, rest: Rest, highest: float) -> list[Mode]:
-    """Speeds (rad/s) up to `highest` at which the shaft rotates as fast as one of its natural
-    motions whirls, on the bearings' stiffness of `rest`. Axial motions have no critical speed.
+    """Return the shaft speeds (rad/s) up to `highest` at which the shaft rotates as fast as one of
+    its natural motions whirls, for the bearing stiffness of `rest`. Axial motions have no critical
+    speed.
 
-    With -w^2 M + i w^2 G + K = 0, their squares w^2 are the eigenvalues of K u = w^2 (M - i G) u.
+    They follow from -w^2 M + i w^2 G + K = 0: the squares w^2 are the eigenvalues of K u = w^2 (M -
+    i G) u.
     """
     import scipy.linalg
 
@@ -98,7 +100,7 @@ def _named(
 
 
 def _rigid_motions(z, whole):
-    """{name: (k, 5 N) motions with unit inertia} of the shaft as a rigid body."""
+    """Return {name: (k, 5 N)}, the motions of the shaft as a rigid body, scaled to unit inertia."""
     centre = beam_motion.rigid(z, whole).centre
     parts = np.zeros((5, len(z), FREEDOMS))
     for k in range(3):
@@ -122,12 +124,13 @@ def _shape(shape, whole, bearings, rigid):
 
 
 def _quadratic(shape, matrix):
-    """Twice the energy of a complex shape: u* A u."""
+    """Return twice the energy of a complex shape, u* A u."""
     return np.real(np.conj(shape) @ matrix @ shape)
 
 
 def _whirl(shape):
-    """The whirl, from the direction in which the nodes orbit relative to the spin about +z."""
+    """Return the whirl, i.e. the direction in which the nodes orbit relative to the spin about
+    +z."""
     x, y = shape.reshape(-1, FREEDOMS)[:, :2].T
     turn = -2 * np.imag(np.conj(x) * y).sum() / (np.abs(x) ** 2 + np.abs(y) ** 2).sum()
     return "planar" if abs(turn) < ROUND else "forward" if turn > 0 else "backward"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Small vibrations of a shaft about its equilibrium (`shaft`): rigid-body properties, bending
-modes, and natural frequencies on bearings with their stiffness at equilibrium."""
+modes, and natural frequencies for the bearing stiffness at equilibrium."""
 
 from collections.abc import Sequence
 
@@ -11,14 +11,14 @@ from raceway.theory import beam, beam_motion, shaft_bending
 from raceway.theory.beam import FREEDOMS
 from raceway.theory.shaft import Load, Rest, Shaft
 
-FINENESS = 24  # minimum number of elements of a shaft
+FINENESS = 24  # minimum number of elements in a shaft
 
 
 def nodes(
     shaft: Shaft, rest: Rest, places: Sequence[float] = ()
 ) -> tuple[Floats, beam_motion.Matrices]:
-    """(z in m, `beam_motion.Matrices`) of the nodes of `rest`, of nodes at `places` (m) and of
-    further nodes. Raises `ValueError` for a place off the shaft."""
+    """Return (z in m, `beam_motion.Matrices`) for the nodes of `rest`, nodes at `places` (m) and
+    additional nodes. Raises `ValueError` for a position off the shaft."""
     z, _ = beam.divided(shaft.sections, [*rest.z, *places])
     longest = z[-1] / FINENESS
     places = [
@@ -31,7 +31,7 @@ def nodes(
 
 
 def rigid(shaft: Shaft, rest: Rest) -> beam_motion.Rigid:
-    """The shaft as a rigid body, as input for `fix bearing/shaft`."""
+    """Return the shaft as a rigid body, the input for `fix bearing/shaft`."""
     return beam_motion.rigid(*nodes(shaft, rest))
 
 
@@ -45,12 +45,12 @@ def bending(
     kept: Sequence[float] = (),
     places: Sequence[float] = (),
 ) -> shaft_bending.Bending:
-    """Bending modes of `shaft`; the kept nodes are the bearings, the positions of transverse
-    `loads`, and `kept` (m).
+    """Return the bending modes of `shaft`. The kept nodes are the bearings, the positions of
+    transverse `loads`, and `kept` (m).
 
-    `modes` per plane and the `damping` ratio are as in `shaft_bending.bending`. Stations are
-    the nodes of `rest`, the centre of mass, `kept` and `places` (m). Raises `ValueError` for a
-    position off the shaft and for too many modes.
+    The number of `modes` per plane and the `damping` ratio are as in `shaft_bending.bending`.
+    Stations are the nodes of `rest`, the centre of mass, `kept` and `places` (m). Raises
+    `ValueError` for a position off the shaft or if there are too many modes.
     """
     centre = rigid(shaft, rest).centre
     stations = [*rest.z, centre, *kept, *places]
@@ -67,7 +67,8 @@ def bending(
 
 
 def frequencies(shaft: Shaft, rest: Rest, speed: float) -> Floats:
-    """(5 N,) natural frequencies in rad/s, in ascending order, at the shaft's `speed` in rad/s.
+    """Return the natural frequencies (5 N,) in rad/s, in ascending order, at the shaft `speed` in
+    rad/s.
 
     >>> from raceway.theory.bearing import Bearing
     >>> from raceway.theory.beam import Section
@@ -84,7 +85,7 @@ def frequencies(shaft: Shaft, rest: Rest, speed: float) -> Floats:
 
 
 def springs(z: Floats, rest: Rest) -> Floats:
-    """(5 N, 5 N) stiffness of the bearings at the nodes `z` (N,) in m."""
+    """Return the stiffness (5 N, 5 N) of the bearings at the nodes `z` (N,) in m."""
     whole = np.zeros((FREEDOMS * len(z), FREEDOMS * len(z)))
     for one in rest.bearings:
         first = FREEDOMS * int(np.argmin(np.abs(z - one.seat.at)))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Rotation of balls that touch only the outer ring. Rolling resistance slows them from the moment
-they leave the load zone, traction is at most mu Q, and the ring accelerates them again when they
-return (docs/tribology, Friction torque)."""
+they leave the load zone, the traction is at most mu Q, and the ring accelerates them again when
+they return to the load zone (docs/tribology, Friction torque)."""
 
 from collections.abc import Callable
 from typing import NamedTuple
@@ -10,25 +10,26 @@ import numpy as np
 
 from raceway.arrays import Floats
 
-STEPS = 100
-MEMORY = 100.0  # time after which the initial rotation has decayed, in units of 1/`rate`
+STEPS = 100  # time steps of Heun's method
+MEMORY = 100.0  # time after which the initial rotation has decayed, in multiples of 1/`rate`
 
 
 class Unloaded(NamedTuple):
-    """Unloaded balls of all rows, arrays (Z,); zero for loaded balls."""
+    """State of the unloaded balls in all rows, as arrays (Z,) that are zero for loaded balls."""
 
-    speed: Floats  # m/s, of the ball's centre
-    since: Floats  # s, since the ball lost its load
+    speed: Floats  # m/s, speed of the ball centre
+    since: Floats  # s, time since the ball lost its load
     until: Floats  # s, unloaded time of the ball that regains its load next; 0 for other balls
-    frequency: Floats  # 1/s, how often balls regain their load at this place
+    frequency: Floats  # 1/s, frequency at which balls regain their load at this position
 
 
 def unloaded(
     loaded: np.ndarray, azimuth: Floats, row: np.ndarray, orbit: float, pitch: float
 ) -> Unloaded:
-    """`Unloaded` balls, `loaded` (Z,) or not, at `azimuth` (rad) in the rows with the numbers
-    `row`, which move at `orbit` rad/s on the `pitch` radius (m). The load zone ends midway between
-    balls. In a row without load, balls are never loaded."""
+    """Return the state of the `Unloaded` balls. `loaded` (Z,) marks the loaded balls, `azimuth` is
+    in rad, and `row` contains the row numbers; the balls orbit at `orbit` rad/s on a circle of
+    radius `pitch` (m). The load zone is assumed to end midway between two balls. In a row without
+    load, balls are never loaded."""
     found = Unloaded(*np.zeros((4, len(loaded))))
     found.speed[~loaded] = abs(orbit) * pitch
     for one in np.unique(row):
@@ -50,10 +51,10 @@ def unloaded(
 
 
 def rotation(slowing: Callable[[Floats], Floats], rate: Floats, time: Floats) -> Floats:
-    """Rotation x (n,) of balls relative to pure rolling, `time` (s) after x = 1, by Heun's
-    method: dx/dt = -`rate` `slowing(x)`, with `rate` in 1/s. `slowing` is the resistance minus the
-    traction, both divided by the load. A ball rolls as long as traction suffices. An infinite time
-    gives the steady-state rotation."""
+    """Return the rotation x (n,) of balls relative to pure rolling, at `time` (s) after x = 1. The
+    equation dx/dt = -`rate` `slowing(x)`, with `rate` in 1/s, is integrated with Heun's method.
+    `slowing` is the resistance minus the traction, both divided by the load. A ball rolls as long
+    as the traction is sufficient. An infinite time gives the rotation in the steady state."""
 
     def change(x):
         excess = slowing(x)

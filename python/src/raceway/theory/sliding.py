@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Differential slip of a ball in its groove (Heathcote): force along rolling and couple about the
-axis of rolling, with Coulomb's law in closed form.
+axis of rolling, in closed form for Coulomb's law.
 
-Across the groove the sliding speed is s(z) = (u/R_x) (y0 - z^2/(2 R_d)). At z = 0 it is `slip` (s
-bar); with t0 = sqrt(slip/s_e) in [0, 1], there is no sliding at z = a t0. s is the speed of the
-ball minus the speed of the ring along the ball's surface motion past the contact. Numbers or arrays
-of one shape, SI.
+The sliding speed varies across the groove as s(z) = (u/R_x) (y0 - z^2/(2 R_d)). At z = 0 it is
+`slip` (s bar); with t0 = sqrt(slip/s_e) in [0, 1], there is no sliding at z = a t0. s is the speed
+of the ball minus the speed of the ring in the direction in which the ball's surface moves past the
+contact. Functions accept numbers or arrays of equal shape in SI units.
 """
 
 from typing import NamedTuple
@@ -17,27 +17,29 @@ from raceway.core import laws
 
 _FREE = laws.slip_constants()
 FREE = float(_FREE.free_root)  # t0 at zero force, the root of t^3 - 3 t + 1
-FREE_SPEED = float(_FREE.free_speed)  # mean |s| over the load at zero force, divided by s_e
+FREE_SPEED = float(_FREE.free_speed)  # load-weighted mean of |s| at zero force, divided by s_e
 LEAN = float(_FREE.free_lean)  # s_e dF/ds/(mu Q) at zero force
-# m/s, lower limit of s_e: towards u = 0 the law is Coulomb's, smoothed over this speed
+# m/s, lower limit of s_e; for u towards 0 the law tends to Coulomb's law smoothed over this speed
 LEAST = 1e-4
 
 
 class Slip(NamedTuple):
-    """Forces and power of a contact's slip, arrays of one shape."""
+    """Forces and power due to the slip in a contact, in arrays of equal shape."""
 
-    force: Numbers  # F, N: -F on the ball, +F on the ring, along rolling
-    couple: Numbers  # C, N m: +C on the ball, -C on the ring, about w
-    power: Numbers  # W, lost
+    force: Numbers  # F, N: -F acts on the ball and +F on the ring, along rolling
+    couple: Numbers  # C, N m: +C acts on the ball and -C on the ring, about w
+    power: Numbers  # W, power dissipated by slip
 
 
 def deformed_radius(groove: Numbers, ball: Numbers) -> Numbers:
-    """R_d = 2 r_c R_b/(r_c + R_b), m: the curvature across the groove of the surface of contact."""
+    """Return R_d = 2 r_c R_b/(r_c + R_b) in m, the radius of the surface of contact across the
+    groove."""
     return laws.deformed_radius(groove, ball)
 
 
 def edge_slip(speed: Numbers, a: Numbers, r_d: Numbers, r_x: Numbers) -> Numbers:
-    """s_e = |u| a^2/(2 R_d R_x), m/s: difference of the sliding speed between z = a and z = 0."""
+    """Return s_e = |u| a^2/(2 R_d R_x) in m/s, the difference in sliding speed between z = a and z
+    = 0."""
     return laws.edge_slip(speed, a, r_d, r_x)
 
 
@@ -50,11 +52,11 @@ def heathcote(
     r_d: Numbers,
     r_x: Numbers,
 ) -> Slip:
-    """`Slip` with Coulomb's law.
+    """Compute the `Slip` with Coulomb's law.
 
-    F/(mu Q) = 3 t0 - t0^3 - 1, C/(mu Q a^2/(2 R_d)) = t0^3 - 0.6 t0^5 - 0.2, power F s - C u/R_x.
-    These hold for u > 0. Above t0 = 1, force and couple are 1 and 0.2; for a slip below 0, -1 and
-    -0.2. s_e is at least `LEAST`.
+    F/(mu Q) = 3 t0 - t0^3 - 1, C/(mu Q a^2/(2 R_d)) = t0^3 - 0.6 t0^5 - 0.2, and the power is F s -
+    C u/R_x. These formulas are valid for u > 0. Above t0 = 1, force and couple are 1 and 0.2; for a
+    slip below 0, they are -1 and -0.2. s_e is at least `LEAST`.
     """
     law = laws.differential_slip(_off(slip, speed, a, r_d, r_x))
     limit = friction * load
@@ -63,27 +65,27 @@ def heathcote(
 
 
 def free_slip(speed: Numbers, a: Numbers, r_d: Numbers, r_x: Numbers) -> Numbers:
-    """Slip at z = 0 of free rolling, F = 0: 0.120615 s_e, m/s."""
+    """Return the slip at z = 0 in free rolling, i.e. at F = 0, which is 0.120615 s_e, in m/s."""
     return FREE**2 * np.maximum(edge_slip(speed, a, r_d, r_x), LEAST)
 
 
 def free_power(
     load: Numbers, friction: Numbers, speed: Numbers, a: Numbers, r_d: Numbers, r_x: Numbers
 ) -> Numbers:
-    """Power of free rolling, 0.161142 mu Q s_e, W."""
+    """Return the power dissipated in free rolling, 0.161142 mu Q s_e, in W."""
     return FREE_SPEED * friction * load * edge_slip(speed, a, r_d, r_x)
 
 
 def free_slope(
     load: Numbers, friction: Numbers, speed: Numbers, a: Numbers, r_d: Numbers, r_x: Numbers
 ) -> Numbers:
-    """dF/d(slip) at free rolling, 3.80 mu Q/s_e, N s/m."""
+    """Return dF/d(slip) in free rolling, 3.80 mu Q/s_e, in N s/m."""
     return LEAN * friction * load / np.maximum(edge_slip(speed, a, r_d, r_x), LEAST)
 
 
 def creep(a: Numbers, r_d: Numbers, r_x: Numbers) -> Numbers:
-    """v0/u = a^2/(7.60 R_d R_x), where v0 is the width of the smoothed Coulomb law F = mu Q s/v0
-    that has the slope of free rolling."""
+    """Return v0/u = a^2/(7.60 R_d R_x), where v0 is the width of the smoothed Coulomb law F = mu Q
+    s/v0 whose slope equals that in free rolling."""
     return edge_slip(1.0, a, r_d, r_x) / LEAN
 
 
@@ -96,8 +98,8 @@ def secant(
     r_d: Numbers,
     r_x: Numbers,
 ) -> Numbers:
-    """F divided by the deviation of the slip from free rolling, N s/m; in free rolling, the
-    slope."""
+    """Return F divided by the deviation of the slip from free rolling in N s/m; in free rolling,
+    this is the slope."""
     law = laws.differential_slip(_off(slip, speed, a, r_d, r_x))
     return friction * load * law.secant / np.maximum(edge_slip(speed, a, r_d, r_x), LEAST)
 
@@ -105,11 +107,12 @@ def secant(
 def in_series(
     force: Numbers, distance: Numbers, secant: Numbers, spring: Numbers, step: Numbers
 ) -> tuple[Numbers, Numbers]:
-    """(force in N after `step` in s, its slope k_t tau (1 - e^(-step/tau)) in N s/m).
+    """Return (force in N after `step` in s, its slope k_t tau (1 - e^(-step/tau)) in N s/m).
 
-    The slip law with the tangential spring k_t in N/m in series: tau = c/k_t, c = `secant` in N
-    s/m; `distance` from free rolling in m/s, constant over the step. The result tends to the slip
-    law for long steps and to a spring for short ones, and sticks at rest.
+    The slip law is in series with a tangential spring k_t in N/m: tau = c/k_t with c = `secant` in
+    N s/m. `distance` is the deviation of the slip from free rolling in m/s, which is constant over
+    the step. The result tends to the slip law for long steps and to a spring for short steps, and
+    sticks at zero speed.
     """
     tau = secant / spring
     gone = -np.expm1(-step / tau)
@@ -117,5 +120,5 @@ def in_series(
 
 
 def _off(slip, speed, a, r_d, r_x):
-    """Difference of the slip from free rolling, relative to the slip at the edge."""
+    """Return the deviation of the slip from free rolling, divided by s_e."""
     return slip / np.maximum(edge_slip(speed, a, r_d, r_x), LEAST) - FREE**2

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Small motions of a ring about its equilibrium: the balls follow, and the ring has a 5 x 5
-stiffness and damping.
+"""Small motions of a ring about its equilibrium, in which the balls follow the ring, described by a
+5 x 5 stiffness and a 5 x 5 damping matrix.
 
-Each ball has two degrees of freedom in the plane through the bearing's axis, and the ring five.
-Springs, dampers and inertia of the balls are assembled in these seven degrees of freedom, at one
-frequency. The ball is then eliminated, and the sum over the balls acts on the ring. A damper of a
-contact therefore acts on its share of the ring's motion, like the spring in series with it.
+Each ball has two degrees of freedom in the plane through the bearing's axis, and the ring has five.
+Springs, dampers and inertia of the balls are assembled in these seven degrees of freedom at one
+frequency. The degrees of freedom of each ball are then eliminated, and the contributions of all
+balls to the ring are added. The damper of a contact therefore acts only on a part of the ring's
+motion, as does the spring with which it is in series.
 """
 
 from typing import NamedTuple
@@ -14,23 +15,23 @@ import numpy as np
 
 from raceway.arrays import Floats, Numbers, short
 
-SLOW = 1e-9  # rad/s, low enough that the damping is the limit for slow motion
+SLOW = 1e-9  # rad/s, low enough for the damping to equal the limit for slow motion
 
 
 class Linear(NamedTuple):
-    """Balls of a ring in equilibrium. Derivatives are with respect to the seven coordinates of
-    `circle`, those of the ball first."""
+    """Linearised balls of a ring in equilibrium. Derivatives are with respect to the seven
+    coordinates of `circle`, of which those of the ball come first."""
 
-    stiffness: Floats  # (Z, 7, 7), second derivatives of the energy, N/m and so on
-    approach: Floats  # (C, Z, 7), of the overlaps of a ball's contacts, inner ones first
-    along: Floats  # (C, Z), N/m: stiffness of the contacts along their lines of action
-    loaded: Floats  # (Z,), bool: balls with an inner contact; others do not support the inner ring
+    stiffness: Floats  # (Z, 7, 7), second derivatives of the energy, N/m, N and N m
+    approach: Floats  # (C, Z, 7), derivatives of the overlaps of the contacts, inner ones first
+    along: Floats  # (C, Z), N/m, stiffness of the contacts along their lines of action
+    loaded: Floats  # (Z,), bool, balls with an inner contact; others do not support the inner ring
 
     __repr__ = short
 
 
 class Response(NamedTuple):
-    """Response of a ring to small motions at one frequency, in x, y, z, rx, ry."""
+    """Response of a ring to small motions at one frequency, in the order x, y, z, rx, ry."""
 
     stiffness: Floats  # (5, 5), N/m, N/rad, N m/rad
     damping: Floats  # (5, 5), N s/m, N s/rad, N m s/rad
@@ -39,7 +40,8 @@ class Response(NamedTuple):
 
 
 def condensed(whole: Floats) -> Floats:
-    """(5, 5) stiffness of the ring with balls (Z, 7, 7) that follow it, real or complex."""
+    """Return the stiffness (5, 5) of the ring with balls (Z, 7, 7) that follow it, real or
+    complex."""
     own, mixed = whole[:, 2:, 2:], whole[:, :2, 2:]
     follow = np.linalg.solve(whole[:, :2, :2], mixed)
     return (own - mixed.transpose(0, 2, 1) @ follow).sum(0)
@@ -53,14 +55,14 @@ def response(
     stiffening: Numbers = 0.0,
     ball_mass: float = 0.0,
 ) -> Response:
-    """`Response` with dampers `damping` (C, Z) in N s/m parallel to the springs of the contacts, at
-    `frequency` in rad/s; 0 is the limit of slow motion.
+    """Return the `Response` for dampers `damping` (C, Z) in N s/m that are in parallel with the
+    springs of the contacts, at `frequency` in rad/s; 0 gives the limit for slow motion.
 
-    `stiffening` (C, Z) in N/m is added to the springs, for example the stiffness of a film
-    at that frequency. `ball_mass` in kg is the mass of one ball, moving in its plane. Raises
-    `ValueError` for a negative frequency or damper.
+    `stiffening` (C, Z) in N/m is added to the springs, for example the stiffness of a film at that
+    frequency. `ball_mass` in kg is the mass of one ball, which moves in its plane. Raises
+    `ValueError` if the frequency or a damper is negative.
 
-    A ball's two springs are in series, and so are its two dampers:
+    The two springs of a ball are in series, and so are its two dampers:
 
     >>> from raceway.theory import static
     >>> from raceway.theory.bearing import Bearing
@@ -73,8 +75,8 @@ def response(
     damping = np.asarray(damping, float)
     if not (frequency >= 0 and np.all(damping >= 0)):
         raise ValueError(
-            f"frequency {frequency:g} rad/s and dampers from {damping.min():g} N s/m must be 0 or"
-            " more"
+            f"frequency {frequency:g} rad/s must be 0 or more, and so must all dampers, of which"
+            f" the smallest is {damping.min():g} N s/m"
         )
     rate = max(frequency, SLOW)
     added = np.broadcast_to(stiffening + 1j * rate * damping, linear.along.shape)

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A ball over a spall across the whole groove: time of impact, and length of the spall.
+"""Passage of a ball over a spall that spans the groove: time of impact, and length of the spall.
 
-A ball that keeps its load hits half-way, where the near flank of its path meets the far flank
-(`kinematics.spall_length`). A ball that loses its load flies on and hits the far flank later. Here
-ball and ring are two masses along the load line: the ball between two Hertz contacts, the ring on a
-spring for the other balls. The path over the spall is the path of a rigid ball on two edges
-(docs/theory, Flaws of a raceway). The spall lies on the load line, and the ball does not reach its
-bottom. Film, friction and the support of the outer ring are neglected.
+A ball that keeps its load hits half-way across, where the falling flank of its path meets the
+rising flank (`kinematics.spall_length`). A ball that loses its load flies farther and hits the
+rising flank later. Here ball and ring are two masses along the load line: the ball between two
+Hertz contacts, and the ring on a spring that represents the other balls. The path over the spall is
+the path of a rigid ball on two edges (docs/theory, Flaws of a raceway). The spall lies on the load
+line, and the ball does not reach its bottom. Film, friction and the compliance of the outer ring's
+support are neglected.
 """
 
 from dataclasses import replace
@@ -19,8 +20,8 @@ from raceway.theory import hertz, kinematics, static
 from raceway.theory.bearing import INNER, OUTER, Bearing
 
 STEP = 0.2  # time step times the ball's angular frequency between its raceways
-LONGEST = 0.4  # fraction of the ball pitch
-LENGTHS = 80  # number of points in the table for `length`
+LONGEST = 0.4  # longest spall, as a fraction of the ball spacing
+LENGTHS = 80  # number of points in the table that `length` uses
 
 
 def seconds_to_blow(
@@ -36,19 +37,20 @@ def seconds_to_blow(
     clearance: float = 0.0,
     ball_density: float = 7800.0,
 ) -> Floats:
-    """Times in s from entry to impact over spalls of `lengths` (N,) in m on a `raceway` (`INNER` or
-    `OUTER`): (N,).
+    """Return the times (N,) in s from entry to impact for spalls with the `lengths` (N,) in m on a
+    `raceway` (`INNER` or `OUTER`).
 
-    `speed` of the inner ring in rad/s; radial `load` in N; `ring_mass` in kg of the inner ring and
-    the parts that turn with it, which the load accelerates towards the ball; diametral `clearance`
-    in m; `ball_density` in kg/m^3. `heard` is the raceway whose ring has the sensor, by default the
-    one with the spall; the ball must fly back to the other raceway. `edge` is the radius of the
-    spall's edges in m: a ball that keeps its load begins to rise by this distance before the
-    middle. Raises `ValueError` for a length or mass that is not positive, an edge above half a
-    length, and for lengths above 0.4 of the spacing of two balls, `NoEquilibrium` if the bearing
-    cannot carry the load without that ball.
+    `speed` is the inner ring speed in rad/s, and `load` is the radial load in N. `ring_mass` is the
+    mass in kg of the inner ring and the parts that move with it, which the load accelerates towards
+    the ball. `clearance` is diametral in m, and `ball_density` is in kg/m^3. `heard` is the raceway
+    of the ring that carries the sensor, by default the raceway with the spall; for the other
+    raceway, the impact occurs only when the ball has flown back to it. `edge` is the radius of the
+    spall's edges in m: a ball that keeps its load begins to rise at this distance before the
+    middle. Raises `ValueError` if a length or the mass is not positive, if the edge exceeds half of
+    a length, or if a length exceeds 0.4 of the spacing of two balls, and `NoEquilibrium` if the
+    bearing cannot carry the load without that ball.
 
-    A 6208 at 1500 rpm and 2 kN keeps its load over 1 mm, not over 2 mm:
+    In a 6208 at 1500 rpm and 2 kN, a ball keeps its load over 1 mm, but not over 2 mm:
 
     >>> paper = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     >>> speed = 1500 * np.pi / 30
@@ -61,7 +63,7 @@ def seconds_to_blow(
         raise ValueError(f"lengths {lengths} m and ring_mass {ring_mass} kg must be positive")
     if not 0 <= edge <= 0.5 * w.min():
         raise ValueError(
-            f"edge {edge:g} m must be 0 m to half the shortest length, {0.5 * w.min():g} m"
+            f"edge {edge:g} m must be from 0 to half the shortest length, {0.5 * w.min():g} m"
         )
     if w.max() > longest(bearing, raceway):
         raise ValueError(
@@ -79,7 +81,8 @@ def seconds_to_blow(
         phase=full.azimuth[1:],
     )
     carried = full.inner.load[0]
-    # stiffness of the other balls, between the bearing with this ball and without it
+    # stiffness of the other balls, from the difference between the bearing with and without this
+    # ball
     ring_spring = carried / (without.shift[0] - full.shift[0])
     mass = 4 / 3 * np.pi * bearing.ball_radius**3 * ball_density
     centrifugal = mass * bearing.pitch_radius * orbit**2
@@ -94,8 +97,8 @@ def seconds_to_blow(
 
     ring, ring_v, ball, ball_v = (np.zeros(len(w)) for _ in range(4))  # m outwards, m/s
     lost, struck = np.zeros(len(w), bool), np.zeros(len(w), bool)
-    turns = 0.5 * w - edge  # m from the entry, where the path begins to rise
-    blow = turns / entrained  # for a ball that keeps its load
+    turns = 0.5 * w - edge  # m from the entry to the point where the path begins to rise
+    blow = turns / entrained  # s, time of impact of a ball that keeps its load
     found = np.zeros(len(w), bool)
 
     def loads(time):
@@ -134,12 +137,12 @@ def length(
     clearance: float = 0.0,
     ball_density: float = 7800.0,
 ) -> Floats:
-    """Lengths in m along rolling of spalls with the times `seconds` (any shape) from entry to
-    impact, for a ball that may lose its load: the inverse of `seconds_to_blow`, with the same
-    arguments.
+    """Return the lengths in m along rolling of spalls for which the times from entry to impact are
+    `seconds` (any shape), for a ball that may lose its load. This is the inverse of
+    `seconds_to_blow`, with the same arguments.
 
-    Times that match no spall up to `longest` give NaN. If the ball reaches the bottom of a shallow
-    spall, it hits there, and the length cannot be determined.
+    The result is NaN for times that match no spall up to `longest`. If the ball reaches the bottom
+    of a shallow spall, it hits there, and the length cannot be determined.
 
     >>> paper = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     >>> case = dict(speed=1500 * np.pi / 30, load=2000.0, ring_mass=0.2)
@@ -156,9 +159,9 @@ def length(
 
 
 def _drop(on, w, edge, rolling):
-    """Drop (m) of a rigid ball at `on` m after the entry."""
+    """Return the drop (m) of a rigid ball at `on` m after the entry."""
     half, curve = 0.5 * w, rolling + edge
-    off = np.minimum(np.abs(on - half), half)  # from the middle
+    off = np.minimum(np.abs(on - half), half)  # m, distance from the middle
     flank = (half - off) ** 2 / (2 * curve)
     if edge == 0:
         return flank
@@ -167,6 +170,7 @@ def _drop(on, w, edge, rolling):
 
 
 def longest(bearing: Bearing, raceway: int) -> float:
-    """The longest spall (m) on a `raceway` that is considered: 0.4 of the spacing of two balls."""
+    """Return the length (m) of the longest spall on a `raceway` that is considered, which is 0.4 of
+    the spacing of two balls."""
     radius = bearing.inner_radius if raceway == INNER else bearing.outer_radius
     return LONGEST * 2 * np.pi * radius / bearing.balls

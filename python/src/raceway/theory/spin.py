@@ -12,31 +12,32 @@ from raceway.theory import sliding
 
 
 class Spin(NamedTuple):
-    """Resisting force and moment, arrays of the shape of the given slip and spin."""
+    """Forces and moment that resist slip and spin, in arrays with the shape of the given slip and
+    spin."""
 
-    along: Numbers  # N, opposing the slip along rolling
-    across: Numbers  # N, opposing the slip across the groove
-    moment: Numbers  # N m, opposing the spin
-    power: Numbers  # W, lost
+    along: Numbers  # N, opposes the slip along rolling
+    across: Numbers  # N, opposes the slip across the groove
+    moment: Numbers  # N m, opposes the spin
+    power: Numbers  # W, power dissipated by slip and spin
 
 
 def moment(load: Numbers, friction: Numbers, a: Numbers, second: Numbers) -> Numbers:
-    """(3/8) mu Q a E in N m: moment of pure spin under Coulomb's law. a is the semi-axis across the
-    groove in m, `second` the complete elliptic integral E (`hertz.Ellipse`)."""
+    """Return the moment of pure spin under Coulomb's law, (3/8) mu Q a E in N m. a is the semi-axis
+    across the groove in m, and `second` is the complete elliptic integral E (`hertz.Ellipse`)."""
     return laws.pure_spin_couple(friction * load, a, second)
 
 
 def closed_moment(pure: Numbers, speed: Numbers, edge: Numbers) -> Numbers:
-    """Moment in N m that resists spin in the presence of differential slip, by a fit: the moment
-    `pure` of pure spin (N m), reduced if omega a = `speed` is small compared with s_e = `edge`,
-    both in m/s (`sliding.edge_slip`)."""
+    """Return the moment in N m that resists spin in the presence of differential slip, from a fit.
+    The moment `pure` of pure spin (N m) is reduced if omega a = `speed` is small compared with s_e
+    = `edge`, both in m/s (`sliding.edge_slip`)."""
     width = np.maximum(edge, sliding.LEAST)
     return pure * laws.spin_shares(np.abs(speed), width, 0.0).spin
 
 
 def closed_slip(speed: Numbers, edge: Numbers) -> Numbers:
-    """Factor by which spin reduces the couple of differential slip; arguments as in
-    `closed_moment`."""
+    """Return the factor by which spin reduces the couple of differential slip; the arguments are as
+    in `closed_moment`."""
     return laws.spin_shares(np.abs(speed), np.maximum(edge, sliding.LEAST), 0.0).slip
 
 
@@ -52,12 +53,13 @@ def with_slip(
     curve: Numbers = 0.0,
     least: float = sliding.LEAST,
 ) -> Spin:
-    """`Spin` of contacts with sliding speeds at their centre in m/s and a spin in rad/s, by the
-    slices of a run with `spin_law` "slices" (docs/tribology, Slip and spin in slices).
+    """Compute the `Spin` of contacts with sliding speeds at their centre in m/s and a spin in
+    rad/s, with the slices that a run uses if its `spin_law` is "slices" (docs/tribology, Slip and
+    spin in slices).
 
     At (x along, z across) the sliding velocity is (along + spin z - curve z^2, across - spin x),
-    where `curve` = u/(2 R_d R_x) in 1/(m s) is for differential slip. Friction is proportional to
-    the sliding speed below `least` (m/s).
+    where `curve` = u/(2 R_d R_x) in 1/(m s) represents differential slip. Below a sliding speed of
+    `least` (m/s), friction is proportional to the speed.
     """
     speed, edge = spin * a, curve * np.square(a)
     found = laws.slip_slices(along, across, -speed, edge, b / a, least)
@@ -70,9 +72,9 @@ def with_slip(
 def free_slip(
     load: Numbers, friction: Numbers, a: Numbers, b: Numbers, spin: Floats, curve: Numbers
 ) -> Spin:
-    """`with_slip` of contacts that spin at `spin` rad/s, (n,), and slide along rolling so that no
-    force remains in that direction. The slip, between 0 and its value for differential slip alone,
-    is found by 20 bisections."""
+    """Apply `with_slip` to contacts that spin at `spin` rad/s, (n,), and slide along rolling such
+    that no force remains in that direction. The slip, which is between 0 and its value for
+    differential slip alone, is found by 20 bisections."""
     low, high = np.zeros_like(spin), np.full_like(spin, curve * a**2)
     for _ in range(20):
         middle = (low + high) / 2

@@ -2,26 +2,26 @@
 """Quasi-static equilibrium of a whole bearing in five degrees of freedom (Jones 1960; Harris 2006,
 ch. 7).
 
-Written from theory, independently of the simulation with which it is compared.
+The module was written from theory, independently of the simulation with which it is compared.
 
-The outer ring is fixed. The inner ring carries a force and two moments and is free in, or held
-along, each of three displacements (x, y, z) and two tilts (rx, ry). Each ball stays at its azimuth
-(held by the cage) and is free in the plane through the outer ring's axis, between an outer and an
-inner groove; the contact angles follow. Every contact is an elastic spring in a convex distance, so
-the balls and then the ring minimise a convex energy, and Newton's method with a line search
-converges from any start. Contact stiffness depends weakly on the contact angle and is updated
-outside that minimisation.
+The outer ring is fixed. The inner ring carries a force and two moments; each of its three
+displacements (x, y, z) and two tilts (rx, ry) is either free or held. Each ball stays at its
+azimuth, where the cage holds it, and is free in the plane through the outer ring's axis, between an
+outer and an inner groove; the contact angles follow. Every contact is an elastic spring whose
+length is a convex function of the position. The balls, and then the ring, therefore minimise a
+convex energy, and Newton's method with a line search converges from any starting point. The contact
+stiffness depends weakly on the contact angle and is updated outside that minimisation.
 
-The theory moves each inner groove by the components of shift and tilt in the ball's plane (Harris,
-ch. 7), as if its circle were locally straight. With `finite_shift` the circle is shifted and tilted
-but remains a circle, as in a simulation: at 5 kN this reduces the load of a 6208's ball at 80
-degrees from the load line by 0.4 % and increases it by 0.07 % on the line. A ring resting on one
-ball is then unstable and rolls sideways.
+In the theory, each inner groove moves by the components of shift and tilt in the plane of the ball
+(Harris, ch. 7), as if its circle were locally straight. With `finite_shift` the circle is shifted
+and tilted but remains a circle, as in a simulation. In a 6208 at 5 kN this reduces the load of the
+ball at 80 degrees from the load line by 0.4 % and increases that of the ball on the line by 0.07 %.
+A ring that rests on one ball is then unstable and rolls sideways.
 
-A bearing may have several rows of balls, and several grooves for each ball (`bearing.Layout`): a
+A bearing may have several rows of balls, and several grooves for each ball (`bearing.Layout`). A
 ball then presses on each groove that it reaches, and moves from one to another without a jump.
 
-Neglected: friction, gyroscopic moments, bending of rings.
+Friction, gyroscopic moments and bending of the rings are neglected.
 """
 
 from collections.abc import Mapping
@@ -41,51 +41,53 @@ from raceway.theory.small_motion import Linear
 
 FREEDOMS = ("x", "y", "z", "rx", "ry")
 STRAIGHT = {"rx": 0.0, "ry": 0.0}
-LIGHT = 0.01  # fraction of the largest load; contact angles of lighter contacts are ignored
+LIGHT = 0.01  # fraction of the largest load; the angles of contacts with smaller loads are ignored
 
 
 class Contacts(NamedTuple):
-    """One raceway's contacts, arrays with one value for each ball (Z,), row after row, or for a
-    raceway with several grooves (grooves, Z), in the order of its `bearing.Layout`; zero load if
-    there is no contact."""
+    """Contacts of one raceway, in arrays with one value per ball (Z,), row after row or, if the
+    raceway has several grooves, (grooves, Z) in the order of its `bearing.Layout`. The load is zero
+    where there is no contact."""
 
     # m, overlap of the rigid bodies: negative if a film bridges a gap; minus the play for a ball
-    # held on the outer raceway by its centrifugal load; zero for a ball that is not held
+    # that
+    # its centrifugal load holds on the outer raceway; zero for a ball that is not held
     overlap: Floats
     load: Floats  # N
-    angle: Floats  # rad, positive if the inner ring is pushed to +z
-    a: Floats  # m, across the groove
-    b: Floats  # m, along rolling
+    angle: Floats  # rad, contact angle, positive if the inner ring is pushed towards +z
+    a: Floats  # m, semi-axis across the groove
+    b: Floats  # m, semi-axis along rolling
     pressure: Floats  # Pa
 
     __repr__ = short
 
     @property
     def heavy(self) -> Floats:
-        """True for contacts with a load above `LIGHT`. Other contacts may belong to balls wedged by
-        their centrifugal load between the outer groove and the edge of the inner one, at any
-        angle."""
+        """True for contacts whose load exceeds the fraction `LIGHT` of the largest load. Other
+        contacts may belong to balls that their centrifugal load wedges between the outer groove and
+        the edge of the inner groove, at any angle."""
         return self.load > LIGHT * self.load.max()
 
 
 @dataclass(frozen=True)
 class Equilibrium:
-    """Equilibrium of the bearing."""
+    """Equilibrium of a bearing."""
 
-    shift: Floats  # (3,), m: inner ring relative to outer ring
+    shift: Floats  # (3,), m, displacement of the inner ring relative to the outer ring
     azimuth: Floats  # (Z,), rad
     inner: Contacts
     outer: Contacts
-    # N, residual of the equilibrium of the free degrees of freedom, moments divided by the pitch
+    # N, residual of the equilibrium of the free degrees of freedom, with moments divided by the
+    # pitch
     # radius
     residual: float
     tilt: Floats  # (2,), rad: arcsines of -e_y and e_x of the ring's axis e, about x and y
-    force: Floats  # (3,), N: of the balls on the inner ring
-    moment: Floats  # (3,), N m: the moment of these forces about the ring's centre
-    # (5, 5), N/m, N/rad, N m/rad: d(load)/d(position) in x, y, z, rx, ry at the present contact
+    force: Floats  # (3,), N, force of the balls on the inner ring
+    moment: Floats  # (3,), N m, moment of this force about the ring's centre
+    # (5, 5), N/m, N/rad, N m/rad: d(load)/d(position) in x, y, z, rx, ry for the current contact
     # ellipses
     stiffness: Floats
-    linear: Linear  # linearised about the equilibrium of the balls, for `small_motion.response`
+    linear: Linear  # linearisation about the equilibrium of the balls, for `small_motion.response`
 
     __repr__ = short
 
@@ -106,19 +108,19 @@ def equilibrium(
     film: FilmInGap | None = None,
     near: Equilibrium | None = None,
 ) -> Equilibrium:
-    """`Equilibrium` of `bearing` under loads in N on the inner ring, in the directions
-    `load_azimuth` (rad) and +z.
+    """Find the `Equilibrium` of `bearing` under a radial load in the direction `load_azimuth` (rad)
+    and an axial load along +z, both in N on the inner ring.
 
-    `moment` is (M_x, M_y) in N m on the inner ring; `held` maps degrees of freedom (x, y, z in m,
-    rx, ry in rad) to the values at which they are held; the others are free. Without `held` the
-    ring is held untilted (rx = ry = 0), or free to tilt if a `moment`, even zero, is given.
-    `clearance` is diametral, m. `phase` is the azimuth of the first ball of each row in rad, or
-    (Z,) the azimuths of all balls if they are not evenly spaced. `orbital_speed` in rad/s, of all
-    balls or (Z,) of each, gives them the centrifugal load m r omega^2 with m from `ball_density` in
-    kg/m^3. `finite_shift` is explained above; `film` puts the film in the gap. If a nearby
-    equilibrium `near` is given, the search starts there. Raises `NoEquilibrium` if the ring is free
-    to move or the balls are forced out of their grooves, `ValueError` for an unknown degree of
-    freedom.
+    `moment` is (M_x, M_y) in N m on the inner ring. `held` maps degrees of freedom (x, y, z in m,
+    rx, ry in rad) to the values at which they are held; the others are free. Without `held`, the
+    ring is held untilted (rx = ry = 0) or, if a `moment` (even zero) is given, is free to tilt.
+    `clearance` is diametral in m. `phase` is the azimuth of the first ball of each row in rad or,
+    if the balls are not evenly spaced, the azimuths of all balls (Z,). `orbital_speed` in rad/s,
+    one value for all balls or one for each (Z,), adds the centrifugal load m r omega^2, where m
+    follows from `ball_density` in kg/m^3. `finite_shift` is explained above; `film` adds the film
+    in the gap. If a nearby equilibrium `near` is given, the search starts there. Raises
+    `NoEquilibrium` if the ring is free to move or the balls are forced out of their grooves, and
+    `ValueError` for an unknown degree of freedom.
 
     >>> from raceway.theory.bearing import Bearing
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
@@ -133,7 +135,7 @@ def equilibrium(
     """
     if not isinstance(bearing, Bearing):
         raise TypeError(
-            f"bearing is {bearing!r}, must be a Bearing: raceway.inputs.bearing('6208') for example"
+            f"bearing is {bearing!r}, must be a Bearing, such as raceway.inputs.bearing('6208')"
         )
     force = np.array(
         [radial_load * np.cos(load_azimuth), radial_load * np.sin(load_azimuth), axial_load], float
@@ -182,9 +184,9 @@ def contacts(
     *,
     held: bool | Floats = False,
 ) -> Contacts:
-    """`Contacts` of balls at `distance` (m) from the centres of curvature, under `load` (N) at
-    `angle` (rad), arrays of one shape; `held` marks balls without load that have a definite
-    position. Raises `NoEquilibrium` if the balls are forced out of their grooves."""
+    """Return the `Contacts` of balls at `distance` (m) from the centres of curvature, under `load`
+    (N) at `angle` (rad), in arrays of equal shape; `held` marks balls without load whose position
+    is definite. Raises `NoEquilibrium` if the balls are forced out of their grooves."""
     if np.any((load > 0) & (np.cos(angle) < -0.7)):
         raise NoEquilibrium(
             f"balls lie against the far side of the {('inner', 'outer')[raceway]} groove: the play"
@@ -204,11 +206,11 @@ def contacts(
 
 
 def imposed(held: Mapping[str, float]) -> Floats:
-    """(5,) displacements in m and rad that `held` imposes, NaN where free. Raises `ValueError` for
-    an unknown degree of freedom and a value that is not finite."""
+    """Return the displacements (5,) in m and rad that `held` imposes, with NaN for free degrees of
+    freedom. Raises `ValueError` for an unknown degree of freedom or a value that is not finite."""
     if unknown := sorted(set(held) - set(FREEDOMS)):
         raise ValueError(
-            f"held: {', '.join(map(str, unknown))} is not a degree of freedom; there are"
+            f"held: {', '.join(map(str, unknown))} is not a degree of freedom; choose from"
             f" {', '.join(FREEDOMS)}"
         )
     place = np.array([held.get(name, np.nan) for name in FREEDOMS], float)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Steady temperature of a bearing: statics, film and friction at the temperature where cooling
-balances the friction heat.
+"""Steady temperature of a bearing, i.e. the temperature at which cooling balances the friction heat
+that follows from statics, film and friction at that temperature.
 
-One node: the whole bearing and its oil at one temperature. Three nodes: inner ring, balls and outer
-ring at separate temperatures, the oil at their mean, and statics with the clearance of the warm
-parts. In both cases, oil that flows through the bearing carries heat away.
+With one node, the whole bearing and its oil are at one temperature. With three nodes, inner ring,
+balls and outer ring have separate temperatures, the oil is at their mean, and statics uses the
+clearance of the warm parts. In both cases, oil that flows through the bearing carries heat away.
 """
 
 import math
@@ -30,7 +30,7 @@ from raceway.theory.oil_supply import BATH, Supply
 from raceway.theory.static import STRAIGHT, Equilibrium
 from raceway.theory.validity import of_statics
 
-ENOUGH = 0.01  # K, tolerance
+ENOUGH = 0.01  # K, tolerance of the temperature
 OF_NODES = ("sides", "cage", "contacts", "drag", "flow")  # of a `Scene`, for its heat balance
 TOPICS = {
     "Operating point": (
@@ -49,7 +49,7 @@ TOPICS = {
         Row("runs", "runs", ""),
         Row("run_temperature_C", "temperature of the last run", "°C"),
         Row("run_power_W", "power loss of the last run", "W"),
-        Row("run_over_statics", "its power loss over that of statics", ""),
+        Row("run_over_statics", "ratio to power loss by statics", ""),
     ),
     "Steady state": (
         Row("temperature_C", "temperature of the lubricant", "°C"),
@@ -72,7 +72,7 @@ TOPICS = {
         Row("reference_speed_catalogue_rpm", "of the catalogue", "rpm"),
     ),
 }
-COLUMNS = (  # of the table of several points: key, heading, scale
+COLUMNS = (  # columns of the table for several points: key, heading, scale
     ("load_N", "load N", 1),
     ("rpm", "rpm", 1),
     ("temperature_C", "T °C", 1),
@@ -87,8 +87,8 @@ COLUMNS = (  # of the table of several points: key, heading, scale
 
 @dataclass(frozen=True)
 class Nodes:
-    """Conductances of `heat.three_nodes`, W/K. If `housing` is None, it follows from ISO 15312; if
-    `contact` is None, from the moving contacts (`heat.conductances`)."""
+    """Conductances for `heat.three_nodes` in W/K. If `housing` is None, it is computed by ISO
+    15312, and if `contact` is None, from the moving contacts (`heat.conductances`)."""
 
     shaft: float = 0.0
     housing: float | None = None
@@ -97,8 +97,8 @@ class Nodes:
 
 @dataclass(frozen=True)
 class CirculatingOil:
-    """Oil that flows through a bearing of this `width` in m; `flow` is the volume flow at 40 C in
-    m^3/s, `inlet` the inlet temperature in degrees C."""
+    """Oil that flows through a bearing with this `width` in m; `flow` is the volume flow at 40 C in
+    m^3/s, and `inlet` is the inlet temperature in degrees C."""
 
     flow: float
     inlet: float
@@ -115,7 +115,8 @@ class Rest(NamedTuple):
 
 
 class Scene:
-    """A bearing, its oil and load; the friction follows from temperature and clearance."""
+    """A bearing with its oil and load, for which friction is computed from temperature and
+    clearance."""
 
     def __init__(
         self,
@@ -135,9 +136,10 @@ class Scene:
         cage: cage_drag.CageRing | None = None,
         oil_flow: CirculatingOil | None = None,
     ) -> None:
-        """`roughness` is the composite roughness in m, `density` that of the balls in kg/m^3;
-        `spin_law`, `models` and `cage` are as in `operating_point.figures`, `held` as in
-        `static.equilibrium`, `size` and `supply` as in `friction_torque.surfaces`."""
+        """Store the arguments. `roughness` is the composite roughness in m, and `density` is the
+        density of the balls in kg/m^3; `spin_law`, `models` and `cage` are as in
+        `operating_point.figures`, `held` is as in `static.equilibrium`, and `size` and `supply` are
+        as in `friction_torque.surfaces`."""
         self.bearing, self.boundary, self.lubricant = bearing, boundary, lubricant
         self.roughness, self.load, self.axial = roughness, load, axial
         self.ring, self.density = rpm * math.pi / 30, density
@@ -148,7 +150,8 @@ class Scene:
         self.near: Equilibrium | None = None  # the last equilibrium, where the next search begins
 
     def rest(self, temperature: float, clearance: float) -> Rest:
-        """Equilibrium and films with the oil at a temperature in degrees C and a clearance in m."""
+        """Compute equilibrium and films for oil at a temperature in degrees C and a clearance in
+        m."""
         fluid, ring = self.lubricant.at(temperature), self.ring
         film = None if self.models == "paper" else FilmInGap(fluid, ring)
         state, orbit = turning(
@@ -170,13 +173,14 @@ class Scene:
         return Rest(state, orbit, films, fluid)
 
     def at(self, temperature: float, clearance: float) -> dict[str, Any]:
-        """Figures of the scene at a temperature in degrees C and a clearance in m. `sides` is the
-        power in W at the inner and the outer raceway, each with half of the drag; `cage` is the
-        power lost at the cage, `drag` the power lost by drag, `flow` the `heat.OilFlow`."""
+        """Return the results of the scene at a temperature in degrees C and a clearance in m.
+        `sides` is the power in W at the inner and the outer raceway, each including half of the
+        drag; `cage` is the power dissipated at the cage, `drag` the power dissipated by drag, and
+        `flow` the `heat.OilFlow`."""
         return self.figures(self.rest(temperature, clearance), clearance)
 
     def figures(self, rest: Rest, clearance: float) -> dict[str, Any]:
-        """Like `at`, from a given `rest`."""
+        """Return the same results as `at` from a given `rest`."""
         state, orbit, films, fluid = rest
         ring = self.ring
         losses = friction_torque.losses(
@@ -214,7 +218,7 @@ class Scene:
         }
 
     def flow(self, fluid: Fluid, orbit: float) -> heat.OilFlow:
-        """The flow of oil, for balls that orbit at a speed in rad/s."""
+        """Return the flow of oil for balls that orbit at a speed in rad/s."""
         oil = self.oil_flow
         if oil is None:
             return heat.STILL
@@ -223,8 +227,8 @@ class Scene:
 
 
 def one_node(scene: Scene, conductance: float, ambient: float, clearance: float) -> dict[str, Any]:
-    """Steady figures with one temperature, `conductance` in W/K to `ambient` in degrees C. Raises
-    `NoEquilibrium` if the bearing heats beyond 200 C."""
+    """Return the steady-state results with a single temperature, for a `conductance` in W/K to
+    `ambient` in degrees C. Raises `NoEquilibrium` if the bearing heats beyond 200 C."""
 
     def left(temperature):
         found = scene.at(temperature, clearance)
@@ -249,12 +253,13 @@ def one_node(scene: Scene, conductance: float, ambient: float, clearance: float)
 
 
 def _settings(oil):
-    """Figures of the input of `CirculatingOil`."""
+    """Return the results that describe the input `CirculatingOil`."""
     return {} if oil is None else {"oil_flow_m3_s": oil.flow, "oil_inlet_C": oil.inlet}
 
 
 def _carried(found, surfaces):
-    """Figures of flowing oil, with inner ring, balls and outer ring at temperatures `surfaces`."""
+    """Return the results for flowing oil if inner ring, balls and outer ring have the temperatures
+    `surfaces`."""
     flow = found["flow"]
     if not flow.flow:
         return {}
@@ -263,8 +268,9 @@ def _carried(found, surfaces):
 
 
 def three_nodes(scene: Scene, nodes: Nodes, ambient: float, clearance: float) -> dict[str, Any]:
-    """Steady figures with separate temperatures by `Nodes`; `clearance` is the clearance of the
-    bearing at `ambient`. Raises `NoEquilibrium` if no steady state is found up to 200 C."""
+    """Return the steady-state results with separate temperatures for the `Nodes`; `clearance` is
+    the clearance of the bearing at `ambient`. Raises `NoEquilibrium` if no steady state is found up
+    to 200 C."""
     warm, oil = clearance, ambient + 20.0
     part = 0.6  # under-relaxation: friction decreases as the oil warms, so full steps overshoot
     for _ in range(80):
@@ -297,11 +303,11 @@ def three_nodes(scene: Scene, nodes: Nodes, ambient: float, clearance: float) ->
 
 @dataclass(frozen=True)
 class Case:
-    """Input of `figures`; SI units, degrees C.
+    """Input of `figures`, in SI units and degrees C.
 
-    `bearing` and `lubricant` are names or paths of data files, looked up in the inputs `folder`
-    (`catalogue.find`); the lubricant's file must have physical data. Cooling follows from `nodes`,
-    or from `conductance` in W/K, or by default from ISO 15312.
+    `bearing` and `lubricant` are names or paths of data files, which are looked up in the inputs
+    `folder` (`catalogue.find`); the lubricant's file must contain physical data. Cooling is
+    determined by `nodes` or by `conductance` in W/K, and by ISO 15312 if neither is given.
     """
 
     bearing: str
@@ -320,24 +326,24 @@ class Case:
     models: str = DEFAULT
     supply: Supply = BATH
     cage: cage_drag.CageRing | None = None
-    oil_flow: float = 0.0  # m^3/s at 40 C; 0: oil does not carry heat away
-    oil_inlet: float | None = None  # ambient unless given
+    oil_flow: float = 0.0  # m^3/s at 40 C; 0 if oil does not carry heat away
+    oil_inlet: float | None = None  # degrees C; by default the ambient temperature
 
     def files(self) -> tuple[Path, Path]:
-        """Paths of the bearing and of the lubricant. Raises `RacewayError`."""
+        """Return the paths of the bearing and of the lubricant. Raises `RacewayError`."""
         path, oil = (
             catalogue.find("bearings", self.bearing, self.folder),
             catalogue.find("lubricants", self.lubricant, self.folder),
         )
         if not inputs.physical(oil):
             raise inputs.InputError(
-                f"{oil} has no physical data to compute other temperatures from: take vg46 for"
-                " example"
+                f"{oil} has no physical data from which to compute other temperatures: use vg46,"
+                " for example"
             )
         return path, oil
 
     def scene(self) -> Scene:
-        """The `Scene`. Raises `RacewayError`."""
+        """Return the `Scene`. Raises `RacewayError`."""
         path, oil = self.files()
         return Scene(
             inputs.bearing(path, four_point=self.four_point, double_row=self.double_row),
@@ -358,7 +364,7 @@ class Case:
         )
 
     def _oil_flow(self, path):
-        """The `CirculatingOil`, or None. Raises `RacewayError`."""
+        """Return the `CirculatingOil`, or None if there is none. Raises `RacewayError`."""
         if not self.oil_flow:
             return None
         if "bearing_width" not in inputs.values(path):
@@ -368,13 +374,13 @@ class Case:
         return CirculatingOil(self.oil_flow, inlet, width)
 
     def cooling(self) -> float | None:
-        """Conductance in W/K; None with nodes. Raises `RacewayError`."""
+        """Return the conductance in W/K, or None if `nodes` are given. Raises `RacewayError`."""
         if self.conductance is not None or self.nodes is not None:
             return self.conductance
         return self.usual_cooling()
 
     def usual_cooling(self) -> float:
-        """Conductance in W/K of ISO 15312. Raises `RacewayError`."""
+        """Return the conductance in W/K by ISO 15312. Raises `RacewayError`."""
         path, _ = self.files()
         names = ("bore_diameter", "outside_diameter", "bearing_width")
         if missing := set(names) - set(inputs.values(path)):
@@ -384,7 +390,7 @@ class Case:
         return heat.cooling(*(1e3 * size for size in inputs.numbers(path, *names).values()))
 
     def steady(self, scene: Scene) -> dict[str, Any]:
-        """Steady figures of the `Scene`. Raises `NoEquilibrium`."""
+        """Return the steady-state results of the `Scene`. Raises `NoEquilibrium`."""
         if self.nodes is not None:
             nodes = self.nodes
             if nodes.housing is None:
@@ -393,9 +399,9 @@ class Case:
         return one_node(scene, self.cooling(), self.ambient, self.clearance)
 
     def report(self, scene: Scene, found: Mapping[str, Any]) -> dict[str, Any]:
-        """The result of `figures` with the steady figures `found`."""
+        """Return the result of `figures` from the steady-state results `found`."""
         path, oil = self.files()
-        level = 500 * scene.bearing.ball_diameter  # mm: the middle of the lowest ball
+        level = 500 * scene.bearing.ball_diameter  # mm, at the middle of the lowest ball
         known = "reference_speed" in inputs.values(path)
         boundary, play = scene.boundary, scene.bearing.play(inputs.nominal_angle(path))
         rest = scene.rest(found["temperature_C"], found["clearance_warm_m"])
@@ -431,8 +437,8 @@ class Case:
 
 
 def figures(*names: Any, **point: Any) -> dict[str, Any]:
-    """Steady figures by name in SI units, temperatures in degrees C, of the `Case` with these
-    arguments. Raises `RacewayError`."""
+    """Return a dict of steady-state results, in SI units with temperatures in degrees C, for the
+    `Case` with these arguments. Raises `RacewayError`."""
     case = Case(*names, **point)
     case.files()
     case.cooling()
@@ -441,7 +447,7 @@ def figures(*names: Any, **point: Any) -> dict[str, Any]:
 
 
 def table(result: Mapping[str, Any]) -> str:
-    """The result of `figures` as text."""
+    """Format the result of `figures` as text."""
     rows = (row for topic in TOPICS.values() for row in topic)
     shown = {**dict.fromkeys(row.key for row in rows), **result}
     for key in ("reference_speed_rpm", "reference_speed_dry_rpm"):
@@ -452,5 +458,5 @@ def table(result: Mapping[str, Any]) -> str:
 
 
 def curves(results: list[dict[str, Any]]) -> str:
-    """Several results of `figures` as text, one line each."""
+    """Format several results of `figures` as text, with one line per result."""
     return several(results, COLUMNS)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Shear stress of a sliding film. Numbers or arrays of one shape, SI units."""
+"""Shear stress in a sliding film. Functions accept numbers or arrays of equal shape in SI units."""
 
 import numpy as np
 
@@ -16,11 +16,11 @@ def eyring(
     stress: Numbers = 5e6,
     limit: Numbers = np.inf,
 ) -> Numbers:
-    """tau = min(tau_0 asinh(eta s/(h tau_0)), limit) in Pa, odd in s.
+    """Return tau = min(tau_0 asinh(eta s/(h tau_0)), limit) in Pa, which is odd in s.
 
-    eta in Pa s under pressure, s in m/s, h in m; `stress` is tau_0 and `limit` is Lambda_L p, both
-    in Pa. Lambda_L is 0.047 for mineral oil, 0.04 for paraffinic oil, 0.035 for PAO and 0.03 for
-    ester (Arana 2019 after Hoglund 1999).
+    eta in Pa s is the viscosity under pressure, s is in m/s and h in m; `stress` is tau_0 and
+    `limit` is Lambda_L p, both in Pa. Lambda_L is 0.047 for mineral oil, 0.04 for paraffinic oil,
+    0.035 for PAO and 0.03 for ester (Arana 2019 after Hoglund 1999).
     """
     rate = np.abs(sliding) / thickness
     return np.sign(sliding) * laws.eyring_shear(viscosity, rate, stress, limit)
@@ -34,12 +34,12 @@ def coefficient(
     stress: Numbers = 5e6,
     limit: Numbers = np.inf,
 ) -> Numbers:
-    """Friction coefficient of a film in a Hertz contact with the largest `pressure` in Pa that
-    slides everywhere at the shear rate s/h = `rate` in 1/s.
+    """Return the friction coefficient of a film in a Hertz contact with the largest `pressure` in
+    Pa, which slides everywhere at the shear rate s/h = `rate` in 1/s.
 
-    From `eyring` with the viscosity of Roelands for eta (Pa s) and xi (1/Pa); `limit` is Lambda_L.
-    With p = t p_max the mean over the ellipse is 3/p_max times the integral of tau t over t from 0
-    to 1, computed with eight Gauss points to within 0.9 %.
+    The stress is that of `eyring` with the viscosity of Roelands for eta (Pa s) and xi (1/Pa);
+    `limit` is Lambda_L. With p = t p_max the mean over the ellipse is 3/p_max times the integral of
+    tau t over t from 0 to 1, which is computed with eight Gauss points to within 0.9 %.
     """
     return laws.film_coefficient(viscosity, pressure_viscosity, stress, limit, pressure, rate)
 
@@ -54,10 +54,10 @@ def combined(
     spin: Floats,
     curve: Floats,
 ) -> Floats:
-    """Friction coefficient with which Coulomb's law has the same power loss as `eyring` with its
-    limit, in contacts (...) with a `load` (N) and semi-axes (m) that slide at (slip + spin z -
-    curve z^2, -spin x), as in `spin.with_slip`; slip in m/s, spin in rad/s, curve in 1/(m s),
-    thickness in m."""
+    """Return the friction coefficient for which Coulomb's law gives the same power loss as `eyring`
+    with its limit. The contacts (...) have a `load` (N) and semi-axes (m) and slide at (slip + spin
+    z - curve z^2, -spin x), as in `spin.with_slip`; slip is in m/s, spin in rad/s, curve in 1/(m
+    s), and thickness in m."""
     node, weight = np.polynomial.legendre.leggauss(12)
     # r = sin(t) removes the square root of the pressure
     t, turn = (node[:, None] + 1) * np.pi / 4, (np.arange(24) + 0.5) * np.pi / 12
@@ -76,18 +76,19 @@ def combined(
 
 
 def bair_winer(viscosity: Numbers, sliding: Numbers, thickness: Numbers, limit: Numbers) -> Numbers:
-    """tau = tau_L (1 - exp(-eta s/(h tau_L))) in Pa, odd in s, tau_L = `limit` in Pa.
+    """Return tau = tau_L (1 - exp(-eta s/(h tau_L))) in Pa, which is odd in s, with tau_L = `limit`
+    in Pa.
 
-    The inverse of `bair_winer_rate`.
+    This is the inverse of `bair_winer_rate`.
     """
     return -np.sign(sliding) * limit * np.expm1(-viscosity * np.abs(sliding) / (thickness * limit))
 
 
 def bair_winer_rate(viscosity: Numbers, stress: Numbers, limit: Numbers) -> Numbers:
-    """s/h = -(tau_L/eta) ln(1 - tau/tau_L) in 1/s (Bair and Winer 1979).
+    """Return s/h = -(tau_L/eta) ln(1 - tau/tau_L) in 1/s (Bair and Winer 1979).
 
-    Eq 6 of Schwarz et al. 2023 lacks the minus sign. Raises `ValueError` for a stress not below its
-    limit.
+    Eq 6 of Schwarz et al. 2023 lacks the minus sign. Raises `ValueError` unless the stress is below
+    its limit.
     """
     if np.any(np.abs(stress) >= limit):
         raise ValueError(f"shear stress {stress} Pa must be below its limit {limit} Pa")
@@ -95,5 +96,5 @@ def bair_winer_rate(viscosity: Numbers, stress: Numbers, limit: Numbers) -> Numb
 
 
 def mixed(share: Numbers, boundary: Numbers, film: Numbers) -> Numbers:
-    """mu = L_a mu_b + (1 - L_a) mu_film, where L_a = `share` (`asperity`)."""
+    """Return mu = L_a mu_b + (1 - L_a) mu_film, where L_a = `share` (see `asperity`)."""
     return laws.mixed_friction(boundary, film, share)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Range of validity of the contact formulas.
 
-The rules are defined in C++ (`src-package/core/raceway/validity.h`), which warns in a run;
-summaries and all figures of statics use the same rules.
+The rules are defined in C++ (`src-package/core/raceway/validity.h`), which issues the warnings in a
+run; summaries and all results of statics are checked with the same rules.
 """
 
 from __future__ import annotations
@@ -25,7 +25,8 @@ COUNTS = 0.19  # fraction of the radial load below which ISO 281 ignores axial l
 
 
 class Rule(NamedTuple):
-    """`value` is doubtful above `bound`, or `below` it; `limit` is the source of the bound."""
+    """A bound on a quantity: `value` is doubtful above `bound`, or below it if `below` is true;
+    `limit` states the source of the bound."""
 
     name: str
     value: str
@@ -36,7 +37,7 @@ class Rule(NamedTuple):
 
 
 class Shoulders(NamedTuple):
-    """Diameters of the shoulders of both rings, m; NaN if unknown."""
+    """Diameters in m of the shoulders of both rings; NaN if unknown."""
 
     inner: float = math.nan
     outer: float = math.nan
@@ -46,8 +47,8 @@ RULES = {row["name"]: Rule(**row) for row in core.table("columns")["validity"]}
 
 
 def doubts(values: Mapping[str, float | None]) -> list[str]:
-    """A text for each of the `values` {name in `RULES`: value in SI units} that is outside its
-    range of validity. None and NaN are missing values."""
+    """Return a warning for each of the `values` {name in `RULES`: value in SI units} that is
+    outside its range of validity. Values that are None or NaN are ignored."""
     texts = []
     for name, value in values.items():
         rule = RULES[name]
@@ -74,8 +75,9 @@ def of_statics(
     axial: float,
     four_point: float | None = None,
 ) -> list[str]:
-    """A text for each quantity of the equilibrium `state` under the loads `load` and `axial` (N)
-    that is outside its range of validity; `four_point` (rad) is `free` in `past_middle`."""
+    """Return a warning for each quantity of the equilibrium `state` under the loads `load` and
+    `axial` (N) that is outside its range of validity; `four_point` (rad) is the argument `free` of
+    `past_middle`."""
     sides = (state.inner, state.outer)
     found = {"pressure": max(side.pressure.max() for side in sides)}
     if films is not None:
@@ -93,14 +95,14 @@ def of_statics(
 
 
 def held(push: float, radial: float, largest: float) -> list[str]:
-    """A text if the balls push the inner ring along its axis with a force `push` (N) that no load
-    balances and that is significant relative to the `radial` load and the `largest` contact
+    """Return a warning if the balls push the inner ring along its axis with a force `push` (N) that
+    no load balances and that is significant relative to the `radial` load and the `largest` contact
     load."""
     if abs(push) <= COUNTS * max(radial, largest):
         return []
     return [
         f"the balls push the inner ring along its axis with {_shown(abs(push), 'N')}, and no load"
-        " balances it: loads, life and friction apply to a ring that something else holds,"
+        " balances it: loads, life and friction are valid only if something else holds the ring,"
         " such as a second bearing"
     ]
 
@@ -111,11 +113,12 @@ def past_shoulder(
     angle: tuple[np.ndarray, np.ndarray],
     semi_axis: tuple[np.ndarray, np.ndarray],
 ) -> list[str]:
-    """A text for each raceway on which contact patches extend beyond the edge of the groove.
+    """Return a warning for each raceway on which contact ellipses extend beyond the edge of the
+    groove.
 
-    `angle` (rad) and `semi_axis` a (m) belong to the loaded contacts of the inner and the outer
-    raceway. The groove ends at the angle theta with cos(theta) = 1 - depth/r_c from its bottom; an
-    ellipse reaches to |alpha| + asin(a/r_c).
+    `angle` (rad) and `semi_axis` a (m) are those of the loaded contacts of the inner and the outer
+    raceway. The groove ends at the angle theta from its bottom, with cos(theta) = 1 - depth/r_c; an
+    ellipse extends to |alpha| + asin(a/r_c).
     """
     grooves = (bearing.inner_groove, bearing.outer_groove)
     depths = (
@@ -129,7 +132,7 @@ def past_shoulder(
         if not 0 < depth <= groove:
             texts.append(
                 f"the {name} shoulder does not fit the balls: it is {_shown(depth, 'm')} above the"
-                f" bottom of its groove, must be above 0 and at most its radius"
+                f" bottom of its groove, but must be above 0 and at most the radius of the groove,"
                 f" {_shown(groove, 'm')}"
             )
             continue
@@ -149,9 +152,9 @@ def past_middle(
     angle: tuple[np.ndarray, np.ndarray],
     semi_axis: tuple[np.ndarray, np.ndarray],
 ) -> list[str]:
-    """Like `past_shoulder`, for the edge between the two grooves of a ring of a four-point contact
-    bearing: `free` is the contact angle (rad) of a centred ball. The edge lies at the angle
-    asin((r_c - R_b) sin(free)/r_c) up the groove."""
+    """Return the same warnings as `past_shoulder` for the edge between the two grooves of a ring in
+    a four-point contact bearing. `free` is the contact angle (rad) of a centred ball. The edge lies
+    at the angle asin((r_c - R_b) sin(free)/r_c) from the bottom of the groove."""
     texts = []
     for side, (alpha, a) in enumerate(zip(angle, semi_axis)):
         groove = bearing.groove(side)
