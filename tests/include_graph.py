@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The include graph of src-package: rooms, arrows between rooms, floors.
+"""Check the include graph of src-package: its rooms, the includes between rooms, and their floors.
 
     python3 tests/include_graph.py [ROOT]
 
-prints the graph of the tree at ROOT (default: this one). The exit code is 1 if a rule is broken: a
-file that includes a file of a room above its room, a cycle of files or of modules, a room of more
-than `MOST_FLOORS` floors, or a chain of more than `LONGEST` files.
+prints the graph of the tree at ROOT (default: this one). The exit code is 1 if a rule is broken: if
+a file includes a file from a room above its own, if there is a cycle of files or of modules, if a
+room has more than `MOST_FLOORS` floors, or if a chain has more than `LONGEST` files.
 
-A room is a folder of src-package. A floor of a room is one file in the longest include chain
-among its files. A module is a header with its sources and its private headers. docs/design.rst is
-generated from this file (docs/room_table.py).
+A room is a folder of src-package. The number of floors of a room is the number of files in the
+longest include chain within the room. A module is a header with its sources and its private
+headers. The table in docs/design.rst is generated from this file (docs/room_table.py).
 """
 
 import re
@@ -32,7 +32,7 @@ ROOMS = {
     "core/figures": "output columns; sums and extremes of rings and bearings; the contact table",
     "core/record": "the record of a run: a netCDF file that grows, without a library",
     "core/interface": "the laws behind a C interface by name, for Python",
-    "compat": "differences between hosts, under one name",
+    "compat": "a common interface that hides the differences between hosts",
     "deck": "driven values, agreement of ranks, tables of variables",
     "contacts": "attributes of the contact table, step check, validity check",
     "ranks": "messages between ranks, sums on rings, the home rank of a bearing",
@@ -45,8 +45,8 @@ INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 
 
 def read(package):
-    """Return {file: files of the package that it includes}, both relative to `package`, without
-    headers of the host."""
+    """Return {file: files of the package that it includes}, relative to `package`. Headers of the
+    host are left out."""
     package = Path(package).resolve()
     files = {p for p in package.rglob("*") if p.suffix in (".h", ".cpp")}
     graph = {}
@@ -66,7 +66,7 @@ def read(package):
 
 
 def room(file):
-    """Return the room of a file, which is its folder."""
+    """Return the room of a file, i.e. its folder."""
     return file.parent.as_posix() if file.parts[0] == "core" else file.parts[0]
 
 
@@ -81,8 +81,8 @@ def arrows(graph):
 
 
 def longest_chain(graph):
-    """Return the longest chain of includes as a list of files, and a cycle as a list of files
-    (empty if there is none)."""
+    """Return the longest chain of includes as a list of files, and one cycle as a list of files
+    (empty if there is no cycle)."""
     best, cycle = {}, []
 
     def chain(file, above):
@@ -101,9 +101,9 @@ def longest_chain(graph):
 def modules(graph):
     """Return {file: name of its module}.
 
-    A source belongs to the header with the same name, or to the header with the longest name that
-    the source's name continues after an underscore. A header is private to a module that includes
-    it if no file outside the module does.
+    A source belongs to the header with the same name; otherwise, it belongs to the header with the
+    longest name that the source's name extends after an underscore. A header is private to the
+    module that includes it if no file outside this module includes it.
     """
     headers = {f.with_suffix("") for f in graph if f.suffix == ".h"}
 
@@ -138,7 +138,7 @@ def floors(graph, name):
 
 
 def broken(graph):
-    """Return the violations of the rules, one sentence each."""
+    """Return a list with one sentence for each violation of the rules."""
     order = list(ROOMS)
     wrong = [f"{name} is no room" for name in sorted({room(f) for f in graph} - set(order))]
     if wrong:
