@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway paper` as a whole: verdicts, tables of docs/paper.rst, and numbers from other
-sources."""
+"""Tests of `raceway paper` as a whole: its verdicts, the tables in docs/paper.rst, and values from
+other sources."""
 
 import pandas as pd
 import pytest
@@ -10,7 +10,8 @@ from raceway.paper import statements
 from raceway.paper.figures import FIGURES
 from raceway.paper.tables import TABLES
 
-# factors from SI units to the units shown, for the columns of a table on the page; None for words
+# factors from SI units to the displayed units, for the columns of a table on the page; None for
+# text
 FACTORS = {
     "table_2": (None, None, 1e3, 1e9, 1, 1e6),
     "table_3": (1e6, 1, 1, 1, 1, 1),
@@ -21,7 +22,7 @@ FACTORS = {
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory):
-    """Return the folder with all the output of the command."""
+    """Return the folder that contains all output of the command."""
     out = tmp_path_factory.mktemp("paper")
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(ROOT)
@@ -32,7 +33,7 @@ def made(tmp_path_factory):
 def test_everything_is_there(made):
     for name in FIGURES:
         picture = (made / f"fig_{name}.png").read_bytes()
-        # not empty, and small enough for the docs
+        # the picture is not empty, and small enough for the documentation
         assert picture[:4] == b"\x89PNG" and 20_000 < len(picture) < 150_000, name
         assert len(pd.read_csv(made / f"fig_{name}.csv")) > 5
     for name in TABLES:
@@ -40,7 +41,7 @@ def test_everything_is_there(made):
 
 
 def test_verdicts(made):
-    """The verdicts equal those in statements.yaml, which docs/paper.rst shows."""
+    """The verdicts equal those in statements.yaml, which are shown in docs/paper.rst."""
     judged = pd.read_csv(made / "statements.csv", keep_default_na=False)
     columns = [judged[name] for name in ("corrected", "printed", "whole")]
     assert list(zip(*columns)) == [one.found for one in statements.read()]
@@ -50,7 +51,7 @@ def test_verdicts(made):
 def test_tables_of_the_page(made, name):
     table = pd.read_csv(made / f"{name}.csv")
     if "by" in table:
-        # runs with other oils follow the same theory
+        # runs with other oils agree with the same theory
         same = ["oil", "property", "value"]
         runs, theory = (table[table["by"] == by].set_index(same) for by in ("simulation", "theory"))
         for column in ("inner_film_m", "ball_capacitance_F", "bearing_capacitance_F"):
@@ -68,14 +69,14 @@ def test_tables_of_the_page(made, name):
 
 def test_static_theory(made):
     numbers = pd.read_csv(made / "quantities.csv").set_index(["formulas", "quantity"])["value"]
-    # within 0.1 %: C varies as U^-0.7, and the speed in the runs differs by 0.1 % from the speed
-    # for undeformed radii
+    # within 0.1 %, because C varies as U^-0.7 and the speed in the runs differs by 0.1 % from the
+    # speed for undeformed radii
     assert numbers["corrected", "theory_ball"] < 1e-3
     assert numbers["corrected", "theory_bearing"] < 1e-3
 
 
 def test_known_numbers(made):
-    """The results agree with numbers from other sources (docs/errata, Hertz, Harris)."""
+    """The results agree with values from other sources (docs/errata, Hertz, Harris)."""
     table = pd.read_csv(made / "quantities.csv").set_index(["formulas", "quantity"])["value"]
     corrected, printed = table["corrected"], table["printed"]
     assert (corrected["p_inner"], corrected["p_outer"]) == pytest.approx((2571e6, 2123e6), rel=1e-3)
