@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Compare the friction torque by statics with the models `full` with SKF's formula at 40 points of
-eight bearings, and the heat at the reference speed of five; writes docs/torque_points.rst.
+"""Compare the friction torque by statics with the models `full` with SKF's formula for 40 operating
+points of eight bearings, and the heat generated at the reference speed with the cooling power for
+five bearings. Write docs/torque_points.rst.
 
     .venv/bin/python tests/bench/torque_points.py [--no-page]
 
-In statics and in SKF's formula an oil bath reaches the middle of the lowest ball. SKF's rolling
-moment includes hysteresis.
+Both in statics and in SKF's formula, an oil bath reaches the middle of the lowest ball. SKF's
+rolling moment includes hysteresis.
 """
 
 import argparse
@@ -25,7 +26,7 @@ ROOT = Path(__file__).resolve().parents[2]
 INPUTS = ROOT / "inputs"
 OIL = "vg46"
 PAGE = ROOT / "docs/torque_points.rst"
-# radial and axial load over C0, rpm, viscosity in mPa s
+# radial load and axial load divided by C0, rpm, viscosity in mPa s
 DEEP = [
     (0.02, 0.0, 10000.0, 5.0),
     (0.1, 0.0, 3000.0, 20.0),
@@ -47,18 +48,18 @@ POINTS = {
 REFERENCE = ("6204", "6205", "6208", "6306", "6310")
 SHARES = ("rolling", "sliding", "drag")
 CONFORMITIES = ((0.51, 0.52), (0.515, 0.525), (0.52, 0.53))
-MOST_OFF = 1.5  # largest acceptable factor between shares above LEAST of SKF's torque
+MOST_OFF = 1.5  # largest acceptable factor for parts above LEAST of SKF's torque
 LEAST = 0.1
 
 
 def temperature(viscosity):
-    """Return the temperature in C at which the oil has a `viscosity` in Pa s."""
+    """Return the temperature in C at which the viscosity of the oil is `viscosity` Pa s."""
     path = INPUTS / "lubricants" / OIL
     return brentq(lambda at: inputs.fluid(path, at).viscosity - viscosity, -10.0, 180.0, xtol=1e-9)
 
 
 def shares(parts, speed):
-    """Return {share: torque in N mm} for the losses `parts` in W at a `speed` in rad/s."""
+    """Return {part: torque in N mm} for the losses `parts` in W at a `speed` in rad/s."""
     torque = {part: 1e3 * power / speed for part, power in parts.items()}
     return {
         "rolling": torque["rolling"] + torque["hysteresis"],
@@ -68,7 +69,8 @@ def shares(parts, speed):
 
 
 def with_grooves(name, folder, conformity):
-    """Write a data file of the bearing with (inner, outer) `conformity` and return its path."""
+    """Write a data file of the bearing with the (inner, outer) `conformity`, and return its
+    path."""
     known = dict(inputs.values(INPUTS / "bearings" / name))
     sizes = (float(share) * float(known["ball_diameter"]) for share in conformity)
     known.update(zip(("inner_groove", "outer_groove"), sizes))
@@ -78,7 +80,7 @@ def with_grooves(name, folder, conformity):
 
 
 def point(path, radial, axial, rpm, viscosity):
-    """Return (our shares, SKF's shares) of the torque of the bearing in a data file, N mm."""
+    """Return (our parts, SKF's parts) of the torque in N mm of the bearing in a data file."""
     at, boundary = temperature(1e-3 * viscosity), inputs.boundary(path)
     loads = [share * boundary.static_rating for share in (radial, axial)]
     one = figures(
@@ -99,8 +101,8 @@ def point(path, radial, axial, rpm, viscosity):
 
 
 def reference(name):
-    """Return (reference speed of the catalogue in rpm, heat at this speed without drag in W,
-    cooling power in W)."""
+    """Return (reference speed in the catalogue in rpm, heat generated at this speed without drag in
+    W, cooling power in W)."""
     path = INPUTS / "bearings" / name
     boundary, fluid = inputs.boundary(path), inputs.lubricant(INPUTS / "lubricants/vg32")
     rpm = float(inputs.values(path)["reference_speed"])
@@ -115,8 +117,8 @@ def reference(name):
 
 
 def rows(conformity=None):
-    """Return [(name, point, our shares, SKF's shares), ...] for all points. A `conformity` replaces
-    the grooves in the files."""
+    """Return [(name, point, our parts, SKF's parts), ...] for all points. If a `conformity` is
+    given, it replaces the grooves in the files."""
     found = []
     with TemporaryDirectory() as folder:
         for name, points in POINTS.items():
@@ -128,7 +130,7 @@ def rows(conformity=None):
 
 
 def off(own, skf):
-    """Return the shares above LEAST of SKF's torque that differ by a factor of more than
+    """Return the parts above LEAST of SKF's torque that differ from SKF's by a factor of more than
     MOST_OFF."""
     total = sum(skf.values())
     large = [share for share in SHARES if skf[share] > LEAST * total]
@@ -138,32 +140,33 @@ def off(own, skf):
 HEAD = """Friction torque compared with SKF's formula
 ===========================================
 
-``tests/bench/torque_points.py`` writes this page. It compares statics with the models ``full``
-(conformities 0.52 and 0.53 unless the bearing's file has others, no clearance, rigid rings, oil
-``vg46`` at the temperature of the viscosity) with SKF's formula (:math:`\\mu_{bl}` 0.12,
-:math:`\\mu_{EHL}` 0.05, the same oil). An oil bath reaches the middle of the lowest ball. No
-constant is fitted to SKF's formula. The first table contains torques in N mm, by statics / by
-SKF's formula. Rolling includes hysteresis; sliding is the sum of slip and spin. A share is in bold
-if it differs from SKF's share by a factor of more than 1.5 and SKF's share is above 10 % of SKF's
-torque.
+``tests/bench/torque_points.py`` writes this page. It compares statics with SKF's formula. Statics
+uses the models ``full``, conformities of 0.52 and 0.53 unless the bearing's file has others, no
+clearance, rigid rings, and the oil ``vg46`` at the temperature that gives the stated viscosity.
+SKF's formula is used with :math:`\\mu_{bl}` = 0.12, :math:`\\mu_{EHL}` = 0.05 and the same oil. In
+both, an oil bath reaches the middle of the lowest ball. No constant is fitted to SKF's formula. The
+first table lists torques in N mm, by statics / by SKF's formula. Rolling includes hysteresis;
+sliding is the sum of slip and spin. A part is in bold if it differs from SKF's value by a factor of
+more than 1.5 and SKF's value is more than 10 % of SKF's torque.
 """
 
 WHY = """*Light load and high speed* (0.02 :math:`C_0`, 10,000 rpm): the rolling torque of deep
-groove bearings is 1.16 to 1.5 times SKF's. The ratio of a 7208B is 0.59, because friction cannot
+groove bearings is 1.16 to 1.5 times SKF's. For a 7208B the ratio is 0.59, because friction cannot
 hold its balls against their gyroscopic moment. In statics the balls slide across their grooves; in
-a run under this load they skid grossly, and the torque is 197 N mm, 1.15 times SKF's. The torque
-of a 7205B is 16.4 N mm in a run, 15.7 N mm in statics and 25.3 N mm by SKF's formula.
+a run under this load they skid grossly, and the torque is 197 N mm, which is 1.15 times SKF's. The
+torque of a 7205B is 16.4 N mm in a run, 15.7 N mm in statics and 25.3 N mm by SKF's formula.
 
-*High load and low speed, combined and axial loads*: rolling is 0.66 to 1.04 and sliding 0.55 to 1.0
-times SKF's; both ratios are lowest for balls with spin. Sliding grows with the square of the
-contact width and so depends on the conformity of the grooves, which no catalogue states (below).
+*High load and low speed, combined and axial loads*: the rolling torque is 0.66 to 1.04 and the
+sliding torque 0.55 to 1.0 times SKF's; both ratios are lowest for balls with spin. Sliding
+increases with the square of the contact width, and therefore depends on the conformity of the
+grooves, which no catalogue states (see below).
 """
 
 CONFORMITY = """Conformity of the grooves
 -------------------------
 
-Makers do not publish the groove radii of their bearings, and 0.52 and 0.53 of the ball's diameter
-are our default (:doc:`catalogue`). If all bearings have the same conformities, the 40 points give
+Makers do not publish the groove radii of their bearings; our defaults are 0.52 and 0.53 of the ball
+diameter (:doc:`catalogue`). If all bearings are given the same conformities, the 40 points give
 these ratios:
 """
 
@@ -188,10 +191,10 @@ def page(found, others, heats):
     return "\n".join(
         [HEAD, summary(found), "", WHY, *csv_table(header, lines), CONFORMITY,
          *csv_table(("conformities", "geometric mean", "spread", "lowest", "highest",
-                     "with a bold share"), [others_line(*one) for one in others.items()]),
+                     "with a part in bold"), [others_line(*one) for one in others.items()]),
          "Reference speed", "---------------",
          "",
-         "The table compares the heat by statics without drag (catalogue's reference speed, 0.05"
+         "The table compares the heat by statics without drag (catalogue reference speed, 0.05"
          " :math:`C_0`, vg32 at 12 mm²/s) with the cooling power by ISO 15312 at 50 K.", "",
          *csv_table(("bearing", "rpm", "own W", "ISO 15312 W", "ratio"), heat_lines)]
     )  # fmt: skip
@@ -199,7 +202,7 @@ def page(found, others, heats):
 
 def numbers(found):
     """Return (geometric mean, spread, least, most) of the ratios of the sums, and the number of
-    points with a share that is too far off."""
+    points at which a part differs by too much."""
     ratio = np.array([sum(own.values()) / sum(skf.values()) for _, _, own, skf in found])
     log = np.log(ratio)
     wrong = sum(bool(off(own, skf)) for _, _, own, skf in found)
@@ -216,7 +219,7 @@ def summary(found):
     mean, spread, least, most, wrong = numbers(found)
     return (
         f"Ratio of the {len(found)} sums: geometric mean {mean:.3f}, spread ×/÷ {spread:.3f}, from"
-        f" {least:.2f} to {most:.2f}. {wrong} points have a share in bold."
+        f" {least:.2f} to {most:.2f}. {wrong} points have a part in bold."
     )
 
 

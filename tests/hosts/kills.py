@@ -5,9 +5,9 @@ undisturbed run.
     .venv/bin/python tests/hosts/kills.py [N] [--seed S]
 
 There are N runs with kill -TERM and N runs with kill -9 (default: 50). A killed run is resumed, and
-sometimes killed again, until it finishes. Half of the runs are always started on one rank, the other
-half alternately on 1 and 2 ranks. Only the wall time in `run.yaml` may differ; the exit code is 1 if
-anything else differs.
+sometimes killed again, until it finishes. Half of the runs are always started on one rank, the
+other half alternately on 1 and 2 ranks. Only the wall time in `run.yaml` may differ; the exit code
+is 1 if anything else differs.
 """
 
 import argparse
