@@ -69,7 +69,7 @@ neigh_modify delay 0 every 20 check yes
 
 @dataclass
 class Outcome:
-    """Exit code and output of a run."""
+    """The exit code and the output of a run."""
 
     code: int
     text: str

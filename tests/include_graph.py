@@ -16,28 +16,28 @@ import re
 import sys
 from pathlib import Path
 
-# The rooms and their contents, from the bottom up: a file may include files of its room and of the
-# rooms below it. No room of core/ includes a header of a host or of MPI.
+# The rooms and their contents, from the bottom up. A file may include files of its own room and of
+# the rooms below it. No room in core/ may include a header of a host or of MPI.
 ROOMS = {
-    "core/numbers": "four numbers side by side, duals, vectors, exponential and logarithm, tables",
-    "core/laws": "formulas of numbers: Hertz, film, damping, friction, rolling, drag, oil",
-    "core/geometry": "grooves, arches, shoulders, cage rails, ring bodies, profiles of surfaces",
-    "core/raceway": "a raceway with its constants, kinematics and state of a contact, validity",
+    "core/numbers": "four numbers at a time, dual numbers, vectors, exponential, logarithm, tables",
+    "core/laws": "formulas for plain numbers: Hertz, film, damping, friction, rolling, drag, oil",
+    "core/geometry": "grooves, arches, shoulders, cage rails, ring bodies, surface profiles",
+    "core/raceway": "a raceway with its constants, the kinematics and state of a contact, validity",
     "core/parts": "the parts of the contact law, one file each, with their losses",
-    "core/contact": "laws as sets of parts: fused, part by part, with slopes, four at a time",
+    "core/contact": "laws as sets of parts: fused, part by part, with derivatives, four at a time",
     "core/electric": "capacitors, network, circuit, breakdown, impedance, waveforms",
-    "core/bodies": "balls, rings, shafts and modes as bodies of the implicit step",
+    "core/bodies": "balls, rings, shafts and modes as bodies in the implicit step",
     "core/step": "the implicit step of one bearing",
-    "core/settings": "readers of commands, their options, and data files",
-    "core/figures": "output columns; sums and extremes of rings and bearings; the contact table",
-    "core/record": "the record of a run: a netCDF file that grows, without a library",
-    "core/interface": "the laws behind a C interface by name, for Python",
+    "core/settings": "readers for commands, their options, and data files",
+    "core/figures": "output columns; sums and extremes for rings and bearings; the contact table",
+    "core/record": "the record of a run: a growing netCDF file, written without a library",
+    "core/interface": "a C interface through which Python calls the laws by name",
     "compat": "a common interface that hides the differences between hosts",
-    "deck": "driven values, agreement of ranks, tables of variables",
+    "deck": "driven values, agreement between ranks, tables of variables",
     "contacts": "attributes of the contact table, step check, validity check",
-    "ranks": "messages between ranks, sums on rings, the home rank of a bearing",
-    "styles": "pair styles, fixes, computes, commands: what a deck names",
-    "host": "loaders, plugin, program; installation into a source tree of LIGGGHTS or LAMMPS",
+    "ranks": "messages between ranks, sums over rings, the home rank of a bearing",
+    "styles": "pair styles, fixes, computes, commands: everything that a deck can name",
+    "host": "loaders, plugin, program; installation into a LIGGGHTS or LAMMPS source tree",
 }
 MOST_FLOORS = 6
 LONGEST = 15
@@ -140,7 +140,7 @@ def floors(graph, name):
 def broken(graph):
     """Return a list with one sentence for each violation of the rules."""
     order = list(ROOMS)
-    wrong = [f"{name} is no room" for name in sorted({room(f) for f in graph} - set(order))]
+    wrong = [f"{name} is not a room" for name in sorted({room(f) for f in graph} - set(order))]
     if wrong:
         return wrong
     wrong += [

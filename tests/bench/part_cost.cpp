@@ -159,20 +159,20 @@ int main()
 {
   report<DryLaw<>>("Hertz, hysteretic damping", -1);
   report<LubricatedLaw<>>("film thickness, film damper of eq 5", 0);
-  report<GapLaw<>>("film in the gap, instead of Hertz alone", 1);
-  report<FullLaw<>>("film's branch, instead of eq 5", 2);
+  report<GapLaw<>>("film in the gap instead of Hertz alone", 1);
+  report<FullLaw<>>("film branch instead of eq 5", 2);
   report<FullLaw<ConstantFrictionPart, SmoothedFrictionPart>>("smoothed friction", 3);
   report<FullLaw<StribeckFrictionPart, SmoothedFrictionPart>>("Stribeck's coefficient", 4);
   report<FullLaw<MixedFrictionPart, SmoothedFrictionPart>>("mixed coefficient", 4);
-  report<Slip<>>("differential slip, instead of smoothed friction", 6);
+  report<Slip<>>("differential slip instead of smoothed friction", 6);
   report<Slip<HydrodynamicRollingPart>>("hydrodynamic rolling", 7);
   report<Slip<HydrodynamicRollingPart, RollingHysteresisPart>>("hysteresis in rolling", 8);
   report<Slip<HydrodynamicRollingPart, RollingHysteresisPart, SpinPart>>("spin", 9);
   report<Slip<HydrodynamicRollingPart, RollingHysteresisPart, SpinPart, DragPart>>("drag", 10);
   report<FullLaw<MixedFrictionPart, SlipSlicesPart, HydrodynamicRollingPart, RollingHysteresisPart,
-                 DragPart>>("slip and spin in slices, instead of their closed forms", 11);
-  report<FullLaw<>>("film of all regimes, instead of the power law", 3, {true});
-  report<FullLaw<>>("inlet shear after Gupta, instead of Murch and Wilson", 3,
+                 DragPart>>("slip and spin in slices instead of closed-form laws", 11);
+  report<FullLaw<>>("film of all regimes instead of the power law", 3, {true});
+  report<FullLaw<>>("inlet shear after Gupta instead of Murch and Wilson", 3,
                     {false, InletShear::gupta});
   fprintf(stderr, "%g\n", kept);
 }

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway dataset` with the real program: its files, labels and resuming, and folders that contain
-something else."""
+"""Tests of `raceway dataset` with the real program: its files, labels and resuming, and folders
+that contain something else."""
 
 import json
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway heat --runs` with the real program: the heat balance, finished runs, failures and
-messages."""
+"""Tests of `raceway heat --runs` with the real program: the heat balance, finished runs, failures
+and messages."""
 
 import json
 

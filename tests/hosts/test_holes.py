@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Decks that change the input of an existing fix: groups that grow, and rings that belong to two
-fixes."""
+"""Tests of decks that change the input of an existing fix: groups that grow, and rings that belong
+to two fixes."""
 
 import re
 

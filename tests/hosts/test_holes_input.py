@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Input that was once accepted, or rejected with the wrong message: values for bearings and
-lubricants, words that only C reads as numbers, and paths that are not files."""
+"""Tests of input that was once accepted, or rejected with the wrong message: values for bearings
+and lubricants, words that only C reads as numbers, and paths that are not files."""
 
 import re
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs that once failed silently, or with the wrong message: contacts outside the range of
+"""Tests of runs that once failed silently, or with the wrong message: contacts outside the range of
 validity, lost balls, steps without progress, restart files, and two processes that write to one
 folder."""
 

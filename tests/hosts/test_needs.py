@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway needs` with the real program: its recommendations for random scenes are compared with
-separate runs."""
+"""Tests of `raceway needs` with the real program: its recommendations for random scenes are
+compared with separate runs."""
 
 import json
 import random

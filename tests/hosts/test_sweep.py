@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway sweep` with the real program: points, failures, locks, kills, job arrays and the scripts
-in inputs/cluster."""
+"""Tests of `raceway sweep` with the real program: points, failures, locks, kills, job arrays and
+the scripts in inputs/cluster."""
 
 import contextlib
 import io

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The kinds of cage that a bearing may have: a chain of balls, a single rigid ring, or no cage."""
+"""Tests of the kinds of cage that a bearing may have: a chain of balls, a single rigid ring, or no
+cage."""
 
 import numpy as np
 import pytest

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Short forms for long passages in decks: create_bearing ... groups and resumed, bearing_dump, and
-fix bearing/checkpoint ... balance."""
+"""Tests of short forms for long passages in decks: create_bearing ... groups and resumed,
+bearing_dump, and fix bearing/checkpoint ... balance."""
 
 import re
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Fixtures of the Python tests: a bearing, and run folders with known contents."""
+"""Provide fixtures for the Python tests: a bearing, and run folders with known contents."""
 
 import shutil
 

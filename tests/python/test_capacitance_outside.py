@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The gap around a contact as a capacitor: integrals are compared with each other and with
-published values, and closed-form expressions with the integrals."""
+"""The gap around a contact as a capacitor is tested: integrals are compared with each other and
+with published values, and closed-form expressions with the integrals."""
 
 import sys
 from pathlib import Path

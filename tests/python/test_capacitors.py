@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The capacitors of a whole bearing: published values, limits, and the transition at the loss of
-contact."""
+"""The capacitors of a whole bearing agree with published values and limits, and their transition at
+the loss of contact is tested."""
 
 import numpy as np
 import pytest

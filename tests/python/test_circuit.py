@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearing in its circuit without breakdown: closed-form solutions, intermediate points and
-leakage."""
+"""The circuit of a bearing without breakdown is compared with closed-form solutions; intermediate
+points and leakage are tested too."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Breakdown of films in the circuit: redistribution of charges, thresholds and events."""
+"""Tests of the breakdown of films in a circuit: redistribution of charges, thresholds and
+events."""
 
 import dataclasses
 import warnings

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Input to the circuit: voltages as functions of time, and input that is rejected."""
+"""Tests of the input to the circuit: voltages as functions of time, and input that is rejected."""
 
 import numpy as np
 import pytest

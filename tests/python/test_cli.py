@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The command line: what it prints, to which stream, and with which exit code."""
+"""Tests of the command line: what it prints, to which stream, and with which exit code."""
 
 import argparse
 import json

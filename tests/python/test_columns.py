@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Columns and keywords of the contact law, as defined by the C++ tables."""
+"""Tests of the columns and keywords of the contact law, as defined by the C++ tables."""
 
 import math
 import subprocess

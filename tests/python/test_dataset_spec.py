@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Specification files for data sets: the records that they request, and files that are rejected."""
+"""Tests of specification files for data sets: the records that they request, and files that are
+rejected."""
 
 import numpy as np
 import pytest

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway electric` and its functions: results agree with each other and with statics, films are
-computed from measured values, and pictures, messages and exit codes are as documented."""
+"""Tests of `raceway electric` and its functions: agreement of the results with each other and with
+statics, films computed from measured values, pictures, messages and exit codes."""
 
 import csv
 import json

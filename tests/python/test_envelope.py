@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Envelopes of synthetic signals in which impacts at a known rate excite a known frequency in
-noise."""
+"""Tests of envelopes of synthetic signals in which impacts at a known rate excite a known frequency
+in noise."""
 
 import json
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Statics of balls that run ahead of their cage or lag behind it under moments."""
+"""Tests of statics for balls that run ahead of their cage or lag behind it under moments."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Files supplied by users (YAML, ROSS matrices) and files written with --out."""
+"""Tests of files supplied by users (YAML, ROSS matrices) and of files written with --out."""
 
 import io
 import os

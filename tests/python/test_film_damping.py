@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The Maxwell branch of the film: values for the 6208, exact steps, and limits."""
+"""The Maxwell branch of the film is compared with values for the 6208, exact steps and limits."""
 
 import numpy as np
 import pytest

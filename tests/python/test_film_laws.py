@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film factors, the film in all regimes and the film in the gap: values, limits and slopes."""
+"""Film factors, the film in all regimes and the film in the gap are compared with published values,
+limits and finite slopes."""
 
 import numpy as np
 import pytest

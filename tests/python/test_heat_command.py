@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway heat` and its functions: heat balances, limits, messages and exit codes."""
+"""Tests of `raceway heat` and its functions: heat balances, limits, messages and exit codes."""
 
 import json
 import re

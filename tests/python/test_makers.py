@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Friction torque by the formulas of makers: published values, limits and continuity."""
+"""Makers' formulas for the friction torque give the published values, and their limits and
+continuity are tested."""
 
 import numpy as np
 import pytest

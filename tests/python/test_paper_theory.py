@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The theory behind the paper's figures: loads, films, capacitance and the change of regime."""
+"""Tests of the theory behind the paper's figures: loads, films, capacitance and the change of
+regime."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The table of a sweep: the accepted forms, and a message for every mistake before any run
+"""Tests of the table of a sweep: the accepted forms, and a message for every mistake before any run
 starts."""
 
 from pathlib import Path

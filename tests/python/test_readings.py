@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Files of readings: files that are rejected, messages, lines found in recordings, and the
+"""Tests of files of readings: files that are rejected, messages, lines found in recordings, and the
 command."""
 
 import json

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The response of a ring to small motions: closed-form solution for springs and dampers in series,
-damping laws, and the mean over a ball pass."""
+"""The response of a ring to small motions is compared with the closed-form solution for springs and
+dampers in series; damping laws and the mean over a ball pass are tested too."""
 
 import json
 

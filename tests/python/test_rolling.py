@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Rolling resistance of the 6208 at 2436 N and 0.04 Pa s: values, limits and closed-form
-solutions."""
+"""Rolling resistance of the 6208 at 2436 N and 0.04 Pa s is compared with published values, limits
+and closed-form solutions."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Stiffness and damping exported for rotor programs: axes, names, units, files, and use in ROSS."""
+"""Tests of the stiffness and damping exported for rotor programs: axes, names, units, files, and
+their use in ROSS."""
 
 import csv
 import json

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Spall lengths: closed-form solutions for the flight of the ball, and detection of entry and
-impact in synthetic signals of known length."""
+"""Tests of spall lengths: closed-form solutions for the flight of the ball, and detection of entry
+and impact in synthetic signals of known length."""
 
 import numpy as np
 import pytest

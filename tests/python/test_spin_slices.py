@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Combined slip and spin in statics: limits, comparison with closed-form expressions, and invalid
-input."""
+"""Tests of combined slip and spin in statics: limits, comparison with closed-form expressions, and
+invalid input."""
 
 from pathlib import Path
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Limits of the formulas: bounds defined in C++, and ellipses that reach the shoulder of their
-groove."""
+"""Tests of the limits of the formulas: bounds defined in C++, and ellipses that reach the shoulder
+of their groove."""
 
 import json
 import math

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Values that are found from runs of the main deck: kinematic frequencies, the power balance, and
-the trajectory in MDAnalysis."""
+"""Tests of values that are found from runs of the main deck: kinematic frequencies, the power
+balance, and the trajectory in MDAnalysis."""
 
 import numpy as np
 import pytest

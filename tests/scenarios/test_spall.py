@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Spalls in a 6208 at 1500 rpm under 2 kN: spectral lines in the envelope, and the length of a
-spall, determined from the entry of a ball and its impact."""
+"""Tests of spalls in a 6208 at 1500 rpm under 2 kN: spectral lines in the envelope, and the length
+of a spall, determined from the entry of a ball and its impact."""
 
 from contextlib import nullcontext
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The main deck with the integrator `vibration`: samples at the requested rate, a housing that
-moves, and the lines of a spall in the envelope of the housing's signal."""
+"""Tests of the main deck with the integrator `vibration`: samples at the requested rate, a housing
+that moves, and the lines of a spall in the envelope of the housing's signal."""
 
 import numpy as np
 import pytest
