@@ -34,12 +34,12 @@ HEADS = (
     "integrator",
     "real-time factor",
     "required",
-    "nothing written",
+    "without output",
     "evaluations per ball pass",
     "loads, one instant",
     "films, one instant",
     "largest load, mean",
-    "least film, mean",
+    "smallest film, mean",
     "cage speed, mean",
     "friction power, mean",
 )
@@ -190,7 +190,7 @@ def main():
                 *(f"{error:.0e}" for error in wrong[scene]),
             )
         )
-    budget = [("models", "rpm", "asked factor leaves", "whole", "steps", "record", "by")]
+    budget = [("models", "rpm", "available", "total", "steps", "record", "integrator")]
     for models in MODELS:
         for rpm in ASKED:
             best = max(

@@ -29,7 +29,7 @@ ENVIRONMENT = dict(
     OMPI_MCA_mpi_yield_when_idle="0",
 )
 # s, time step; host steps of the timed run (with one bearing, with many); s, duration of the load
-# ramp before the timed run; 140 steps are a ball pass
+# ramp before the timed run; a ball pass has 140 steps
 INTEGRATORS = {
     "verlet": {"step": 4e-7, "steps": (400_000, 1000), "settle": 4e-4},
     "implicit": {"step": 2.5e-4, "steps": (70_000, 140), "settle": 2e-2},

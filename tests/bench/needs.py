@@ -34,7 +34,7 @@ KEPT, CHEAPER = 19, 5  # required number of accurate recommendations, and of tim
 WANTED = {"torque": 0.1, "capacitance": 0.05, "load": 0.01}
 EXACT = {**REFERENCE, "tolerance": "1e-11", "samples": "1000"}  # finer than the command's reference
 SAME = ("passes", "surroundings")  # these are the same in all scenes
-HEAD = ["scene", *WANTED, "cost", "evaluations", "times cheaper", "left out, coarsened"]
+HEAD = ["scene", *WANTED, "cost", "evaluations", "times cheaper", "omitted or coarsened"]
 
 
 def scene(draw):
@@ -70,7 +70,7 @@ def row(own, folder):
     name = ", ".join(f"{key} {value}" for key, value in own.items() if key not in SAME)
     exact = figures(folder / "exact", {**own, **EXACT})
     if isinstance(exact, str):
-        print(name, "refused:", exact, flush=True)
+        print(name, "rejected:", exact, flush=True)
         return None
     code = raceway(["needs", "inputs/in.6208", *words(own), "--out", str(folder / "needs")])
     assert code == 0, name

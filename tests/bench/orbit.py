@@ -39,8 +39,10 @@ class Scene(NamedTuple):
 
 ORBITS = {
     "preload, 2 kN, 1500 rpm": Scene({**TIGHT, "load": 2000, "rpm": 1500}),
-    "the same, one-piece cage": Scene({**TIGHT, "load": 2000, "rpm": 1500, "cage": "ring"}),
-    "the same, no cage": Scene({**TIGHT, "load": 2000, "rpm": 1500, "cage": "no"}),
+    "preload, 2 kN, 1500 rpm, one-piece cage": Scene(
+        {**TIGHT, "load": 2000, "rpm": 1500, "cage": "ring"}
+    ),
+    "preload, 2 kN, 1500 rpm, no cage": Scene({**TIGHT, "load": 2000, "rpm": 1500, "cage": "no"}),
     "preload, 1 kN, 200 rpm": Scene({**TIGHT, "load": 1000, "rpm": 200}),
     "preload, 3 kN, 9549 rpm": Scene({**TIGHT, "load": 3000, "rpm": 9549}),
     "preload of 40 um, 5 kN, 477.5 rpm": Scene({"clearance": "-40e-6", "load": 5000, "rpm": 477.5}),
@@ -61,7 +63,7 @@ WITHOUT = {
 }
 HEADS = (
     *("scene", "ball passes", "evaluations", "for 30 ball passes", "ratio"),
-    *("torque", "largest load", "least film", "cage speed"),
+    *("torque", "largest load", "smallest film", "cage speed"),
 )
 PAGE = """\
 The orbit of a ball pass

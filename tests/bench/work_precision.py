@@ -243,11 +243,11 @@ def slope(rows, method):
 
 
 METHODS = ("method", "setting", "mean internal step (s)", "error",
-           "simulated over wall time (range)")  # fmt: skip
+           "simulated time / wall time (range)")  # fmt: skip
 
 
 def cells(method, words, step, miss, wall, least, most):
-    found = ("", "refused", "")
+    found = ("", "rejected", "")
     if step:
         speed = f"{1 / wall:.3g} ({1 / most:.3g} to {1 / least:.3g})"
         found = (f"{step:.3g}", f"{miss:.1e}", speed)
@@ -272,13 +272,13 @@ def targets(results):
         "rad/s",
         "P_d/D",
         "at most 1e-3",
-        "over Verlet with the friction spring, 1e-3",
-        "over Verlet with the same friction, 1e-3",
+        "relative to Verlet with the friction spring, 1e-3",
+        "relative to Verlet with the same friction, 1e-3",
         "required",
-        "by",
+        "method and setting",
         "at most 1e-2",
         "required",
-        "by",
+        "method and setting",
     )
     body = []
     for (speed, ratio), (rows, _) in results.items():

@@ -13,7 +13,7 @@ RACEWAY, BALL, ORBIT = 36.6e-3, 6.3e-3, 30.3e-3  # m
 ROLLING = BALL * (1 + BALL / ORBIT)  # m, effective radius in the rolling direction
 BOTTOM = -np.pi / 2
 MASS = 7800 * 4 / 3 * np.pi * BALL**3  # kg
-EDGE = 5e-6  # m, edge radius; it is small because the closed forms assume sharp edges
+EDGE = 5e-6  # m, edge radius; it is small because closed-form solutions assume sharp edges
 MOVERS = {
     "verlet": {},
     "implicit": {"mover": "all bearing/implicit tolerance 1.0e-11"},
