@@ -123,8 +123,8 @@ def table(title, rows, measured):
 
 def main(argv):
     cases = (
-        ("Slip in %, MFPT's geometry, 1485 rpm", MFPT, MEASURED, 1485),
-        ("Slip in %, 6203, 1500 rpm", SKF_6203, PADERBORN, 1500),
+        ("Slip, %, MFPT's geometry, 1485 rpm", MFPT, MEASURED, 1485),
+        ("Slip, %, 6203, 1500 rpm", SKF_6203, PADERBORN, 1500),
     )
     with tempfile.TemporaryDirectory() as name, ThreadPoolExecutor(2) as pool:
         folder, text, found = Path(name), [], []
